@@ -1,0 +1,15 @@
+/// Vectors of the engine: double precision, because 0.1 µm in a 20 mm tooth leaves a float 4 bits short.
+/// Frame: specimen, right-handed, x mesial, y buccal, z up (occlusal), millimetres, unless a name says otherwise.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace cusp {
+
+using Vec3 = glm::dvec3;
+using Vec3f = glm::vec3;
+using IVec3 = glm::ivec3;
+using Quat = glm::dquat;
+
+}  // namespace cusp

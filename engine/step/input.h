@@ -1,0 +1,31 @@
+/// One tick's input: integers, exactly what the recorder stores, so that a replay is the same bit for bit.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/base/haptic_port.h"
+#include "engine/base/vec.h"
+
+namespace cusp {
+
+struct StepInput {
+  std::int32_t x = 0, y = 0, z = 0;                 // device point, 0.1 µm, specimen frame
+  std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;  // orientation, 1/32767
+  std::uint16_t buttons = 0;                        // bit 0: cut; bit 15: device late; bit 14: device gone; bit 13: re-arm
+  std::uint16_t pedal = 0;                          // 0 to 65535
+  std::uint16_t burr = 0;                           // index into Scene::burrs
+  std::uint16_t reserved = 0;
+  std::uint32_t elapsed_us = 1000;                  // since the input before
+
+  Vec3 position_mm() const noexcept { return Vec3(x, y, z) / 1e4; }
+  bool cutting() const noexcept { return (buttons & kCut) != 0; }
+
+  static constexpr std::uint16_t kCut = 1, kRearm = 1u << 13, kGone = 1u << 14, kLate = 1u << 15;
+  friend bool operator==(const StepInput&, const StepInput&) = default;
+};
+static_assert(sizeof(StepInput) == 32);
+
+/// Quantises a device's sample. A position that is not finite or beyond 100 m becomes the last one with kGone set.
+StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInput& last) noexcept;
+
+}  // namespace cusp

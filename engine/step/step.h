@@ -1,0 +1,75 @@
+/// The step: contact, force, removal and guard of one tick, pure in (state, input). The same code in play, replay,
+/// mirror, bench and test; the same bits on every build and CPU (engine/README.md, "Determinism").
+/// Thread: the haptic loop's, or whichever owns the state. No heap, no lock, no I/O in step().
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/step/input.h"
+#include "engine/step/scene.h"
+#include "engine/volume/volume.h"
+
+namespace cusp {
+
+/// What one tick came to. Plain values; safe to copy between threads.
+struct StepOutput {
+  Vec3 device_mm{0.0};           // the input's point
+  Vec3 proxy_mm{0.0};            // pivot of the burr that does not penetrate
+  Vec3 force_raw_n{0.0};         // eq. (1) before the guard: what metrics use
+  Vec3 force_n{0.0};             // after the guard: what the hand gets
+  double stiffness_n_per_mm = 0; // blended over what is touched; 0 without contact
+  double advance_mm = 0;         // how far the cut went in this tick
+  Tissue tissue = Tissue::empty; // touched most
+  std::uint16_t burr = 0;
+  std::uint64_t tick = 0;        // 1 after the first step
+  std::uint64_t elapsed_us = 0;  // sum of all inputs
+  bool contact = false;          // proxy and device point differ
+  bool cutting = false;          // cut pressed and material is going
+  bool shank = false;            // the neck or shank touches
+  bool faulted = false;          // guard latched; force is zero until kRearm
+  bool infeasible = false;       // no admissible pose was found; the least violating one was taken
+  bool overflow = false;         // reserved room ran out; tests want zero
+  bool deferred = false;         // proxy still on its way, the rest next tick
+};
+
+/// Fault that the guard latched.
+enum class Fault : std::uint8_t { none, jump, late, gone, not_finite };
+
+class StepState {
+ public:
+  /// Reserves everything the scene can need. Not for the haptic thread. Pre: the scene's specimen, burrs are there.
+  explicit StepState(std::shared_ptr<const Scene> scene);
+  ~StepState();
+  StepState(StepState&&) noexcept;
+  StepState& operator=(StepState&&) noexcept;
+
+  const Scene& scene() const noexcept;
+  const Volume& volume() const noexcept;
+  const StepOutput& last() const noexcept;
+  Fault fault() const noexcept;
+
+  /// Volume and every number that the next step depends on. Equal hashes: the same future.
+  std::uint64_t hash() const noexcept;
+
+  /// All of the state, self-contained but for the scene; little-endian, versioned by kEngineVersion.
+  std::vector<std::byte> save() const;
+  /// nullopt when the bytes are not a state of this scene and engine version.
+  static std::optional<StepState> restore(std::shared_ptr<const Scene> scene, std::span<const std::byte> bytes);
+
+  struct Inner;
+  Inner& inner() noexcept { return *inner_; }
+
+ private:
+  std::unique_ptr<Inner> inner_;
+};
+
+/// Haptic thread. One tick.
+StepOutput step(StepState& state, const StepInput& input) noexcept;
+
+}  // namespace cusp

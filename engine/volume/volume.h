@@ -1,0 +1,88 @@
+/// A specimen and what has been cut from it. Two fields: the base B (the specimen's, shared, immutable) and the cut C,
+/// present only in bricks that a burr has reached; a voxel's solid fraction is s = min(B, C). For a filled reading C
+/// holds the worn fraction itself. One writer thread; memory is taken at construction, none while cutting.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/volume/specimen.h"
+
+namespace cusp {
+
+class Volume {
+ public:
+  /// Reserves room for every brick that holds tissue or touches one that does.
+  explicit Volume(std::shared_ptr<const Specimen> specimen);
+
+  const Specimen& specimen() const noexcept { return *specimen_; }
+  const std::shared_ptr<const Specimen>& specimen_ptr() const noexcept { return specimen_; }
+  const Grid& grid() const noexcept { return specimen_->grid(); }
+
+  /// Solid fraction now: min(B, C).
+  std::uint16_t s(IVec3 v) const noexcept {
+    const int b = specimen_->brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+    if (b < 0) return 0;
+    const int o = brick_offset(v.x & 7, v.y & 7, v.z & 7);
+    const std::uint16_t base = specimen_->s_in(b, o);
+    const std::uint16_t cut = cut_in(b, o);
+    return base < cut ? base : cut;
+  }
+  /// The cut field alone: kSolid where nothing was cut.
+  std::uint16_t cut(IVec3 v) const noexcept {
+    const int b = specimen_->brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+    return b < 0 ? kSolid : cut_in(b, brick_offset(v.x & 7, v.y & 7, v.z & 7));
+  }
+  std::uint16_t cut_in(int brick, int offset) const noexcept {
+    const std::int32_t slot = slot_[static_cast<std::size_t>(brick)];
+    return slot < 0 ? kSolid : cut_[static_cast<std::size_t>(slot) * kBrickVoxels + static_cast<std::size_t>(offset)];
+  }
+  /// Tissue that was there at the start (removal never renames a voxel).
+  Tissue tissue(IVec3 v) const noexcept { return specimen_->tissue(v); }
+  bool occupied(IVec3 v) const noexcept {
+    const std::uint16_t value = s(v);
+    return specimen_->reading() == Reading::filled ? value > 0 : value >= kHalf;
+  }
+
+  /// Bricks with a cut field, in the order in which they were first cut.
+  std::span<const std::int32_t> cut_bricks() const noexcept { return cut_order_; }
+  bool has_cut(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)] >= 0; }
+  /// The 512 cut values of a brick, nullptr where nothing was cut.
+  const std::uint16_t* cut_of(int brick) const noexcept {
+    const std::int32_t slot = slot_[static_cast<std::size_t>(brick)];
+    return slot < 0 ? nullptr : &cut_[static_cast<std::size_t>(slot) * kBrickVoxels];
+  }
+  /// Rises whenever a value of this brick changes; 0 while untouched. For drawing and for caches.
+  std::uint32_t revision(int brick) const noexcept { return revision_[static_cast<std::size_t>(brick)]; }
+
+  /// Haptic thread. The cut values of a brick for writing, made solid at first touch. nullptr when the reserved room is
+  /// spent (counted by the step as an overflow; tests want none).
+  std::uint16_t* cut_for_writing(int brick) noexcept;
+  /// Haptic thread. To be called once after a brick was written.
+  void touched(int brick) noexcept { ++revision_[static_cast<std::size_t>(brick)]; }
+
+  /// The same on every machine for the same specimen and the same cuts, whatever their order.
+  std::uint64_t hash() const noexcept;
+  std::size_t bytes() const noexcept;
+
+  /// Specimen and cuts in the dense form, s = min(B, C), tissue empty where s = 0.
+  VoxelVolume dense() const;
+
+  /// The cuts alone, as bytes: count, then brick index and 512 values each, in index order, little-endian.
+  std::vector<std::byte> save_cuts() const;
+  /// Replaces the cuts; false (and unchanged) when the bytes do not fit this specimen.
+  bool load_cuts(std::span<const std::byte> bytes);
+
+ private:
+  std::shared_ptr<const Specimen> specimen_;
+  std::vector<std::int32_t> slot_;       // [brick]: place in cut_, -1 uncut
+  std::vector<std::uint32_t> revision_;  // [brick]
+  std::vector<std::uint16_t> cut_;       // [slot][512]
+  std::vector<std::int32_t> cut_order_;  // capacity reserved
+  std::size_t capacity_ = 0;             // slots
+};
+
+}  // namespace cusp

@@ -1,0 +1,43 @@
+/// A grade: measured values against a rubric, with reasons as codes and arguments, never as sentences.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "scenarios/format/scenario.h"
+
+namespace cusp {
+
+/// One measured quantity of the final volume or of the process.
+struct Measure {
+  std::string metric;              // key
+  bool measured = true;            // false: could not be measured; never zero
+  double value = 0;
+  double uncertainty = 0;          // same unit, one-sided
+  std::string unit;                // "%", "mm3", "mm", "s", "N"
+  std::optional<Vec3> where_mm;    // place of the worst, for the pin on the tooth
+};
+
+struct CriterionGrade {
+  std::string id;                  // metric key
+  Measure measure;
+  std::string band;                // "ideal", "acceptable", "fail", "borderline" (edge nearer than the uncertainty), "not_measured"
+  double points = 0, points_max = 0;
+  std::string reason_code;         // "full", "too_deep", "too_shallow", "too_little", "too_much", "not_measured", ...
+  std::map<std::string, double> reason_args;  // "value", "limit", "lost"
+};
+
+struct Grade {
+  double score = 0;                // of 100
+  double score_max = 100;
+  double pass_mark = 70;
+  bool passed = false;
+  std::vector<std::string> critical;      // critical events that happened
+  std::vector<CriterionGrade> criteria;   // in the rubric's order
+  std::string evaluator = "1";            // version of the metrics code; rises when a figure changes
+};
+
+}  // namespace cusp
