@@ -1,0 +1,84 @@
+/// The haptic loop: one thread at 1 kHz that reads the device, runs the step and writes the force. Paced by the port:
+/// wait(deadline) returns at the deadline, or when a device with its own clock delivers.
+/// No input is lost: at three quarters of the ring it warns, when the ring is full it ends with zero force.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include "engine/loop/loop_stats.h"
+#include "engine/loop/realtime.h"
+#include "engine/loop/tick.h"
+#include "engine/loop/watchdog.h"
+
+namespace cusp {
+
+struct LoopSettings {
+  std::chrono::microseconds period{1000};
+  std::size_t ring_inputs = 60'000;  // 60 s at 1 kHz, 32 bytes each
+  bool ask_realtime = true;          // off in tests
+};
+
+class HapticLoop {
+ public:
+  /// Not on the haptic thread: reserves everything. `port` is open and outlives the loop.
+  HapticLoop(HapticPort& port, StepState state, const LoopSettings& settings = {});
+  ~HapticLoop();
+  HapticLoop(const HapticLoop&) = delete;
+  HapticLoop& operator=(const HapticLoop&) = delete;
+
+  void start();
+  /// Ends the thread, the last force written is zero; returns when it is gone. Calling it twice is fine.
+  void stop();
+
+  // Any thread.
+  void pause() noexcept { ticker_.pause(); }
+  void resume() noexcept { ticker_.resume(); }  // re-arms a latched guard, force ramps in
+  void change_burr(std::uint16_t index) noexcept { ticker_.change_burr(index); }
+
+  /// Rings and latest values; see HandOver for who may read what.
+  HandOver& hand_over() noexcept { return hand_over_; }
+  LoopTimes times() const noexcept { return times_of(stats_); }
+  RealtimeGrant grant() const noexcept;
+  /// Time since the loop last ticked.
+  std::chrono::nanoseconds silence() const noexcept { return watchdog_.silence(Watchdog::Clock::now()); }
+
+  /// After stop(): the state that the run came to.
+  const StepState& state() const noexcept { return ticker_.state(); }
+
+ private:
+  void run() noexcept;
+
+  HapticPort& port_;
+  LoopSettings settings_;
+  HandOver hand_over_;
+  Ticker ticker_;
+  LoopStats stats_;
+  Watchdog watchdog_;
+  std::atomic<bool> stop_{false};
+  std::atomic<std::uint8_t> grant_{0};
+  std::thread thread_;
+};
+
+/// The same ticks without a thread or a clock, as fast as they go: `play` and tests. Each tick is `period` long.
+/// A port whose sample is `gone` has come to its end. Runs on the caller's thread.
+class VirtualLoop {
+ public:
+  VirtualLoop(HapticPort& port, StepState state, const LoopSettings& settings = {});
+  /// At most `ticks` ticks, fewer when the port is over or the ring is full. Returns how many.
+  std::uint64_t run(std::uint64_t ticks) noexcept;
+  Ticker& ticker() noexcept { return ticker_; }
+  HandOver& hand_over() noexcept { return hand_over_; }
+  const StepState& state() const noexcept { return ticker_.state(); }
+
+ private:
+  HapticPort& port_;
+  LoopSettings settings_;
+  HandOver hand_over_;
+  Ticker ticker_;
+  std::chrono::steady_clock::time_point now_{};
+};
+
+}  // namespace cusp

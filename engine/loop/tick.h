@@ -1,0 +1,102 @@
+/// One tick of an exercise, the same in the live loop and in virtual time: quantise, store the input, step, hand over.
+/// Memory is taken at construction; tick() takes none, locks nothing and does no I/O.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "engine/base/haptic_port.h"
+#include "engine/base/spsc_ring.h"
+#include "engine/base/triple_buffer.h"
+#include "engine/loop/running_digest.h"
+#include "engine/step/step.h"
+
+namespace cusp {
+
+enum class LoopPhase : std::uint8_t {
+  ready,    // made, not started
+  running,
+  paused,   // asked for: force zero, clock stopped, nothing is recorded
+  held,     // the guard latched or the device is lost: as paused, and resume() re-arms
+  ended,
+};
+
+enum class LoopEnd : std::uint8_t {
+  none,
+  asked,        // stop()
+  port_over,    // virtual time: the scripted port has no more samples
+  ring_full,    // inputs were not taken off in time: force zero, the session is interrupted
+};
+
+/// The newest state of the loop for a screen; plain values, never torn.
+struct LoopLatest {
+  StepOutput output;
+  Vec3 contact_normal{0.0, 0.0, 1.0};
+  Quat orientation{1.0, 0.0, 0.0, 0.0};  // of the device, for ports with rotation
+  LoopPhase phase = LoopPhase::ready;
+  LoopEnd end = LoopEnd::none;
+  Fault fault = Fault::none;
+  Sample::Status device = Sample::Status::fresh;
+  bool ring_warning = false;             // three quarters of the input ring are waiting
+};
+
+/// What the loop hands over; each ring has the tick as its producer and the mirror as its consumer.
+struct HandOver {
+  explicit HandOver(std::size_t ring_inputs) : inputs(ring_inputs), marks(256) {}
+  SpscRing<StepInput> inputs;       // every input that was stepped, in order
+  SpscRing<DigestMark> marks;       // one a second of ticks; dropped when full (the next one heals)
+  TripleBuffer<LoopLatest> latest;  // reader: one screen thread
+  std::atomic<LoopPhase> phase{LoopPhase::ready};
+  std::atomic<LoopEnd> end{LoopEnd::none};
+  std::atomic<std::uint64_t> ticks{0};
+};
+
+class Ticker {
+ public:
+  /// Not on the haptic thread. `hand_over` outlives the ticker.
+  Ticker(StepState state, HandOver& hand_over);
+
+  /// Haptic thread. Runs the step on the sample and says what the port is to be told. While paused or held it answers
+  /// zero force at the last proxy and stores nothing. After it has ended: zero force, always.
+  Feedback tick(const Sample& sample, std::uint32_t elapsed_us) noexcept;
+  /// Haptic thread. Publishes the end; the next tick answers zero force.
+  void end(LoopEnd why) noexcept;
+  bool ended() const noexcept { return phase_ == LoopPhase::ended; }
+  LoopPhase phase() const noexcept { return phase_; }
+
+  // Any thread; taken at the next tick. The latest of change_burr() and the port's own choice wins.
+  void pause() noexcept { want_pause_.store(true, std::memory_order_release); }
+  void resume() noexcept { want_resume_.store(true, std::memory_order_release); }
+  void change_burr(std::uint16_t index) noexcept { want_burr_.store(index, std::memory_order_release); }
+  /// Virtual time: a latched guard is re-armed by the next tick instead of holding. Before the first tick.
+  void rearm_by_itself() noexcept { rearm_by_itself_ = true; }
+
+  /// The loop's own state; only where no tick can run.
+  const StepState& state() const noexcept { return state_; }
+  StepState take_state() noexcept { return std::move(state_); }
+
+ private:
+  void publish(Sample::Status device) noexcept;
+  Feedback zero_force() const noexcept;
+
+  static constexpr std::uint32_t kNoBurr = 0xFFFFFFFF;
+  StepState state_;
+  HandOver& hand_over_;
+  StepInput last_input_;
+  StepOutput output_;
+  RunningDigest digest_;
+  Vec3 normal_{0.0, 0.0, 1.0};
+  Quat orientation_{1.0, 0.0, 0.0, 0.0};
+  double softest_n_per_mm_ = 1.0;
+  std::uint16_t burr_ = 0;
+  std::uint16_t port_burr_ = 0;
+  LoopPhase phase_ = LoopPhase::ready;
+  LoopEnd end_ = LoopEnd::none;
+  bool rearm_ = false;
+  bool rearm_by_itself_ = false;
+  std::atomic<bool> want_pause_{false};
+  std::atomic<bool> want_resume_{false};
+  std::atomic<std::uint32_t> want_burr_{kNoBurr};
+};
+
+}  // namespace cusp

@@ -1,0 +1,29 @@
+/// Says from outside whether a loop is still alive: the loop beats once a tick, anyone reads how long ago.
+/// The force itself is cut where it is made: a tick that begins late is a fault of the step's guard (GuardSettings
+/// late_ms), which answers zero force before anything else, and a device cuts its motors when packets stop.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+namespace cusp {
+
+class Watchdog {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// Haptic thread. Wait-free.
+  void beat(Clock::time_point now) noexcept {
+    last_ns_.store(now.time_since_epoch().count(), std::memory_order_release);
+  }
+  /// Any thread. Time since the last beat; zero before the first.
+  std::chrono::nanoseconds silence(Clock::time_point now) const noexcept {
+    const std::int64_t last = last_ns_.load(std::memory_order_acquire);
+    return last == 0 ? std::chrono::nanoseconds{0} : now.time_since_epoch() - std::chrono::nanoseconds{last};
+  }
+
+ private:
+  std::atomic<std::int64_t> last_ns_{0};
+};
+
+}  // namespace cusp

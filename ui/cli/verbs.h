@@ -1,0 +1,15 @@
+/// The verbs of `cusp`: the desktop's work without a window (design: "Two programs").
+#pragma once
+
+#include <string_view>
+
+namespace cusp {
+
+/// True when the first argument names a verb, --help or --version: then main() returns run_verb() and opens no window.
+bool is_verb(int argc, char** argv);
+
+/// Runs the verb. 0 done, 1 failed with one line on stderr, 2 wrong usage. Needs no QApplication; `play` makes an
+/// offscreen QGuiApplication of its own for the PDF.
+int run_verb(int argc, char** argv);
+
+}  // namespace cusp

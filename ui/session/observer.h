@@ -1,0 +1,62 @@
+/// What a running exercise tells: plain values for panels (LiveView), and the whole state for drawing (Observer).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "engine/base/vec.h"
+#include "engine/loop/loop_stats.h"
+#include "engine/loop/realtime.h"
+#include "engine/loop/tick.h"
+#include "engine/mirror/mirror.h"
+#include "engine/volume/tissue.h"
+
+namespace cusp {
+
+/// Called on the mirror's thread about every 25 ms of session time with the state and the bricks that changed: the place
+/// to rebuild surface patches from (state.volume() is consistent for the length of the call). on_tick may stay as it is.
+using Observer = MirrorObserver;
+
+enum class RecordingState : std::uint8_t {
+  off,        // a try-out or guest go: nothing is kept
+  recording,
+  behind,     // the disk is slow; nothing is lost yet
+  failed,     // could not be written: the go is held, LiveView::recording_where says where
+};
+
+/// One copy of everything that panels and gauges show, about 40 times a second. Plain values.
+struct LiveView {
+  // The loop's newest tick (burr, force); read it at frame rate.
+  StepOutput output;
+  Quat orientation{1.0, 0.0, 0.0, 0.0};
+  LoopPhase phase = LoopPhase::ready;
+  LoopEnd end = LoopEnd::none;
+  Fault fault = Fault::none;
+  Sample::Status device = Sample::Status::fresh;
+  double push_n = 0;                    // length of the force before the guard
+  double seconds = 0;                   // session time: stands still while paused
+
+  // The mirror's newest state; `shown_tick` says of which tick.
+  std::uint64_t shown_tick = 0;
+  double target_removed_percent = 0;    // of the target's volume
+  double over_leeway_mm3 = 0;           // cut outside the target, within the leeway shell
+  double over_beyond_mm3 = 0;           // cut beyond the leeway
+  std::array<double, kTissueCodes> removed_mm3{};
+  double depth_mm = 0;                  // deepest cut below the target's reference plane
+  double burr_depth_mm = 0;             // tip of the burr below the same plane now; negative above it
+  std::optional<double> over_pulp_mm;   // least dentine left between the cut and the pulp; nullopt: no pulp within reach
+  bool pulp_exposed = false;
+  double peak_push_n = 0;
+
+  RecordingState recording = RecordingState::off;
+  std::string recording_where;
+  bool ring_warning = false;            // inputs wait: the machine is too slow for this exercise
+  std::optional<Mismatch> mismatch;     // loop and mirror differ
+  LoopTimes loop;
+  RealtimeGrant grant;
+  double ticks_per_s = 0;               // over the last second
+};
+
+}  // namespace cusp
