@@ -1,0 +1,42 @@
+/// An import in a process of its own, limited in memory and time: a crash, a hang or a leak in a foreign reader is a code
+/// here and nothing else. The process is this program again, called with the hidden verb `import-child`.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "scenarios/import/import.h"
+
+namespace cusp {
+
+struct WorkerSettings {
+  std::size_t memory_bytes = std::size_t{6} << 30;  // of address space: libraries and thread stacks count too
+  std::chrono::seconds cpu{300};                    // of all its threads together
+  std::chrono::milliseconds wall{600'000};
+  /// Program and leading arguments; empty: this program with the verb `import-child`.
+  std::vector<std::string> program;
+};
+
+/// import_mesh() in a child. Blocks; `progress` is called on the calling thread; a stop request kills the child within
+/// 50 ms (code cancelled). Codes of its own besides import_mesh's: crashed, time_limit, out_of_memory, cancelled,
+/// not_started.
+[[nodiscard]] Result<VoxelVolume, ImportFailure> import_mesh_in_child(const MeshImport& what,
+                                                                      const WorkerSettings& settings = {},
+                                                                      const ImportProgress& progress = {},
+                                                                      std::stop_token stop = {});
+
+/// list_meshes() in a child.
+[[nodiscard]] Result<std::vector<MeshInfo>, ImportFailure> list_meshes_in_child(const std::filesystem::path& path,
+                                                                                const WorkerSettings& settings = {},
+                                                                                std::stop_token stop = {});
+
+/// To be called first in main(): runs the child's part and gives its exit status when argv[1] is `import-child`,
+/// nullopt for any other call.
+std::optional<int> import_child_main(int argc, const char* const* argv);
+
+}  // namespace cusp
