@@ -1,0 +1,43 @@
+/// Plays a CSV trace as a device: one row a wait(), `gone` after the last.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <vector>
+
+#include "device/scripted/csv_trace.h"
+#include "engine/base/haptic_port.h"
+
+namespace cusp {
+
+enum class Pacing : std::uint8_t {
+  real_time,  // a row is delivered when its time has come; a deadline before that gets the last one again, `late`
+  at_once,    // every wait() gives the next row without sleeping: for tests and for play without a window
+};
+
+class CsvPort final : public HapticPort {
+ public:
+  CsvPort(std::filesystem::path file, Pacing pacing) : file_(std::move(file)), pacing_(pacing) {}
+  CsvPort(std::vector<TraceRow> rows, Pacing pacing) : rows_(std::move(rows)), pacing_(pacing) {}
+
+  /// not_found, no_permission, io, or bad_file with where "<file>:<line>:<column>" and the TraceError's key in detail.
+  Result<void, PortFailure> open() override;
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
+  void write(const Feedback&) noexcept override {}
+  DeviceLimits limits() const override;
+  void close() noexcept override { open_ = false; }
+
+  const std::vector<TraceRow>& rows() const noexcept { return rows_; }
+
+ private:
+  std::filesystem::path file_;
+  std::vector<TraceRow> rows_;
+  Pacing pacing_;
+  std::size_t next_ = 0;
+  bool open_ = false;
+  bool started_ = false;
+  std::chrono::steady_clock::time_point due_{};  // of row next_
+  Sample last_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,46 @@
+/// A recorded or written motion as CSV: `elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal[,burr]`, the step's own integers
+/// (0.1 µm, 1/32767, µs), so that what is played is what was meant, to the bit.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/haptic_port.h"
+
+namespace cusp {
+
+struct TraceRow {
+  std::uint32_t elapsed_us = 1000;  // since the row before
+  std::int32_t x = 0, y = 0, z = 0;
+  std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;
+  std::uint16_t buttons = 0;  // bit 0: cut; bit 15: the device was late; bit 14: it was gone
+  std::uint16_t pedal = 0;
+  std::uint16_t burr = 0;
+  friend bool operator==(const TraceRow&, const TraceRow&) = default;
+};
+
+enum class TraceError : std::uint8_t {
+  empty,           // no row at all
+  bad_header,      // a first line of words that are not the columns' names
+  wrong_columns,   // neither 10 nor 11, or not as many as the first row
+  not_a_number,    // not a plain integer
+  out_of_range,    // does not fit its column
+  not_a_rotation,  // the quaternion's length is not 1 within 2 %
+};
+
+/// `where` is "line:column", both from 1 (column of the table, not of the text).
+using TraceFailure = Failure<TraceError>;
+
+/// A header line is optional; lines may end in CR LF; an empty last line is no row.
+[[nodiscard]] Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text);
+
+/// With the header line; the burr column is written when any row has a burr other than 0.
+std::string write_trace(const std::vector<TraceRow>& rows);
+
+/// The row as a device reports it.
+Sample sample_of(const TraceRow& row) noexcept;
+
+}  // namespace cusp

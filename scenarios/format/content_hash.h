@@ -1,0 +1,35 @@
+/// Identity of a scenario's content: BLAKE2b-256 over lines "<hash of bytes>  <path>\n", sorted by path, scenario.json in
+/// canonical form. Equal hashes mean equal exercises, however the file was laid out or zipped.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "scenarios/format/format_error.h"
+#include "scenarios/format/scenario.h"
+
+namespace cusp {
+
+struct ContentHash {
+  std::array<std::uint8_t, 32> bytes{};
+  std::string hex() const;  // 64 digits, lower case
+  friend auto operator<=>(const ContentHash&, const ContentHash&) = default;
+};
+
+/// BLAKE2b with 32 bytes out, no key (RFC 7693).
+ContentHash blake2b_256(std::span<const std::byte> bytes) noexcept;
+
+/// `beside`: the other files of the scenario by relative path with '/' (a volume); usually none.
+ContentHash content_hash(const Scenario& scenario, const std::map<std::string, std::vector<std::byte>>& beside = {});
+
+/// Reads scenario.json in `folder` and the volume that it names.
+Result<ContentHash, FormatFailure> content_hash_of_folder(const std::filesystem::path& folder);
+
+}  // namespace cusp

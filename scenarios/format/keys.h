@@ -1,0 +1,60 @@
+/// The words a scenario may use: metrics, critical events, generators, shapes, phenomena. Stored in files and
+/// databases: never renamed, only added. A person never sees them; ui has the words.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "engine/step/scene.h"
+#include "engine/volume/tissue.h"
+
+namespace cusp {
+
+/// A quantity that a rubric may ask for. Besides these, "removed_<tissue>" (mm3) for every tissue key but "empty".
+struct MetricKey {
+  std::string_view key;
+  std::string_view unit;  // "%", "mm3", "mm", "s", "N"
+  double least = 0;       // values below or above cannot be measured; used to see whether points can be reached
+  double most = 1e9;
+};
+
+inline constexpr std::array kMetricKeys = {
+    MetricKey{"target_removed", "%", 0, 100},      // of the target's tissue that was there
+    MetricKey{"overcut_leeway_floor", "mm3"},      // outside the target, inside the leeway, below its floor
+    MetricKey{"overcut_leeway_side", "mm3"},
+    MetricKey{"overcut_beyond_floor", "mm3"},      // outside the leeway: cut too far
+    MetricKey{"overcut_beyond_side", "mm3"},
+    MetricKey{"undercut", "mm3"},                  // target tissue left standing
+    MetricKey{"depth_least", "mm"},                // of the floor, from the target's top_mm
+    MetricKey{"depth_mean", "mm"},
+    MetricKey{"depth_most", "mm"},
+    MetricKey{"remaining_over_pulp", "mm"},        // least wall between the cavity and the pulp
+    MetricKey{"time", "s"},
+    MetricKey{"force_peak", "N"},
+    MetricKey{"force_mean", "N"},
+};
+
+/// Events that may fail a go whatever its score.
+inline constexpr std::array<std::string_view, 1> kCriticalKeys = {"pulp_exposure"};
+
+/// "paper-block": three materials, 10 mm cube, 128^3 voxels; "block": plastic 20x20x10 mm; "tooth": by FDI number.
+inline constexpr std::array<std::string_view, 3> kGeneratorKeys = {"paper-block", "block", "tooth"};
+inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};
+inline constexpr std::array<std::string_view, 1> kPhenomenonKeys = {"friction"};
+inline constexpr std::array kMethods = {Method::occupancy, Method::occupancy_pivot, Method::surface};
+
+/// The metric of a key, with "removed_<tissue>" among them; nullopt when there is none.
+std::optional<MetricKey> metric_from_key(std::string_view key) noexcept;
+
+/// FDI numbers of permanent teeth: 11..18, 21..28, 31..38, 41..48.
+constexpr bool is_fdi(int fdi) noexcept {
+  return fdi / 10 >= 1 && fdi / 10 <= 4 && fdi % 10 >= 1 && fdi % 10 <= 8;
+}
+
+/// Key of a tissue in a scenario: the built-in keys, and "own-16" to "own-31" for a volume's own tissues.
+std::optional<Tissue> scenario_tissue_from_key(std::string_view key) noexcept;
+/// Pre: the code is below kTissueCodes and is not 13 to 15.
+std::string_view key_of_scenario_tissue(Tissue tissue) noexcept;
+
+}  // namespace cusp

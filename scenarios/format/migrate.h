@@ -1,0 +1,17 @@
+/// Older formats of scenario.json are brought to the present one before they are read; newer ones are refused.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/base/result.h"
+#include "scenarios/format/format_error.h"
+
+namespace cusp {
+
+/// The format this program writes. 1: the first.
+inline constexpr int kScenarioFormat = 1;
+
+/// Pre: the document is an object. Afterwards its "format" is kScenarioFormat, or the failure says why not.
+Result<void, FormatFailure> migrate(nlohmann::json& document);
+
+}  // namespace cusp

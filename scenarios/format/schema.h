@@ -1,0 +1,16 @@
+/// scenario.schema.json as it was built in, and a check of any JSON text against it (JSON Schema draft 7, valijson).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "scenarios/format/validate.h"
+
+namespace cusp {
+
+std::string_view scenario_schema() noexcept;
+
+/// One finding "schema" for each place that breaks the schema, innermost first. Pre: text is JSON; other text gives none.
+std::vector<Finding> check_schema(std::string_view text);
+
+}  // namespace cusp

@@ -1,0 +1,49 @@
+/// Everything that is wrong or doubtful about a scenario, at once: the schema's complaints, the reader's, and what only
+/// shows when the values are seen together. The editor's checks, `cusp validate` and the tests of the library use it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "scenarios/format/scenario.h"
+
+namespace cusp {
+
+enum class Severity : std::uint8_t { warning, error };
+
+struct Finding {
+  Severity severity = Severity::error;
+  std::string path;                    // JSON pointer
+  std::string code;                    // "bands_not_ordered", or a key of FormatError
+  std::map<std::string, double> args;  // numbers of the sentence: "value", "limit"
+  std::string detail;                  // a key that the sentence names, or what the schema's library said
+};
+
+/// What is known of the specimen when it has been built; without it the checks that need it are left out.
+struct SpecimenFacts {
+  Vec3 low_mm{0.0}, high_mm{0.0};  // box of the tissue, specimen frame
+  double voxel_mm = 0.1;
+  std::vector<Tissue> tissues;     // that occur in it
+};
+
+/// Facts of a dense volume; one pass over it.
+SpecimenFacts facts_of(const VoxelVolume& volume);
+
+/// Errors first, then warnings; empty when all is well. Codes:
+/// errors: bands_not_ordered, weights_zero, no_criteria, pass_unreachable, no_instrument, no_target, empty_target,
+///   protected_missing, tissue_missing, target_outside, voxel_mismatch;
+/// warnings: feature_thin (below 2.5 voxels), burr_small (radius below 3 voxels), burr_wider_than_target,
+///   corner_below_burr, leeway_below_voxel, target_scores_less (a go that meets the target would lose points),
+///   language_missing (a text exists in one language and not in the other), nothing_can_be_cut.
+std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
+
+/// Schema first, then read, then validate(scenario). A text that does not read yields its reasons and stops there.
+std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* specimen = nullptr);
+
+bool has_error(const std::vector<Finding>& findings) noexcept;
+
+}  // namespace cusp

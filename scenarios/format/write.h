@@ -1,0 +1,23 @@
+/// Scenario -> scenario.json. read_scenario(write_scenario(s)) == s for every scenario whose numbers are finite.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "scenarios/format/format_error.h"
+#include "scenarios/format/scenario.h"
+
+namespace cusp {
+
+/// For people and version control: keys in the order of scenario.h, two spaces, shortest numbers that read back the
+/// same, a newline at the end.
+std::string write_scenario(const Scenario& scenario);
+
+/// For hashing: one line, keys sorted by bytes, shortest numbers that read back the same.
+std::string canonical_json(const Scenario& scenario);
+
+/// The same for any JSON text; the failure names line and column.
+Result<std::string, FormatFailure> canonical_json(std::string_view text);
+
+}  // namespace cusp

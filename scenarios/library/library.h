@@ -1,0 +1,22 @@
+/// The scenarios that come with the program, built into it: an installed program needs no files.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "engine/base/result.h"
+#include "scenarios/format/format_error.h"
+#include "scenarios/format/scenario.h"
+
+namespace cusp {
+
+/// Keys in the order in which a newcomer should meet them.
+std::span<const std::string_view> builtin_scenarios() noexcept;
+
+/// The text of its scenario.json; empty when there is none of that key.
+std::string_view builtin_scenario_text(std::string_view key) noexcept;
+
+/// unknown_builtin, or a scenario that reads.
+[[nodiscard]] Result<Scenario, FormatFailure> load_builtin(std::string_view key);
+
+}  // namespace cusp
