@@ -1,0 +1,104 @@
+/// The tooth in a window: draws a ToothPicture, turns with the right mouse button, zooms and picks. Report, editor and
+/// drilling use it alike; what the left button means is theirs. Where the platform has no OpenGL window (offscreen) a
+/// plain placeholder stands instead and everything else answers as before. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "ui/render/patch_feed.h"
+#include "ui/render/tooth_picture.h"
+
+namespace cusp {
+
+class FrameStats;
+
+class ToothView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ToothView(QWidget* parent = nullptr);
+  ~ToothView() override;
+
+  /// False where a placeholder stands.
+  bool has_picture() const;
+
+  /// Builds the whole mesh of a volume as it stands, here and now (about 0.4 s for a molar), and looks at it when
+  /// nothing was shown before.
+  void show_volume(const Volume& volume, const FeedSettings& settings = {});
+  /// Patches come from this feed from now on, a bounded number of bytes a frame. Call feed_changed() when it has news.
+  void set_feed(std::shared_ptr<PatchFeed> feed);
+  /// Any thread: asks for a frame.
+  void feed_changed();
+
+  void set_lines(std::vector<OverlayLine> lines);
+  void set_colouring(Colouring colouring);
+  void set_leeway(double mm);
+  void set_target_shown(bool on);
+  void set_burr(const std::optional<BurrPose>& burr);
+  /// Takes away what lies before the image's plane and closes it with the image; nullopt: whole tooth.
+  void set_cutaway(std::optional<SectionImage> image);
+
+  const Camera& camera() const { return scene_.camera; }
+  void set_camera(const Camera& camera);
+  /// Turns, over a few frames or at once with reduced motion, so that the place faces the viewer.
+  void look_at(Vec3 place_mm);
+  /// The left button turns too (where a click means nothing else).
+  void set_left_turns(bool on) { left_turns_ = on; }
+
+  /// What lies under a widget position.
+  std::optional<PickedPoint> pick(QPointF at) const;
+  /// The ray under a widget position.
+  Ray ray(QPointF at) const;
+  /// Where a place is drawn; nullopt behind the eye. It may be hidden by the tooth.
+  std::optional<QPointF> project(Vec3 mm) const;
+  const PatchStore& store() const { return store_; }
+  const Scene3d& scene() const { return scene_; }
+
+  /// Frames are counted there; may be nullptr.
+  void set_stats(FrameStats* stats) { stats_ = stats; }
+  /// The picture as it is drawn now (null without OpenGL).
+  QImage grab_picture();
+
+ Q_SIGNALS:
+  void camera_changed();
+  /// Left button and movement, widget positions; only while left_turns is off.
+  void pressed(QPointF at, Qt::KeyboardModifiers modifiers);
+  void moved(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
+  void released(QPointF at);
+  /// Wheel steps (120 = one notch). Without Ctrl the receiver may take it by wheel_taken; else it zooms.
+  void wheel_turned(int delta);
+
+ public:
+  /// True: the wheel is the receiver's, and only Ctrl+wheel zooms.
+  void set_wheel_taken(bool on) { wheel_taken_ = on; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  class Surface;  // the QOpenGLWidget
+  friend class Surface;
+  void repaint_soon();
+  void read_theme();
+  bool take_patches();
+
+  Surface* surface_ = nullptr;
+  Scene3d scene_;
+  PatchStore store_;
+  std::shared_ptr<PatchFeed> feed_;
+  std::vector<OverlayLine> lines_;
+  std::optional<SectionImage> section_;
+  FrameStats* stats_ = nullptr;
+  QPointF last_;
+  bool left_turns_ = false, wheel_taken_ = false;
+  bool framed_ = false;  // the camera was set or found
+};
+
+}  // namespace cusp

@@ -1,0 +1,48 @@
+/// A patch as the graphics memory takes it: packed vertices with the costly shading (ambient light) computed once,
+/// when the patch changes, not per pixel. Thread: whichever owns the volume; the result is a plain value.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "engine/mirror/surface_patches.h"
+
+namespace cusp {
+
+struct PackedVertex {
+  float position_mm[3];
+  std::int16_t normal[4];  // unit in 1/32767; the fourth is unused
+  std::uint8_t tissue;
+  std::uint8_t cut;        // 255 where a burr left the surface, else 0
+  std::uint8_t ambient;    // light that reaches the place from around, 0 to 255
+  std::uint8_t unused;
+  float value;             // mm from the target: above 0 cut too far, below 0 left standing
+};
+static_assert(sizeof(PackedVertex) == 28);
+
+struct BakedPatch {
+  int brick = -1;
+  int level = kFinePatch;
+  std::vector<PackedVertex> vertices;
+  std::vector<std::uint16_t> indices;  // triangles; empty: the brick shows nothing (any more)
+  Vec3f low_mm{0.0f}, high_mm{0.0f};   // box of the vertices
+  Vec3f cone_axis{0.0f, 0.0f, 1.0f};   // every normal lies within acos(cone_cos) of it
+  float cone_cos = -1.0f;
+  std::uint64_t tick = 0;              // state of the session that it shows; 0 outside a session
+
+  std::size_t bytes() const noexcept {
+    return vertices.size() * sizeof(PackedVertex) + indices.size() * sizeof(std::uint16_t);
+  }
+};
+
+/// Deviation of a place from the target, mm; `cut` tells whether a burr left the surface there.
+using DeviationAt = std::function<float(Vec3 mm, bool cut)>;
+
+/// Packs a patch. `with_seam` keeps the triangles under the upper neighbours. `deviation` may be empty.
+BakedPatch bake_patch(const Volume& volume, const Patch& patch, bool with_seam, const DeviationAt& deviation);
+
+/// Light from around that reaches a surface place, 0 to 1: short rays through the volume, soft at the surface.
+float ambient_at(const Volume& volume, Vec3 at_mm, Vec3 normal) noexcept;
+
+}  // namespace cusp

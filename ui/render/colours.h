@@ -1,0 +1,44 @@
+/// Colours on the tooth: the same in both themes, apart for normal, protan, deutan and tritan sight (ui/README.md).
+/// What stands round the tooth comes from the theme instead.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/base/vec.h"
+#include "engine/volume/tissue.h"
+
+namespace cusp {
+
+/// sRGB, 0 to 1.
+struct Colour {
+  float r = 0, g = 0, b = 0, a = 1;
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+constexpr Colour colour_of(std::uint32_t rgb, float alpha = 1.0f) noexcept {
+  return {static_cast<float>(rgb >> 16 & 255) / 255.0f, static_cast<float>(rgb >> 8 & 255) / 255.0f,
+          static_cast<float>(rgb & 255) / 255.0f, alpha};
+}
+
+/// By tissue code; the scenario's own (from 16) take turns among four.
+std::array<Colour, kTissueCodes> tissue_colours() noexcept;
+
+inline constexpr Colour kTargetLine = colour_of(0x12B39A);
+inline constexpr Colour kTargetCasing = colour_of(0x16191E);
+inline constexpr Colour kLeewayLine = colour_of(0x2F68C4);
+inline constexpr Colour kLeewayCasing = colour_of(0xFFFFFF, 0.75f);
+inline constexpr Colour kOverCut = colour_of(0xE0700F);
+inline constexpr Colour kLeftStanding = colour_of(0x4B2E91);
+
+/// Difference map: left standing, half, on target, half, cut too far.
+inline constexpr std::array<Colour, 5> kDifference = {colour_of(0x4B2E91), colour_of(0x9A86D0), colour_of(0xEFEDE6),
+                                                      colour_of(0xF2A65A), colour_of(0xB54708)};
+inline constexpr float kDifferenceEndMm = 0.5f;    // colour of the ends
+inline constexpr float kDifferenceHalfMm = 0.3f;   // where a line is drawn
+inline constexpr float kDifferenceQuietMm = 0.1f;  // within it: on target
+
+/// Difference colour of a deviation in mm (for legends; the tooth pass does the same on the tooth).
+Colour difference_colour(float mm) noexcept;
+
+}  // namespace cusp

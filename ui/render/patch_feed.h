@@ -1,0 +1,67 @@
+/// Carries the picture's mesh from the thread that owns the volume (the mirror's) to the one that draws. A newer patch
+/// of the same brick replaces one that still waits, so that a slow drawer sees the newest state and nothing piles up.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "ui/render/baked_patch.h"
+
+namespace cusp {
+
+/// Box in the specimen frame, mm.
+struct Box {
+  Vec3 low{0.0}, high{0.0};
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+struct FeedSettings {
+  /// Inside it patches are fine, outside coarse until a burr comes; an empty box (low == high): all fine.
+  Box region;
+  DeviationAt deviation;
+};
+
+/// What the drawer got, with the moment at which the oldest change in it entered the volume.
+struct FedPatches {
+  std::vector<BakedPatch> patches;
+  std::optional<std::chrono::steady_clock::time_point> changed_at;
+  std::uint64_t tick = 0;   // newest state shown
+  bool more = false;        // the limit was reached; further patches wait
+};
+
+class PatchFeed {
+ public:
+  explicit PatchFeed(FeedSettings settings) : settings_(std::move(settings)) {}
+
+  /// Owner of the volume: every patch anew.
+  void build_all(const Volume& volume, std::uint64_t tick = 0);
+  /// Owner of the volume: what depends on these bricks. `changed_at`: when the newest of the changes was made.
+  void update(const Volume& volume, std::span<const std::int32_t> changed_bricks, std::uint64_t tick,
+              std::chrono::steady_clock::time_point changed_at);
+
+  /// The drawing thread: what waits, at most about `max_bytes` of it (one patch at least).
+  FedPatches take(std::size_t max_bytes);
+  bool empty() const;
+
+  /// The dense level is for a brick that the region touches or a burr has reached.
+  int level_of(const Volume& volume, int brick) const;
+
+ private:
+  struct Waiting {
+    BakedPatch patch;
+    std::optional<std::chrono::steady_clock::time_point> changed_at;
+  };
+  BakedPatch bake(const Volume& volume, int brick) const;
+  void put(BakedPatch patch, std::optional<std::chrono::steady_clock::time_point> changed_at);
+
+  FeedSettings settings_;
+  std::vector<std::vector<std::uint16_t>> seen_;  // [brick] cut values at the last build, for the extent of a change
+  mutable std::mutex mutex_;                      // guards waiting_; held for a move of a patch, never by the loop
+  std::map<int, Waiting> waiting_;                // [brick]
+};
+
+}  // namespace cusp

@@ -1,0 +1,41 @@
+/// The tooth as a picture file, without a window: for reports and verbs. Any thread, one at a time; makes and drops a
+/// context of its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "ui/render/tooth_picture.h"
+
+namespace cusp {
+
+enum class PictureError : std::uint8_t { no_opengl, cannot_write };
+using PictureFailure = Failure<PictureError>;
+
+struct PictureRequest {
+  int width_px = 1200, height_px = 1200;
+  Colouring colouring = Colouring::tissue;
+  /// Deviation from the target; needed for Colouring::deviation.
+  DeviationAt deviation;
+  /// Signed distance to the target's walls seen along its approach; empty: no lines.
+  std::function<double(Vec3 mm)> sideways_mm;
+  double leeway_mm = 0.0;
+  /// Where to look: empty box = the whole specimen from above at a slant.
+  Box look_at;
+  PresetView view = PresetView::working;
+};
+
+/// Pixels, top row first, 4 bytes each (R, G, B, A).
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRequest& request);
+/// Written beside the target name and renamed, so that no half file is left.
+Result<void, PictureFailure> write_png(const std::string& path, const Picture& picture);
+Result<void, PictureFailure> write_tooth_png(const std::string& path, const Volume& volume,
+                                             const PictureRequest& request);
+
+}  // namespace cusp

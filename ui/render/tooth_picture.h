@@ -1,0 +1,71 @@
+/// The whole 3D view: background, tooth, target lines, cutaway and burr, drawn into the framebuffer that is bound in
+/// the current OpenGL 3.3 core context. No window, no Qt. Thread: the one that holds the context; needs it current from
+/// create() to destruction.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/tool/burr.h"
+#include "ui/render/camera.h"
+#include "ui/render/colours.h"
+#include "ui/render/overlay_line.h"
+#include "ui/render/patch_store.h"
+#include "ui/render/section.h"
+
+namespace cusp {
+
+enum class Colouring : std::uint8_t {
+  tissue,     // as a tooth looks; a cut beyond the leeway is hatched
+  deviation,  // difference map of the report
+};
+
+struct BurrPose {
+  Burr burr;
+  Vec3 pivot_mm{0.0};
+  Vec3 axis{0.0, 0.0, 1.0};  // unit, from ball to shank
+  bool turning = false;
+};
+
+/// Everything that a frame shows besides the mesh. Equal scenes give equal pictures.
+struct Scene3d {
+  Camera camera;
+  Colour background_middle = colour_of(0xCDD4DC), background_edge = colour_of(0xAFB8C3);  // the theme's "view"
+  Colouring colouring = Colouring::tissue;
+  float leeway_mm = 0.0f;                 // over-cut beyond it is hatched; 0: no hatching
+  bool show_target = true;                // tint of what is still to be removed, and the lines
+  std::optional<BurrPose> burr;
+  std::optional<SectionPlane> cutaway;    // what lies on the plane's front side is taken away
+  float line_scale = 1.0f;                // device pixels a pixel, for the widths of lines
+};
+
+struct DrawStats {
+  std::size_t triangles = 0, bricks = 0;
+};
+
+class ToothPicture {
+ public:
+  /// nullptr when the context is not able (older than 3.3 core); `why` says what failed.
+  static std::unique_ptr<ToothPicture> create(std::string* why = nullptr);
+  ~ToothPicture();
+
+  /// Uploads a patch, replacing that of the same brick.
+  void put(const BakedPatch& patch);
+  void clear();
+  /// Lines at the surface (target, leeway, handles' guides).
+  void set_lines(const std::vector<OverlayLine>& lines);
+  /// Picture that closes the cutaway; drawn on its plane.
+  void set_section(const SectionImage& image);
+
+  /// Fills the viewport (0, 0, width, height) of the bound framebuffer.
+  DrawStats draw(const Scene3d& scene, int width_px, int height_px);
+
+ private:
+  ToothPicture();
+  struct Inner;
+  std::unique_ptr<Inner> inner_;
+};
+
+}  // namespace cusp
