@@ -1,0 +1,28 @@
+/// Where nothing is yet: says why, and offers the next act.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/widgets/icon.h"
+
+class QPushButton;
+
+namespace cusp {
+
+class EmptyState : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `act` may be empty: then there is no button.
+  EmptyState(const QString& icon_name, const QString& title, const QString& why, const QString& act = {},
+             Ink ink = Ink::text2, QWidget* parent = nullptr);
+  QPushButton* button() { return button_; }
+
+ Q_SIGNALS:
+  void acted();
+
+ private:
+  QPushButton* button_ = nullptr;
+};
+
+}  // namespace cusp

@@ -1,0 +1,38 @@
+/// Values as people read them: locale's digits, no-break space before the unit, ±, two digits of uncertainty at most,
+/// wrapped in U+2066 … U+2069 so that right-to-left text never turns them round. No word is made here.
+#pragma once
+
+#include <QDateTime>
+#include <QLocale>
+#include <QString>
+#include <optional>
+
+namespace cusp {
+
+struct Measured {
+  double value = 0;
+  std::optional<double> uncertainty{};  // one-sided, same unit
+  QString unit{};                       // "mm", "mm3", "N", "s", "%"; shown as mm³ etc.
+  int decimals = -1;                    // -1: from the uncertainty, else two
+};
+
+/// "1.84 mm ± 0.03"
+QString format(const Measured& m, const QLocale& locale = {});
+/// The two halves of the above: "1.84 mm" and "± 0.03" (empty without uncertainty).
+QString format_value(const Measured& m, const QLocale& locale = {});
+QString format_uncertainty(const Measured& m, const QLocale& locale = {});
+/// "mm³" for "mm3".
+QString unit_text(const QString& unit);
+
+QString format_number(double value, int decimals, const QLocale& locale = {});
+/// Whole points where they are whole, else one decimal.
+QString format_points(double points, const QLocale& locale = {});
+/// "7:38" from seconds.
+QString format_clock(double seconds);
+/// "Fri 20 Nov" and "Fri 20 Nov, 10:14", in the locale's order.
+QString format_day(const QDateTime& when, const QLocale& locale = {});
+QString format_day_time(const QDateTime& when, const QLocale& locale = {});
+/// Wraps in U+2066 … U+2069.
+QString isolate(const QString& text);
+
+}  // namespace cusp

@@ -1,0 +1,60 @@
+/// Tables: head 12 bold, rows 36, numbers right, ± in text2, whole row opens with Enter, sorting by head.
+#pragma once
+
+#include <QStyledItemDelegate>
+#include <QTableView>
+
+#include "ui/widgets/chip.h"
+
+namespace cusp {
+
+/// What a cell may say to the delegate besides Qt's roles.
+enum TableRole {
+  SortRole = Qt::UserRole + 1,  // value to sort by
+  SecondRole,                   // QString: drawn after the text, in text2 ("± 0.03")
+  ChipRole,                     // int(Chip::Kind): the text is drawn as a chip
+  ShareRole,                    // double in [0, 1]: a bar before the text
+  BarRole,                      // int(Bar::Role)
+  BoldRole,                     // bool
+  QuietRole,                    // bool: text3
+  IconRole,                     // QString: name of an icon before the text
+  IconInkRole,                  // int(Ink)
+};
+
+class TableDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
+
+class Table : public QTableView {
+  Q_OBJECT
+
+ public:
+  explicit Table(QWidget* parent = nullptr);
+  /// Column that takes what is left.
+  void set_stretch_column(int column);
+  /// Chooses a row also in right-to-left.
+  void choose_row(int row);
+  int chosen_row() const;
+  /// Height follows the rows, up to `rows` of them; then it scrolls.
+  void set_rows_shown(int rows);
+  void setModel(QAbstractItemModel* model) override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  /// Enter or double click on a row.
+  void row_opened(const QModelIndex& index);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  int rows_shown_ = 0;
+};
+
+}  // namespace cusp
