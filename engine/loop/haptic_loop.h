@@ -59,6 +59,7 @@ class HapticLoop {
   Watchdog watchdog_;
   std::atomic<bool> stop_{false};
   std::atomic<std::uint8_t> grant_{0};
+  bool own_clock_;
   std::thread thread_;
 };
 
@@ -69,6 +70,8 @@ class VirtualLoop {
   VirtualLoop(HapticPort& port, StepState state, const LoopSettings& settings = {});
   /// At most `ticks` ticks, fewer when the port is over or the ring is full. Returns how many.
   std::uint64_t run(std::uint64_t ticks) noexcept;
+  /// The length of each tick asked anew instead of `period` (a trace brings its own). Before run(); must not throw.
+  void take_elapsed_from(std::function<std::uint32_t()> elapsed_us) { elapsed_us_ = std::move(elapsed_us); }
   Ticker& ticker() noexcept { return ticker_; }
   HandOver& hand_over() noexcept { return hand_over_; }
   const StepState& state() const noexcept { return ticker_.state(); }
@@ -78,6 +81,7 @@ class VirtualLoop {
   LoopSettings settings_;
   HandOver hand_over_;
   Ticker ticker_;
+  std::function<std::uint32_t()> elapsed_us_;
   std::chrono::steady_clock::time_point now_{};
 };
 

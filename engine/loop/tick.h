@@ -64,9 +64,9 @@ class Ticker {
   bool ended() const noexcept { return phase_ == LoopPhase::ended; }
   LoopPhase phase() const noexcept { return phase_; }
 
-  // Any thread; taken at the next tick. The latest of change_burr() and the port's own choice wins.
-  void pause() noexcept { want_pause_.store(true, std::memory_order_release); }
-  void resume() noexcept { want_resume_.store(true, std::memory_order_release); }
+  // Any thread; taken at the next tick, the last asked wins. The later of change_burr() and the port's own choice wins.
+  void pause() noexcept { want_.store(Want::pause, std::memory_order_release); }
+  void resume() noexcept { want_.store(Want::resume, std::memory_order_release); }
   void change_burr(std::uint16_t index) noexcept { want_burr_.store(index, std::memory_order_release); }
   /// Virtual time: a latched guard is re-armed by the next tick instead of holding. Before the first tick.
   void rearm_by_itself() noexcept { rearm_by_itself_ = true; }
@@ -76,6 +76,7 @@ class Ticker {
   StepState take_state() noexcept { return std::move(state_); }
 
  private:
+  enum class Want : std::uint8_t { nothing, pause, resume };
   void publish(Sample::Status device) noexcept;
   Feedback zero_force() const noexcept;
 
@@ -94,8 +95,7 @@ class Ticker {
   LoopEnd end_ = LoopEnd::none;
   bool rearm_ = false;
   bool rearm_by_itself_ = false;
-  std::atomic<bool> want_pause_{false};
-  std::atomic<bool> want_resume_{false};
+  std::atomic<Want> want_{Want::nothing};
   std::atomic<std::uint32_t> want_burr_{kNoBurr};
 };
 

@@ -90,7 +90,7 @@ class Mirror {
   std::vector<std::int32_t> changed_;
   std::uint64_t next_show_us_ = 0;
   bool first_ = true;
-  std::vector<DigestMark> own_;                // this run's digests that the loop's have not been compared with
+  std::vector<DigestMark> own_, loop_marks_;   // digests that wait for their opposite
   std::atomic<std::uint64_t> ticks_{0};
   std::atomic<std::uint64_t> compared_{0};
   std::atomic<bool> differs_{false};

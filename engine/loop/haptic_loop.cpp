@@ -1,0 +1,112 @@
+#include "engine/loop/haptic_loop.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/base/fp_guard.h"
+
+namespace cusp {
+
+namespace {
+using Clock = std::chrono::steady_clock;
+
+std::uint64_t ns_between(Clock::time_point from, Clock::time_point to) noexcept {
+  return to > from ? static_cast<std::uint64_t>(std::chrono::nanoseconds(to - from).count()) : 0;
+}
+constexpr std::uint8_t kFifo = 1, kLocked = 2;
+}  // namespace
+
+HapticLoop::HapticLoop(HapticPort& port, StepState state, const LoopSettings& settings)
+    : port_(port),
+      settings_(settings),
+      hand_over_(settings.ring_inputs),
+      ticker_(std::move(state), hand_over_),
+      own_clock_(port.limits().has_own_clock) {}
+
+HapticLoop::~HapticLoop() { stop(); }
+
+void HapticLoop::start() {
+  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+}
+
+void HapticLoop::stop() {
+  stop_.store(true, std::memory_order_release);
+  if (thread_.joinable()) thread_.join();
+}
+
+RealtimeGrant HapticLoop::grant() const noexcept {
+  const std::uint8_t bits = grant_.load(std::memory_order_acquire);
+  return {(bits & kFifo) != 0, (bits & kLocked) != 0};
+}
+
+void HapticLoop::run() noexcept {
+  name_this_thread("cusp-haptic");
+  const FpGuard fp;
+  if (settings_.ask_realtime) {
+    const RealtimeGrant grant = ask_for_realtime();
+    grant_.store(static_cast<std::uint8_t>((grant.fifo ? kFifo : 0) | (grant.memory_locked ? kLocked : 0)),
+                 std::memory_order_release);
+  }
+  const Clock::time_point start = Clock::now();
+  Clock::time_point deadline = start;
+  std::uint64_t last_us = 0;
+  while (!stop_.load(std::memory_order_acquire) && !ticker_.ended()) {
+    // A device with its own clock delivers before this; two periods of silence make the sample late.
+    deadline = own_clock_ ? Clock::now() + 2 * settings_.period : deadline + settings_.period;
+    const Sample sample = port_.wait(deadline);
+    Clock::time_point now = Clock::now();
+    if (sample.status != Sample::Status::fresh && now < deadline) {
+      std::this_thread::sleep_until(deadline);  // a lost device answers at once: the pace stays
+      now = Clock::now();
+    }
+    watchdog_.beat(now);
+    const std::uint64_t us = ns_between(start, now) / 1000;
+    const auto elapsed = std::clamp<std::uint64_t>(us - last_us, 1, std::numeric_limits<std::uint32_t>::max());
+    last_us = us;
+
+    const std::uint64_t cpu = thread_cpu_ns();
+    const Feedback feedback = ticker_.tick(sample, static_cast<std::uint32_t>(elapsed));
+    stats_.tick_cpu.add_ns(thread_cpu_ns() - cpu);
+
+    const Clock::time_point before_write = Clock::now();
+    port_.write(feedback);
+    const Clock::time_point after = Clock::now();
+    stats_.exchange.add_ns(ns_between(before_write, after));
+    if (!own_clock_) {
+      stats_.late.add_ns(ns_between(deadline, now));
+      // A tick that overran is not made up for by a burst: the next deadline lies ahead.
+      if (after > deadline + settings_.period) {
+        const auto behind = (after - deadline) / settings_.period;
+        stats_.missed.fetch_add(static_cast<std::uint64_t>(behind), std::memory_order_relaxed);
+        deadline += behind * settings_.period;
+      }
+    }
+  }
+  ticker_.end(LoopEnd::asked);
+  port_.write(ticker_.tick({}, 1));  // after the end every tick answers zero force
+}
+
+VirtualLoop::VirtualLoop(HapticPort& port, StepState state, const LoopSettings& settings)
+    : port_(port), settings_(settings), hand_over_(settings.ring_inputs), ticker_(std::move(state), hand_over_) {
+  ticker_.rearm_by_itself();
+}
+
+std::uint64_t VirtualLoop::run(std::uint64_t ticks) noexcept {
+  const FpGuard fp;
+  const auto period_us = static_cast<std::uint32_t>(settings_.period.count());
+  std::uint64_t done = 0;
+  while (done < ticks && !ticker_.ended()) {
+    // Deadlines begin at the clock's epoch, long past: a port that sleeps to its deadline does not sleep.
+    now_ += settings_.period;
+    const Sample sample = port_.wait(now_);
+    if (sample.status == Sample::Status::gone) {
+      ticker_.end(LoopEnd::port_over);
+      break;
+    }
+    port_.write(ticker_.tick(sample, elapsed_us_ ? elapsed_us_() : period_us));
+    if (!ticker_.ended()) ++done;
+  }
+  return done;
+}
+
+}  // namespace cusp

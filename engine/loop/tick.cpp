@@ -1,0 +1,132 @@
+#include "engine/loop/tick.h"
+
+#include <algorithm>
+
+namespace cusp {
+
+namespace {
+
+constexpr std::uint64_t kMarkTicks = 1000;  // once a second at 1 kHz
+
+double softest_of(const Scene& scene) {
+  const Specimen& specimen = *scene.specimen;
+  std::array<bool, kTissueCodes> there{};
+  const IVec3 n = specimen.brick_count();
+  for (int b = 0; b < n.x * n.y * n.z; ++b) {
+    const int last = specimen.uniform(b) ? 1 : kBrickVoxels;
+    for (int o = 0; o < last; ++o) there[index_of(specimen.tissue_in(b, o))] = true;
+  }
+  double softest = 0;
+  for (std::size_t t = 1; t < kTissueCodes; ++t) {
+    const double k = scene.tissues[t].stiffness_n_per_mm;
+    if (there[t] && (softest == 0 || k < softest)) softest = k;
+  }
+  return softest > 0 ? softest : 1.0;
+}
+
+}  // namespace
+
+Ticker::Ticker(StepState state, HandOver& hand_over)
+    : state_(std::move(state)), hand_over_(hand_over), output_(state_.last()), softest_n_per_mm_(softest_of(state_.scene())) {
+  burr_ = output_.burr;
+  hand_over_.ticks.store(output_.tick, std::memory_order_release);
+}
+
+Feedback Ticker::zero_force() const noexcept {
+  Feedback feedback;
+  feedback.proxy_mm = output_.proxy_mm;
+  feedback.stiffness_n_per_mm = output_.stiffness_n_per_mm > 0 ? output_.stiffness_n_per_mm : softest_n_per_mm_;
+  feedback.normal = normal_;
+  feedback.faulted = output_.faulted;
+  return feedback;
+}
+
+void Ticker::publish(Sample::Status device) noexcept {
+  LoopLatest latest;
+  latest.output = output_;
+  latest.contact_normal = normal_;
+  latest.orientation = orientation_;
+  latest.phase = phase_;
+  latest.end = end_;
+  latest.fault = state_.fault();
+  latest.device = device;
+  latest.ring_warning = hand_over_.inputs.size() >= hand_over_.inputs.capacity() / 4 * 3;
+  hand_over_.latest.write(latest);
+  hand_over_.ticks.store(output_.tick, std::memory_order_release);
+  hand_over_.end.store(end_, std::memory_order_release);
+  hand_over_.phase.store(phase_, std::memory_order_release);
+}
+
+void Ticker::end(LoopEnd why) noexcept {
+  if (phase_ == LoopPhase::ended) return;
+  phase_ = LoopPhase::ended;
+  end_ = why;
+  publish(Sample::Status::fresh);
+}
+
+Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
+  if (phase_ == LoopPhase::ended) return zero_force();
+
+  if (phase_ == LoopPhase::ready) phase_ = LoopPhase::running;
+  switch (want_.exchange(Want::nothing, std::memory_order_acq_rel)) {
+    case Want::pause:
+      if (phase_ == LoopPhase::running) phase_ = LoopPhase::paused;
+      break;
+    case Want::resume:
+      if (phase_ != LoopPhase::running) {
+        phase_ = LoopPhase::running;
+        rearm_ = true;
+      }
+      break;
+    case Want::nothing: break;
+  }
+  const auto burrs = state_.scene().burrs.size();
+  if (sample.burr != port_burr_) {
+    port_burr_ = sample.burr;
+    if (sample.burr < burrs) burr_ = sample.burr;
+  }
+  if (const auto wanted = want_burr_.exchange(kNoBurr, std::memory_order_acq_rel); wanted < burrs) {
+    burr_ = static_cast<std::uint16_t>(wanted);
+  }
+  if (phase_ != LoopPhase::running) {
+    publish(sample.status);
+    return zero_force();
+  }
+
+  StepInput input = quantise(sample, elapsed_us, last_input_);
+  input.burr = burr_;
+  if (rearm_) input.buttons |= StepInput::kRearm;
+  rearm_ = false;
+  // Stored before it is stepped: what the state went through is always in the record.
+  if (!hand_over_.inputs.push(input)) {
+    end(LoopEnd::ring_full);
+    return zero_force();
+  }
+  output_ = step(state_, input);
+  last_input_ = input;
+  orientation_ = sample.orientation;
+  digest_.add(state_, output_);
+  if (output_.tick % kMarkTicks == 0) {
+    // A full ring drops the mark: the digest carries everything before it, so the next one compares that too.
+    static_cast<void>(hand_over_.marks.push({output_.tick, digest_.value()}));
+  }
+  if (output_.contact) {
+    const double length = glm::length(output_.force_raw_n);
+    if (length > 1e-9) normal_ = output_.force_raw_n / length;
+  }
+  if (output_.faulted) {
+    if (rearm_by_itself_) {
+      rearm_ = true;
+    } else {
+      phase_ = LoopPhase::held;
+    }
+  }
+  publish(sample.status);
+
+  Feedback feedback = zero_force();
+  feedback.force_n = output_.force_n;
+  feedback.in_contact = output_.contact;
+  return feedback;
+}
+
+}  // namespace cusp
