@@ -1,0 +1,57 @@
+/// The drilling screen: the tooth in the middle, depth and push beside it, the coach's sentence below, instruments in
+/// the tray, section and scores at the right. It runs one go at an exercise from begin() to finished() or left().
+/// Thread: GUI. It decides nothing about the tooth: the step does, and what it shows comes from the mirror.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "engine/base/haptic_port.h"
+#include "ui/session/exercise_run.h"
+
+namespace cusp {
+
+struct DrillText {
+  QString title;    // of the exercise, in the user's language
+  QString aside;    // "Practice, go 7"; may be empty
+};
+
+class DrillScreen : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DrillScreen(QWidget* parent = nullptr);
+  ~DrillScreen() override;
+
+  /// Builds the specimen and starts the go in the background; `port` null: mouse and keys. Pre: no go is running.
+  void begin(RunPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
+  bool running() const;
+
+ public Q_SLOTS:
+  /// Stops the clock and the force; the same again goes on.
+  void toggle_pause();
+  /// Asks, then ends the go and grades it.
+  void ask_finish();
+  /// Asks when something was cut; the go stays in the history as interrupted.
+  void ask_leave();
+
+ Q_SIGNALS:
+  /// The go is over and graded. Emitted once a go.
+  void finished(std::shared_ptr<const RunResult> result);
+  /// The go was left; nothing is running.
+  void left();
+  /// It could not start or be graded: the page that opened it says so in words.
+  void failed(RunFailure failure);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Inner;
+  std::unique_ptr<Inner> inner_;
+};
+
+}  // namespace cusp
