@@ -1,0 +1,60 @@
+/// Whole permanent teeth, grown from the tables of teeth.json: enamel, dentine, cementum and pulp as a banded volume,
+/// and the landmarks that belong to it.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "engine/base/result.h"
+#include "engine/volume/voxel_volume.h"
+#include "scenarios/teeth/landmarks.h"
+
+namespace cusp {
+
+enum class ToothError : std::uint8_t {
+  unknown_fdi,     // not 11..18, 21..28, 31..38, 41..48
+  bad_voxel_size,  // not within kMinToothVoxelMm .. kMaxToothVoxelMm (NaN too)
+  bad_tables,      // teeth.json does not fit its schema: a broken build
+  cancelled,
+};
+using ToothFailure = Failure<ToothError>;
+
+/// Below, one tooth takes more than half a gigabyte; above, a canal (0.3 mm) and a fissure fall between two voxels.
+inline constexpr double kMinToothVoxelMm = 0.04;
+inline constexpr double kMaxToothVoxelMm = 0.4;
+
+struct ToothRequest {
+  int fdi = 36;            // FDI number
+  std::uint64_t seed = 0;  // 0: the average tooth; others vary within the spread of teeth.md
+  double voxel_mm = 0.1;
+};
+
+/// Stops early, with ToothError::cancelled, once *cancel is true. May be written by any thread.
+using ToothCancel = const std::atomic<bool>*;
+/// Called with a rising share in [0, 1], from the calling thread.
+using ToothProgress = std::function<void(double)>;
+
+struct Tooth {
+  VoxelVolume volume;
+  ToothLandmarks landmarks;
+};
+
+/// Grows a tooth and its landmarks. Banded s is the signed distance within the band; the tissue is set wherever s > 0.
+/// Cementum and enamel are never thinner than 1.2 voxels, so that each tissue is one piece. The same request gives the
+/// same voxels on one build; voxels are stored and hashed, never grown again at replay. Quadrants 2 and 4 are those of
+/// 1 and 3 mirrored in x, bit for bit. Uses up to two threads of its own. Not for the haptic thread.
+[[nodiscard]] Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,
+                                                     const ToothProgress& progress = {});
+
+/// grow_tooth for callers that need the voxels alone.
+[[nodiscard]] Result<VoxelVolume, ToothFailure> make_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,
+                                                           const ToothProgress& progress = {});
+
+/// The landmarks alone, without growing voxels (about a tenth of the time). Those of grow_tooth for the same request.
+[[nodiscard]] Result<ToothLandmarks, ToothFailure> tooth_landmarks(const ToothRequest& request);
+
+/// The average of the tables for this tooth (teeth.json, dims): what dims are fitted to at seed 0.
+[[nodiscard]] Result<ToothDims, ToothFailure> average_dims(int fdi);
+
+}  // namespace cusp
