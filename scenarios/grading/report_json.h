@@ -1,0 +1,33 @@
+/// report.json: what `cusp play` and `cusp grade` leave for other programs (design.md, "Words, formats, ids").
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "scenarios/grading/grade.h"
+
+namespace cusp {
+
+struct ReportHead {
+  std::string session;                          // UUID
+  std::string scenario_id, scenario_hash;
+  int scenario_version = 1;
+  std::string student;
+  std::string hand;                             // "expert", "novice", or empty: a person
+  int engine = kEngineVersion;
+  std::string device;
+  double duration_s = 0;
+  std::string state;                            // "finished", "interrupted"
+  std::string volume_hash;
+};
+
+/// The only words in the file; ui gives them in the reader's language. Empty functions leave the codes themselves.
+struct ReportWords {
+  std::function<std::string(const CriterionGrade&)> label, reason;
+};
+
+/// UTF-8 JSON with exactly the fields of design.md, in its order, ending in a newline. Numbers are written so that they
+/// read back as the same double; what was not measured has value and uncertainty null.
+[[nodiscard]] std::string report_json(const ReportHead& head, const Grade& grade, const ReportWords& words = {});
+
+}  // namespace cusp

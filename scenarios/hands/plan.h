@@ -1,0 +1,37 @@
+/// The path that a hand follows: where the burr's centre is to go, one stroke after another.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/volume/specimen.h"
+#include "scenarios/format/scenario.h"
+
+namespace cusp {
+
+/// One straight stroke, from wherever the burr is to `to_mm`.
+struct Stroke {
+  Vec3 to_mm{0.0};
+  bool cut = false;  // pressed: the burr turns
+};
+
+struct Plan {
+  Vec3 start_mm{0.0};           // above the specimen, touching nothing
+  std::uint16_t burr = 0;       // index of the scenario's instruments
+  std::vector<Stroke> strokes;  // ends above the specimen
+};
+
+/// Changes to the perfect path. All zero: follow the target.
+struct PlanErrors {
+  double deeper_mm = 0;       // floor below the target's (negative: above)
+  Vec3 shift_mm{0.0};         // the whole outline
+  double wider_mm = 0;        // walls further out (negative: further in)
+  bool drill_to_pulp = false; // at last, from the floor down into the pulp's nearest place
+};
+
+/// Layer by layer from the highest tissue within the outline, each layer as loops inside the outline so that the burr's
+/// side draws the wall, the last layer at the floor; lifts above the specimen between paths. The largest burr that fits
+/// the width and the corner. An empty plan (no strokes) when target or instruments are missing.
+[[nodiscard]] Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors = {});
+
+}  // namespace cusp

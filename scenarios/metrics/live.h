@@ -1,0 +1,46 @@
+/// The scores while drilling: the same figures as measure() gives, kept current by redoing only the bricks that changed.
+/// Thread: the mirror's (or whichever owns the volume). About every 25 ms of the session's time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/step/step.h"
+#include "scenarios/metrics/region_shares.h"
+
+namespace cusp {
+
+/// Plain values; safe to copy between threads.
+struct LiveReading {
+  double target_removed = 0;                    // %
+  bool target_measured = false;                 // false: the target holds no tissue
+  std::array<double, kPlaces> overcut_mm3{};    // by Place; [target] is what was rightly removed
+  std::array<double, kTissueCodes> removed_mm3{};
+  double depth_under_burr_mm = 0;               // of the burr's lowest point below the reference plane; negative above
+  bool over_target = false;                     // the burr's centre is within the outline
+  std::optional<double> remaining_over_pulp_mm; // least so far; none: no pulp, or nothing cut
+};
+
+class LiveMetrics {
+ public:
+  explicit LiveMetrics(std::shared_ptr<const Reference> reference);
+  /// `changed`: bricks whose cut field changed since the last call (StateNews::changed_bricks).
+  void update(const Volume& volume, std::span<const std::int32_t> changed, const StepOutput& output,
+              const Burr& burr);
+  const LiveReading& reading() const noexcept { return reading_; }
+  /// Forgets everything, for another volume or a jump in a replay; the next update lists every cut brick.
+  void reset();
+
+ private:
+  std::shared_ptr<const Reference> reference_;
+  std::map<int, RegionShares> bricks_;  // ascending: the sum has the order of measure()
+  std::vector<int> dirty_;
+  LiveReading reading_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,26 @@
+/// All measures of a finished (or interrupted) exercise, each with its uncertainty and its place. Sub-voxel for a banded
+/// volume; a filled one is its voxels, and says so by a larger uncertainty.
+///
+/// Keys: target_removed (%), overcut_leeway_floor, overcut_leeway_side, overcut_beyond_floor, overcut_beyond_side,
+/// undercut (mm3), depth_least, depth_mean, depth_most (mm), removed_<tissue key> (mm3, each tissue of the scenario; one
+/// of its own: removed_16 and so on), remaining_over_pulp (mm), time (s), force_peak, force_mean (N),
+/// pulp_exposure (1 happened, 0 not).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/volume/volume.h"
+#include "scenarios/grading/grade.h"
+#include "scenarios/metrics/process.h"
+#include "scenarios/metrics/reference.h"
+
+namespace cusp {
+
+/// Not for the haptic thread; some tens of milliseconds. Pre: `volume` is of the reference's specimen.
+[[nodiscard]] std::vector<Measure> measure(const Reference& reference, const Volume& volume, const Process& process);
+
+/// "removed_enamel", "removed_16".
+[[nodiscard]] std::string removed_key(Tissue tissue);
+
+}  // namespace cusp

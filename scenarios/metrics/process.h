@@ -1,0 +1,30 @@
+/// What is measured while the student works: time and force. One add() a tick, on whichever thread follows the ticks.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/step/step.h"
+
+namespace cusp {
+
+class Process {
+ public:
+  /// Takes one tick's output; no heap, no lock. Force is the one before the guard, weighted by time in contact.
+  void add(const StepOutput& output) noexcept;
+
+  double time_s() const noexcept { return static_cast<double>(elapsed_us_) * 1e-6; }
+  double contact_s() const noexcept { return static_cast<double>(contact_us_) * 1e-6; }
+  double cutting_s() const noexcept { return static_cast<double>(cutting_us_) * 1e-6; }
+  bool touched() const noexcept { return contact_us_ > 0; }
+  double force_peak_n() const noexcept { return peak_n_; }
+  Vec3 peak_at_mm() const noexcept { return peak_at_mm_; }
+  /// Mean over the time in contact; 0 when nothing was touched.
+  double force_mean_n() const noexcept { return contact_us_ > 0 ? impulse_ / static_cast<double>(contact_us_) : 0.0; }
+
+ private:
+  std::uint64_t elapsed_us_ = 0, contact_us_ = 0, cutting_us_ = 0;
+  double peak_n_ = 0, impulse_ = 0;  // N, N·µs
+  Vec3 peak_at_mm_{0.0};
+};
+
+}  // namespace cusp

@@ -1,0 +1,61 @@
+/// What a final volume is measured against: target, leeway, the target's own volume in the untouched specimen, and the
+/// pulp. Built once an exercise, shared by the live scores and the final measures. Immutable; any thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/volume/specimen.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/shapes/leeway.h"
+
+namespace cusp {
+
+/// The pulp's outermost voxels, for the distance from a cut to it. The pulp is known to a voxel, as all tissues are.
+class PulpIndex {
+ public:
+  explicit PulpIndex(const Specimen& specimen);
+  bool empty() const noexcept { return voxels_.empty(); }
+  /// Distance from a place to the nearest pulp voxel (as a cube), 0 inside it; at most `at_most_mm`, which is also the
+  /// answer without a pulp: the search stops there.
+  double distance_mm(Vec3 p, double at_most_mm) const noexcept;
+  const std::vector<IVec3>& surface_voxels() const noexcept { return voxels_; }
+
+ private:
+  struct Bin {
+    Vec3 low, high;          // mm, round the voxels' cubes
+    std::size_t first, last;  // in voxels_
+  };
+  Grid grid_;
+  std::vector<IVec3> voxels_;
+  std::vector<Bin> bins_;
+};
+
+class Reference {
+ public:
+  /// Tens of milliseconds. Not for the haptic thread. Pre: the specimen is the scenario's, in its method's reading.
+  Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen);
+
+  const Specimen& specimen() const noexcept { return *specimen_; }
+  const TargetShape& shape() const noexcept { return shape_; }
+  const Leeway& leeway() const noexcept { return leeway_; }
+  const PulpIndex& pulp() const noexcept { return pulp_; }
+  const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
+  /// Tissue within the target before anything was cut, mm³.
+  double target_mm3() const noexcept { return target_mm3_; }
+  bool has(Tissue tissue) const noexcept { return present_[index_of(tissue)]; }
+  /// How well the surface of a cut is known, mm, one-sided (README, "Uncertainty").
+  double surface_sigma_mm() const noexcept;
+
+ private:
+  std::shared_ptr<const Specimen> specimen_;
+  TargetShape shape_;
+  Leeway leeway_;
+  PulpIndex pulp_;
+  std::vector<Tissue> tissues_;
+  std::array<bool, kTissueCodes> present_{};
+  double target_mm3_ = 0;
+};
+
+}  // namespace cusp

@@ -1,0 +1,37 @@
+/// What was removed, divided by place (target, leeway, beyond; floor and sides) and by tissue, brick by brick: the final
+/// measures are the sum over all bricks, the live scores keep the sum by redoing the bricks that changed.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+
+#include "engine/volume/volume.h"
+#include "scenarios/metrics/reference.h"
+
+namespace cusp {
+
+struct RegionShares {
+  struct Worst {
+    double mm = 0;  // how far outside the target; 0 = none
+    Vec3 at_mm{0.0};
+  };
+  std::array<double, kPlaces> removed_mm3{};           // by Place
+  std::array<double, kPlaces> cut_face_mm2{};          // area that the burr left, by Place
+  std::array<Worst, kPlaces> worst{};                  // deepest place removed, by Place
+  std::array<double, kTissueCodes> tissue_mm3{};       // removed
+  std::array<double, kTissueCodes> tissue_face_mm2{};  // cut face in that tissue
+  std::array<double, kTissueCodes> tissue_seam_mm2{};  // removed border between this tissue and another
+  double pulp_mm = std::numeric_limits<double>::infinity();  // least distance from the cut face to the pulp
+  Vec3 pulp_at_mm{0.0};
+
+  void add(const RegionShares& other) noexcept;
+};
+
+/// Of the cells of one brick (see cut_volume.h); depends on this brick and its 26 neighbours.
+[[nodiscard]] RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick);
+
+/// Bricks whose cells can have lost something: those that were cut and their neighbours, ascending.
+[[nodiscard]] std::vector<int> bricks_to_measure(const Volume& volume);
+
+}  // namespace cusp
