@@ -1,0 +1,26 @@
+/// What every repository works with: the file, the clock, the cost of passwords, and the station's identity and key.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "storage/chain.h"
+#include "storage/clock.h"
+#include "storage/password.h"
+#include "storage/sqlite/database.h"
+
+namespace cusp {
+
+struct StorageContext {
+  Database db;
+  UtcClock clock;
+  PasswordCost cost;
+  Uuid station;
+  std::optional<StationKey> key;  // none when the file was opened read-only
+
+  /// The station's next sequence number, taken within the transaction: orders what the clock cannot.
+  std::int64_t next_sequence(Transaction& transaction);
+};
+
+}  // namespace cusp

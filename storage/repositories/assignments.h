@@ -1,0 +1,37 @@
+/// Assignments: a version for a cohort, with dates.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "storage/context.h"
+#include "storage/repositories/sessions.h"
+#include "storage/rights.h"
+
+namespace cusp {
+
+struct Assignment {
+  AssignmentId id;
+  VersionId version;
+  CohortId cohort;
+  SessionKind kind = SessionKind::practice;  // or assessment
+  std::optional<std::int64_t> opens_utc_us, due_utc_us;
+  std::optional<int> goes_allowed;           // none = as many as one likes
+  UserId author;
+  std::int64_t created_utc_us = 0;
+};
+
+class Assignments {
+ public:
+  explicit Assignments(StorageContext& context) : c_{context} {}
+  /// Needs assign. Id, author and time are set here.
+  Stored<Assignment> create(const Actor& actor, Assignment assignment);
+  Stored<std::vector<Assignment>> for_student(UserId student);  // by due date, those without one last
+  Stored<std::vector<Assignment>> for_cohort(CohortId cohort);
+
+ private:
+  StorageContext& c_;
+};
+
+}  // namespace cusp

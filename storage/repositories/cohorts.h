@@ -1,0 +1,34 @@
+/// Cohorts: named groups of students.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/context.h"
+#include "storage/rights.h"
+
+namespace cusp {
+
+struct Cohort {
+  CohortId id;
+  std::string name;
+  int students = 0;
+};
+
+class Cohorts {
+ public:
+  explicit Cohorts(StorageContext& context) : c_{context} {}
+  /// Need manage_cohorts.
+  Stored<Cohort> create(const Actor& actor, const std::string& name);  // duplicate, bad_value
+  Stored<void> add(const Actor& actor, CohortId cohort, UserId student);
+  Stored<void> remove(const Actor& actor, CohortId cohort, UserId student);
+
+  Stored<std::vector<Cohort>> list();                         // by name
+  Stored<std::vector<UserId>> students(CohortId cohort);
+  Stored<std::vector<CohortId>> cohorts_of(UserId student);
+
+ private:
+  StorageContext& c_;
+};
+
+}  // namespace cusp

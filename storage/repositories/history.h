@@ -1,0 +1,84 @@
+/// What the screens ask: lists of sessions with their results, one session's details, the best before. Guests' and
+/// try-out sessions are left out. Students see their own; instructors and administrators see all.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/context.h"
+#include "storage/repositories/comments.h"
+#include "storage/repositories/grades.h"
+#include "storage/repositories/metrics.h"
+#include "storage/repositories/sessions.h"
+#include "storage/rights.h"
+
+namespace cusp {
+
+struct HistoryRow {
+  SessionId session;
+  UserId student;
+  std::string student_number, student_name;
+  ScenarioId scenario;
+  VersionId version;
+  int version_number = 1;
+  std::string scenario_key;               // built-in id, else empty
+  LocalText title;
+  SessionKind kind = SessionKind::practice;
+  std::string hand;
+  std::string device, device_class;
+  std::int64_t started_utc_us = 0;
+  std::uint64_t elapsed_us = 0;           // drilled, as stored
+  SessionState state = SessionState::running;
+  int go = 1;                             // the student's how-manieth at this scenario
+  std::optional<double> score, score_max, pass_mark;
+  std::optional<bool> passed;             // none = not graded
+  std::vector<std::string> critical;
+};
+
+struct HistoryFilter {
+  std::optional<UserId> student;
+  std::optional<ScenarioId> scenario;
+  std::optional<CohortId> cohort;
+  std::optional<std::string> device_class;
+  std::optional<std::int64_t> from_utc_us, to_utc_us;  // started at or after, before
+  std::optional<bool> passed;                          // graded only
+  std::string search;                                  // part of the student's name or number
+  std::optional<bool> scripted;                        // only by a script, or only by persons
+  int limit = -1;                                      // -1 = all
+};
+
+struct SessionDetails {
+  HistoryRow row;
+  Session session;
+  std::vector<SessionEvent> events;
+  std::optional<StoredGrade> grade;       // newest
+  std::vector<RemovedTissue> removed;
+  std::vector<Comment> comments;
+};
+
+/// A student's standing in one scenario.
+struct Standing {
+  ScenarioId scenario;
+  int goes = 0;
+  std::optional<HistoryRow> best, last;   // graded ones; best by score, the earlier of two alike
+};
+
+class History {
+ public:
+  explicit History(StorageContext& context) : c_{context} {}
+
+  /// Newest first. A student's filter is narrowed to the student; see_all_results otherwise.
+  Stored<std::vector<HistoryRow>> list(const Actor& actor, const HistoryFilter& filter = {});
+  Stored<SessionDetails> details(const Actor& actor, SessionId session);
+  /// Of the same student, scenario and device class, started before this session.
+  Stored<std::optional<HistoryRow>> best_before(const Actor& actor, SessionId session);
+  Stored<int> goes(const Actor& actor, UserId student, ScenarioId scenario);
+  Stored<std::vector<Standing>> standings(const Actor& actor, UserId student);
+
+ private:
+  StorageContext& c_;
+};
+
+}  // namespace cusp

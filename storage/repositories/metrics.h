@@ -1,0 +1,45 @@
+/// What was removed, and how hard the hand pushed, over time: one row a chunk, and one per tissue that changed in it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/volume/tissue.h"
+#include "storage/context.h"
+
+namespace cusp {
+
+/// Running total since the session's start.
+struct RemovedTissue {
+  Tissue tissue = Tissue::empty;
+  std::uint64_t voxels = 0;  // occupied at the start, not any more
+  double mm3 = 0;
+};
+
+/// Of one second.
+struct SecondMetrics {
+  std::vector<RemovedTissue> removed;  // totals so far; tissues without removal may be left out
+  double force_peak_n = 0;             // before the guard
+  double force_mean_n = 0;             // over the ticks in contact; 0 without contact
+  std::uint64_t contact_ticks = 0;
+  std::uint64_t cutting_ticks = 0;
+};
+
+struct MetricsRow {
+  std::uint64_t chunk = 0;
+  std::uint64_t elapsed_us = 0;  // at the chunk's end
+  SecondMetrics metrics;         // removed holds every tissue's total so far
+};
+
+class Metrics {
+ public:
+  explicit Metrics(StorageContext& context) : c_{context} {}
+  Stored<std::vector<MetricsRow>> over_time(SessionId session);
+  /// Totals at the end of what is stored.
+  Stored<std::vector<RemovedTissue>> removed(SessionId session);
+
+ private:
+  StorageContext& c_;
+};
+
+}  // namespace cusp

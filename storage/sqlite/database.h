@@ -1,0 +1,145 @@
+/// The SQLite file: opening, its settings, transactions. Nothing outside storage/sqlite knows sqlite3.h.
+/// Thread: one Database object per thread; several may stand on one file, in one process or in many.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "storage/error.h"
+#include "storage/sqlite/statement.h"
+
+namespace cusp {
+
+/// "Cusp" in ASCII, in the file's header.
+inline constexpr std::int32_t kApplicationId = 0x43757370;
+
+struct DatabaseOptions {
+  enum class Access : std::uint8_t {
+    create,     // open, or make a new one
+    existing,   // not_found when there is none
+    read_only,  // writes nothing, makes no file; works on read-only media
+  };
+  Access access = Access::create;
+  int busy_timeout_ms = 5000;
+  std::string vfs;                                                  // SQLite's name of one; empty = the system's
+  std::function<bool(const std::filesystem::path&)> on_network_drive;  // empty = ask the system
+};
+
+class Database {
+ public:
+  /// Checks that the file is Cusp's and not newer, sets WAL, synchronous=FULL and foreign keys, migrates.
+  /// Fails with not_found, not_a_database, newer_schema, network_drive, read_only, disk_full, io, busy or corrupt; a file
+  /// that was refused is unchanged.
+  static Stored<Database> open(const std::filesystem::path& file, const DatabaseOptions& options = {});
+  ~Database();
+  Database(Database&& other) noexcept;
+  Database& operator=(Database&&) = delete;
+
+  const std::filesystem::path& file() const noexcept { return file_; }
+  bool read_only() const noexcept { return read_only_; }
+  int schema_version();
+
+  Statement prepare(std::string_view sql) { return Statement{handle_, sql}; }
+
+  /// Runs one statement to its end.
+  template <class... Values>
+  Stored<void> run(std::string_view sql, const Values&... values) {
+    Statement s = prepare(sql);
+    s.bind(values...);
+    while (true) {
+      auto more = s.step();
+      if (!more) return std::unexpected(more.error());
+      if (!*more) return {};
+    }
+  }
+  /// Every row, read by `read(Row)`.
+  template <class Read, class... Values>
+  auto all(std::string_view sql, Read&& read, const Values&... values)
+      -> Stored<std::vector<std::invoke_result_t<Read, Row>>> {
+    std::vector<std::invoke_result_t<Read, Row>> out;
+    Statement s = prepare(sql);
+    s.bind(values...);
+    while (true) {
+      auto more = s.step();
+      if (!more) return std::unexpected(more.error());
+      if (!*more) return out;
+      out.push_back(read(s.row()));
+    }
+  }
+  /// The first row, nullopt when there is none.
+  template <class Read, class... Values>
+  auto first(std::string_view sql, Read&& read, const Values&... values)
+      -> Stored<std::optional<std::invoke_result_t<Read, Row>>> {
+    Statement s = prepare(sql);
+    s.bind(values...);
+    auto more = s.step();
+    if (!more) return std::unexpected(more.error());
+    if (!*more) return std::optional<std::invoke_result_t<Read, Row>>{};
+    return std::optional<std::invoke_result_t<Read, Row>>{read(s.row())};
+  }
+  /// Several statements without parameters: migrations only.
+  Stored<void> script(const std::string& sql);
+  /// Rows that the last statement changed.
+  std::int64_t changes() const noexcept;
+  bool in_transaction() const noexcept;
+  /// Empty when SQLite finds the file sound, else what it says, one finding a line.
+  Stored<std::string> integrity_check();
+
+ private:
+  Database(sqlite3* handle, std::filesystem::path file, bool read_only) noexcept
+      : handle_{handle}, file_{std::move(file)}, read_only_{read_only} {}
+  sqlite3* handle_;
+  std::filesystem::path file_;
+  bool read_only_;
+};
+
+/// BEGIN IMMEDIATE to commit. The first failure is kept, what follows is skipped, and commit() undoes everything and
+/// returns it: a sequence of writes reads straight down. Undone when it leaves scope without commit().
+class Transaction {
+ public:
+  explicit Transaction(Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+  Database& database() noexcept { return database_; }
+  bool ok() const noexcept { return !failure_; }
+  /// Makes the transaction fail, unless it has already.
+  void refuse(StorageFailure failure) {
+    if (!failure_) failure_ = std::move(failure);
+  }
+  template <class... Values>
+  Transaction& run(std::string_view sql, const Values&... values) {
+    if (ok()) {
+      if (auto done = database_.run(sql, values...); !done) refuse(std::move(done.error()));
+    }
+    return *this;
+  }
+  /// First row, or nullopt: none, or the transaction has failed.
+  template <class Read, class... Values>
+  auto first(std::string_view sql, Read&& read, const Values&... values)
+      -> std::optional<std::invoke_result_t<Read, Row>> {
+    if (!ok()) return std::nullopt;
+    auto found = database_.first(sql, std::forward<Read>(read), values...);
+    if (!found) {
+      refuse(std::move(found.error()));
+      return std::nullopt;
+    }
+    return std::move(*found);
+  }
+  Stored<void> commit();
+
+ private:
+  Database& database_;
+  std::optional<StorageFailure> failure_;
+  bool open_ = false;
+};
+
+}  // namespace cusp

@@ -1,0 +1,61 @@
+/// Everything kept on this station, opened in one call. Start here.
+/// Thread: one Store per thread; open another on the same file for another thread.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "storage/context.h"
+#include "storage/repositories/assignments.h"
+#include "storage/repositories/audit_log.h"
+#include "storage/repositories/blobs.h"
+#include "storage/repositories/cohorts.h"
+#include "storage/repositories/comments.h"
+#include "storage/repositories/grades.h"
+#include "storage/repositories/history.h"
+#include "storage/repositories/metrics.h"
+#include "storage/repositories/people.h"
+#include "storage/repositories/scenarios.h"
+#include "storage/repositories/sessions.h"
+#include "storage/repositories/traces.h"
+
+namespace cusp {
+
+struct StoreOptions {
+  DatabaseOptions database;
+  UtcClock clock = system_utc_us;
+  PasswordCost cost = PasswordCost::interactive();
+  std::filesystem::path key_file;  // of the station's secret key; empty = the database's name with ".key" added
+  bool mark_interrupted = true;    // sessions whose process is gone get their event on opening
+};
+
+class Store {
+ private:
+  StorageContext context_;
+
+ public:
+  /// Opens or makes the file and the station's key. A second failure to read the key makes a new one: old signatures
+  /// are still checked against the key they name.
+  static Stored<std::unique_ptr<Store>> open(const std::filesystem::path& file, StoreOptions options = {});
+  explicit Store(StorageContext context);
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  StorageContext& context() noexcept { return context_; }
+  Database& database() noexcept { return context_.db; }
+
+  AuditLog audit;
+  Blobs blobs;
+  People people;
+  Cohorts cohorts;
+  Scenarios scenarios;
+  Assignments assignments;
+  Sessions sessions;
+  Traces traces;
+  Metrics metrics;
+  Grades grades;
+  Comments comments;
+  History history;
+};
+
+}  // namespace cusp
