@@ -24,7 +24,8 @@ enum class FindingCode : std::uint8_t {
 };
 std::string_view key_of(FindingCode code) noexcept;
 
-struct Finding {
+/// Not "Finding": scenarios/format has one of its own in this namespace.
+struct ChainFinding {
   FindingCode code = FindingCode::row_changed;
   std::string table;         // "trace_chunks", "criteria", "session_chain", ...
   std::int64_t row = -1;     // number within the session (chunk number, position in the chain); -1 = none
@@ -32,7 +33,7 @@ struct Finding {
 };
 
 struct Verification {
-  std::vector<Finding> findings;  // empty = intact; the first is the one to tell
+  std::vector<ChainFinding> findings;  // empty = intact; the first is the one to tell
   std::uint64_t links = 0, chunks = 0, inputs = 0;
   bool intact() const noexcept { return findings.empty(); }
 };

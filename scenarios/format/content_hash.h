@@ -24,7 +24,7 @@ struct ContentHash {
 };
 
 /// BLAKE2b with 32 bytes out, no key (RFC 7693).
-ContentHash blake2b_256(std::span<const std::byte> bytes) noexcept;
+ContentHash hash_of_bytes(std::span<const std::byte> bytes) noexcept;
 
 /// `beside`: the other files of the scenario by relative path with '/' (a volume); usually none.
 ContentHash content_hash(const Scenario& scenario, const std::map<std::string, std::vector<std::byte>>& beside = {});
