@@ -1,0 +1,24 @@
+/// A map of tissue codes made into a specimen: cropped, padded, and with a band of distances about its surface.
+#pragma once
+
+#include <vector>
+
+#include "engine/volume/voxel_volume.h"
+
+namespace cusp {
+
+/// The box of what is not empty.
+struct LabelBox {
+  IVec3 first, last;
+  bool empty() const noexcept { return first.x > last.x; }
+};
+LabelBox box_of_labels(const Grid& grid, const std::vector<Tissue>& labels);
+
+/// The grid of that box with kPadVoxels about it.
+Grid padded_grid(const Grid& grid, const LabelBox& box);
+
+/// s from the distance to the nearest voxel of the other side, less half a voxel: exact on faces along the axes, up to
+/// half a voxel off elsewhere, for that is all a label map knows. Pre: the box is not empty.
+VoxelVolume volume_of_labels(const Grid& grid, const std::vector<Tissue>& labels);
+
+}  // namespace cusp
