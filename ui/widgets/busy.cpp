@@ -1,0 +1,56 @@
+#include "ui/widgets/busy.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+
+Busy::Busy(QWidget* parent) : QWidget(parent), timer_(new QTimer(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(px(8));
+  column->addStretch();
+  title_ = make_label({}, TextRole::section, true);
+  title_->setAlignment(Qt::AlignCenter);
+  counted_ = make_label({}, TextRole::body, false, "text2");
+  counted_->setAlignment(Qt::AlignCenter);
+  bar_ = new Bar(Bar::Role::accent);
+  cancel_ = make_button(tr("Cancel"));
+  column->addWidget(title_);
+  column->addWidget(counted_);
+  column->addWidget(bar_);
+  column->addWidget(cancel_, 0, Qt::AlignHCenter);
+  column->addStretch();
+  hide();
+  timer_->setSingleShot(true);
+  timer_->setInterval(kDelayMs);
+  connect(timer_, &QTimer::timeout, this, [this] {
+    if (running_) show();
+  });
+  connect(cancel_, &QPushButton::clicked, this, &Busy::cancelled);
+}
+
+void Busy::start(const QString& title, bool can_cancel) {
+  running_ = true;
+  title_->setText(title);
+  setAccessibleName(title);
+  set_progress(0, {});
+  cancel_->setVisible(can_cancel);
+  timer_->start();
+}
+
+void Busy::set_progress(double share, const QString& counted) {
+  counted_->setText(counted);
+  bar_->set_share(share, counted);
+}
+
+void Busy::finish() {
+  running_ = false;
+  timer_->stop();
+  hide();
+}
+
+}  // namespace cusp

@@ -1,0 +1,331 @@
+#include "ui/widgets/chart.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QStackedWidget>
+#include <QStandardItemModel>
+#include <QToolTip>
+#include <cmath>
+
+#include "ui/widgets/format.h"
+#include "ui/widgets/table.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+/// Where the plot lies and how values map onto it. Charts' x does not mirror.
+struct Plot {
+  QRectF area;
+  const ChartData& data;
+  double x(double v) const { return area.left() + (v - data.x.least) / (data.x.most - data.x.least) * area.width(); }
+  double y(double v) const { return area.bottom() - (v - data.y.least) / (data.y.most - data.y.least) * area.height(); }
+  QPointF at(const ChartPoint& p) const { return {x(p.x), y(p.y)}; }
+};
+
+QFont caption(double unit) {
+  QFont font = font_of(TextRole::caption);
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(11.5 * unit))));
+  return font;
+}
+
+Plot plot_of(const QRectF& rect, const ChartData& data, double unit) {
+  const QFontMetricsF metrics(caption(unit));
+  double labels = 0;
+  for (double v = data.y.least; v <= data.y.most + 1e-9; v += data.y.step) {
+    labels = std::max(labels, metrics.horizontalAdvance(format_number(v, data.y.decimals)));
+  }
+  double names = 6 * unit;  // room at the line's end for names
+  for (const auto& s : data.series) {
+    if (s.draw == ChartSeries::Draw::line && !s.points.isEmpty()) {
+      names = std::max(names, metrics.horizontalAdvance(s.name) + 10 * unit);
+    }
+  }
+  const double below = data.x.title.isEmpty() ? 20 * unit : 34 * unit;
+  return {rect.adjusted(labels + 8 * unit, 8 * unit, -names, -below), data};
+}
+
+void paint_axes(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
+  const ChartData& d = plot.data;
+  p.setFont(caption(unit));
+  for (double v = d.y.least; v <= d.y.most + 1e-9; v += d.y.step) {
+    const double y = std::round(plot.y(v)) + 0.5;
+    p.setPen(QPen(t.line, 1));
+    p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
+    p.setPen(t.text3);
+    p.drawText(QRectF(plot.area.left() - 60 * unit, y - 8 * unit, 54 * unit, 16 * unit),
+               Qt::AlignRight | Qt::AlignVCenter, format_number(v, d.y.decimals));
+  }
+  p.setPen(t.text3);
+  for (double v = d.x.least; v <= d.x.most + 1e-9; v += d.x.step) {
+    p.drawText(QRectF(plot.x(v) - 30 * unit, plot.area.bottom() + 3 * unit, 60 * unit, 16 * unit), Qt::AlignCenter,
+               format_number(v, d.x.decimals));
+  }
+  if (!d.x.title.isEmpty()) {
+    p.drawText(QRectF(plot.area.left(), plot.area.bottom() + 18 * unit, plot.area.width() + 6 * unit, 16 * unit),
+               Qt::AlignRight | Qt::AlignVCenter, d.x.title);
+  }
+}
+
+void paint_diamond(QPainter& p, QPointF at, double r) {
+  QPainterPath path;
+  path.moveTo(at + QPointF(0, -r));
+  path.lineTo(at + QPointF(r, 0));
+  path.lineTo(at + QPointF(0, r));
+  path.lineTo(at + QPointF(-r, 0));
+  path.closeSubpath();
+  p.drawPath(path);
+}
+
+void paint_bars(QPainter& p, const Plot& plot, const ChartSeries& s, const Tokens& t, double unit) {
+  for (const ChartPoint& b : s.points) {
+    const QRectF bar(QPointF(plot.x(b.x) + 1.5 * unit, plot.y(b.y)),
+                     QPointF(plot.x(b.x + plot.data.x.step) - 1.5 * unit, plot.area.bottom()));
+    if (b.y <= plot.data.y.least) continue;
+    // Below the mark: outline and soft fill, so that the side of the mark shows without colour.
+    const bool below = plot.data.mark && b.x + plot.data.x.step <= *plot.data.mark + 1e-9;
+    QColor fill = t.accent;
+    if (below) fill.setAlphaF(0.22);
+    p.setPen(QPen(t.accent, 1.2 * unit));
+    p.setBrush(fill);
+    p.drawRoundedRect(bar, 2 * unit, 2 * unit);
+  }
+}
+
+}  // namespace
+
+void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Tokens& t, double unit,
+                 int highlighted_series, int highlighted_point) {
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setLayoutDirection(Qt::LeftToRight);
+  const Plot plot = plot_of(rect, d, unit);
+  paint_axes(p, plot, t, unit);
+  const bool has_bars = !d.series.isEmpty() && d.series.first().draw == ChartSeries::Draw::bars;
+  for (const ChartSeries& s : d.series) {
+    if (s.draw == ChartSeries::Draw::bars) paint_bars(p, plot, s, t, unit);
+  }
+  if (d.mark) {
+    p.setFont(caption(unit));
+    QPen pen(t.text, 1.4 * unit, Qt::CustomDashLine);
+    pen.setDashPattern({3, 2});
+    p.setPen(pen);
+    if (has_bars) {
+      const double x = plot.x(*d.mark);
+      p.drawLine(QPointF(x, plot.area.top() - 4 * unit), QPointF(x, plot.area.bottom()));
+      p.setPen(t.text);
+      p.drawText(QRectF(x - 126 * unit, plot.area.top() - 6 * unit, 120 * unit, 16 * unit),
+                 Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
+    } else {
+      const double y = plot.y(*d.mark);
+      p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
+      p.setPen(t.text2);
+      p.drawText(QRectF(plot.area.right() - 120 * unit, y - 17 * unit, 120 * unit, 16 * unit),
+                 Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
+    }
+  }
+  p.setClipRect(plot.area.adjusted(-8 * unit, -8 * unit, 8 * unit, 8 * unit));
+  for (int i = 0; i < d.series.size(); ++i) {
+    const ChartSeries& s = d.series[i];
+    const QColor ink = s.quiet ? t.text3 : t.accent;
+    const bool lined = s.draw == ChartSeries::Draw::line || s.draw == ChartSeries::Draw::line_dots;
+    if (lined && s.points.size() > 1) {
+      QPainterPath path(plot.at(s.points.first()));
+      for (const ChartPoint& point : s.points) path.lineTo(plot.at(point));
+      p.setPen(QPen(ink, (s.quiet ? 1.4 : 1.8) * unit, s.quiet ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap,
+                    Qt::RoundJoin));
+      p.setBrush(Qt::NoBrush);
+      p.drawPath(path);
+    }
+    if (s.draw == ChartSeries::Draw::bars || s.draw == ChartSeries::Draw::line) continue;
+    for (int j = 0; j < s.points.size(); ++j) {
+      const ChartPoint& point = s.points[j];
+      const QPointF at = plot.at(point);
+      const bool lit = i == highlighted_series && j == highlighted_point;
+      if (s.draw == ChartSeries::Draw::diamonds) {
+        p.setPen(QPen(t.text2, 1.6 * unit));
+        p.setBrush(lit ? t.text2 : t.surface);
+        paint_diamond(p, at, 5 * unit);
+      } else if (s.draw == ChartSeries::Draw::dots) {
+        QColor soft = ink;
+        soft.setAlphaF(s.quiet ? 0.7 : 1.0);
+        p.setPen(Qt::NoPen);
+        p.setBrush(soft);
+        p.drawEllipse(at, (lit ? 4.0 : 2.6) * unit, (lit ? 4.0 : 2.6) * unit);
+      } else {
+        p.setPen(QPen(ink, 1.8 * unit));
+        p.setBrush(point.strong || lit ? ink : t.surface);
+        const double r = (point.strong || lit ? 4.6 : 3.2) * unit;
+        p.drawEllipse(at, r, r);
+      }
+    }
+  }
+  p.setClipping(false);
+  // Names at the line's end, and the newest value beside its dot.
+  for (const ChartSeries& s : d.series) {
+    if (s.points.isEmpty()) continue;
+    if (s.draw == ChartSeries::Draw::line) {
+      const QPointF end = plot.at(s.points.last());
+      p.setFont(caption(unit));
+      p.setPen(s.quiet ? t.text2 : t.text);
+      p.drawText(QRectF(end.x() + 8 * unit, end.y() - 8 * unit, 200 * unit, 16 * unit), Qt::AlignLeft | Qt::AlignVCenter,
+                 s.name);
+    }
+    for (const ChartPoint& point : s.points) {
+      if (!point.strong) continue;
+      QFont bold = caption(unit);
+      bold.setBold(true);
+      p.setFont(bold);
+      p.setPen(t.text);
+      const QPointF at = plot.at(point);
+      const QString text = format_number(point.y, 0);
+      const double width = QFontMetricsF(bold).horizontalAdvance(text);
+      const bool fits = at.x() + 10 * unit + width < rect.right();
+      p.drawText(QPointF(fits ? at.x() + 8 * unit : at.x() - 8 * unit - width, at.y() - 6 * unit), text);
+    }
+  }
+  p.restore();
+}
+
+/// Paints the chart, names the point under the pointer, and lets arrow keys walk over the points.
+class ChartCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ChartCanvas(QWidget* parent) : QWidget(parent) {
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(px(200), px(150));
+  }
+  void set_data(const ChartData& fresh) {
+    data_ = fresh;
+    series_ = point_ = -1;
+    setAccessibleName(data_.title);
+    setAccessibleDescription(data_.summary);
+    update();
+  }
+
+ Q_SIGNALS:
+  void opened(int series, int point);
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    paint_chart(painter, rect(), data_, tokens(), scale_percent() / 100.0, series_, point_);
+  }
+  void mouseMoveEvent(QMouseEvent* event) override {
+    const Plot plot = plot_of(rect(), data_, scale_percent() / 100.0);
+    int best_series = -1, best_point = -1;
+    double best = px(12.0);
+    for (int i = 0; i < data_.series.size(); ++i) {
+      if (data_.series[i].draw == ChartSeries::Draw::bars) continue;
+      for (int j = 0; j < data_.series[i].points.size(); ++j) {
+        const double distance = QLineF(plot.at(data_.series[i].points[j]), event->position()).length();
+        if (distance >= best) continue;
+        best = distance;
+        best_series = i;
+        best_point = j;
+      }
+    }
+    light(best_series, best_point, event->globalPosition().toPoint());
+  }
+  void leaveEvent(QEvent*) override { light(-1, -1, {}); }
+  void mousePressEvent(QMouseEvent*) override {
+    if (series_ >= 0) Q_EMIT opened(series_, point_);
+  }
+  void keyPressEvent(QKeyEvent* event) override {
+    const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+    if (step != 0 && !data_.series.isEmpty()) {
+      const int series = std::max(series_, 0);
+      const auto count = static_cast<int>(data_.series[series].points.size());
+      if (count == 0) return;
+      const int point = point_ < 0 ? (step > 0 ? 0 : count - 1) : std::clamp(point_ + step, 0, count - 1);
+      const Plot plot = plot_of(rect(), data_, scale_percent() / 100.0);
+      light(series, point, mapToGlobal(plot.at(data_.series[series].points[point]).toPoint()));
+      return;
+    }
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && series_ >= 0) {
+      Q_EMIT opened(series_, point_);
+      return;
+    }
+    QWidget::keyPressEvent(event);
+  }
+
+ private:
+  void light(int series, int point, QPoint at) {
+    if (series == series_ && point == point_) return;
+    series_ = series;
+    point_ = point;
+    if (series >= 0) {
+      const ChartPoint& p = data_.series[series].points[point];
+      QString text = p.label.isEmpty() ? data_.series[series].name : p.label;
+      text += u'\n' + format_number(p.y, p.y == std::floor(p.y) ? 0 : 1) + u' ' + data_.y.title;
+      QToolTip::showText(at, text, this);
+      setAccessibleDescription(text);
+    } else {
+      QToolTip::hideText();
+    }
+    update();
+  }
+
+  ChartData data_;
+  int series_ = -1, point_ = -1;
+};
+
+Chart::Chart(QWidget* parent) : QWidget(parent), stack_(new QStackedWidget), canvas_(new ChartCanvas(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(stack_);
+  stack_->addWidget(canvas_);
+  auto* table = new Table;
+  table_ = table;
+  table_->setModel(new QStandardItemModel(this));
+  stack_->addWidget(table_);
+  connect(canvas_, &ChartCanvas::opened, this, &Chart::point_opened);
+  auto* toggle = new QAction(this);
+  toggle->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+  toggle->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  addAction(toggle);
+  connect(toggle, &QAction::triggered, this, [this] { show_table(!shows_table()); });
+}
+
+void Chart::set_data(const ChartData& data) {
+  data_ = data;
+  canvas_->set_data(data);
+  table_->setAccessibleName(data.title);
+  fill_table();
+}
+
+bool Chart::shows_table() const { return stack_->currentWidget() == table_; }
+
+void Chart::show_table(bool on) {
+  stack_->setCurrentWidget(on ? static_cast<QWidget*>(table_) : canvas_);
+  stack_->currentWidget()->setFocus();
+}
+
+void Chart::fill_table() {
+  auto* model = static_cast<QStandardItemModel*>(table_->model());
+  model->clear();
+  const bool bars = !data_.series.isEmpty() && data_.series.first().draw == ChartSeries::Draw::bars;
+  model->setHorizontalHeaderLabels({bars ? QString() : tr("Which"), data_.x.title, data_.y.title});
+  for (const ChartSeries& s : data_.series) {
+    for (const ChartPoint& p : s.points) {
+      QList<QStandardItem*> row = {new QStandardItem(p.label.isEmpty() ? s.name : p.label),
+                                   new QStandardItem(format_number(p.x, p.x == std::floor(p.x) ? 0 : 1)),
+                                   new QStandardItem(format_number(p.y, p.y == std::floor(p.y) ? 0 : 1))};
+      row[1]->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      row[2]->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      model->appendRow(row);
+    }
+  }
+  static_cast<Table*>(table_)->set_stretch_column(0);
+}
+
+}  // namespace cusp
+
+#include "chart.moc"

@@ -1,0 +1,91 @@
+#include "ui/widgets/format.h"
+
+#include <cmath>
+
+namespace cusp {
+namespace {
+
+constexpr QChar kNoBreak(0x00A0);
+
+/// Decimals that show two digits of an uncertainty at most: 0.034 -> 2, 0.4 -> 1, 3 -> 0.
+int decimals_from(double uncertainty) {
+  if (!(uncertainty > 0) || !std::isfinite(uncertainty)) return 2;
+  const int exponent = static_cast<int>(std::floor(std::log10(uncertainty)));
+  return std::clamp(-exponent, 0, 3);
+}
+
+int decimals_of(const Measured& m) {
+  if (m.decimals >= 0) return m.decimals;
+  if (!m.uncertainty) return 2;
+  return std::min(decimals_from(*m.uncertainty), 2);
+}
+
+}  // namespace
+
+QString isolate(const QString& text) { return QChar(0x2066) + text + QChar(0x2069); }
+
+QString unit_text(const QString& unit) {
+  if (unit == u"mm3") return QStringLiteral("mm³");
+  if (unit == u"mm2") return QStringLiteral("mm²");
+  if (unit == u"deg") return QStringLiteral("°");
+  return unit;
+}
+
+QString format_number(double value, int decimals, const QLocale& locale) {
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  // "−0.00" would be a sign without a value.
+  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0;
+  QString text = locale.toString(value, 'f', decimals);
+  if (text.startsWith(u'-')) text[0] = QChar(0x2212);
+  return text;
+}
+
+QString format_value(const Measured& m, const QLocale& locale) {
+  QString text = format_number(m.value, decimals_of(m), locale);
+  if (!m.unit.isEmpty()) text += kNoBreak + unit_text(m.unit);
+  return isolate(text);
+}
+
+QString format_uncertainty(const Measured& m, const QLocale& locale) {
+  if (!m.uncertainty || !(*m.uncertainty > 0)) return {};
+  const int decimals = decimals_of(m);
+  const double least = 0.5 * std::pow(10.0, -decimals);
+  // An uncertainty below what is printed would read "± 0.00": one more digit says it.
+  const int shown = *m.uncertainty < least ? std::min(decimals + 1, 3) : decimals;
+  if (*m.uncertainty < 0.5 * std::pow(10.0, -shown)) return {};
+  return isolate(QChar(0x00B1) + QString(kNoBreak) + format_number(*m.uncertainty, shown, locale));
+}
+
+QString format(const Measured& m, const QLocale& locale) {
+  QString text = format_number(m.value, decimals_of(m), locale);
+  if (!m.unit.isEmpty()) text += kNoBreak + unit_text(m.unit);
+  QString uncertainty = format_uncertainty(m, locale);
+  if (!uncertainty.isEmpty()) text += kNoBreak + uncertainty.mid(1, uncertainty.size() - 2);
+  return isolate(text);
+}
+
+QString format_points(double points, const QLocale& locale) {
+  const double tenth = std::round(points * 10) / 10;
+  return format_number(tenth, tenth == std::floor(tenth) ? 0 : 1, locale);
+}
+
+QString format_clock(double seconds) {
+  if (!std::isfinite(seconds) || seconds < 0) return QStringLiteral("–");
+  const auto whole = static_cast<long long>(std::floor(seconds));
+  const auto two = [](long long v) { return QStringLiteral("%1").arg(v, 2, 10, QLatin1Char('0')); };
+  if (whole >= 3600) return isolate(QString::number(whole / 3600) + u':' + two(whole / 60 % 60) + u':' + two(whole % 60));
+  return isolate(QString::number(whole / 60) + u':' + two(whole % 60));
+}
+
+QString format_day(const QDateTime& when, const QLocale& locale) {
+  const QDateTime local = when.toLocalTime();
+  if (locale.language() == QLocale::German) return locale.toString(local, QStringLiteral("ddd d. MMM"));
+  return locale.toString(local, QStringLiteral("ddd d MMM"));
+}
+
+QString format_day_time(const QDateTime& when, const QLocale& locale) {
+  return format_day(when, locale) + QStringLiteral(", ") +
+         locale.toString(when.toLocalTime(), QStringLiteral("HH:mm"));
+}
+
+}  // namespace cusp

@@ -1,0 +1,217 @@
+#include "ui/widgets/parts.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QToolButton>
+
+namespace cusp {
+namespace {
+
+QString with_key(const QString& text, const QKeySequence& key) {
+  return key.isEmpty() ? text : text + u" ("_qs + key.toString(QKeySequence::NativeText) + u')';
+}
+
+}  // namespace
+
+QPushButton* make_button(const QString& text, ButtonKind kind, const QString& icon_name, const QKeySequence& key) {
+  auto* button = new QPushButton(text);
+  button->setAutoDefault(false);
+  button->setAccessibleName(text);
+  switch (kind) {
+    case ButtonKind::standard: break;
+    case ButtonKind::primary: button->setProperty("kind", u"primary"_qs); break;
+    case ButtonKind::quiet: button->setProperty("kind", u"quiet"_qs); break;
+    case ButtonKind::erase: button->setProperty("kind", u"erase"_qs); break;
+  }
+  if (!icon_name.isEmpty()) {
+    button->setIcon(icon(icon_name, kind == ButtonKind::primary ? Ink::on_accent
+                                    : kind == ButtonKind::erase ? Ink::bad
+                                                                : Ink::text));
+    button->setIconSize(QSize(px(18), px(18)));
+  }
+  if (!key.isEmpty()) {
+    button->setShortcut(key);
+    button->setToolTip(with_key(text, key));
+  }
+  return button;
+}
+
+QPushButton* make_large_button(const QString& text, ButtonKind kind, const QString& icon_name) {
+  QPushButton* button = make_button(text, kind, icon_name);
+  button->setProperty("large", true);
+  return button;
+}
+
+QToolButton* make_icon_button(const QString& icon_name, const QString& name, const QKeySequence& key) {
+  auto* button = new QToolButton;
+  button->setIcon(icon(icon_name));
+  button->setIconSize(QSize(px(20), px(20)));
+  button->setAccessibleName(name);
+  button->setToolTip(with_key(name, key));
+  if (!key.isEmpty()) button->setShortcut(key);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+Card::Card(QWidget* parent) : QFrame(parent) {
+  setProperty("kind", u"card"_qs);
+  body_ = new QVBoxLayout(this);
+  body_->setContentsMargins(px(16), px(16), px(16), px(16));
+  body_->setSpacing(px(8));
+}
+
+Card::Card(const QString& title, const QString& aside, QWidget* parent) : Card(parent) {
+  head_ = new QHBoxLayout;
+  title_ = make_label(title, TextRole::section, true);
+  aside_ = make_label(aside, TextRole::caption, false, "text3");
+  head_->addWidget(title_);
+  head_->addStretch();
+  head_->addWidget(aside_);
+  body_->addLayout(head_);
+  setAccessibleName(title);
+}
+
+void Card::set_title(const QString& title) {
+  if (title_) title_->setText(title);
+  setAccessibleName(title);
+}
+void Card::set_aside(const QString& aside) {
+  if (aside_) aside_->setText(aside);
+}
+
+Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent), group_(new QButtonGroup(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  for (int i = 0; i < names.size(); ++i) {
+    auto* button = new QPushButton(names[i]);
+    button->setCheckable(true);
+    button->setAutoDefault(false);
+    button->setAccessibleName(names[i]);
+    button->setProperty("kind", names.size() == 1         ? u"segment_only"_qs
+                                : i == 0                  ? u"segment_first"_qs
+                                : i == names.size() - 1   ? u"segment_last"_qs
+                                                          : u"segment_middle"_qs);
+    group_->addButton(button, i);
+    row->addWidget(button, 1);
+  }
+  if (!names.isEmpty()) group_->button(0)->setChecked(true);
+  connect(group_, &QButtonGroup::idToggled, this, [this](int id, bool on) {
+    if (on) Q_EMIT changed(id);
+  });
+}
+int Segments::chosen() const { return group_->checkedId(); }
+void Segments::choose(int index) {
+  if (auto* button = group_->button(index)) button->setChecked(true);
+}
+QAbstractButton* Segments::button(int index) const { return group_->button(index); }
+
+Band::Band(QWidget* parent) : QFrame(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(px(16), px(10), px(12), px(10));
+  row->setSpacing(px(12));
+  sign_ = new QLabel;
+  text_ = make_label({});
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::RichText);
+  row->addWidget(sign_, 0, Qt::AlignTop);
+  row->addWidget(text_, 1);
+  ways_out_ = new QHBoxLayout;
+  ways_out_->setSpacing(px(12));
+  row->addLayout(ways_out_);
+  hide();
+}
+
+void Band::show_message(Kind kind, const QString& what, const QString& more) {
+  static constexpr const char* kKinds[] = {"band_info", "band_look", "band_bad", "band_good"};
+  static const QString kIcons[] = {u"info"_qs, u"warning"_qs, u"warning"_qs, u"check"_qs};
+  static constexpr Ink kInks[] = {Ink::accent, Ink::look, Ink::bad, Ink::good};
+  const auto k = static_cast<int>(kind);
+  set_kind(this, kKinds[k]);
+  sign_->setPixmap(icon_pixmap(kIcons[k], kInks[k], 20, devicePixelRatioF()));
+  text_->setText(more.isEmpty() ? u"<b>%1</b>"_qs.arg(what.toHtmlEscaped())
+                                : u"<b>%1</b> %2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped()));
+  setAccessibleName(more.isEmpty() ? what : what + u' ' + more);
+  show();
+  announce(this, accessibleName());
+}
+
+void Band::clear() { hide(); }
+QString Band::text() const { return accessibleName(); }
+
+QWidget* labelled(const QString& label, QWidget* field, QLabel** out_label) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(4));
+  QLabel* text = make_label(label, TextRole::caption);
+  text->setBuddy(field);
+  field->setAccessibleName(label);
+  column->addWidget(text);
+  column->addWidget(field);
+  if (out_label) *out_label = text;
+  return box;
+}
+
+QFrame* make_rule(Qt::Orientation orientation) {
+  auto* rule = new QFrame;
+  rule->setProperty("kind", u"rule"_qs);
+  if (orientation == Qt::Horizontal) {
+    rule->setFixedHeight(1);
+  } else {
+    rule->setFixedWidth(1);
+  }
+  return rule;
+}
+
+QLabel* make_key_cap(const QString& key) {
+  QLabel* label = make_label(key, TextRole::caption);
+  label->setProperty("kind", u"key"_qs);
+  return label;
+}
+
+void announce(QWidget* from, const QString& sentence) {
+  // Qt 6.4 has no announcement event: an alert with the sentence as the widget's description is what readers speak.
+  from->setAccessibleDescription(sentence);
+  QAccessibleEvent event(from, QAccessible::Alert);
+  QAccessible::updateAccessibility(&event);
+}
+
+PageHead::PageHead(const QString& title, const QString& aside, QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(12));
+  row->addWidget(make_label(title, TextRole::page_title, true));
+  QLabel* quiet = make_label(aside, TextRole::body, false, "text2");
+  quiet->setContentsMargins(0, px(6), 0, 0);
+  row->addWidget(quiet);
+  row->addStretch();
+  buttons_ = new QHBoxLayout;
+  buttons_->setSpacing(px(8));
+  row->addLayout(buttons_);
+}
+
+QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent) {
+  auto* area = new QScrollArea(parent);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  auto* page = new QWidget;
+  page->setProperty("kind", u"page"_qs);
+  page->setAttribute(Qt::WA_StyledBackground);
+  *body = new QVBoxLayout(page);
+  (*body)->setContentsMargins(px(24), px(16), px(24), px(24));
+  (*body)->setSpacing(px(16));
+  area->setWidget(page);
+  return area;
+}
+
+}  // namespace cusp

@@ -1,0 +1,171 @@
+#include "ui/widgets/table.h"
+
+#include <QAbstractItemModel>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/icon.h"
+
+namespace cusp {
+
+void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const Tokens& t = tokens();
+  painter->save();
+  const bool chosen = option.state & QStyle::State_Selected;
+  if (chosen) painter->fillRect(option.rect, t.accent_soft);
+  const auto* view = qobject_cast<const QTableView*>(option.widget);
+  if (!view || index.row() + 1 < index.model()->rowCount(index.parent())) {
+    painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1), t.line);
+  }
+  const bool rtl = option.direction == Qt::RightToLeft;
+  QRect cell = option.rect.adjusted(px(8), 0, -px(8), 0);
+  const qreal ratio = painter->device()->devicePixelRatioF();
+  const QString text = index.data(Qt::DisplayRole).toString();
+
+  if (const QVariant chip = index.data(ChipRole); chip.isValid() && !text.isEmpty()) {
+    const auto kind = static_cast<Chip::Kind>(chip.toInt());
+    const QSize size = chip_size(text, kind);
+    const int x = rtl ? cell.right() - size.width() + 1 : cell.left();
+    paint_chip(*painter, QRect(QPoint(x, cell.top() + (cell.height() - size.height()) / 2), size), text, kind, t, ratio);
+    painter->restore();
+    return;
+  }
+  if (const QString name = index.data(IconRole).toString(); !name.isEmpty()) {
+    const QVariant ink = index.data(IconInkRole);
+    const int side = px(18);
+    const bool alone = text.isEmpty();
+    const int x = alone ? cell.center().x() - side / 2 : rtl ? cell.right() - side + 1 : cell.left();
+    painter->drawPixmap(x, cell.top() + (cell.height() - side) / 2,
+                        icon_pixmap(name, ink.isValid() ? static_cast<Ink>(ink.toInt()) : Ink::text2, 18, ratio));
+    if (alone) {
+      painter->restore();
+      return;
+    }
+    cell.adjust(rtl ? 0 : px(26), 0, rtl ? -px(26) : 0, 0);
+  }
+  if (const QVariant share = index.data(ShareRole); share.isValid()) {
+    const double width = px(44);
+    const QVariant role = index.data(BarRole);
+    const QFontMetrics bold(font_of(TextRole::body, true));
+    const int reserved = bold.horizontalAdvance(QStringLiteral("100 / 100")) + px(10);
+    const double x = rtl ? cell.left() + reserved : cell.right() - reserved - width;
+    paint_bar(*painter, QRectF(x, cell.center().y() - px(3) + 0.5, width, px(6)), share.toDouble(),
+              colour_of(static_cast<Bar::Role>(role.toInt())), t.sunken);
+  }
+  Qt::Alignment alignment(index.data(Qt::TextAlignmentRole).toInt());
+  if (!(alignment & Qt::AlignHorizontal_Mask)) alignment |= Qt::AlignLeading;
+  const bool right = alignment & Qt::AlignRight || alignment & Qt::AlignTrailing;
+  const bool bold = index.data(BoldRole).toBool();
+  const QFont font = font_of(TextRole::body, bold);
+  const QColor ink = index.data(QuietRole).toBool() ? t.text3 : t.text;
+  const QString second = index.data(SecondRole).toString();
+  const QFontMetrics metrics(font), plain(font_of(TextRole::body));
+  const int gap = second.isEmpty() ? 0 : px(4);
+  const int second_width = second.isEmpty() ? 0 : plain.horizontalAdvance(second);
+  const QString shown = metrics.elidedText(text, Qt::ElideRight, std::max(0, cell.width() - second_width - gap));
+  const int first_width = metrics.horizontalAdvance(shown);
+  const bool at_right = right != rtl;
+  int x = at_right ? cell.right() + 1 - first_width - gap - second_width : cell.left();
+  const auto draw = [&](const QString& part, const QFont& f, const QColor& colour, int width) {
+    painter->setFont(f);
+    painter->setPen(colour);
+    painter->drawText(QRect(x, cell.top(), width + px(2), cell.height()), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                      part);
+    x += width + gap;
+  };
+  if (rtl && !second.isEmpty()) {
+    draw(second, font_of(TextRole::body), t.text2, second_width);
+    draw(shown, font, ink, first_width);
+  } else {
+    draw(shown, font, ink, first_width);
+    if (!second.isEmpty()) draw(second, font_of(TextRole::body), t.text2, second_width);
+  }
+  painter->restore();
+}
+
+QSize TableDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const QString text = index.data(Qt::DisplayRole).toString();
+  if (const QVariant chip = index.data(ChipRole); chip.isValid()) {
+    return {chip_size(text, static_cast<Chip::Kind>(chip.toInt())).width() + px(16), px(36)};
+  }
+  const QFontMetrics metrics(font_of(TextRole::body, index.data(BoldRole).toBool()));
+  int width = metrics.horizontalAdvance(text) + px(18);
+  const QString second = index.data(SecondRole).toString();
+  if (!second.isEmpty()) width += metrics.horizontalAdvance(second) + px(4);
+  if (!index.data(IconRole).toString().isEmpty()) width += px(26);
+  if (index.data(ShareRole).isValid()) width += px(64);
+  Q_UNUSED(option);
+  return {width, px(36)};
+}
+
+Table::Table(QWidget* parent) : QTableView(parent) {
+  setItemDelegate(new TableDelegate(this));
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  setShowGrid(false);
+  setFrameShape(QFrame::NoFrame);
+  setEditTriggers(NoEditTriggers);
+  setTabKeyNavigation(false);
+  setWordWrap(false);
+  setHorizontalScrollMode(ScrollPerPixel);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(px(36));
+  verticalHeader()->setMinimumSectionSize(px(36));
+  horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setDefaultAlignment(Qt::AlignLeading | Qt::AlignVCenter);
+  horizontalHeader()->setMinimumSectionSize(px(32));
+  horizontalHeader()->setMinimumHeight(px(34));
+  connect(this, &QTableView::doubleClicked, this, &Table::row_opened);
+}
+
+void Table::setModel(QAbstractItemModel* model) {
+  QTableView::setModel(model);
+  if (!model) return;
+  connect(model, &QAbstractItemModel::modelReset, this, [this] { updateGeometry(); });
+  connect(model, &QAbstractItemModel::rowsInserted, this, [this] { updateGeometry(); });
+  connect(model, &QAbstractItemModel::rowsRemoved, this, [this] { updateGeometry(); });
+}
+
+void Table::set_stretch_column(int column) {
+  for (int i = 0; model() && i < model()->columnCount(); ++i) {
+    horizontalHeader()->setSectionResizeMode(i, i == column ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+  }
+}
+
+void Table::choose_row(int row) {
+  if (!model() || row < 0 || row >= model()->rowCount()) return;
+  // selectRow may select nothing in right-to-left.
+  const QModelIndex index = model()->index(row, 0);
+  selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+  selectionModel()->select(index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+}
+
+int Table::chosen_row() const {
+  const QModelIndexList rows = selectionModel() ? selectionModel()->selectedRows() : QModelIndexList();
+  return rows.isEmpty() ? -1 : rows.first().row();
+}
+
+void Table::set_rows_shown(int rows) {
+  rows_shown_ = rows;
+  setSizePolicy(QSizePolicy::Expanding, rows > 0 ? QSizePolicy::Fixed : QSizePolicy::Expanding);
+  updateGeometry();
+}
+
+QSize Table::sizeHint() const {
+  if (rows_shown_ <= 0) return QTableView::sizeHint();
+  const int rows = std::clamp(model() ? model()->rowCount() : 0, 1, rows_shown_);
+  return {px(400), horizontalHeader()->sizeHint().height() + rows * px(36) + 2};
+}
+QSize Table::minimumSizeHint() const { return rows_shown_ > 0 ? QSize(px(200), sizeHint().height()) : QSize(px(200), px(110)); }
+
+void Table::keyPressEvent(QKeyEvent* event) {
+  if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && currentIndex().isValid()) {
+    Q_EMIT row_opened(currentIndex());
+    return;
+  }
+  QTableView::keyPressEvent(event);
+}
+
+}  // namespace cusp

@@ -1,0 +1,294 @@
+#include "ui/widgets/theme.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QFocusFrame>
+#include <QFontDatabase>
+#include <QLabel>
+#include <QPainter>
+#include <QPalette>
+#include <QPointer>
+#include <QRegularExpression>
+#include <QStyle>
+#include <QStyleFactory>
+#include <QStyleOption>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+static void load_resources() { Q_INIT_RESOURCE(cusp_widgets); }
+
+namespace cusp {
+namespace {
+
+constexpr const char* kScaleProperty = "cusp_scale_percent";
+
+Tokens make_light() {
+  Tokens t;
+  t.dark = false;
+  t.window = QColor(u"#F3F4F6"_qs), t.surface = QColor(u"#FFFFFF"_qs);
+  t.sunken = QColor(u"#E9EBEF"_qs), t.hover = QColor(u"#E4E8EE"_qs);
+  t.line = QColor(u"#D3D7DE"_qs), t.border = QColor(u"#7D8693"_qs);
+  t.text = QColor(u"#16191E"_qs), t.text2 = QColor(u"#4A515D"_qs), t.text3 = QColor(u"#5F6773"_qs);
+  t.accent = QColor(u"#1F5BB8"_qs), t.on_accent = QColor(u"#FFFFFF"_qs), t.accent_soft = QColor(u"#DFE9F8"_qs);
+  t.good = QColor(u"#1B7340"_qs), t.good_soft = QColor(u"#DDF1E4"_qs);
+  t.look = QColor(u"#8A5300"_qs), t.look_soft = QColor(u"#FBEBCF"_qs);
+  t.bad = QColor(u"#B3261E"_qs), t.bad_soft = QColor(u"#FBE3E0"_qs);
+  t.view_middle = QColor(u"#CDD4DC"_qs), t.view_edge = QColor(u"#AFB8C3"_qs);
+  t.bar_enamel = QColor(u"#8C7B52"_qs), t.bar_dentine = QColor(u"#A06A17"_qs);
+  t.bar_decay = QColor(u"#6A3D1E"_qs), t.bar_pulp = QColor(u"#B01E55"_qs);
+  t.line_target = QColor(u"#007A68"_qs), t.line_leeway = QColor(u"#2F68C4"_qs);
+  t.line_over = QColor(u"#B54708"_qs), t.line_under = QColor(u"#5B3DA8"_qs);
+  t.shadow = QColor(u"#33000000"_qs);
+  return t;
+}
+
+Tokens make_dark() {
+  Tokens t;
+  t.dark = true;
+  t.window = QColor(u"#14171B"_qs), t.surface = QColor(u"#1C2026"_qs);
+  t.sunken = QColor(u"#101316"_qs), t.hover = QColor(u"#2A3038"_qs);
+  t.line = QColor(u"#343B45"_qs), t.border = QColor(u"#7C8795"_qs);
+  t.text = QColor(u"#ECEEF1"_qs), t.text2 = QColor(u"#B3BBC6"_qs), t.text3 = QColor(u"#929CA9"_qs);
+  t.accent = QColor(u"#82B1FF"_qs), t.on_accent = QColor(u"#0B1B33"_qs), t.accent_soft = QColor(u"#1D3356"_qs);
+  t.good = QColor(u"#5FCB8A"_qs), t.good_soft = QColor(u"#16341F"_qs);
+  t.look = QColor(u"#F0B65A"_qs), t.look_soft = QColor(u"#3B2B0E"_qs);
+  t.bad = QColor(u"#FF8B80"_qs), t.bad_soft = QColor(u"#431B18"_qs);
+  t.view_middle = QColor(u"#262B32"_qs), t.view_edge = QColor(u"#0E1114"_qs);
+  t.bar_enamel = QColor(u"#F1EBDD"_qs), t.bar_dentine = QColor(u"#DFB26B"_qs);
+  t.bar_decay = QColor(u"#B98158"_qs), t.bar_pulp = QColor(u"#F0679A"_qs);
+  t.line_target = QColor(u"#2FC7AF"_qs), t.line_leeway = QColor(u"#7FAEF5"_qs);
+  t.line_over = QColor(u"#F2913D"_qs), t.line_under = QColor(u"#A98BF0"_qs);
+  t.shadow = QColor(u"#80000000"_qs);
+  return t;
+}
+
+QPalette palette_of(const Tokens& t) {
+  QPalette p;
+  p.setColor(QPalette::Window, t.window);
+  p.setColor(QPalette::WindowText, t.text);
+  p.setColor(QPalette::Base, t.surface);
+  p.setColor(QPalette::AlternateBase, t.window);
+  p.setColor(QPalette::Text, t.text);
+  p.setColor(QPalette::PlaceholderText, t.text3);
+  p.setColor(QPalette::Button, t.surface);
+  p.setColor(QPalette::ButtonText, t.text);
+  p.setColor(QPalette::BrightText, t.bad);
+  p.setColor(QPalette::Highlight, t.accent);
+  p.setColor(QPalette::HighlightedText, t.on_accent);
+  p.setColor(QPalette::Link, t.accent);
+  p.setColor(QPalette::LinkVisited, t.accent);
+  p.setColor(QPalette::ToolTipBase, t.surface);
+  p.setColor(QPalette::ToolTipText, t.text);
+  p.setColor(QPalette::Light, t.surface);
+  p.setColor(QPalette::Midlight, t.hover);
+  p.setColor(QPalette::Mid, t.line);
+  p.setColor(QPalette::Dark, t.border);
+  p.setColor(QPalette::Shadow, t.text);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    p.setColor(QPalette::Disabled, role, t.text3);
+  }
+  return p;
+}
+
+/// Longest names first, so that @text never eats the head of @text2.
+std::vector<std::pair<QString, QColor>> named_colours(const Tokens& t) {
+  std::vector<std::pair<QString, QColor>> named = {
+      {u"@window"_qs, t.window},           {u"@surface"_qs, t.surface},       {u"@sunken"_qs, t.sunken},
+      {u"@hover"_qs, t.hover},             {u"@line"_qs, t.line},             {u"@border"_qs, t.border},
+      {u"@text"_qs, t.text},               {u"@text2"_qs, t.text2},           {u"@text3"_qs, t.text3},
+      {u"@accent"_qs, t.accent},           {u"@on_accent"_qs, t.on_accent},   {u"@accent_soft"_qs, t.accent_soft},
+      {u"@good"_qs, t.good},               {u"@good_soft"_qs, t.good_soft},   {u"@look"_qs, t.look},
+      {u"@look_soft"_qs, t.look_soft},     {u"@bad"_qs, t.bad},               {u"@bad_soft"_qs, t.bad_soft},
+  };
+  std::sort(named.begin(), named.end(),
+            [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+  return named;
+}
+
+QString style_sheet(const Tokens& t) {
+  QFile file(u":/cusp/theme.qss"_qs);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  QString text = QString::fromUtf8(file.readAll());
+  for (const auto& [name, colour] : named_colours(t)) text.replace(name, colour.name());
+  // "$32" is 32 px at 100 %.
+  static const QRegularExpression length(u"\\$(\\d+)"_qs);
+  QString out;
+  qsizetype from = 0;
+  for (auto it = length.globalMatch(text); it.hasNext();) {
+    const auto m = it.next();
+    out += text.mid(from, m.capturedStart() - from) + QString::number(px(m.captured(1).toInt())) + u"px"_qs;
+    from = m.capturedEnd();
+  }
+  return out + text.mid(from);
+}
+
+/// Moves one QFocusFrame to whatever has the focus.
+class FocusRing : public QObject {
+ public:
+  explicit FocusRing(QApplication* app) : QObject(app) {
+    setObjectName(u"cusp_focus_ring"_qs);
+    connect(app, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
+  }
+  void follow(QWidget* now) {
+    // A ring belongs to what answers keys; a page or a scroll area that merely took the focus gets none.
+    const bool wanted = now && now->isVisible() && now->parentWidget() && !now->isWindow() &&
+                        !now->property("no_focus_ring").toBool() && now->focusPolicy() != Qt::NoFocus &&
+                        !now->inherits("QMenu") && !now->inherits("QOpenGLWidget");
+    if (!wanted) {
+      delete frame_;
+      return;
+    }
+    if (frame_ && frame_->widget() == now) return;
+    delete frame_;
+    frame_ = new QFocusFrame(now->window());
+    frame_->setWidget(now);
+  }
+
+ private:
+  QPointer<QFocusFrame> frame_;
+};
+
+}  // namespace
+
+const Tokens& Tokens::light() {
+  static const Tokens t = make_light();
+  return t;
+}
+const Tokens& Tokens::dark_theme() {
+  static const Tokens t = make_dark();
+  return t;
+}
+
+const ToothColours& ToothColours::get() {
+  static const ToothColours c{
+      QColor(u"#F1EBDD"_qs), QColor(u"#E6BE7C"_qs), QColor(u"#6A3D1E"_qs), QColor(u"#C2255C"_qs),
+      QColor(u"#12B39A"_qs), QColor(u"#16191E"_qs), QColor(u"#2F68C4"_qs), QColor(u"#E0700F"_qs),
+      QColor(u"#4B2E91"_qs), QColor(u"#9CC7E8"_qs),
+      {QColor(u"#4B2E91"_qs), QColor(u"#9A86D0"_qs), QColor(u"#EFEDE6"_qs), QColor(u"#F2A65A"_qs),
+       QColor(u"#B54708"_qs)}};
+  return c;
+}
+
+void apply_theme(QApplication& app, ColourScheme scheme, int percent) {
+  load_resources();
+  static const QPalette of_the_system = QApplication::palette();
+  const bool system_dark = of_the_system.color(QPalette::Window).lightness() < 128;
+  const bool dark = scheme == ColourScheme::dark || (scheme == ColourScheme::system && system_dark);
+  const Tokens& t = dark ? Tokens::dark_theme() : Tokens::light();
+  app.setProperty(kScaleProperty, std::clamp(percent, 100, 200));
+  if (!app.findChild<QObject*>(u"cusp_focus_ring"_qs)) {
+    QApplication::setStyle(new CuspStyle);
+    new FocusRing(&app);
+  }
+  QApplication::setFont(font_of(TextRole::body));
+  QApplication::setPalette(palette_of(t));
+  app.setStyleSheet(style_sheet(t));
+}
+
+const Tokens& tokens() {
+  return QGuiApplication::palette().color(QPalette::Window).lightness() < 128 ? Tokens::dark_theme() : Tokens::light();
+}
+
+int scale_percent() {
+  const QVariant v = qApp ? qApp->property(kScaleProperty) : QVariant();
+  return v.isValid() ? v.toInt() : 100;
+}
+int px(int at_100) { return (at_100 * scale_percent() + 50) / 100; }
+double px(double at_100) { return at_100 * scale_percent() / 100.0; }
+
+QFont font_of(TextRole role, bool bold) {
+  int size = 13;
+  switch (role) {
+    case TextRole::caption: size = 12; break;
+    case TextRole::body: size = 13; break;
+    case TextRole::section: size = 15; break;
+    case TextRole::live: size = 18; break;
+    case TextRole::page_title: size = 24; break;
+    case TextRole::score: size = 40; break;
+  }
+  QFont font;
+  font.setFamilies({u"Noto Sans"_qs, u"Noto Sans Arabic"_qs, u"Noto Sans CJK SC"_qs, u"DejaVu Sans"_qs});
+  font.setPixelSize(px(size));
+  font.setBold(bold);
+  return font;
+}
+
+QLabel* make_label(const QString& text, TextRole role, bool bold, const char* ink) {
+  auto* label = new QLabel(text);
+  static constexpr const char* kNames[] = {"caption", "body", "section", "live", "page_title", "score"};
+  label->setProperty("role", QString::fromLatin1(kNames[static_cast<int>(role)]));
+  label->setProperty("bold", bold);
+  label->setProperty("ink", QString::fromLatin1(ink));
+  return label;
+}
+
+static void repolish(QWidget* widget) {
+  widget->style()->unpolish(widget);
+  widget->style()->polish(widget);
+  widget->update();
+}
+
+void set_ink(QWidget* widget, const char* ink) {
+  widget->setProperty("ink", QString::fromLatin1(ink));
+  repolish(widget);
+}
+
+void set_kind(QWidget* widget, const char* kind) {
+  widget->setProperty("kind", QString::fromLatin1(kind));
+  repolish(widget);
+}
+
+CuspStyle::CuspStyle() : QProxyStyle(u"Fusion"_qs) {}
+
+int CuspStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+  switch (metric) {
+    case PM_FocusFrameHMargin:
+    case PM_FocusFrameVMargin: return px(4);
+    case PM_ToolTipLabelFrameWidth: return px(6);
+    case PM_ScrollBarExtent: return px(12);
+    case PM_SmallIconSize:
+    case PM_ButtonIconSize: return px(20);
+    case PM_LayoutHorizontalSpacing:
+    case PM_LayoutVerticalSpacing: return px(8);
+    case PM_IndicatorWidth:
+    case PM_IndicatorHeight: return px(18);
+    default: return QProxyStyle::pixelMetric(metric, option, widget);
+  }
+}
+
+int CuspStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                         QStyleHintReturn* data) const {
+  switch (hint) {
+    case SH_FocusFrame_AboveWidget: return 1;
+    case SH_FocusFrame_Mask: return 0;
+    case SH_UnderlineShortcut: return 0;
+    case SH_Widget_Animation_Duration: return 0;  // nothing moves by itself
+    case SH_EtchDisabledText: return 0;
+    case SH_ItemView_ShowDecorationSelected: return 1;
+    default: return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+}
+
+void CuspStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                            const QWidget* widget) const {
+  if (element == CE_FocusFrame) {
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(tokens().accent, px(2)));
+    painter->setBrush(Qt::NoBrush);
+    const double inset = px(2) / 2.0;
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(inset, inset, -inset, -inset), px(6), px(6));
+    painter->restore();
+    return;
+  }
+  QProxyStyle::drawControl(element, option, painter, widget);
+}
+
+void CuspStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                              const QWidget* widget) const {
+  if (element == PE_FrameFocusRect) return;  // the ring says it
+  QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+}  // namespace cusp
