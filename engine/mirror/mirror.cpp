@@ -44,7 +44,7 @@ void Mirror::one(const StepInput& input) {
   const StepOutput output = step(state_, input);
   digest_.add(state_, output);
   ticks_.store(output.tick, std::memory_order_release);
-  for (MirrorObserver* o : observers_) o->on_tick(input, output);
+  for (MirrorObserver* o : observers_) o->on_tick(input, state_);
   if (output.tick % kMarkTicks == 0) own_.push_back({output.tick, digest_.value()});
 }
 

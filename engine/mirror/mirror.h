@@ -28,10 +28,10 @@ struct StateNews {
 class MirrorObserver {
  public:
   virtual ~MirrorObserver() = default;
-  /// Every tick, in order. To be quick: it runs a thousand times a second.
-  virtual void on_tick(const StepInput& input, const StepOutput& output) {
+  /// Every tick, in order, with the state after it. To be quick: it runs a thousand times a second.
+  virtual void on_tick(const StepInput& input, const StepState& after) {
     static_cast<void>(input);
-    static_cast<void>(output);
+    static_cast<void>(after);
   }
   /// About every 25 ms of session time: the whole state, with its volume.
   virtual void on_state(const StepState& state, const StateNews& news) = 0;

@@ -11,75 +11,76 @@
 
 #include "engine/base/haptic_port.h"
 #include "engine/base/ids.h"
-#include "engine/base/result.h"
+#include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/grading/grade.h"
+#include "scenarios/metrics/reference.h"
+#include "storage/repositories/sessions.h"
 #include "ui/session/observer.h"
+#include "ui/session/run_error.h"
 
 namespace cusp {
 
-enum class RunError : std::uint8_t {
-  specimen,         // the scenario's volume cannot be made or read
-  scene,            // no tissue, no instrument, or a value the engine refuses
-  device,           // the port did not open, or it has fewer axes than the scenario needs
-  device_class,     // the scenario does not admit this class of device
-  storage,          // the database refused; detail says what
-  recording_failed, // the record could not be written: what stands in the database is complete up to the last second
-  not_deterministic,// loop and mirror came to different states
-  not_running,      // finish() of a go that is over
-  grading,          // the volume could not be measured
-};
-using RunFailure = Failure<RunError>;
-
-/// Who and what. A guest or a try-out keeps nothing: `database` is empty.
+/// Who and what.
 struct RunPlan {
   Scenario scenario;
-  std::filesystem::path scenario_folder;   // where a volume named by the scenario lies; empty for generators
-  std::filesystem::path database;          // empty: nothing is kept
-  UserId student;
-  VersionId version;                       // published version; nil when there is none yet
-  AssignmentId assignment;                 // nil: practice
-  std::string hand;                        // "" = a person; "expert", "novice" or a file's name
-  std::shared_ptr<const VoxelVolume> specimen;  // already built, to save the time; may be null
-  std::vector<Observer*> observers;        // outlive the run
+  std::filesystem::path scenario_folder;     // where a volume named by the scenario lies; empty for generators
+  std::filesystem::path database;            // empty: nothing is kept (an editor's try-out, a trial without an account)
+  Actor student;                             // who drills; People::guest() for "Try it"
+  VersionId version;                         // published version; nil: the scenario's own, published at need
+  SessionKind kind = SessionKind::practice;  // try_it and try_out stay out of histories and figures
+  std::optional<AssignmentId> assignment;
+  std::string hand = "person";               // or "expert", "novice", a file's name
+  SessionId go_on;                           // an interrupted session to go on with; nil: a new one
+  std::shared_ptr<const Specimen> specimen;  // build_specimen()'s, to save the time; may be null
+  std::vector<Observer*> observers;          // outlive the run
 };
 
-/// What a go came to.
+/// What a go came to; also what an old session opens as (replay.h).
 struct RunResult {
-  SessionId session;                       // nil when nothing was kept
+  SessionId session;                         // nil when nothing was kept
+  SessionState state = SessionState::graded;
+  Scenario scenario;
   Grade grade;
+  std::vector<Measure> measures;             // all that was measured, also without a criterion; empty for an old session
+  std::shared_ptr<const Volume> volume;      // specimen and cuts, for the picture
   std::uint64_t volume_hash = 0;
   double seconds = 0;
-  std::vector<Measure> process;            // time, forces
-  std::shared_ptr<const VoxelVolume> original, final;  // for the report's picture
+  DeviceLimits device;
+  std::string hand;
+  int engine_version = kEngineVersion;
 };
 
 class ExerciseRun {
  public:
   /// Builds the scene, opens the port, makes the session's rows and starts loop, mirror and recorder.
-  /// `port` outlives the run. Takes up to seconds for a large specimen: not on the window's thread then.
-  static Result<std::unique_ptr<ExerciseRun>, RunFailure> start(RunPlan plan, HapticPort& port);
+  /// `port` outlives the run. Up to seconds for a large specimen: then not on the window's thread.
+  static Run<std::unique_ptr<ExerciseRun>> start(RunPlan plan, HapticPort& port);
   /// Abandons when neither finish() nor abandon() was called.
   ~ExerciseRun();
+  ExerciseRun(const ExerciseRun&) = delete;
+  ExerciseRun& operator=(const ExerciseRun&) = delete;
 
   void pause();
-  /// Also after a fault or when the device has come back: re-arms the guard, the force ramps in.
+  /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in.
   void resume();
   /// Index into the scenario's instruments.
   void change_burr(std::size_t index);
 
-  /// Stops, works through every input, writes the final volume, grades, and stores the grade.
-  Result<RunResult, RunFailure> finish();
+  /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
+  /// run as it was (stopped): finish() may be tried again when the disk is well. A go that ended by itself because inputs
+  /// were not taken off in time is graded as it stands, RunResult::state says interrupted.
+  Run<RunResult> finish();
   /// Stops; the session stays as interrupted in the database and can be graded as it stands.
   void abandon();
 
-  /// The newest values; cheap, no lock that the loop ever takes.
+  /// The newest values; cheap; takes no lock that the loop ever takes.
   LiveView view() const;
   SessionId session() const;
   const Scenario& scenario() const;
   const std::shared_ptr<const Scene>& scene() const;
-  /// The specimen as it was at the start, dense (target overlays, section views).
-  std::shared_ptr<const VoxelVolume> original() const;
+  /// Target, leeway and pulp, for overlays.
+  const std::shared_ptr<const Reference>& reference() const;
   DeviceLimits device() const;
 
  private:

@@ -1,0 +1,56 @@
+/// How running, opening and replaying a go can fail. Codes: ui/app turns them into sentences.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "engine/base/haptic_port.h"
+#include "scenarios/format/format_error.h"
+#include "scenarios/import/import_error.h"
+#include "storage/error.h"
+
+namespace cusp {
+
+enum class RunError : std::uint8_t {
+  specimen,           // the scenario's volume cannot be made or read; cause: ImportError
+  scene,              // where: the key of scenario.json whose value the engine refuses
+  device,             // the port did not open; cause: PortError
+  device_class,       // the scenario does not admit this class of device, or it has too few axes; where: the class
+  scenario,           // the stored version cannot be read; cause: FormatError
+  storage,            // cause: StorageError
+  recording_failed,   // the record could not be written; what stands in the database is whole; cause: StorageError
+  not_deterministic,  // loop and mirror came to different states; where: the tick
+  fell_behind,        // inputs were not taken off in time; the go ended as interrupted
+  wrong_state,        // finish() of a go that is over; grading one that still runs
+  other_engine,       // recorded by another engine version: only its stored results open; where: that version
+  specimen_changed,   // what is stored is not the specimen that the go began with
+};
+
+/// Stable keys, for --json.
+std::string_view key_of(RunError code) noexcept;
+
+struct RunFailure {
+  RunError code = RunError::storage;
+  std::string where;     // file, key or device; never a sentence
+  std::string detail{};  // what a library said
+  /// The code of the room below, where it has one.
+  std::variant<std::monostate, StorageError, ImportError, PortError, FormatError> cause{};
+};
+
+template <class T>
+using Run = std::expected<T, RunFailure>;
+
+inline std::unexpected<RunFailure> run_fail(RunError code, std::string where, std::string detail = {}) {
+  return std::unexpected(RunFailure{code, std::move(where), std::move(detail), {}});
+}
+/// Carries a failure of a room below upwards.
+template <class Code>
+std::unexpected<RunFailure> run_fail(RunError code, const Failure<Code>& below) {
+  return std::unexpected(RunFailure{code, below.where, below.detail, below.code});
+}
+
+}  // namespace cusp
