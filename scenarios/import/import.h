@@ -35,7 +35,7 @@ struct MeshInfo {
   std::size_t triangles = 0;
   Vec3 low{0.0}, high{0.0};  // bounding box
   double volume = 0.0;       // enclosed, in cubic units; 0 unless closed and oriented
-  bool closed = false;       // every edge has as many triangles on one side as on the other
+  bool closed = false;       // no edge has an odd number of triangles
   bool oriented = false;     // neighbours are wound alike
   friend bool operator==(const MeshInfo&, const MeshInfo&) = default;
 };

@@ -1,0 +1,193 @@
+#include "scenarios/import/import.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <new>
+#include <set>
+
+#include "scenarios/import/mesh_distance.h"
+#include "scenarios/import/triangle_mesh.h"
+
+namespace cusp {
+namespace {
+
+std::string short_text(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr};
+}
+std::string place(Vec3 at) { return " (" + short_text(at.x) + "," + short_text(at.y) + "," + short_text(at.z) + ")"; }
+
+/// Turns of a right angle, so that the axis that is up in the file becomes z.
+Vec3 turned(Vec3 p, UpAxis up) noexcept {
+  switch (up) {
+    case UpAxis::z: return p;
+    case UpAxis::minus_z: return {p.x, -p.y, -p.z};
+    case UpAxis::y: return {p.x, -p.z, p.y};
+    case UpAxis::minus_y: return {p.x, p.z, -p.y};
+    case UpAxis::x: return {-p.z, p.y, p.x};
+    case UpAxis::minus_x: return {p.z, p.y, -p.x};
+  }
+  return p;
+}
+
+Result<void, ImportFailure> check_options(const MeshImport& what) {
+  if (!(what.unit_mm > 0.0) || !std::isfinite(what.unit_mm)) return fail(ImportError::bad_option, "unit-mm");
+  if (!(what.voxel_mm >= what.limits.min_voxel_mm && what.voxel_mm <= what.limits.max_voxel_mm))
+    return fail(ImportError::bad_option, "voxel-mm");
+  if (what.tissues.empty()) return fail(ImportError::no_mesh, what.path.filename().string());
+  std::set<std::string> names;
+  for (const auto& [name, tissue] : what.tissues) {
+    if (!names.insert(name).second) return fail(ImportError::bad_option, "tissue " + name);
+    if (tissue == Tissue::empty || index_of(tissue) >= kTissueCodes)
+      return fail(ImportError::bad_tissue, "tissue " + name);
+  }
+  return {};
+}
+
+struct Part {
+  TriangleMesh mesh;  // specimen frame, mm
+  Tissue tissue = Tissue::empty;
+  MeshCheck checked;
+};
+
+/// The chosen meshes, checked, those of more volume first: what contains another comes before it.
+Result<std::vector<Part>, ImportFailure> choose(std::vector<TriangleMesh> meshes, const MeshImport& what) {
+  std::vector<Part> parts;
+  for (const auto& [name, tissue] : what.tissues) {
+    const auto it = std::ranges::find(meshes, name, &TriangleMesh::name);
+    if (it == meshes.end()) return fail(ImportError::mesh_not_found, name);
+    Part part{std::move(*it), tissue, {}};
+    it->name.clear();
+    if (part.mesh.triangles.empty()) return fail(ImportError::mesh_empty, name);
+    const MeshCheck in_file = check(part.mesh);
+    if (!in_file.closed) return fail(ImportError::mesh_open, name + place(in_file.bad_edge));
+    if (!in_file.oriented) return fail(ImportError::mesh_not_oriented, name + place(in_file.bad_edge));
+    for (Vec3& p : part.mesh.points) p = turned(p, what.up) * what.unit_mm;
+    part.checked = check(part.mesh);
+    if (!(part.checked.volume != 0.0) || !std::isfinite(part.checked.volume)) return fail(ImportError::mesh_empty, name);
+    parts.push_back(std::move(part));
+  }
+  std::ranges::sort(parts, [](const Part& a, const Part& b) {
+    const double va = std::abs(a.checked.volume), vb = std::abs(b.checked.volume);
+    return va != vb ? va > vb : a.mesh.name < b.mesh.name;
+  });
+  return parts;
+}
+
+/// Voxel centres at odd multiples of half a voxel, kPadVoxels about the box of all parts.
+Result<Grid, ImportFailure> grid_about(const std::vector<Part>& parts, const MeshImport& what) {
+  Vec3 low = parts.front().checked.low, high = parts.front().checked.high;
+  for (const Part& p : parts) {
+    low = glm::min(low, p.checked.low);
+    high = glm::max(high, p.checked.high);
+  }
+  const Vec3 first = glm::floor(low / what.voxel_mm) - double{kPadVoxels};
+  const Vec3 size = glm::ceil(high / what.voxel_mm) + double{kPadVoxels} - first;
+  const double edge = std::max({size.x, size.y, size.z});
+  if (!(edge <= what.limits.max_edge_voxels) ||
+      !(size.x * size.y * size.z <= static_cast<double>(what.limits.max_voxels)))
+    return fail(ImportError::too_large, what.path.filename().string(),
+                short_text(size.x) + " x " + short_text(size.y) + " x " + short_text(size.z) + " voxels");
+  Grid grid;
+  grid.voxel_mm = what.voxel_mm;
+  grid.size = IVec3(size);
+  grid.origin_mm = (first + 0.5) * what.voxel_mm;
+  return grid;
+}
+
+/// Share of a voxel at this distance that is inside, for a face across it.
+double coverage(float distance) noexcept { return std::clamp(0.5 - static_cast<double>(distance), 0.0, 1.0); }
+
+/// s of one part alone: its solids less its cavities.
+Result<void, ImportFailure> solids_of(const Part& part, const Grid& grid, std::vector<std::uint16_t>& s) {
+  const std::string& name = part.mesh.name;
+  const Shells shells = shells_of(part.mesh);
+  std::ranges::fill(s, std::uint16_t{0});
+  double solid_voxels = 0.0;
+  mesh_distance(shells.solids, grid, [&](int y, int z, std::span<const float> d) {
+    std::uint16_t* to = &s[grid.index({0, y, z})];
+    for (std::size_t x = 0; x < d.size(); ++x) {
+      to[x] = solid_from_distance(static_cast<double>(d[x]));
+      solid_voxels += coverage(d[x]);
+    }
+  });
+  // What encloses less than its shells say, or more than all of them, has turned itself inside out somewhere. A face
+  // is off by at most a tenth of a voxel, edges and small parts by two per cent.
+  const double cube = grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
+  const double slack = 0.02 * shells.solid_volume + 0.1 * part.checked.area * grid.voxel_mm;
+  const double measured = solid_voxels * cube;
+  if (std::ranges::none_of(s, [](std::uint16_t v) { return v >= kHalf; })) return fail(ImportError::nothing_solid, name);
+  if (measured < shells.largest_solid - slack || measured > shells.solid_volume + slack)
+    return fail(ImportError::mesh_ambiguous, name);
+
+  if (shells.cavities.triangles.empty()) return {};
+  bool within = true;
+  Vec3 outside(0.0);
+  mesh_distance(shells.cavities, grid, [&](int y, int z, std::span<const float> d) {
+    std::uint16_t* to = &s[grid.index({0, y, z})];
+    for (std::size_t x = 0; x < d.size(); ++x) {
+      const std::uint16_t hollow = solid_from_distance(static_cast<double>(d[x]));
+      if (hollow == kSolid && to[x] == 0 && within) {
+        within = false;
+        outside = grid.centre_mm({static_cast<int>(x), y, z});
+      }
+      to[x] = std::min(to[x], static_cast<std::uint16_t>(kSolid - hollow));
+    }
+  });
+  if (!within) return fail(ImportError::mesh_ambiguous, name + place(outside));
+  return {};
+}
+
+/// Lays a part over those before it: it wins where it is, and where it is the nearest.
+void lay(const std::vector<std::uint16_t>& s, Tissue tissue, VoxelVolume& volume) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (s[i] >= kHalf || (volume.s[i] < kHalf && s[i] > volume.s[i])) volume.tissue[i] = tissue;
+    volume.s[i] = std::max(volume.s[i], s[i]);
+  }
+}
+
+}  // namespace
+
+Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path) {
+  const auto meshes = read_meshes(path);
+  if (!meshes) return std::unexpected(meshes.error());
+  std::vector<MeshInfo> out;
+  for (const TriangleMesh& m : *meshes) {
+    const MeshCheck c = check(m);
+    out.push_back({m.name, m.triangles.size(), c.low, c.high, std::abs(c.volume), c.closed, c.oriented});
+  }
+  return out;
+}
+
+Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const ImportProgress& progress) {
+  const auto report = [&](double share) {
+    if (progress) progress(share);
+  };
+  if (auto r = check_options(what); !r) return std::unexpected(r.error());
+  report(0.0);
+  auto meshes = read_meshes(what.path);
+  if (!meshes) return std::unexpected(meshes.error());
+  report(0.2);
+  const auto parts = choose(std::move(*meshes), what);
+  if (!parts) return std::unexpected(parts.error());
+  const auto grid = grid_about(*parts, what);
+  if (!grid) return std::unexpected(grid.error());
+  try {
+    VoxelVolume out(*grid);
+    std::vector<std::uint16_t> s(grid->voxels());
+    for (std::size_t i = 0; i < parts->size(); ++i) {
+      report(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(parts->size()));
+      if (auto r = solids_of((*parts)[i], *grid, s); !r) return std::unexpected(r.error());
+      lay(s, (*parts)[i].tissue, out);
+    }
+    report(1.0);
+    return out;
+  } catch (const std::bad_alloc&) {
+    return fail(ImportError::out_of_memory, what.path.filename().string());
+  } catch (const std::exception& e) {
+    return fail(ImportError::mesh_ambiguous, what.path.filename().string(), e.what());
+  }
+}
+
+}  // namespace cusp

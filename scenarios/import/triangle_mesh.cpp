@@ -1,0 +1,132 @@
+#include "scenarios/import/triangle_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace cusp {
+namespace {
+
+/// Six times the signed volume between a triangle and `from`.
+double six_volumes(const TriangleMesh& m, const std::array<std::uint32_t, 3>& t, Vec3 from) {
+  return glm::dot(m.points[t[0]] - from, glm::cross(m.points[t[1]] - from, m.points[t[2]] - from));
+}
+
+struct Edge {
+  std::uint32_t low, high;  // points
+  std::int32_t way;         // +1 from low to high
+};
+
+}  // namespace
+
+void weld(TriangleMesh& mesh) {
+  for (Vec3& p : mesh.points) p += 0.0;  // -0 becomes 0
+  std::vector<std::uint32_t> order(mesh.points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto less = [&](std::uint32_t a, std::uint32_t b) {
+    const Vec3 &p = mesh.points[a], &q = mesh.points[b];
+    if (p.x != q.x) return p.x < q.x;
+    if (p.y != q.y) return p.y < q.y;
+    if (p.z != q.z) return p.z < q.z;
+    return a < b;
+  };
+  std::ranges::sort(order, less);
+  std::vector<std::uint32_t> to(order.size());
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || mesh.points[order[i]] != mesh.points[order[i - 1]]) points.push_back(mesh.points[order[i]]);
+    to[order[i]] = static_cast<std::uint32_t>(points.size() - 1);
+  }
+  mesh.points = std::move(points);
+  for (auto& t : mesh.triangles)
+    for (auto& p : t) p = to[p];
+  std::erase_if(mesh.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+}
+
+MeshCheck check(const TriangleMesh& mesh) {
+  MeshCheck out;
+  if (mesh.triangles.empty()) {
+    out.closed = out.oriented = false;
+    return out;
+  }
+  out.low = Vec3(std::numeric_limits<double>::max());
+  out.high = -out.low;
+  std::vector<Edge> edges;
+  edges.reserve(mesh.triangles.size() * 3);
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      edges.push_back(a < b ? Edge{a, b, 1} : Edge{b, a, -1});
+      out.low = glm::min(out.low, mesh.points[a]);
+      out.high = glm::max(out.high, mesh.points[a]);
+    }
+    const Vec3 n = glm::cross(mesh.points[t[1]] - mesh.points[t[0]], mesh.points[t[2]] - mesh.points[t[0]]);
+    out.area += 0.5 * std::sqrt(glm::dot(n, n));
+  }
+  std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
+    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.way < b.way;
+  });
+  // An open edge tells more than a turned one, so the whole list is seen before the place is chosen.
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i;
+    int sum = 0;
+    for (; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high; ++end)
+      sum += edges[end].way;
+    const bool odd = (end - i) % 2 == 1;
+    if ((odd && out.closed) || (!odd && sum != 0 && out.closed && out.oriented))
+      out.bad_edge = 0.5 * (mesh.points[edges[i].low] + mesh.points[edges[i].high]);
+    if (odd) out.closed = false;
+    if (sum != 0) out.oriented = false;
+    i = end;
+  }
+  if (out.closed && out.oriented) {
+    const Vec3 middle = 0.5 * (out.low + out.high);
+    for (const auto& t : mesh.triangles) out.volume += six_volumes(mesh, t, middle) / 6.0;
+  }
+  return out;
+}
+
+Shells shells_of(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> root(mesh.points.size());
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](std::uint32_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& t : mesh.triangles) {
+    root[find(t[1])] = find(t[0]);
+    root[find(t[2])] = find(t[0]);
+  }
+  std::vector<double> volume(mesh.points.size(), 0.0);  // [root]
+  double total = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const std::uint32_t shell = find(t[0]);
+    // From a point of the shell itself, so that shells far from the origin lose no digits.
+    const double v = six_volumes(mesh, t, mesh.points[shell]) / 6.0;
+    volume[shell] += v;
+    total += v;
+  }
+  const double sign = total < 0.0 ? -1.0 : 1.0;
+
+  Shells out;
+  out.solids.name = out.cavities.name = mesh.name;
+  out.solids.points = out.cavities.points = mesh.points;
+  for (const auto& t : mesh.triangles) {
+    const double v = sign * volume[find(t[0])];
+    if (v > 0.0) out.solids.triangles.push_back(t);
+    if (v < 0.0) out.cavities.triangles.push_back(t);
+  }
+  for (std::uint32_t i = 0; i < volume.size(); ++i) {
+    const double v = sign * volume[i];
+    if (v > 0.0) {
+      out.solid_volume += v;
+      out.largest_solid = std::max(out.largest_solid, v);
+    } else {
+      out.cavity_volume -= v;
+    }
+  }
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,51 @@
+/// A triangle mesh between its reader and its voxels, and what is asked of it before it may become tissue.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/base/vec.h"
+#include "scenarios/import/import_error.h"
+
+namespace cusp {
+
+struct TriangleMesh {
+  std::string name;
+  std::vector<Vec3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of points, counter-clockwise seen from outside
+};
+
+/// Reads with assimp (mesh_assimp.cpp): node transforms applied, faces triangulated, parts of one name joined into one
+/// mesh, points of equal coordinates made one. Names come from the mesh, else its node, else the file.
+[[nodiscard]] Result<std::vector<TriangleMesh>, ImportFailure> read_meshes(const std::filesystem::path& path);
+
+/// Makes points of equal coordinates one (bit for bit: a gap, however small, stays a gap) and drops triangles that use a
+/// point twice.
+void weld(TriangleMesh& mesh);
+
+struct MeshCheck {
+  bool closed = true;    // every edge has an even number of triangles
+  bool oriented = true;  // and is run through as often one way as the other
+  Vec3 bad_edge{0.0};    // middle of the first edge, in the order of points, where one of the two fails
+  double volume = 0.0;   // by the divergence theorem, negative when inside out; 0 unless closed and oriented
+  double area = 0.0;
+  Vec3 low{0.0}, high{0.0};
+};
+MeshCheck check(const TriangleMesh& mesh);
+
+/// The shells of a closed mesh (triangles that hang together by their points) parted by what they enclose.
+struct Shells {
+  TriangleMesh solids;    // with a positive volume
+  TriangleMesh cavities;  // with a negative one: hollows within a solid
+  double solid_volume = 0.0;   // sum, >= 0
+  double largest_solid = 0.0;  // of one shell
+  double cavity_volume = 0.0;  // sum, >= 0
+};
+/// Pre: closed and oriented. A mesh that is inside out as a whole is turned first.
+Shells shells_of(const TriangleMesh& mesh);
+
+}  // namespace cusp
