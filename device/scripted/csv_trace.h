@@ -31,6 +31,9 @@ enum class TraceError : std::uint8_t {
   not_a_rotation,  // the quaternion's length is not 1 within 2 %
 };
 
+/// Stable key of a code ("not_a_number").
+std::string_view key_of(TraceError code) noexcept;
+
 /// `where` is "line:column", both from 1 (column of the table, not of the text).
 using TraceFailure = Failure<TraceError>;
 

@@ -52,7 +52,7 @@ constexpr bool is_fdi(int fdi) noexcept {
   return fdi / 10 >= 1 && fdi / 10 <= 4 && fdi % 10 >= 1 && fdi % 10 <= 8;
 }
 
-/// Key of a tissue in a scenario: the built-in keys, and "own-16" to "own-31" for a volume's own tissues.
+/// Key of a tissue in a scenario: the built-in keys, and "16" to "31" for a volume's own tissues.
 std::optional<Tissue> scenario_tissue_from_key(std::string_view key) noexcept;
 /// Pre: the code is below kTissueCodes and is not 13 to 15.
 std::string_view key_of_scenario_tissue(Tissue tissue) noexcept;

@@ -62,8 +62,8 @@ struct Bands {
 };
 
 struct Criterion {
-  std::string metric;   // key of scenarios/metrics ("target_removed", "floor_depth_mean", ...)
-  double weight = 10;   // points it can bring; weights need not sum to 100
+  std::string metric;   // key of scenarios/format/keys.h ("target_removed", "depth_mean", "removed_enamel", ...)
+  double weight = 10;   // share of the score, > 0; weights need not sum to 100
   Bands bands;
   friend bool operator==(const Criterion&, const Criterion&) = default;
 };

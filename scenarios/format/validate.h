@@ -33,12 +33,13 @@ struct SpecimenFacts {
 /// Facts of a dense volume; one pass over it.
 SpecimenFacts facts_of(const VoxelVolume& volume);
 
-/// Errors first, then warnings; empty when all is well. Codes:
-/// errors: bands_not_ordered, weights_zero, no_criteria, pass_unreachable, no_instrument, no_target, empty_target,
-///   protected_missing, tissue_missing, target_outside, voxel_mismatch;
-/// warnings: feature_thin (below 2.5 voxels), burr_small (radius below 3 voxels), burr_wider_than_target,
-///   corner_below_burr, leeway_below_voxel, target_scores_less (a go that meets the target would lose points),
-///   language_missing (a text exists in one language and not in the other), nothing_can_be_cut.
+/// Errors first, then warnings; empty when all is well. Codes besides those of FormatError and "schema":
+/// errors: no_instrument, no_target, path_count, point_count, empty_target, no_criteria, weight_zero, bands_not_ordered,
+///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of the
+///   exercise and occur in the specimen); with a specimen: tissue_missing, target_outside, voxel_mismatch;
+/// warnings: feature_thin (below 2.5 voxels), burr_small (radius below 3 voxels), neck_wider_than_ball,
+///   burr_wider_than_target, corner_below_burr, leeway_below_voxel, point_off_floor, target_scores_less (a go that meets
+///   the target loses points), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 
 /// Schema first, then read, then validate(scenario). A text that does not read yields its reasons and stops there.

@@ -1,4 +1,5 @@
-/// Scenario -> scenario.json. read_scenario(write_scenario(s)) == s for every scenario whose numbers are finite.
+/// Scenario -> scenario.json. read_scenario(write_scenario(s)) == s for every scenario that validate() passes and whose
+/// fields out of use (fdi and seed of a block, volume beside a generator) stand at their defaults.
 #pragma once
 
 #include <string>

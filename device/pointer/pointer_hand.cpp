@@ -1,0 +1,56 @@
+#include "device/pointer/pointer_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+namespace {
+
+bool finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+PointerHand::PointerHand(Vec3 start_mm) {
+  wish_.target_mm = finite(start_mm) ? start_mm : Vec3(0.0);
+  hand_over();
+}
+
+void PointerHand::move_to(Vec3 target_mm) noexcept {
+  if (!finite(target_mm)) return;
+  wish_.target_mm = target_mm;
+  hand_over();
+}
+
+void PointerHand::nudge(double right_mm, double up_mm) noexcept {
+  move_to(wish_.target_mm + right_ * right_mm + up_ * up_mm);
+}
+
+void PointerHand::set_push(double push_n) noexcept {
+  wish_.push_n = push_n > 0.0 ? std::min(push_n, kMaxPushN) : 0.0;  // NaN lets go
+  hand_over();
+}
+
+void PointerHand::set_cut(bool cut) noexcept {
+  wish_.cut = cut;
+  hand_over();
+}
+
+void PointerHand::set_burr(std::uint16_t burr) noexcept {
+  wish_.burr = burr;
+  hand_over();
+}
+
+void PointerHand::set_view(Vec3 approach, Vec3 right) noexcept {
+  const double length = glm::length(approach);
+  if (!finite(approach) || !finite(right) || !(length > 1e-6)) return;
+  const Vec3 along = approach / length;
+  const Vec3 across = right - along * glm::dot(right, along);
+  const double width = glm::length(across);
+  if (!(width > 1e-6) || !std::isfinite(width)) return;
+  wish_.approach = along;
+  right_ = across / width;
+  up_ = glm::cross(right_, along);
+  hand_over();
+}
+
+}  // namespace cusp

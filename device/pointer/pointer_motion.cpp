@@ -1,0 +1,75 @@
+#include "device/pointer/pointer_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+namespace {
+
+/// After a stall the hand goes on from where it was.
+constexpr double kMostDtS = 0.004;
+/// Softer is not met (plastic 1 N/mm and up); keeps push / K finite.
+constexpr double kLeastStiffness = 0.05;
+
+Vec3 shortened(Vec3 v, double most) noexcept {
+  const double length = glm::length(v);
+  return length > most ? v * (most / length) : v;
+}
+
+bool finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// From `from` towards `to`, at most `up` higher or `down` lower.
+double towards(double from, double to, double up, double down) noexcept { return std::clamp(to, from - down, from + up); }
+
+}  // namespace
+
+Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, double dt_s) noexcept {
+  const double dt = dt_s > 0.0 ? std::min(dt_s, kMostDtS) : 0.0;
+  const Vec3 proxy = finite(feedback.proxy_mm) ? feedback.proxy_mm : device_mm_;
+  const bool touches = feedback.in_contact && finite(feedback.proxy_mm);
+  const double stiffness =
+      feedback.stiffness_n_per_mm > kLeastStiffness ? feedback.stiffness_n_per_mm : kLeastStiffness;
+  const bool pushing = wish.push_n > 0.0 && !feedback.faulted;
+
+  smooth_mm_ += (wish.target_mm - smooth_mm_) * (dt / (tuning_.smoothing_s + dt));
+
+  // Along the approach: depths grow into the tissue.
+  const Vec3 along = wish.approach;
+  const double depth = glm::dot(device_mm_, along);
+  const double proxy_depth = glm::dot(proxy, along);
+  const double shown_depth = glm::dot(wish.target_mm, along);
+  const double sink = tuning_.descend_mm_s * dt;
+  const double rise = tuning_.retreat_mm_s * dt;
+  double next_depth = depth;
+  if (!pushing) {
+    push_n_ = 0;
+    // Off first what is touched, then to the height of hovering.
+    next_depth = touches ? std::min(depth, proxy_depth) - rise
+                         : towards(depth, shown_depth - tuning_.hover_mm, sink, rise);
+  } else if (touches) {
+    push_n_ = std::min(wish.push_n, push_n_ + tuning_.push_rise_n_s * dt);
+    // The contact may be a wall's: then nothing holds the burr, and it sinks no faster than through the air.
+    next_depth = std::min(proxy_depth + push_n_ / stiffness, depth + sink);
+  } else {
+    push_n_ = 0;
+    next_depth = towards(depth, shown_depth + tuning_.reach_mm, sink, rise);
+  }
+
+  // Across: the pointer's place, as fast as a hand would, pulling with no more than lateral_n.
+  const Vec3 across = device_mm_ - along * depth;
+  const Vec3 goal = smooth_mm_ - along * glm::dot(smooth_mm_, along);
+  const double speed = touches ? tuning_.slide_mm_s : tuning_.travel_mm_s;
+  Vec3 next = across + shortened(goal - across, speed * dt) + along * next_depth;
+  if (touches) {
+    Vec3 pull = next - proxy;
+    const double pull_depth = glm::dot(pull, along);
+    pull = along * pull_depth + shortened(pull - along * pull_depth, tuning_.lateral_n / stiffness);
+    next = proxy + shortened(pull, PointerHand::kMaxPushN / stiffness);
+  }
+
+  const Vec3 moved = device_mm_ + shortened(next - device_mm_, tuning_.max_step_mm);
+  if (finite(moved)) device_mm_ = moved;
+  return device_mm_;
+}
+
+}  // namespace cusp

@@ -1,0 +1,33 @@
+#include "scenarios/format/format_error.h"
+
+namespace cusp {
+
+std::string_view key_of(FormatError code) noexcept {
+  switch (code) {
+    case FormatError::unreadable: return "unreadable";
+    case FormatError::too_large: return "too_large";
+    case FormatError::broken_json: return "broken_json";
+    case FormatError::duplicate_key: return "duplicate_key";
+    case FormatError::newer_format: return "newer_format";
+    case FormatError::unknown_key: return "unknown_key";
+    case FormatError::missing_key: return "missing_key";
+    case FormatError::wrong_type: return "wrong_type";
+    case FormatError::out_of_range: return "out_of_range";
+    case FormatError::not_finite: return "not_finite";
+    case FormatError::bad_id: return "bad_id";
+    case FormatError::bad_language: return "bad_language";
+    case FormatError::bad_file_name: return "bad_file_name";
+    case FormatError::duplicate_value: return "duplicate_value";
+    case FormatError::unknown_tissue: return "unknown_tissue";
+    case FormatError::unknown_metric: return "unknown_metric";
+    case FormatError::unknown_critical: return "unknown_critical";
+    case FormatError::unknown_method: return "unknown_method";
+    case FormatError::unknown_generator: return "unknown_generator";
+    case FormatError::unknown_shape: return "unknown_shape";
+    case FormatError::unknown_phenomenon: return "unknown_phenomenon";
+    case FormatError::unknown_builtin: return "unknown_builtin";
+  }
+  return "unreadable";
+}
+
+}  // namespace cusp

@@ -1,0 +1,302 @@
+#include "scenarios/format/validate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "scenarios/format/keys.h"
+#include "scenarios/format/read.h"
+#include "scenarios/format/schema.h"
+
+namespace cusp {
+namespace {
+
+/// Below these a shape is not resolved by the voxels (contact trials: a cut of the band cannot be told from its noise).
+constexpr double kLeastFeatureVoxels = 2.5;
+constexpr double kLeastRadiusVoxels = 3.0;
+
+class Checks {
+ public:
+  explicit Checks(const Scenario& scenario, const SpecimenFacts* specimen) : s_(scenario), facts_(specimen) {}
+
+  std::vector<Finding> run() {
+    texts();
+    tissues();
+    instruments();
+    target();
+    rubric();
+    if (facts_ != nullptr) specimen();
+    std::ranges::stable_sort(out_, [](const Finding& a, const Finding& b) {
+      return a.severity == Severity::error && b.severity == Severity::warning;
+    });
+    return std::move(out_);
+  }
+
+ private:
+  void error(std::string path, std::string code, std::map<std::string, double> args = {}, std::string detail = {}) {
+    out_.push_back({Severity::error, std::move(path), std::move(code), std::move(args), std::move(detail)});
+  }
+  void warn(std::string path, std::string code, std::map<std::string, double> args = {}, std::string detail = {}) {
+    out_.push_back({Severity::warning, std::move(path), std::move(code), std::move(args), std::move(detail)});
+  }
+  static std::string at(const char* list, std::size_t i, const char* rest = "") {
+    return std::string(list) + "/" + std::to_string(i) + rest;
+  }
+  bool has_tissue(Tissue tissue) const {
+    return std::ranges::any_of(s_.tissues, [&](const ScenarioTissue& t) { return t.tissue == tissue; });
+  }
+
+  void texts() {
+    std::set<std::string> languages;
+    for (const auto& [language, words] : s_.title) languages.insert(language);
+    for (const auto& [language, words] : s_.briefing) languages.insert(language);
+    for (const std::string& language : languages) {
+      if (!s_.title.contains(language)) warn("/title", "language_missing", {}, language);
+      if (!s_.briefing.contains(language)) warn("/briefing", "language_missing", {}, language);
+    }
+  }
+
+  void tissues() {
+    for (std::size_t i = 0; i < s_.protected_tissues.size(); ++i) {
+      if (!has_tissue(s_.protected_tissues[i])) {
+        error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
+      }
+    }
+    const bool cuttable = std::ranges::any_of(s_.tissues, [](const ScenarioTissue& t) { return t.speed_mm_s > 0; });
+    if (!cuttable) warn("/tissues", "nothing_can_be_cut");
+    for (const std::string& event : s_.rubric.critical) {
+      const bool guarded = std::ranges::find(s_.protected_tissues, Tissue::pulp) != s_.protected_tissues.end();
+      if (event == "pulp_exposure" && !guarded) error("/rubric/critical", "protected_missing", {}, "pulp");
+    }
+  }
+
+  void instruments() {
+    if (s_.instruments.empty()) error("/instruments", "no_instrument");
+    for (std::size_t i = 0; i < s_.instruments.size(); ++i) {
+      const Burr& burr = s_.instruments[i];
+      const double least = kLeastRadiusVoxels * s_.specimen.voxel_mm;
+      if (burr.radius_mm < least) {
+        warn(at("/instruments", i, "/radius_mm"), "burr_small", {{"value", burr.radius_mm}, {"limit", least}}, burr.name);
+      }
+      if (burr.neck_radius_mm > burr.radius_mm) {
+        warn(at("/instruments", i, "/neck_radius_mm"), "neck_wider_than_ball",
+             {{"value", burr.neck_radius_mm}, {"limit", burr.radius_mm}}, burr.name);
+      }
+    }
+  }
+
+  void target() {
+    const Target& t = s_.target;
+    const bool box = t.shape == "box";
+    const bool channel = t.shape == "channel";
+    if (t.paths.empty()) {
+      error("/target/paths", "no_target");
+      return;
+    }
+    if ((box || channel) && t.paths.size() != 1) {
+      error("/target/paths", "path_count", {{"value", static_cast<double>(t.paths.size())}, {"limit", 1}}, t.shape);
+    }
+    for (std::size_t i = 0; i < t.paths.size(); ++i) {
+      const std::size_t points = t.paths[i].size();
+      const std::size_t wanted = box ? 1 : 2;
+      if (points < wanted || ((box || channel) && points != wanted)) {
+        error(at("/target/paths", i), "point_count",
+              {{"value", static_cast<double>(points)}, {"limit", static_cast<double>(wanted)}}, t.shape);
+      }
+      for (std::size_t k = 0; k < points; ++k) {
+        const double floor = t.top_mm - t.depth_mm;
+        if (std::abs(t.paths[i][k].z - floor) > 1e-6) {
+          warn(at("/target/paths", i) + "/" + std::to_string(k), "point_off_floor",
+               {{"value", t.paths[i][k].z}, {"limit", floor}});
+        }
+      }
+    }
+    if (box && (t.box_size_mm.x <= 0 || t.box_size_mm.y <= 0)) error("/target/box_size_mm", "empty_target");
+
+    const double narrow = box ? std::min(t.box_size_mm.x, t.box_size_mm.y) : t.width_mm;
+    const char* narrow_path = box ? "/target/box_size_mm" : "/target/width_mm";
+    const double resolved = kLeastFeatureVoxels * s_.specimen.voxel_mm;
+    if (narrow > 0 && narrow < resolved) warn(narrow_path, "feature_thin", {{"value", narrow}, {"limit", resolved}});
+    if (t.depth_mm < resolved) warn("/target/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
+
+    if (!s_.instruments.empty()) {
+      const auto by_radius = [](const Burr& a, const Burr& b) { return a.radius_mm < b.radius_mm; };
+      const Burr& smallest = *std::ranges::min_element(s_.instruments, by_radius);
+      if (narrow > 0 && 2 * smallest.radius_mm > narrow) {
+        warn(narrow_path, "burr_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}}, smallest.name);
+      }
+      if (t.corner_radius_mm < smallest.radius_mm) {
+        warn("/target/corner_radius_mm", "corner_below_burr",
+             {{"value", t.corner_radius_mm}, {"limit", smallest.radius_mm}}, smallest.name);
+      }
+    }
+    if (s_.leeway.floor_mm < s_.specimen.voxel_mm) {
+      warn("/leeway/floor_mm", "leeway_below_voxel", {{"value", s_.leeway.floor_mm}, {"limit", s_.specimen.voxel_mm}});
+    }
+    if (s_.leeway.side_mm < s_.specimen.voxel_mm) {
+      warn("/leeway/side_mm", "leeway_below_voxel", {{"value", s_.leeway.side_mm}, {"limit", s_.specimen.voxel_mm}});
+    }
+  }
+
+  /// What this metric reads when the target is met exactly; nullopt when the target does not say.
+  std::optional<double> perfect(std::string_view metric) const {
+    if (metric == "target_removed") return 100.0;
+    if (metric == "undercut" || metric.starts_with("overcut_")) return 0.0;
+    if (metric.starts_with("depth_")) return s_.target.depth_mm;
+    return std::nullopt;
+  }
+
+  /// Share of full points: 1 in the ideal band, 1/2 at acc, 0 at fail; coinciding edges are a step.
+  static double share(const Bands& b, double v) {
+    if (v >= b.ideal_lo && v <= b.ideal_hi) return 1;
+    const bool low = v < b.ideal_lo;
+    const double ideal = low ? b.ideal_lo : -b.ideal_hi;
+    const double acc = low ? b.acc_lo : -b.acc_hi;
+    const double none = low ? b.fail_lo : -b.fail_hi;
+    const double x = low ? v : -v;
+    if (x >= acc) return acc < ideal ? 0.5 + 0.5 * (x - acc) / (ideal - acc) : 0.5;
+    if (x <= none) return 0;
+    return 0.5 * (x - none) / (acc - none);
+  }
+
+  void rubric() {
+    const Rubric& r = s_.rubric;
+    if (r.criteria.empty()) {
+      error("/rubric/criteria", "no_criteria");
+      return;
+    }
+    double weights = 0;
+    double reachable = 0;
+    bool ordered = true;
+    for (std::size_t i = 0; i < r.criteria.size(); ++i) {
+      const Criterion& c = r.criteria[i];
+      const Bands& b = c.bands;
+      weights += c.weight;
+      if (!(c.weight > 0)) error(at("/rubric/criteria", i, "/weight"), "weight_zero", {}, c.metric);
+      const std::array edges = {b.fail_lo, b.acc_lo, b.ideal_lo, b.ideal_hi, b.acc_hi, b.fail_hi};
+      if (!std::ranges::is_sorted(edges)) {
+        error(at("/rubric/criteria", i, "/bands"), "bands_not_ordered", {}, c.metric);
+        ordered = false;
+        continue;
+      }
+      const auto metric = metric_from_key(c.metric);
+      double best = 1;
+      if (const auto v = perfect(c.metric)) {
+        best = share(b, *v);
+        if (best < 1) {
+          warn(at("/rubric/criteria", i, "/bands"), "target_scores_less",
+               {{"value", *v}, {"lost", c.weight * (1 - best)}}, c.metric);
+        }
+      } else if (metric && (b.ideal_hi < metric->least || b.ideal_lo > metric->most)) {
+        best = std::max(share(b, metric->least), share(b, metric->most));
+      }
+      reachable += best * c.weight;
+    }
+    if (ordered && weights > 0) {
+      const double most = 100 * reachable / weights;
+      if (r.pass > most) error("/rubric/pass", "pass_unreachable", {{"value", r.pass}, {"limit", most}});
+    }
+  }
+
+  void specimen() {
+    const SpecimenFacts& f = *facts_;
+    if (std::abs(f.voxel_mm - s_.specimen.voxel_mm) > 1e-9) {
+      error("/specimen/voxel_mm", "voxel_mismatch", {{"value", s_.specimen.voxel_mm}, {"limit", f.voxel_mm}});
+    }
+    for (const Tissue tissue : f.tissues) {
+      if (!has_tissue(tissue)) error("/tissues", "tissue_missing", {}, std::string(key_of_scenario_tissue(tissue)));
+    }
+    const auto occurs = [&](Tissue t) { return std::ranges::find(f.tissues, t) != f.tissues.end(); };
+    for (std::size_t i = 0; i < s_.protected_tissues.size(); ++i) {
+      if (has_tissue(s_.protected_tissues[i]) && !occurs(s_.protected_tissues[i])) {
+        error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
+      }
+    }
+    for (std::size_t i = 0; i < s_.tissues.size(); ++i) {
+      if (!occurs(s_.tissues[i].tissue)) {
+        warn(at("/tissues", i), "tissue_unused", {}, std::string(key_of_scenario_tissue(s_.tissues[i].tissue)));
+      }
+    }
+    const Target& t = s_.target;
+    const double floor = t.top_mm - t.depth_mm;
+    if (floor < f.low_mm.z) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.low_mm.z}});
+    if (floor >= f.high_mm.z) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.high_mm.z}});
+    const bool box = t.shape == "box";
+    const Vec3 half = box ? Vec3(t.box_size_mm.x / 2, t.box_size_mm.y / 2, 0) : Vec3(t.width_mm / 2, t.width_mm / 2, 0);
+    for (std::size_t i = 0; i < t.paths.size(); ++i) {
+      for (std::size_t k = 0; k < t.paths[i].size(); ++k) {
+        for (int axis = 0; axis < 2; ++axis) {
+          const double low = t.paths[i][k][axis] - half[axis];
+          const double high = t.paths[i][k][axis] + half[axis];
+          if (low < f.low_mm[axis] || high > f.high_mm[axis]) {
+            error(at("/target/paths", i) + "/" + std::to_string(k), "target_outside",
+                  {{"value", low < f.low_mm[axis] ? low : high},
+                   {"limit", low < f.low_mm[axis] ? f.low_mm[axis] : f.high_mm[axis]}});
+            break;
+          }
+        }
+      }
+    }
+  }
+
+  const Scenario& s_;
+  const SpecimenFacts* facts_;
+  std::vector<Finding> out_;
+};
+
+}  // namespace
+
+SpecimenFacts facts_of(const VoxelVolume& volume) {
+  SpecimenFacts facts;
+  facts.voxel_mm = volume.grid.voxel_mm;
+  std::array<bool, kTissueCodes> seen{};
+  IVec3 low = volume.grid.size;
+  IVec3 high(-1);
+  std::size_t at = 0;
+  for (int z = 0; z < volume.grid.size.z; ++z) {
+    for (int y = 0; y < volume.grid.size.y; ++y) {
+      for (int x = 0; x < volume.grid.size.x; ++x, ++at) {
+        if (volume.s[at] < kHalf) continue;
+        seen[index_of(volume.tissue[at])] = true;
+        low = glm::min(low, IVec3(x, y, z));
+        high = glm::max(high, IVec3(x, y, z));
+      }
+    }
+  }
+  for (std::size_t code = 1; code < seen.size(); ++code) {
+    if (seen[code]) facts.tissues.push_back(static_cast<Tissue>(code));
+  }
+  if (high.x >= 0) {
+    const Vec3 half(volume.grid.voxel_mm / 2);
+    facts.low_mm = volume.grid.centre_mm(low) - half;
+    facts.high_mm = volume.grid.centre_mm(high) + half;
+  }
+  return facts;
+}
+
+std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen) {
+  return Checks(scenario, specimen).run();
+}
+
+std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* specimen) {
+  const auto scenario = read_scenario(text);
+  if (scenario) {
+    std::vector<Finding> out = check_schema(text);
+    std::vector<Finding> more = validate(*scenario, specimen);
+    out.insert(out.end(), more.begin(), more.end());
+    return out;
+  }
+  const FormatFailure& failure = scenario.error();
+  std::vector<Finding> out;
+  out.push_back({Severity::error, failure.where, std::string(key_of(failure.code)), {}, failure.detail});
+  for (Finding& finding : check_schema(text)) out.push_back(std::move(finding));
+  return out;
+}
+
+bool has_error(const std::vector<Finding>& findings) noexcept {
+  return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
+}
+
+}  // namespace cusp

@@ -1,0 +1,165 @@
+#include "scenarios/format/write.h"
+
+#include <nlohmann/json.hpp>
+
+#include "scenarios/format/json_text.h"
+#include "scenarios/format/keys.h"
+
+namespace cusp {
+namespace {
+
+template <class Json>
+Json json_of(const Vec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+template <class Json>
+Json json_of(const LocalText& text) {
+  Json out = Json::object();
+  for (const auto& [language, words] : text) out[language] = words;
+  return out;
+}
+
+template <class Json>
+Json json_of(const SpecimenSource& specimen) {
+  Json out = Json::object();
+  if (specimen.generator.empty()) {
+    out["volume"] = specimen.volume;
+  } else {
+    out["generator"] = specimen.generator;
+  }
+  if (specimen.generator == "tooth") {
+    out["fdi"] = specimen.fdi;
+    out["seed"] = specimen.seed;
+  }
+  out["voxel_mm"] = specimen.voxel_mm;
+  return out;
+}
+
+template <class Json>
+Json json_of(const Burr& burr) {
+  Json out = Json::object();
+  out["name"] = burr.name;
+  out["radius_mm"] = burr.radius_mm;
+  out["neck_radius_mm"] = burr.neck_radius_mm;
+  out["neck_length_mm"] = burr.neck_length_mm;
+  out["shank_radius_mm"] = burr.shank_radius_mm;
+  out["shank_length_mm"] = burr.shank_length_mm;
+  return out;
+}
+
+template <class Json>
+Json json_of(const Target& target) {
+  Json out = Json::object();
+  out["shape"] = target.shape;
+  Json paths = Json::array();
+  for (const std::vector<Vec3>& path : target.paths) {
+    Json points = Json::array();
+    for (const Vec3& point : path) points.push_back(json_of<Json>(point));
+    paths.push_back(std::move(points));
+  }
+  out["paths"] = std::move(paths);
+  out["width_mm"] = target.width_mm;
+  out["depth_mm"] = target.depth_mm;
+  out["top_mm"] = target.top_mm;
+  out["corner_radius_mm"] = target.corner_radius_mm;
+  out["box_size_mm"] = json_of<Json>(target.box_size_mm);
+  return out;
+}
+
+template <class Json>
+Json json_of(const Rubric& rubric) {
+  Json criteria = Json::array();
+  for (const Criterion& criterion : rubric.criteria) {
+    Json bands = Json::object();
+    bands["fail_lo"] = criterion.bands.fail_lo;
+    bands["acc_lo"] = criterion.bands.acc_lo;
+    bands["ideal_lo"] = criterion.bands.ideal_lo;
+    bands["ideal_hi"] = criterion.bands.ideal_hi;
+    bands["acc_hi"] = criterion.bands.acc_hi;
+    bands["fail_hi"] = criterion.bands.fail_hi;
+    Json one = Json::object();
+    one["metric"] = criterion.metric;
+    one["weight"] = criterion.weight;
+    one["bands"] = std::move(bands);
+    criteria.push_back(std::move(one));
+  }
+  Json out = Json::object();
+  out["pass"] = rubric.pass;
+  out["criteria"] = std::move(criteria);
+  out["critical"] = rubric.critical;
+  return out;
+}
+
+template <class Json>
+Json json_of(const Scenario& scenario) {
+  Json out = Json::object();
+  out["format"] = scenario.format;
+  out["id"] = scenario.id.text();
+  out["version"] = scenario.version;
+  if (!scenario.key.empty()) out["key"] = scenario.key;
+  out["title"] = json_of<Json>(scenario.title);
+  out["briefing"] = json_of<Json>(scenario.briefing);
+  out["specimen"] = json_of<Json>(scenario.specimen);
+  Json tissues = Json::array();
+  for (const ScenarioTissue& tissue : scenario.tissues) {
+    Json one = Json::object();
+    one["tissue"] = key_of_scenario_tissue(tissue.tissue);
+    one["stiffness_n_per_mm"] = tissue.stiffness_n_per_mm;
+    one["speed_mm_s"] = tissue.speed_mm_s;
+    tissues.push_back(std::move(one));
+  }
+  out["tissues"] = std::move(tissues);
+  Json instruments = Json::array();
+  for (const Burr& burr : scenario.instruments) instruments.push_back(json_of<Json>(burr));
+  out["instruments"] = std::move(instruments);
+  Json device = Json::object();
+  device["needs_dof"] = scenario.device.needs_dof;
+  device["admitted"] = scenario.device.admitted;
+  device["full_force_n"] = scenario.device.full_force_n;
+  device["tool_tilt_deg"] = scenario.tool_tilt_deg;
+  out["device"] = std::move(device);
+  out["method"] = key_of(scenario.method);
+  out["phenomena"] = scenario.phenomena;
+  out["target"] = json_of<Json>(scenario.target);
+  Json leeway = Json::object();
+  leeway["floor_mm"] = scenario.leeway.floor_mm;
+  leeway["side_mm"] = scenario.leeway.side_mm;
+  out["leeway"] = std::move(leeway);
+  Json guarded = Json::array();
+  for (const Tissue tissue : scenario.protected_tissues) guarded.push_back(key_of_scenario_tissue(tissue));
+  out["protected"] = std::move(guarded);
+  Json limits = Json::object();
+  limits["time_s"] = scenario.time_limit_s;
+  out["limits"] = std::move(limits);
+  out["rubric"] = json_of<Json>(scenario.rubric);
+  Json tolerance = Json::object();
+  tolerance["points"] = scenario.tolerance_points;
+  out["tolerance"] = std::move(tolerance);
+  return out;
+}
+
+}  // namespace
+
+std::string write_scenario(const Scenario& scenario) {
+  std::string out;
+  json_text::append(out, json_of<nlohmann::ordered_json>(scenario), 0);
+  out += '\n';
+  return out;
+}
+
+std::string canonical_json(const Scenario& scenario) {
+  std::string out;
+  json_text::append(out, json_of<nlohmann::json>(scenario), -1);
+  return out;
+}
+
+Result<std::string, FormatFailure> canonical_json(std::string_view text) {
+  const auto document = json_text::parse(text);
+  if (!document) return std::unexpected(document.error());
+  std::string out;
+  json_text::append(out, *document, -1);
+  return out;
+}
+
+}  // namespace cusp
