@@ -2,9 +2,12 @@
 /// trusted with foreign files: a program calls these through worker.h, in a process of their own.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,6 +20,7 @@ namespace cusp {
 
 /// The direction of the file that becomes the specimen's +z (occlusal). The turn keeps right hands right.
 enum class UpAxis : std::uint8_t { z, y, x, minus_z, minus_y, minus_x };
+inline constexpr std::array<std::string_view, 6> kUpAxisKeys = {"z", "y", "x", "-z", "-y", "-x"};  // as typed
 
 struct MeshImport {
   std::filesystem::path path;

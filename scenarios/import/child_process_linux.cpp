@@ -1,0 +1,215 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <optional>
+
+#include "scenarios/import/child_process.h"
+
+extern char** environ;
+
+namespace cusp {
+namespace {
+
+constexpr std::size_t kMaxLine = 65536;
+constexpr std::size_t kKeptErrors = 2048;
+constexpr int kPollMs = 50;
+constexpr int kExecFailed = 127;
+
+/// The same stream under a number above 2, as a program whose own standard streams are closed may get those.
+int above_standard(int fd) noexcept {
+  if (fd < 0 || fd > 2) return fd;
+  const int moved = fcntl(fd, F_DUPFD_CLOEXEC, 3);
+  close(fd);
+  return moved;
+}
+
+/// Closes itself. Both ends are closed on exec; the child's own ends live on as copies on 1 and 2.
+struct Pipe {
+  int read = -1, write = -1;
+  Pipe() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return;
+    read = above_standard(ends[0]);
+    write = above_standard(ends[1]);
+  }
+  ~Pipe() {
+    close_read();
+    close_write();
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  void close_read() {
+    if (read >= 0) close(read);
+    read = -1;
+  }
+  void close_write() {
+    if (write >= 0) close(write);
+    write = -1;
+  }
+};
+
+void limit(__rlimit_resource_t what, rlim_t soft, rlim_t hard) noexcept {
+  const rlimit value{soft, hard};
+  setrlimit(what, &value);
+}
+
+/// Between fork and exec: only what is safe after a fork of a threaded program.
+[[noreturn]] void become(char* const* argv, char* const* environment, int in, int out, int errors,
+                         const ChildLimits& limits, pid_t parent) noexcept {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(kExecFailed);  // the parent went before the line above took hold
+  dup2(in, 0);
+  dup2(out, 1);
+  dup2(errors, 2);
+  syscall(SYS_close_range, 3u, ~0u, 0u);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  limit(RLIMIT_CORE, 0, 0);
+  if (limits.memory_bytes > 0 && child_memory_limit_works()) limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
+  if (limits.cpu.count() > 0) {
+    const auto seconds = static_cast<rlim_t>(limits.cpu.count());
+    limit(RLIMIT_CPU, seconds, seconds + 1);  // the kill, should it ignore SIGXCPU
+  }
+  execve(argv[0], argv, environment);
+  _exit(kExecFailed);
+}
+
+/// Hands over whole lines, keeps the rest.
+class LineReader {
+ public:
+  explicit LineReader(const std::function<void(std::string_view)>& line) : line_(line) {}
+  void feed(std::string_view bytes) {
+    for (const char c : bytes) {
+      if (c == '\n') {
+        if (!overlong_) line_(kept_);
+        kept_.clear();
+        overlong_ = false;
+      } else if (kept_.size() >= kMaxLine) {
+        overlong_ = true;
+      } else {
+        kept_ += c;
+      }
+    }
+  }
+
+ private:
+  const std::function<void(std::string_view)>& line_;
+  std::string kept_;
+  bool overlong_ = false;
+};
+
+/// Copies what is there to `take`; false at the end of the stream.
+template <class Take>
+bool drain(int fd, Take take) {
+  std::array<char, 4096> buffer;
+  const ssize_t n = read(fd, buffer.data(), buffer.size());
+  if (n > 0) take(std::string_view(buffer.data(), static_cast<std::size_t>(n)));
+  return n > 0 || (n < 0 && (errno == EINTR || errno == EAGAIN));
+}
+
+ChildEnd end_of(int status) {
+  ChildEnd end;
+  if (WIFEXITED(status)) {
+    end.how = ChildEnd::How::exited;
+    end.code = WEXITSTATUS(status);
+    if (end.code == kExecFailed) end.how = ChildEnd::How::not_started;
+  } else {
+    end.code = WTERMSIG(status);
+    end.how = end.code == SIGXCPU ? ChildEnd::How::cpu_limit : ChildEnd::How::crashed;
+  }
+  return end;
+}
+
+}  // namespace
+
+bool child_memory_limit_works() noexcept {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return false;
+#else
+  return true;
+#endif
+}
+
+std::string own_program() { return "/proc/self/exe"; }
+
+ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limits,
+                   const std::function<void(std::string_view)>& line, std::stop_token stop) {
+  using Clock = std::chrono::steady_clock;
+  ChildEnd end;
+  Pipe out, errors;
+  const int nothing = above_standard(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  if (out.read < 0 || out.write < 0 || errors.read < 0 || errors.write < 0 || nothing < 0) {
+    end.errors = std::strerror(errno);
+    if (nothing >= 0) close(nothing);
+    return end;
+  }
+  std::vector<char*> arguments;
+  for (const std::string& a : argv) arguments.push_back(const_cast<char*>(a.c_str()));
+  arguments.push_back(nullptr);
+  // Each malloc arena reserves 64 MiB of address space, eight for every core: the limit would depend on the machine.
+  static constexpr char kArenas[] = "MALLOC_ARENA_MAX=2";
+  std::vector<char*> environment{const_cast<char*>(kArenas)};
+  for (char** e = environ; *e; ++e)
+    if (std::strncmp(*e, "MALLOC_ARENA_MAX=", 17) != 0) environment.push_back(*e);
+  environment.push_back(nullptr);
+
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) become(arguments.data(), environment.data(), nothing, out.write, errors.write, limits, parent);
+  close(nothing);
+  if (pid < 0) {
+    end.errors = std::strerror(errno);
+    return end;
+  }
+  setpgid(pid, pid);  // on both sides, so that the group exists whoever comes first
+  out.close_write();
+  errors.close_write();
+
+  LineReader lines(line);
+  std::string kept_errors;
+  const auto deadline = Clock::now() + limits.wall;
+  std::optional<ChildEnd::How> killed;
+  const auto must_go = [&] {
+    if (stop.stop_requested()) killed = ChildEnd::How::stopped;
+    else if (limits.wall.count() > 0 && Clock::now() >= deadline) killed = ChildEnd::How::wall_limit;
+    return killed.has_value();
+  };
+  while ((out.read >= 0 || errors.read >= 0) && !must_go()) {
+    pollfd ends[2] = {{out.read, POLLIN, 0}, {errors.read, POLLIN, 0}};
+    if (poll(ends, 2, kPollMs) <= 0) continue;
+    if (ends[0].revents && !drain(out.read, [&](std::string_view t) { lines.feed(t); })) out.close_read();
+    if (ends[1].revents && !drain(errors.read, [&](std::string_view t) {
+          kept_errors += t;
+          if (kept_errors.size() > kKeptErrors) kept_errors.erase(0, kept_errors.size() - kKeptErrors);
+        }))
+      errors.close_read();
+  }
+  // A child that closed its streams and lives on stands under the same limits.
+  int status = 0;
+  while (waitpid(pid, &status, WNOHANG) != pid) {
+    if (killed || must_go()) {
+      kill(-pid, SIGKILL);
+      while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+      }
+      break;
+    }
+    poll(nullptr, 0, 1);
+  }
+  end = end_of(status);
+  if (killed && !WIFEXITED(status)) end.how = *killed;
+  end.errors = std::move(kept_errors);
+  return end;
+}
+
+}  // namespace cusp
