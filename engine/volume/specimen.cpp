@@ -68,11 +68,13 @@ std::shared_ptr<const Specimen> Specimen::build(const VoxelVolume& dense, Readin
   out.s_.shrink_to_fit();
   out.tissue_.shrink_to_fit();
   out.hash_ = hash.value();
+  if (reading == Reading::banded) out.surface_ = BaseSurface::of(out);
   return specimen;
 }
 
 std::size_t Specimen::bytes() const noexcept {
-  return table_.size() * sizeof(Entry) + s_.size() * sizeof(std::uint16_t) + tissue_.size() * sizeof(Tissue);
+  return table_.size() * sizeof(Entry) + s_.size() * sizeof(std::uint16_t) + tissue_.size() * sizeof(Tissue) +
+         surface_.bytes();
 }
 
 VoxelVolume Specimen::dense() const {

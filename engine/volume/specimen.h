@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/volume/base_surface.h"
 #include "engine/volume/voxel_volume.h"
 
 namespace cusp {
@@ -68,6 +69,9 @@ class Specimen {
     return e.slot < 0 ? nullptr : &s_[static_cast<std::size_t>(e.slot) * kBrickVoxels];
   }
 
+  /// Surface points of a banded specimen; none for a filled one.
+  const BaseSurface& surface() const noexcept { return surface_; }
+
   /// Bytes held, and a hash of grid, reading, tissues and s (the same on every machine).
   std::size_t bytes() const noexcept;
   std::uint64_t hash() const noexcept { return hash_; }
@@ -88,6 +92,7 @@ class Specimen {
   std::vector<Entry> table_;
   std::vector<std::uint16_t> s_;
   std::vector<Tissue> tissue_;
+  BaseSurface surface_;
   std::map<std::uint8_t, std::string> names_;
   std::uint64_t hash_ = 0;
 };

@@ -12,7 +12,7 @@ Volume::Volume(std::shared_ptr<const Specimen> specimen) : specimen_(std::move(s
   slot_.assign(bricks, -1);
   revision_.assign(bricks, 0);
   // A burr cuts tissue, and its band reaches one brick further.
-  std::vector<bool> reach(bricks, false);
+  cuttable_.assign(bricks, 0);
   for (int b = 0; b < static_cast<int>(bricks); ++b) {
     if (specimen_->uniform(b) && specimen_->s_in(b, 0) == 0) continue;
     const IVec3 at = specimen_->brick_at(b);
@@ -20,10 +20,10 @@ Volume::Volume(std::shared_ptr<const Specimen> specimen) : specimen_(std::move(s
       for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
           const int i = specimen_->brick_index(at + IVec3(x, y, z));
-          if (i >= 0) reach[static_cast<std::size_t>(i)] = true;
+          if (i >= 0) cuttable_[static_cast<std::size_t>(i)] = 1;
         }
   }
-  capacity_ = static_cast<std::size_t>(std::count(reach.begin(), reach.end(), true));
+  capacity_ = static_cast<std::size_t>(std::count(cuttable_.begin(), cuttable_.end(), 1));
   cut_.assign(capacity_ * kBrickVoxels, kSolid);
   cut_order_.reserve(capacity_);
 }
@@ -31,7 +31,7 @@ Volume::Volume(std::shared_ptr<const Specimen> specimen) : specimen_(std::move(s
 std::uint16_t* Volume::cut_for_writing(int brick) noexcept {
   std::int32_t& slot = slot_[static_cast<std::size_t>(brick)];
   if (slot < 0) {
-    if (cut_order_.size() == capacity_) return nullptr;
+    if (cuttable_[static_cast<std::size_t>(brick)] == 0 || cut_order_.size() == capacity_) return nullptr;
     slot = static_cast<std::int32_t>(cut_order_.size());
     cut_order_.push_back(brick);
     if (specimen_->reading() == Reading::filled) {
@@ -67,7 +67,7 @@ std::uint64_t Volume::hash() const noexcept {
 
 std::size_t Volume::bytes() const noexcept {
   return slot_.size() * sizeof(std::int32_t) + revision_.size() * sizeof(std::uint32_t) +
-         cut_.size() * sizeof(std::uint16_t) + capacity_ * sizeof(std::int32_t);
+         cut_.size() * sizeof(std::uint16_t) + capacity_ * sizeof(std::int32_t) + cuttable_.size();
 }
 
 VoxelVolume Volume::dense() const {

@@ -49,6 +49,11 @@ class Volume {
 
   /// Bricks with a cut field, in the order in which they were first cut.
   std::span<const std::int32_t> cut_bricks() const noexcept { return cut_order_; }
+  /// Place of a brick's cut values, dense from 0 in the order of first cutting; -1 where nothing was cut.
+  int cut_slot(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)]; }
+  std::size_t cut_capacity() const noexcept { return capacity_; }
+  /// False where no tissue is within a brick's reach: nothing there can be cut.
+  bool cuttable(int brick) const noexcept { return cuttable_[static_cast<std::size_t>(brick)] != 0; }
   bool has_cut(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)] >= 0; }
   /// The 512 cut values of a brick, nullptr where nothing was cut.
   const std::uint16_t* cut_of(int brick) const noexcept {
@@ -82,6 +87,7 @@ class Volume {
   std::vector<std::uint32_t> revision_;  // [brick]
   std::vector<std::uint16_t> cut_;       // [slot][512]
   std::vector<std::int32_t> cut_order_;  // capacity reserved
+  std::vector<std::uint8_t> cuttable_;   // [brick]
   std::size_t capacity_ = 0;             // slots
 };
 

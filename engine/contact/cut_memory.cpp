@@ -1,0 +1,104 @@
+#include "engine/contact/cut_memory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+
+namespace {
+IVec3 cell_of(Vec3 p, double edge) noexcept {
+  return {static_cast<int>(std::floor(p.x / edge)), static_cast<int>(std::floor(p.y / edge)),
+          static_cast<int>(std::floor(p.z / edge))};
+}
+Vec3 nearest_on(const CutMemory::Segment& s, Vec3 y) noexcept {
+  const Vec3 along = s.b - s.a;
+  const double square = glm::dot(along, along);
+  double t = square > 1e-18 ? glm::dot(y - s.a, along) / square : 0.0;
+  t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+  return s.a + along * t;
+}
+}  // namespace
+
+CutMemory::CutMemory() : segments_(kSegments), nodes_(kNodes), heads_(kBuckets, -1) {}
+
+std::size_t CutMemory::bucket(IVec3 c) noexcept {
+  const auto h = static_cast<std::uint32_t>(c.x) * 73856093u ^ static_cast<std::uint32_t>(c.y) * 19349663u ^
+                 static_cast<std::uint32_t>(c.z) * 83492791u;
+  return (h ^ h >> 15) & (kBuckets - 1);
+}
+
+void CutMemory::link(std::int32_t index) noexcept {
+  const Segment& s = segments_[static_cast<std::size_t>(index)];
+  const IVec3 low = cell_of(glm::min(s.a, s.b) - kReachMm, kCellMm);
+  const IVec3 high = cell_of(glm::max(s.a, s.b) + kReachMm, kCellMm);
+  for (int z = low.z; z <= high.z; ++z)
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x) {
+        const std::size_t b = bucket({x, y, z});
+        // A growing segment is linked again at each step: once a bucket is enough.
+        if (heads_[b] >= 0 && nodes_[static_cast<std::size_t>(heads_[b])].segment == index) continue;
+        nodes_[nodes_used_] = {index, heads_[b]};
+        heads_[b] = static_cast<std::int32_t>(nodes_used_++);
+      }
+}
+
+void CutMemory::rebuild() noexcept {
+  std::fill(heads_.begin(), heads_.end(), -1);
+  nodes_used_ = 0;
+  for (std::size_t i = 0; i < count_; ++i) link(static_cast<std::int32_t>(i));
+}
+
+void CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
+  if (count_ == kSegments) {
+    const std::size_t keep = count_ / 2;
+    std::copy(segments_.begin() + static_cast<std::ptrdiff_t>(count_ - keep),
+              segments_.begin() + static_cast<std::ptrdiff_t>(count_), segments_.begin());
+    count_ = keep;
+    rebuild();
+  }
+  if (open_ && count_ > 0) {
+    Segment& last = segments_[count_ - 1];
+    const Vec3 gap = from - last.b;
+    if (last.radius_mm == radius_mm && glm::dot(gap, gap) < kStraightMm * kStraightMm) {
+      const Segment longer{last.a, to, radius_mm};
+      const Vec3 along = to - last.a;
+      const Vec3 off = nearest_on(longer, last.b) - last.b;
+      if (glm::dot(along, along) <= kLongestMm * kLongestMm && glm::dot(off, off) < kStraightMm * kStraightMm) {
+        last.b = to;
+        link(static_cast<std::int32_t>(count_ - 1));
+        return;
+      }
+    }
+  }
+  segments_[count_] = {from, to, radius_mm};
+  link(static_cast<std::int32_t>(count_));
+  ++count_;
+  open_ = true;
+}
+
+int CutMemory::near(Vec3 y, double radius_mm, std::array<Vec3, 24>& out) const noexcept {
+  int found = 0;
+  std::int32_t last = -1;
+  int visited = 0;
+  for (std::int32_t n = heads_[bucket(cell_of(y, kCellMm))]; n >= 0 && found < 24 && visited < 256; ++visited) {
+    const Node& node = nodes_[static_cast<std::size_t>(n)];
+    n = node.next;
+    if (node.segment == last) continue;
+    last = node.segment;
+    const Segment& s = segments_[static_cast<std::size_t>(node.segment)];
+    if (s.radius_mm < radius_mm) continue;
+    const Vec3 p = nearest_on(s, y);
+    const Vec3 d = p - y;
+    if (glm::dot(d, d) <= kReachMm * kReachMm) out[static_cast<std::size_t>(found++)] = p;
+  }
+  return found;
+}
+
+void CutMemory::load(const std::vector<Segment>& segments, bool open) noexcept {
+  count_ = std::min(segments.size(), kSegments);
+  std::copy_n(segments.begin(), count_, segments_.begin());
+  open_ = open;
+  rebuild();
+}
+
+}  // namespace cusp

@@ -1,0 +1,62 @@
+/// Where the burr has been while cutting: a pose that has cut is admissible for ever, since the burr fitted there.
+/// Segments of past cut poses, merged while straight, found by place. Fixed memory; when it is full the oldest half is
+/// forgotten (a jam may then return at an old hole, never a wrong force). Thread: haptic.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/vec.h"
+
+namespace cusp {
+
+class CutMemory {
+ public:
+  static constexpr double kReachMm = 0.03;      // poses further than this from the proxy say nothing about it
+  static constexpr double kStraightMm = 1e-4;   // merged while straight to 0.1 um
+  static constexpr double kLongestMm = 0.1;
+
+  CutMemory();
+
+  /// The burr's centre moved, cutting, from a to b.
+  void add(Vec3 from, Vec3 to, double radius_mm) noexcept;
+  /// The path is broken: the next segment starts anew (button up, burr changed).
+  void lift() noexcept { open_ = false; }
+
+  /// Nearest points to y of the newest segments within reach, cut by a burr at least as wide; at most 24 of them.
+  int near(Vec3 y, double radius_mm, std::array<Vec3, 24>& out) const noexcept;
+
+  struct Segment {
+    Vec3 a{0.0}, b{0.0};
+    double radius_mm = 0.0;
+  };
+  /// For saving and hashing: oldest first. load() replaces all.
+  std::size_t size() const noexcept { return count_; }
+  const Segment& segment(std::size_t i) const noexcept { return segments_[i]; }
+  bool open() const noexcept { return open_; }
+  void load(const std::vector<Segment>& segments, bool open) noexcept;
+
+ private:
+  struct Node {
+    std::int32_t segment = -1;
+    std::int32_t next = -1;
+  };
+  static constexpr std::size_t kSegments = 32768;
+  static constexpr std::size_t kNodes = kSegments * 27;  // 0.1 mm and reach touch 3^3 cells at most
+  static constexpr std::size_t kBuckets = 16384;
+  static constexpr double kCellMm = 0.15;
+
+  void link(std::int32_t segment) noexcept;
+  void rebuild() noexcept;
+  static std::size_t bucket(IVec3 cell) noexcept;
+
+  std::vector<Segment> segments_;
+  std::vector<Node> nodes_;
+  std::vector<std::int32_t> heads_;
+  std::size_t count_ = 0;
+  std::size_t nodes_used_ = 0;
+  bool open_ = false;  // the last segment may grow
+};
+
+}  // namespace cusp

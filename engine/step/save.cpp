@@ -1,0 +1,174 @@
+// Key states: the whole state as bytes, little-endian, and back.
+#include <bit>
+#include <cstring>
+
+#include "engine/step/state.h"
+
+namespace cusp {
+
+namespace {
+
+constexpr std::uint32_t kMark = 0x53505543;  // "CUPS"
+
+class Writer {
+ public:
+  void u(std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) out_.push_back(static_cast<std::byte>(value >> (8 * i)));
+  }
+  void d(double value) { u(std::bit_cast<std::uint64_t>(value), 8); }
+  void v(Vec3 value) {
+    for (int i = 0; i < 3; ++i) d(value[i]);
+  }
+  void raw(std::span<const std::byte> bytes) { out_.insert(out_.end(), bytes.begin(), bytes.end()); }
+  std::vector<std::byte> take() { return std::move(out_); }
+
+ private:
+  std::vector<std::byte> out_;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  std::uint64_t u(int n) {
+    if (bytes_.size() - at_ < static_cast<std::size_t>(n)) {
+      good_ = false;
+      return 0;
+    }
+    std::uint64_t value = 0;
+    for (int i = 0; i < n; ++i) value |= static_cast<std::uint64_t>(bytes_[at_++]) << (8 * i);
+    return value;
+  }
+  double d() { return std::bit_cast<double>(u(8)); }
+  Vec3 v() {
+    const double x = d(), y = d(), z = d();
+    return {x, y, z};
+  }
+  std::span<const std::byte> raw(std::size_t n) {
+    if (bytes_.size() - at_ < n) {
+      good_ = false;
+      return {};
+    }
+    at_ += n;
+    return bytes_.subspan(at_ - n, n);
+  }
+  bool good() const { return good_; }
+  bool done() const { return good_ && at_ == bytes_.size(); }
+  std::size_t left() const { return bytes_.size() - at_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+  bool good_ = true;
+};
+
+void write_output(Writer& w, const StepOutput& o) {
+  w.v(o.device_mm);
+  w.v(o.proxy_mm);
+  w.v(o.force_raw_n);
+  w.v(o.force_n);
+  w.d(o.stiffness_n_per_mm);
+  w.d(o.advance_mm);
+  w.u(static_cast<std::uint64_t>(o.tissue), 1);
+  w.u(o.burr, 2);
+  w.u(o.tick, 8);
+  w.u(o.elapsed_us, 8);
+  const bool flags[8] = {o.contact, o.cutting, o.shank, o.faulted, o.infeasible, o.overflow, o.deferred, false};
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 8; ++i) bits |= flags[i] ? 1u << i : 0u;
+  w.u(bits, 1);
+}
+
+void read_output(Reader& r, StepOutput& o) {
+  o.device_mm = r.v();
+  o.proxy_mm = r.v();
+  o.force_raw_n = r.v();
+  o.force_n = r.v();
+  o.stiffness_n_per_mm = r.d();
+  o.advance_mm = r.d();
+  o.tissue = static_cast<Tissue>(r.u(1));
+  o.burr = static_cast<std::uint16_t>(r.u(2));
+  o.tick = r.u(8);
+  o.elapsed_us = r.u(8);
+  const auto bits = static_cast<unsigned>(r.u(1));
+  o.contact = bits & 1u;
+  o.cutting = bits & 2u;
+  o.shank = bits & 4u;
+  o.faulted = bits & 8u;
+  o.infeasible = bits & 16u;
+  o.overflow = bits & 32u;
+  o.deferred = bits & 64u;
+}
+
+}  // namespace
+
+std::vector<std::byte> StepState::save() const {
+  const Inner& s = *inner_;
+  Writer w;
+  w.u(kMark, 4);
+  w.u(static_cast<std::uint64_t>(kEngineVersion), 4);
+  w.u(s.scene->specimen->hash(), 8);
+  w.u(static_cast<std::uint64_t>(s.scene->method), 1);
+  write_output(w, s.last);
+  w.u(static_cast<std::uint64_t>(s.guard.fault), 1);
+  w.d(s.guard.ramp_ms);
+  w.d(s.guard.force_n);
+  w.v(s.proxy);
+  w.v(s.device);
+  w.v(s.cut_pose);
+  w.v(s.velocity);
+  w.u(s.started ? 1 : 0, 1);
+  w.u(s.cut_valid ? 1 : 0, 1);
+  for (const double owed : s.owed) w.d(owed);
+  w.u(s.memory.open() ? 1 : 0, 1);
+  w.u(s.memory.size(), 4);
+  for (std::size_t i = 0; i < s.memory.size(); ++i) {
+    w.v(s.memory.segment(i).a);
+    w.v(s.memory.segment(i).b);
+    w.d(s.memory.segment(i).radius_mm);
+  }
+  const std::vector<std::byte> cuts = s.volume.save_cuts();
+  w.u(cuts.size(), 8);
+  w.raw(cuts);
+  return w.take();
+}
+
+std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, std::span<const std::byte> bytes) {
+  Reader r(bytes);
+  if (r.u(4) != kMark || r.u(4) != static_cast<std::uint64_t>(kEngineVersion) || r.u(8) != scene->specimen->hash() ||
+      r.u(1) != static_cast<std::uint64_t>(scene->method))
+    return std::nullopt;
+  const std::size_t burrs = scene->burrs.size();
+  StepState out(std::move(scene));
+  Inner& s = *out.inner_;
+  read_output(r, s.last);
+  s.guard.fault = static_cast<Fault>(r.u(1));
+  s.guard.ramp_ms = r.d();
+  s.guard.force_n = r.d();
+  s.proxy = r.v();
+  s.device = r.v();
+  s.cut_pose = r.v();
+  s.velocity = r.v();
+  s.started = r.u(1) != 0;
+  s.cut_valid = r.u(1) != 0;
+  for (double& owed : s.owed) owed = r.d();
+  const bool open = r.u(1) != 0;
+  const std::size_t count = r.u(4);
+  if (!r.good() || count > r.left() / 56 || s.last.burr >= burrs || index_of(s.last.tissue) >= kTissueCodes ||
+      s.guard.fault > Fault::not_finite)
+    return std::nullopt;
+  std::vector<CutMemory::Segment> segments(count);
+  for (CutMemory::Segment& segment : segments) {
+    segment.a = r.v();
+    segment.b = r.v();
+    segment.radius_mm = r.d();
+  }
+  s.memory.load(segments, open);
+  const std::size_t size = r.u(8);
+  const auto cuts = r.raw(size);
+  if (!r.done() || !s.volume.load_cuts(cuts)) return std::nullopt;
+  if (s.surface) s.surface->cut_surface().forget();
+  if (s.occupancy) s.occupancy = std::make_unique<OccupancyProxy>(*s.scene, s.volume, s.scene->method == Method::occupancy_pivot);
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,41 @@
+/// Inside of StepState: every number that the next step depends on. Only engine/step includes this.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "engine/contact/cut_memory.h"
+#include "engine/contact/occupancy_proxy.h"
+#include "engine/contact/surface_contact.h"
+#include "engine/step/guard.h"
+#include "engine/step/step.h"
+
+namespace cusp {
+
+struct StepState::Inner {
+  explicit Inner(std::shared_ptr<const Scene> s);
+
+  std::shared_ptr<const Scene> scene;
+  Volume volume;
+  StepOutput last;
+  GuardState guard;
+
+  Vec3 proxy{0.0};
+  Vec3 device{0.0};                // of the input before
+  Vec3 cut_pose{0.0};              // surface: the burr's pose as far as removal goes
+  Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
+  bool started = false;
+  bool cut_valid = false;
+  std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (occupancy)
+  CutMemory memory;
+
+  // Derived from the volume; one of the two, as the method asks.
+  std::unique_ptr<SurfaceContact> surface;
+  std::unique_ptr<OccupancyProxy> occupancy;
+};
+
+/// One tick of each method: contact, removal and raw force into `out`. dt_s is bounded by the guard's late limit.
+void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, StepOutput& out) noexcept;
+void step_occupancy(StepState::Inner& state, Vec3 device, bool cut, double dt_s, StepOutput& out) noexcept;
+
+}  // namespace cusp

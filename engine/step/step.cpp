@@ -1,0 +1,165 @@
+#include "engine/step/step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/step/state.h"
+#include "engine/volume/hash.h"
+
+namespace cusp {
+
+StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInput& last) noexcept {
+  StepInput out = last;
+  out.elapsed_us = elapsed_us;
+  out.buttons = static_cast<std::uint16_t>(sample.buttons & 0x1fff);
+  out.pedal = sample.pedal;
+  out.burr = sample.burr;
+  if (sample.status == Sample::Status::late) out.buttons |= StepInput::kLate;
+  if (sample.status == Sample::Status::gone) out.buttons |= StepInput::kGone;
+  constexpr double kMostMm = 1e5;
+  bool good = sample.status != Sample::Status::gone;
+  for (int i = 0; i < 3; ++i) good = good && sample.position_mm[i] >= -kMostMm && sample.position_mm[i] <= kMostMm;
+  if (!good) {
+    out.buttons |= StepInput::kGone;
+    return out;
+  }
+  const auto tenth_um = [](double mm) { return static_cast<std::int32_t>(std::floor(mm * 1e4 + 0.5)); };
+  out.x = tenth_um(sample.position_mm.x);
+  out.y = tenth_um(sample.position_mm.y);
+  out.z = tenth_um(sample.position_mm.z);
+  const auto part = [](double q) {
+    q = !(q >= -1.0) ? -1.0 : q > 1.0 ? 1.0 : q;
+    return static_cast<std::int16_t>(std::floor(q * 32767.0 + 0.5));
+  };
+  out.qx = part(sample.orientation.x);
+  out.qy = part(sample.orientation.y);
+  out.qz = part(sample.orientation.z);
+  out.qw = part(sample.orientation.w);
+  return out;
+}
+
+StepState::Inner::Inner(std::shared_ptr<const Scene> s) : scene(std::move(s)), volume(scene->specimen) {
+  if (scene->method == Method::surface) {
+    surface = std::make_unique<SurfaceContact>(*scene, volume);
+  } else {
+    occupancy = std::make_unique<OccupancyProxy>(*scene, volume, scene->method == Method::occupancy_pivot);
+  }
+}
+
+StepState::StepState(std::shared_ptr<const Scene> scene) : inner_(std::make_unique<Inner>(std::move(scene))) {}
+StepState::~StepState() = default;
+StepState::StepState(StepState&&) noexcept = default;
+StepState& StepState::operator=(StepState&&) noexcept = default;
+const Scene& StepState::scene() const noexcept { return *inner_->scene; }
+const Volume& StepState::volume() const noexcept { return inner_->volume; }
+const StepOutput& StepState::last() const noexcept { return inner_->last; }
+Fault StepState::fault() const noexcept { return inner_->guard.fault; }
+
+std::uint64_t StepState::hash() const noexcept {
+  const Inner& s = *inner_;
+  Hash64 h;
+  h.add(static_cast<std::uint64_t>(kEngineVersion));
+  h.add(s.volume.hash());
+  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.velocity, s.last.force_n, s.last.force_raw_n})
+    for (int i = 0; i < 3; ++i) h.add_double(v[i]);
+  h.add(s.last.tick);
+  h.add(s.last.elapsed_us);
+  h.add(static_cast<std::uint64_t>(s.last.burr) | static_cast<std::uint64_t>(s.guard.fault) << 16 |
+        static_cast<std::uint64_t>(s.started) << 24 | static_cast<std::uint64_t>(s.cut_valid) << 25);
+  h.add_double(s.guard.ramp_ms);
+  h.add_double(s.guard.force_n);
+  for (const double owed : s.owed) h.add_double(owed);
+  // The memory is what the path made it: its length and its end stand for all of it.
+  h.add(s.memory.size() * 2 + (s.memory.open() ? 1 : 0));
+  if (s.memory.size() > 0) {
+    const CutMemory::Segment& end = s.memory.segment(s.memory.size() - 1);
+    for (int i = 0; i < 3; ++i) {
+      h.add_double(end.a[i]);
+      h.add_double(end.b[i]);
+    }
+    h.add_double(end.radius_mm);
+  }
+  return h.value();
+}
+
+namespace {
+
+/// Where the proxy begins: at the device point when nothing is there, else above the specimen, whence it comes down.
+Vec3 first_pose(const StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
+  const Grid& grid = state.volume.grid();
+  const Burr& burr = state.scene->burrs[state.last.burr];
+  const Vec3 low = grid.origin_mm - grid.voxel_mm;
+  const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
+  // Along the tool's axis until the ball has left the box.
+  double leave = 0.0;
+  for (int pass = 0; pass < 512; ++pass) {
+    const Vec3 p = device + axis * leave;
+    bool inside = true;
+    for (int i = 0; i < 3; ++i) inside = inside && p[i] > low[i] - burr.radius_mm && p[i] < high[i] + burr.radius_mm;
+    if (!inside) return p;
+    leave += 0.25;
+  }
+  return device + axis * leave;
+}
+
+}  // namespace
+
+StepOutput step(StepState& outer, const StepInput& input) noexcept {
+  StepState::Inner& state = outer.inner();
+  const Scene& scene = *state.scene;
+  StepOutput out;
+  out.tick = state.last.tick + 1;
+  out.elapsed_us = state.last.elapsed_us + input.elapsed_us;
+  out.burr = input.burr < scene.burrs.size() ? input.burr : static_cast<std::uint16_t>(scene.burrs.size() - 1);
+  const Vec3 device = input.position_mm();
+  out.device_mm = device;
+
+  const bool first = !state.started;
+  const Vec3 moved = device - state.device;
+  if (input.buttons & StepInput::kRearm) {
+    state.guard.fault = Fault::none;
+    state.guard.ramp_ms = 0.0;
+  }
+  if (state.guard.fault == Fault::none)
+    state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), first);
+  if (!first && out.burr != state.last.burr) {
+    state.guard.ramp_ms = 0.0;
+    state.cut_valid = false;
+    state.memory.lift();
+  }
+
+  const double dt_ms = std::min(static_cast<double>(input.elapsed_us) * 1e-3, scene.guard.late_ms);
+  if (state.guard.fault != Fault::none) {
+    // The proxy stays; after re-arming it walks to wherever the device is by then.
+    out.proxy_mm = first ? device : state.proxy;
+    out.faulted = true;
+    state.cut_valid = false;
+    state.memory.lift();
+    state.velocity = Vec3(0.0);
+    guarded(scene.guard, state.guard, Vec3(0.0), dt_ms);
+    if (!first) state.device = device;
+    state.last = out;
+    return out;
+  }
+
+  if (first) {
+    state.started = true;
+    state.device = device;
+    state.last.burr = out.burr;
+    state.proxy = first_pose(state, device, scene.tool_axis);
+  }
+  const bool cut = input.cutting();
+  if (state.surface) {
+    step_surface(state, device, scene.tool_axis, cut, dt_ms * 1e-3, out);
+  } else {
+    step_occupancy(state, device, cut, dt_ms * 1e-3, out);
+  }
+  out.proxy_mm = state.proxy;
+  out.force_n = guarded(scene.guard, state.guard, out.force_raw_n, dt_ms);
+  out.faulted = state.guard.fault != Fault::none;
+  state.device = device;
+  state.last = out;
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,138 @@
+// One tick of the surface method: contact, the cut pose, contact again in the field that the cut left.
+// Design, "Removal"; facts: contact trials, "Cutting tick".
+#include <cmath>
+
+#include "engine/removal/carve.h"
+#include "engine/removal/wear.h"
+#include "engine/step/state.h"
+
+namespace cusp {
+
+namespace {
+
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+constexpr double kTieMm = 0.005;        // the cut pose stays this close to the proxy
+constexpr double kLongestCarveMm = 0.2; // a longer sweep is only the advance: the burr flew, it did not cut there
+constexpr double kShallowTauMm = 0.005;
+constexpr double kLeastTauMm = 0.0002;
+constexpr double kFrictionSpeed = 2.0;  // mm/s at which the Coulomb force is whole
+
+/// Stiffness and the tissue that carries most of it, over the planes that hold the pose.
+double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcept {
+  double weight = 0.0, sum = 0.0, heaviest = -1.0;
+  for (int a = 0; a < contact.active; ++a) {
+    const double w = contact.weight[a] > 1e-12 ? contact.weight[a] : 1e-12;
+    weight += w;
+    sum += w * scene.tissues[index_of(contact.tissue[a])].stiffness_n_per_mm;
+    if (w > heaviest) {
+      heaviest = w;
+      most = contact.tissue[a];
+    }
+  }
+  return weight > 0.0 ? sum / weight : 0.0;
+}
+
+}  // namespace
+
+void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, StepOutput& out) noexcept {
+  const Scene& scene = *state.scene;
+  const Burr& burr = scene.burrs[out.burr];
+  SurfaceContact& surface = *state.surface;
+  const double reach = 1.1 * length_of(device - state.device) + 0.004;
+  const Vec3 before = state.proxy;
+
+  Contact contact = surface.solve(state.volume, burr, axis, state.proxy, device, reach, &state.memory);
+  out.infeasible = contact.infeasible;
+  out.overflow = contact.overflow;
+  const Vec3 slid = contact.pose_mm - state.proxy;
+  state.proxy = contact.pose_mm;
+  Tissue touched = Tissue::empty;
+  double stiffness = blended(scene, contact, touched);
+  const double push = length_of(device - state.proxy);
+
+  if (cut && contact.active > 0 && push > 1e-6 && !contact.deferred) {
+    const double alpha = wear_coefficient(push, stiffness, scene.full_force_n);
+    const Vec3 aim_from = state.cut_valid ? state.cut_pose + slid : state.proxy;
+    const Vec3 old_pose = state.cut_valid ? state.cut_pose : state.proxy;
+    Vec3 pose = aim_from;
+    // Tied to the proxy: bias must not add up.
+    const Vec3 off = pose - state.proxy;
+    const double apart = length_of(off);
+    if (apart > kTieMm) pose = state.proxy + off * (kTieMm / apart);
+
+    Vec3 to_device = device - pose;
+    double gap = length_of(to_device);
+    Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
+    const double own = scene.tissues[index_of(touched)].speed_mm_s;
+    double advance = alpha * front_speed(state.volume, scene, pose, burr.radius_mm, direction, own) * dt_s;
+    if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
+
+    // Sliding: a burr that moves this far in a tick may stand only so deep, if nothing recedes faster than it wears.
+    const double slide = length_of(slid);
+    if (slide > 1e-6 && advance > 0.0) {
+      const double ratio = advance / slide;
+      const double tau = 0.5 * burr.radius_mm * ratio * ratio;
+      if (tau < kShallowTauMm) {
+        Vec3 out_pose;
+        const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
+        if (surface.push_out(state.volume, pose, burr.radius_mm - shallow, out_pose)) {
+          pose = out_pose;
+        } else {
+          pose = state.proxy;
+          advance = 0.0;
+        }
+        to_device = device - pose;
+        gap = length_of(to_device);
+        direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
+      }
+    }
+    if (advance > gap) advance = gap;
+    const Vec3 next = pose + direction * advance;
+    if (advance > 0.0) {
+      const bool whole = state.cut_valid && length_of(next - old_pose) <= kLongestCarveMm;
+      const Vec3 from = whole ? old_pose : pose;
+      const Carved carved = carve_sweep(state.volume, from, next, burr.radius_mm);
+      if (carved.any) surface.cut_surface().changed(state.volume, carved.low, carved.high);
+      out.overflow = out.overflow || carved.overflow;
+      out.cutting = carved.any;
+      if (!state.cut_valid) state.memory.lift();
+      state.memory.add(from, next, burr.radius_mm);
+      out.advance_mm = advance;
+    }
+    state.cut_pose = next;
+    state.cut_valid = true;
+
+    contact = surface.solve(state.volume, burr, axis, state.proxy, device, advance + 0.004, &state.memory);
+    out.infeasible = out.infeasible || contact.infeasible;
+    out.overflow = out.overflow || contact.overflow;
+    state.proxy = contact.pose_mm;
+    if (contact.active > 0) stiffness = blended(scene, contact, touched);
+  } else if (!cut || contact.active == 0) {
+    state.cut_valid = false;
+    state.memory.lift();
+  }
+
+  out.deferred = contact.deferred;
+  out.shank = contact.shank;
+  const Vec3 spring = state.proxy - device;
+  out.contact = contact.active > 0 && length_of(spring) > 1e-6;
+  if (!out.contact) {
+    state.velocity = Vec3(0.0);
+    return;
+  }
+  out.tissue = touched;
+  out.stiffness_n_per_mm = stiffness;
+  out.force_raw_n = stiffness * spring;
+  if (scene.friction && dt_s > 0.0) {
+    // Coulomb, regularised by the proxy's own speed: at rest it holds nothing, so it cannot feed energy.
+    state.velocity = (state.proxy - before) / dt_s;
+    const double speed = length_of(state.velocity);
+    if (speed > 1e-9) {
+      const double whole = speed < kFrictionSpeed ? speed / kFrictionSpeed : 1.0;
+      out.force_raw_n -= state.velocity * (scene.friction_coefficient * stiffness * length_of(spring) * whole / speed);
+    }
+  }
+}
+
+}  // namespace cusp
