@@ -57,6 +57,8 @@ class Replay {
   Process process_;
   std::vector<Observer*> observers_;
   std::vector<std::uint32_t> shown_revision_;
+  bool whole_ = true;   // every tick from the first on was run
+  bool shown_ = false;
 };
 
 /// What stands in the database of a session: grade and final volume, without running it again. An interrupted one without

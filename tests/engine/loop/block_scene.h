@@ -1,0 +1,108 @@
+/// A small block of plastic with its face at z = 0, and a hand that drills and slides in it: enough for everything that
+/// runs the step without caring what is cut.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "engine/base/haptic_port.h"
+#include "engine/step/step.h"
+
+namespace cusp::test {
+
+/// 4 x 4 x 3 mm of plastic under z = 0, voxels of 0.1 mm, padded by four.
+inline VoxelVolume block_volume() {
+  Grid grid;
+  grid.size = {48, 48, 38};
+  grid.voxel_mm = 0.1;
+  grid.origin_mm = {-2.35, -2.35, -3.35};
+  VoxelVolume block(grid);
+  for (int z = 0; z < grid.size.z; ++z)
+    for (int y = 0; y < grid.size.y; ++y)
+      for (int x = 0; x < grid.size.x; ++x) {
+        const Vec3 at = grid.centre_mm({x, y, z});
+        const double d = std::max({std::abs(at.x) - 2.0, std::abs(at.y) - 2.0, at.z, -3.0 - at.z});
+        const std::size_t i = grid.index({x, y, z});
+        block.s[i] = solid_from_distance(d / grid.voxel_mm);
+        if (block.s[i] > 0) block.tissue[i] = Tissue::plastic;
+      }
+  return block;
+}
+
+inline std::shared_ptr<const Scene> block_scene(Method method = Method::surface) {
+  auto scene = std::make_shared<Scene>();
+  scene->specimen = Specimen::build(block_volume(), reading_of(method));
+  scene->method = method;
+  scene->tissues[index_of(Tissue::plastic)] = {1.0, 2.0};
+  Burr small;
+  small.radius_mm = 0.4;
+  small.neck_radius_mm = 0.25;
+  scene->burrs = {Burr{}, small};
+  scene->guard.ramp_in_ms = 10;
+  return scene;
+}
+
+/// The hand after `tick` milliseconds: down at 5 mm/s until it pushes 0.3 mm deep, then it drills and circles.
+inline Sample drilling_sample(std::uint64_t tick) {
+  const double t = static_cast<double>(tick) * 1e-3;
+  Sample sample;
+  sample.status = Sample::Status::fresh;
+  const double down = std::max(1.0 - 5.0 * t, 0.2 - 0.4 * std::max(0.0, t - 0.16));
+  sample.position_mm = {0.6 * std::sin(4.0 * t), 0.6 - 0.6 * std::cos(4.0 * t), std::max(down, -1.0)};
+  sample.buttons = t > 0.2 ? StepInput::kCut : 0;
+  return sample;
+}
+
+/// A port that plays drilling_sample(): one sample a wait(), without sleeping or with, `gone` after the last.
+class DrillingPort final : public HapticPort {
+ public:
+  explicit DrillingPort(std::uint64_t ticks, bool sleeps = false) : ticks_(ticks), sleeps_(sleeps) {}
+  Result<void, PortFailure> open() override { return {}; }
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    if (sleeps_) std::this_thread::sleep_until(deadline);
+    if (gone_.load() || at_ >= ticks_) return {};
+    return drilling_sample(at_++);
+  }
+  void write(const Feedback& feedback) noexcept override {
+    last_force_n_.store(glm::length(feedback.force_n));
+    peak_force_n_.store(std::max(peak_force_n_.load(), glm::length(feedback.force_n)));
+    writes_.fetch_add(1);
+  }
+  DeviceLimits limits() const override {
+    DeviceLimits limits;
+    limits.name = "Test hand";
+    limits.device_class = "scripted";
+    return limits;
+  }
+  void close() noexcept override {}
+
+  void lose(bool gone) noexcept { gone_.store(gone); }
+  double last_force_n() const noexcept { return last_force_n_.load(); }
+  double peak_force_n() const noexcept { return peak_force_n_.load(); }
+  std::uint64_t writes() const noexcept { return writes_.load(); }
+
+ private:
+  std::uint64_t ticks_;
+  bool sleeps_;
+  std::uint64_t at_ = 0;
+  std::atomic<bool> gone_{false};
+  std::atomic<double> last_force_n_{0}, peak_force_n_{0};
+  std::atomic<std::uint64_t> writes_{0};
+};
+
+/// Waits for progress, never for a time that a slow machine would miss: up to a minute.
+template <class Condition>
+bool eventually(Condition&& condition) {
+  for (int i = 0; i < 60'000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+}  // namespace cusp::test

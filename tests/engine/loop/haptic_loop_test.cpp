@@ -1,0 +1,204 @@
+#include "engine/loop/haptic_loop.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/loop/block_scene.h"
+
+namespace cusp {
+namespace {
+
+using test::DrillingPort;
+using test::eventually;
+
+LoopSettings quiet() {
+  LoopSettings settings;
+  settings.ask_realtime = false;
+  return settings;
+}
+
+std::vector<StepInput> drain(HandOver& hand_over) {
+  std::vector<StepInput> inputs;
+  StepInput input;
+  while (hand_over.inputs.pop(input)) inputs.push_back(input);
+  return inputs;
+}
+
+TEST(VirtualLoop, RunsEachSampleOnceAndEndsWithThePort) {
+  DrillingPort port(500);
+  VirtualLoop loop(port, StepState(test::block_scene()));
+  EXPECT_EQ(loop.run(10'000), 500u);
+  EXPECT_EQ(loop.hand_over().end.load(), LoopEnd::port_over);
+  EXPECT_EQ(loop.state().last().tick, 500u);
+  EXPECT_EQ(loop.state().last().elapsed_us, 500'000u);
+  EXPECT_EQ(drain(loop.hand_over()).size(), 500u);
+}
+
+TEST(VirtualLoop, WhatItStoredRebuildsItsStateBitForBit) {
+  const auto scene = test::block_scene();
+  DrillingPort port(1500);
+  VirtualLoop loop(port, StepState(scene));
+  loop.run(1500);
+  StepState again(scene);
+  for (const StepInput& input : drain(loop.hand_over())) step(again, input);
+  EXPECT_EQ(again.hash(), loop.state().hash());
+  EXPECT_GT(loop.state().volume().cut_bricks().size(), 0u) << "the hand must have cut, or the test shows nothing";
+}
+
+TEST(VirtualLoop, AskedForTheLengthOfEachTickItTakesThat) {
+  DrillingPort port(10);
+  VirtualLoop loop(port, StepState(test::block_scene()));
+  loop.take_elapsed_from([] { return 1500u; });
+  loop.run(10);
+  EXPECT_EQ(loop.state().last().elapsed_us, 15'000u);
+}
+
+TEST(VirtualLoop, AFullRingEndsItAndNoStepIsMissingFromTheRecord) {
+  DrillingPort port(10'000);
+  LoopSettings settings = quiet();
+  settings.ring_inputs = 256;
+  VirtualLoop loop(port, StepState(test::block_scene()), settings);
+  EXPECT_EQ(loop.run(10'000), 256u);
+  EXPECT_EQ(loop.hand_over().end.load(), LoopEnd::ring_full);
+  EXPECT_EQ(loop.state().last().tick, 256u);
+  EXPECT_EQ(port.last_force_n(), 0.0) << "the force goes to zero first";
+  EXPECT_EQ(drain(loop.hand_over()).size(), 256u);
+}
+
+TEST(VirtualLoop, WarnsAtThreeQuartersOfTheRing) {
+  DrillingPort port(10'000);
+  LoopSettings settings = quiet();
+  settings.ring_inputs = 256;
+  VirtualLoop loop(port, StepState(test::block_scene()), settings);
+  loop.run(190);
+  EXPECT_FALSE(loop.hand_over().latest.read().ring_warning);
+  loop.run(2);
+  EXPECT_TRUE(loop.hand_over().latest.read().ring_warning);
+}
+
+TEST(Ticker, PausedItGivesNoForceAndStoresNothing) {
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  for (std::uint64_t i = 0; i < 300; ++i) ticker.tick(test::drilling_sample(i), 1000);
+  ASSERT_GT(glm::length(ticker.tick(test::drilling_sample(300), 1000).force_n), 0.0);
+  const auto stored = hand_over.inputs.size();
+  ticker.pause();
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(glm::length(ticker.tick(test::drilling_sample(300), 1000).force_n), 0.0);
+  EXPECT_EQ(hand_over.inputs.size(), stored);
+  EXPECT_EQ(hand_over.phase.load(), LoopPhase::paused);
+  ticker.resume();
+  ticker.tick(test::drilling_sample(300), 1000);
+  EXPECT_EQ(hand_over.phase.load(), LoopPhase::running);
+  EXPECT_EQ(hand_over.inputs.size(), stored + 1);
+}
+
+TEST(Ticker, ALostDeviceHoldsWithZeroForceUntilResumed) {
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  for (std::uint64_t i = 0; i < 300; ++i) ticker.tick(test::drilling_sample(i), 1000);
+  EXPECT_EQ(glm::length(ticker.tick({}, 1000).force_n), 0.0);
+  EXPECT_EQ(hand_over.phase.load(), LoopPhase::held);
+  EXPECT_EQ(hand_over.latest.read().fault, Fault::gone);
+  EXPECT_EQ(hand_over.latest.read().device, Sample::Status::gone);
+  const auto stored = hand_over.inputs.size();
+  ticker.tick(test::drilling_sample(300), 1000);
+  EXPECT_EQ(hand_over.inputs.size(), stored) << "the clock stands still while held";
+  ticker.resume();
+  ticker.tick(test::drilling_sample(300), 1000);
+  EXPECT_EQ(hand_over.phase.load(), LoopPhase::running);
+  EXPECT_EQ(hand_over.latest.read().fault, Fault::none);
+}
+
+TEST(Ticker, TheLaterChoiceOfABurrWins) {
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  const auto burr_after = [&](Sample sample) {
+    ticker.tick(sample, 1000);
+    return hand_over.latest.read().output.burr;
+  };
+  Sample sample = test::drilling_sample(0);
+  EXPECT_EQ(burr_after(sample), 0);
+  ticker.change_burr(1);
+  EXPECT_EQ(burr_after(sample), 1);
+  EXPECT_EQ(burr_after(sample), 1) << "a port that goes on saying 0 does not take it back";
+  sample.burr = 1;
+  burr_after(sample);
+  sample.burr = 0;
+  EXPECT_EQ(burr_after(sample), 0) << "a port that changes its mind does";
+  ticker.change_burr(9);
+  EXPECT_EQ(burr_after(sample), 0) << "an instrument that the scene lacks is not taken";
+}
+
+TEST(HapticLoop, AtItsEndTheLastForceIsZeroAndItsRecordRebuildsIt) {
+  const auto scene = test::block_scene();
+  DrillingPort port(1u << 30, true);
+  HapticLoop loop(port, StepState(scene), quiet());
+  loop.start();
+  ASSERT_TRUE(eventually([&] { return port.peak_force_n() > 0.0 && loop.hand_over().ticks.load() > 300; }));
+  loop.stop();
+  EXPECT_EQ(port.last_force_n(), 0.0);
+  EXPECT_EQ(loop.hand_over().end.load(), LoopEnd::asked);
+  StepState again(scene);
+  for (const StepInput& input : drain(loop.hand_over())) step(again, input);
+  EXPECT_EQ(again.hash(), loop.state().hash());
+  EXPECT_EQ(loop.times().ticks, again.last().tick);
+}
+
+TEST(HapticLoop, ALostDeviceKeepsThePaceAndComesBack) {
+  DrillingPort port(1u << 30, false);  // answers at once when lost: the loop itself must sleep
+  port.lose(true);
+  HapticLoop loop(port, StepState(test::block_scene()), quiet());
+  loop.start();
+  ASSERT_TRUE(eventually([&] { return loop.hand_over().phase.load() == LoopPhase::held; }));
+  const auto before = port.writes();
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_TRUE(eventually([&] { return port.writes() >= before + 20; }));
+  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(18)) << "it must not spin";
+  port.lose(false);
+  loop.resume();
+  EXPECT_TRUE(eventually([&] { return loop.hand_over().phase.load() == LoopPhase::running; }));
+  loop.stop();
+}
+
+TEST(HapticLoop, TheLatestValueIsNeverTorn) {
+  DrillingPort port(1u << 30, true);
+  LoopSettings settings = quiet();
+  settings.period = std::chrono::microseconds(100);
+  HapticLoop loop(port, StepState(test::block_scene()), settings);
+  loop.start();
+  std::uint64_t last = 0, seen = 0;
+  ASSERT_TRUE(eventually([&] {
+    for (int i = 0; i < 100; ++i) {
+      const LoopLatest& latest = loop.hand_over().latest.read();
+      const std::uint64_t tick = latest.output.tick;
+      if (tick == 0) continue;
+      // Sample i is stepped as tick i + 1: every field of one value belongs to one tick.
+      const Vec3 expected = quantise(test::drilling_sample(tick - 1), 1000, {}).position_mm();
+      if (latest.output.device_mm != expected || tick < last) return true;
+      if (tick != last) ++seen;
+      last = tick;
+    }
+    return seen > 300;
+  }));
+  loop.stop();
+  EXPECT_GT(seen, 300u);
+}
+
+TEST(TimeHistogram, PercentilesLieWithinABucketOfTheTruth) {
+  TimeHistogram histogram;
+  for (std::uint64_t us = 1; us <= 1000; ++us) histogram.add_ns(us * 1000);
+  EXPECT_EQ(histogram.count(), 1000u);
+  EXPECT_NEAR(histogram.percentile_us(0.5), 500.0, 500.0 * 0.032 + 0.1);
+  EXPECT_NEAR(histogram.percentile_us(0.99), 990.0, 990.0 * 0.032 + 0.1);
+  EXPECT_DOUBLE_EQ(histogram.max_us(), 1000.0);
+}
+
+TEST(TimeHistogram, AnEmptyOneSaysZeroAndAHugeOneKeepsItsMaximum) {
+  TimeHistogram histogram;
+  EXPECT_EQ(histogram.percentile_us(0.5), 0.0);
+  histogram.add_ns(3'600'000'000'000);
+  EXPECT_DOUBLE_EQ(histogram.max_us(), 3.6e9);
+  EXPECT_GT(histogram.percentile_us(0.5), 1e6);
+}
+
+}  // namespace
+}  // namespace cusp

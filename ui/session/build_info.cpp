@@ -1,0 +1,7 @@
+#include "ui/session/build_info.h"
+
+namespace cusp {
+
+std::string build_info() { return "cusp " CUSP_VERSION; }
+
+}  // namespace cusp

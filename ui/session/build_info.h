@@ -1,0 +1,10 @@
+/// Version and commit of this program, as stored with a session.
+#pragma once
+
+#include <string>
+
+namespace cusp {
+
+std::string build_info();
+
+}  // namespace cusp

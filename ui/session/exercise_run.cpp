@@ -1,0 +1,185 @@
+#include "ui/session/exercise_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "engine/loop/haptic_loop.h"
+#include "ui/session/run_follower.h"
+#include "ui/session/run_setup.h"
+
+namespace cusp {
+
+struct ExerciseRun::Inner {
+  Inner(RunPlan p, RunSetup s, HapticPort& device_port) : plan(std::move(p)), setup(std::move(s)), port(device_port) {}
+
+  RunPlan plan;
+  RunSetup setup;
+  HapticPort& port;
+  std::unique_ptr<Recorder> recorder;
+  std::unique_ptr<HapticLoop> loop;
+  std::unique_ptr<Mirror> mirror;
+  std::unique_ptr<RunFollower> follower;
+  std::unique_ptr<Store> store;  // back from the recorder, once all is written
+  bool stopped = false, over = false;
+
+  // For ticks_per_s; the window's thread only.
+  std::chrono::steady_clock::time_point rate_at{};
+  std::uint64_t rate_ticks = 0;
+  double ticks_per_s = 0;
+
+  /// Loop, then mirror: every input of the loop is worked through.
+  void stop() {
+    if (stopped) return;
+    stopped = true;
+    loop->stop();
+    mirror->stop();
+    port.close();
+  }
+  RunEnd end() const {
+    if (loop->hand_over().end.load() == LoopEnd::ring_full) return RunEnd::recorder_full;
+    const double limit = plan.scenario.time_limit_s;
+    return limit > 0 && follower->process().time_s() >= limit ? RunEnd::time_limit : RunEnd::student;
+  }
+};
+
+ExerciseRun::ExerciseRun(std::unique_ptr<Inner> inner) : inner_(std::move(inner)) {}
+
+ExerciseRun::~ExerciseRun() {
+  if (inner_) abandon();
+}
+
+Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& port) {
+  if (auto opened = port.open(); !opened) return run_fail(RunError::device, opened.error());
+  auto setup = set_up(plan, port.limits());
+  if (!setup) {
+    port.close();
+    return std::unexpected(setup.error());
+  }
+  auto inner = std::make_unique<Inner>(std::move(plan), std::move(*setup), port);
+  Inner& run = *inner;
+  if (run.setup.store) {
+    run.recorder = std::make_unique<Recorder>(std::move(run.setup.store), run.setup.session, Recorder::Writing::on_a_thread);
+  }
+  run.follower = std::make_unique<RunFollower>(run.setup.reference, *run.setup.mirror_start, run.recorder.get(),
+                                               run.setup.process, [&run] { run.loop->pause(); });
+  run.loop = std::make_unique<HapticLoop>(port, std::move(*run.setup.loop_start));
+  run.mirror = std::make_unique<Mirror>(std::move(*run.setup.mirror_start), run.loop->hand_over());
+  run.setup.loop_start.reset();
+  run.setup.mirror_start.reset();
+  run.mirror->add(*run.follower);
+  for (Observer* observer : run.plan.observers) run.mirror->add(*observer);
+  run.rate_at = std::chrono::steady_clock::now();
+  run.mirror->start();
+  run.loop->start();
+  return std::unique_ptr<ExerciseRun>(new ExerciseRun(std::move(inner)));
+}
+
+void ExerciseRun::pause() { inner_->loop->pause(); }
+
+void ExerciseRun::resume() {
+  if (inner_->recorder && inner_->recorder->state() == RecordingState::failed) inner_->recorder->retry();
+  inner_->loop->resume();
+}
+
+void ExerciseRun::change_burr(std::size_t index) {
+  if (index < inner_->setup.scene->burrs.size()) inner_->loop->change_burr(static_cast<std::uint16_t>(index));
+}
+
+Run<RunResult> ExerciseRun::finish() {
+  Inner& run = *inner_;
+  if (run.over) return run_fail(RunError::wrong_state, run.setup.session.text());
+  run.stop();
+  if (run.recorder) {
+    if (run.recorder->state() == RecordingState::failed) run.recorder->retry();
+    if (!run.recorder->drain()) {
+      const auto failure = run.recorder->failure();
+      return failure ? run_fail(RunError::recording_failed, *failure)
+                     : run_fail(RunError::recording_failed, run.plan.database.string());
+    }
+    run.store = run.recorder->take_store();
+    run.recorder.reset();
+  }
+  const bool differs = run.mirror->mismatch() || run.loop->state().hash() != run.mirror->state().hash();
+  if (differs) {
+    run.over = true;
+    const auto mismatch = run.mirror->mismatch();
+    const std::uint64_t tick = mismatch ? mismatch->tick : run.mirror->ticks();
+    // Kept as it was recorded, for whoever looks into it; a grade of it would be of a volume that nobody felt.
+    if (run.store) static_cast<void>(run.store->sessions.interrupt(run.setup.session, "not_deterministic"));
+    return run_fail(RunError::not_deterministic, std::to_string(tick));
+  }
+  auto result = conclude(run.plan, run.setup, run.store.get(), run.mirror->state(), run.follower->process(), run.end());
+  if (result || result.error().code != RunError::recording_failed) run.over = true;
+  return result;
+}
+
+void ExerciseRun::abandon() {
+  Inner& run = *inner_;
+  run.stop();
+  if (run.over) return;
+  run.over = true;
+  if (run.recorder) {
+    run.recorder->drain();
+    run.store = run.recorder->take_store();
+    run.recorder.reset();
+  }
+  // Where even this cannot be written, the session is marked when the database is opened next.
+  if (run.store) static_cast<void>(run.store->sessions.interrupt(run.setup.session, "left"));
+  run.store.reset();
+}
+
+LiveView ExerciseRun::view() const {
+  Inner& run = *inner_;
+  LiveView view;
+  const LoopLatest& latest = run.loop->hand_over().latest.read();
+  view.output = latest.output;
+  view.orientation = latest.orientation;
+  view.phase = latest.phase;
+  view.end = latest.end;
+  view.fault = latest.fault;
+  view.device = latest.device;
+  view.ring_warning = latest.ring_warning;
+  view.push_n = glm::length(latest.output.force_raw_n);
+  view.seconds = static_cast<double>(latest.output.elapsed_us) * 1e-6;
+
+  const FollowedView followed = run.follower->view();
+  const LiveReading& scores = followed.scores;
+  const auto over = [&scores](Place place) { return scores.overcut_mm3[static_cast<std::size_t>(place)]; };
+  view.shown_tick = followed.tick;
+  view.target_removed_percent = scores.target_measured ? scores.target_removed : 0.0;
+  view.over_leeway_mm3 = over(Place::leeway_floor) + over(Place::leeway_side);
+  view.over_beyond_mm3 = over(Place::beyond_floor) + over(Place::beyond_side);
+  view.removed_mm3 = scores.removed_mm3;
+  view.depth_mm = followed.deepest_mm;
+  view.over_pulp_mm = scores.remaining_over_pulp_mm;
+  view.pulp_exposed = scores.removed_mm3[index_of(Tissue::pulp)] > 0;
+  view.peak_push_n = followed.peak_push_n;
+  const auto& burrs = run.setup.scene->burrs;
+  const Burr& burr = burrs[std::min<std::size_t>(latest.output.burr, burrs.size() - 1)];
+  view.burr_depth_mm = run.setup.reference->shape().top_mm() - (latest.output.proxy_mm.z - burr.radius_mm);
+
+  if (run.recorder) {
+    view.recording = run.recorder->state();
+    if (const auto failure = run.recorder->failure()) view.recording_where = failure->where;
+  }
+  view.mismatch = run.mirror->mismatch();
+  view.loop = run.loop->times();
+  view.grant = run.loop->grant();
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> since = now - run.rate_at;
+  if (since.count() >= 1.0) {
+    run.ticks_per_s = static_cast<double>(view.loop.ticks - run.rate_ticks) / since.count();
+    run.rate_ticks = view.loop.ticks;
+    run.rate_at = now;
+  }
+  view.ticks_per_s = run.ticks_per_s;
+  return view;
+}
+
+SessionId ExerciseRun::session() const { return inner_->setup.session; }
+const Scenario& ExerciseRun::scenario() const { return inner_->plan.scenario; }
+const std::shared_ptr<const Scene>& ExerciseRun::scene() const { return inner_->setup.scene; }
+const std::shared_ptr<const Reference>& ExerciseRun::reference() const { return inner_->setup.reference; }
+DeviceLimits ExerciseRun::device() const { return inner_->setup.device; }
+
+}  // namespace cusp

@@ -1,0 +1,68 @@
+#include "ui/session/play_through.h"
+
+#include "engine/loop/haptic_loop.h"
+#include "ui/session/run_follower.h"
+#include "ui/session/run_setup.h"
+
+namespace cusp {
+
+Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& settings) {
+  if (auto opened = port.open(); !opened) return run_fail(RunError::device, opened.error());
+  auto made = set_up(plan, port.limits());
+  if (!made) {
+    port.close();
+    return std::unexpected(made.error());
+  }
+  RunSetup setup = std::move(*made);
+  std::unique_ptr<Recorder> recorder;
+  if (setup.store) {
+    recorder = std::make_unique<Recorder>(std::move(setup.store), setup.session, Recorder::Writing::at_once);
+  }
+  RunFollower follower(setup.reference, *setup.mirror_start, recorder.get(), setup.process, {});
+  VirtualLoop loop(port, std::move(*setup.loop_start));
+  if (settings.elapsed_us) loop.take_elapsed_from(settings.elapsed_us);
+  MirrorSettings mirror_settings;
+  mirror_settings.show_every_us = settings.show_every_us;
+  Mirror mirror(std::move(*setup.mirror_start), loop.hand_over(), mirror_settings);
+  mirror.add(follower);
+  for (Observer* observer : plan.observers) mirror.add(*observer);
+
+  RunEnd end = RunEnd::script;
+  // Short turns: the record on the disk is never far behind what was played, and the ring never fills.
+  constexpr std::uint64_t kTurn = 250;
+  std::uint64_t asked_at_s = 0;
+  while (loop.run(kTurn) == kTurn) {
+    mirror.pump();
+    if (recorder && recorder->state() == RecordingState::failed) break;
+    const std::uint64_t elapsed = mirror.state().last().elapsed_us;
+    if (settings.go_on && elapsed / 1'000'000 > asked_at_s) {
+      asked_at_s = elapsed / 1'000'000;
+      if (!settings.go_on(elapsed)) {
+        end = RunEnd::stopped;
+        break;
+      }
+    }
+  }
+  loop.ticker().end(LoopEnd::asked);
+  mirror.finish();
+  port.close();
+
+  std::unique_ptr<Store> store;
+  if (recorder) {
+    if (!recorder->drain()) {
+      const auto failure = recorder->failure();
+      store = recorder->take_store();
+      if (store) static_cast<void>(store->sessions.interrupt(setup.session, "recording_failed"));
+      return failure ? run_fail(RunError::recording_failed, *failure)
+                     : run_fail(RunError::recording_failed, plan.database.string());
+    }
+    store = recorder->take_store();
+  }
+  if (const auto mismatch = mirror.mismatch(); mismatch || loop.state().hash() != mirror.state().hash()) {
+    if (store) static_cast<void>(store->sessions.interrupt(setup.session, "not_deterministic"));
+    return run_fail(RunError::not_deterministic, std::to_string(mismatch ? mismatch->tick : mirror.ticks()));
+  }
+  return conclude(plan, setup, store.get(), mirror.state(), follower.process(), end);
+}
+
+}  // namespace cusp

@@ -1,0 +1,68 @@
+/// Follows a go on the mirror's thread: keeps the live scores, cuts the inputs into seconds for the recorder, and copies
+/// what panels show under a mutex that the loop never takes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "engine/mirror/mirror.h"
+#include "scenarios/metrics/live.h"
+#include "scenarios/metrics/process.h"
+#include "ui/session/recorder.h"
+
+namespace cusp {
+
+/// The mirror's part of LiveView.
+struct FollowedView {
+  std::uint64_t tick = 0, elapsed_us = 0;
+  LiveReading scores;
+  double deepest_mm = 0;
+  double peak_push_n = 0;
+};
+
+class RunFollower final : public MirrorObserver {
+ public:
+  /// `recorder` null: nothing is kept. `process`: of the part before, when a session goes on.
+  /// `hold` is called when the record cannot be written: no session goes on without one.
+  RunFollower(std::shared_ptr<const Reference> reference, const StepState& start, Recorder* recorder,
+              const Process& process, std::function<void()> hold);
+
+  void on_tick(const StepInput& input, const StepState& after) override;
+  void on_state(const StepState& state, const StateNews& news) override;
+
+  /// Any thread.
+  FollowedView view() const;
+  /// After the mirror has stopped.
+  const Process& process() const noexcept { return process_; }
+
+ private:
+  void update_scores(const StepState& state);
+  void flush(const StepState& after);
+  std::vector<RemovedTissue> removed() const;
+
+  std::shared_ptr<const Reference> reference_;
+  Recorder* recorder_;
+  std::function<void()> hold_;
+  LiveMetrics live_;
+  Process process_;
+  double deepest_mm_ = 0;
+
+  std::vector<std::uint32_t> seen_revision_;  // [brick]
+  std::vector<std::int32_t> changed_;
+  std::map<std::int32_t, std::array<std::uint32_t, kTissueCodes>> gone_voxels_;  // [brick][tissue]
+  std::array<std::uint64_t, kTissueCodes> gone_total_{};
+
+  RecordedSecond second_;
+  std::uint64_t next_second_us_, next_key_us_;
+  double impulse_n_us_ = 0;
+  std::uint64_t contact_us_ = 0;
+
+  mutable std::mutex mutex_;
+  FollowedView view_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,190 @@
+#include "ui/session/run_setup.h"
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/grading/grader.h"
+#include "scenarios/metrics/measure.h"
+#include "ui/session/build_info.h"
+#include "ui/session/replay.h"
+#include "ui/session/scene_builder.h"
+#include "ui/session/specimen_blob.h"
+
+namespace cusp {
+
+namespace {
+
+Run<std::vector<std::byte>> bytes_of_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<char> chars{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in.good() && !in.eof()) {
+    return run_fail(RunError::specimen, Failure<ImportError>{ImportError::io, file.string(), {}});
+  }
+  const auto* data = reinterpret_cast<const std::byte*>(chars.data());
+  return std::vector<std::byte>(data, data + chars.size());
+}
+
+/// The version that this go is of: the one that the plan names, or the scenario's own, published at need.
+Run<VersionId> version_of(const RunPlan& plan, Store& store) {
+  if (!plan.version.is_nil()) return plan.version;
+  std::map<std::string, std::vector<std::byte>> beside;
+  std::map<std::string, Hash256> files;
+  if (plan.scenario.specimen.generator.empty()) {
+    const std::string& name = plan.scenario.specimen.volume;
+    auto bytes = bytes_of_file(plan.scenario_folder / name);
+    if (!bytes) return std::unexpected(bytes.error());
+    auto kept = store.blobs.put(*bytes);
+    if (!kept) return run_fail(RunError::storage, kept.error());
+    files[name] = *kept;
+    beside[name] = std::move(*bytes);
+  }
+  auto version = store.scenarios.ensure(plan.scenario, canonical_json(plan.scenario),
+                                        content_hash(plan.scenario, beside).bytes, files);
+  if (!version) return run_fail(RunError::storage, version.error());
+  return version->id;
+}
+
+Run<void> go_on(RunPlan& plan, RunSetup& setup) {
+  auto opened = open_session(*setup.store, plan.go_on);
+  if (!opened) return std::unexpected(opened.error());
+  if (opened->session.student != plan.student.id) {
+    return run_fail(RunError::storage, Failure<StorageError>{StorageError::not_allowed, "drill", {}});
+  }
+  if (opened->session.header.device.device_class != setup.device.device_class) {
+    return run_fail(RunError::device_class, setup.device.device_class);
+  }
+  plan.scenario = opened->scenario;
+  plan.specimen = opened->scene->specimen;
+  setup.device = opened->session.header.device;
+  setup.scene = opened->scene;
+  auto replay = Replay::open(*setup.store, std::move(*opened));
+  if (!replay) return std::unexpected(replay.error());
+  if (auto done = replay->to(UINT64_MAX, true); !done) return std::unexpected(done.error());
+  setup.process = replay->process();
+  const auto bytes = replay->state().save();
+  setup.loop_start = StepState::restore(setup.scene, bytes);
+  setup.mirror_start = StepState::restore(setup.scene, bytes);
+  setup.reference = std::make_shared<const Reference>(plan.scenario, plan.specimen);
+  if (auto resumed = setup.store->sessions.resume(plan.go_on, "student"); !resumed) {
+    return run_fail(RunError::storage, resumed.error());
+  }
+  setup.session = plan.go_on;
+  return {};
+}
+
+}  // namespace
+
+Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device) {
+  RunSetup setup;
+  setup.device = device;
+  if (!plan.database.empty()) {
+    auto store = Store::open(plan.database);
+    if (!store) return run_fail(RunError::storage, store.error());
+    setup.store = std::move(*store);
+  }
+  if (!plan.go_on.is_nil()) {
+    if (!setup.store) return run_fail(RunError::wrong_state, plan.go_on.text());
+    if (auto done = go_on(plan, setup); !done) return std::unexpected(done.error());
+    return setup;
+  }
+
+  if (!plan.specimen) {
+    auto specimen = build_specimen(plan.scenario, plan.scenario_folder);
+    if (!specimen) return std::unexpected(specimen.error());
+    plan.specimen = std::move(*specimen);
+  }
+  auto scene = build_scene(plan.scenario, plan.specimen, device);
+  if (!scene) return std::unexpected(scene.error());
+  setup.scene = std::move(*scene);
+  setup.reference = std::make_shared<const Reference>(plan.scenario, plan.specimen);
+  setup.loop_start.emplace(setup.scene);
+  setup.mirror_start.emplace(setup.scene);
+  if (!setup.store) return setup;
+
+  auto version = version_of(plan, *setup.store);
+  if (!version) return std::unexpected(version.error());
+  auto blob = setup.store->blobs.put(specimen_bytes(plan.specimen->dense()));
+  if (!blob) return run_fail(RunError::storage, blob.error());
+  NewSession row;
+  row.student = plan.student.id;
+  row.version = *version;
+  row.kind = plan.kind;
+  row.assignment = plan.assignment;
+  row.hand = plan.hand;
+  row.header.build = build_info();
+  row.header.device = device;
+  row.header.guard = setup.scene->guard;
+  row.header.specimen_hash = plan.specimen->hash();
+  row.header.specimen_blob = *blob;
+  nlohmann::json account;
+  account["method"] = std::string(key_of(setup.scene->method));
+  account["friction"] = setup.scene->friction;
+  account["full_force_n"] = setup.scene->full_force_n;
+  row.header.scene = account.dump();
+  auto session = setup.store->sessions.start(plan.student, row);
+  if (!session) return run_fail(RunError::storage, session.error());
+  setup.session = session->id;
+  return setup;
+}
+
+std::string_view key_of(RunEnd end) noexcept {
+  switch (end) {
+    case RunEnd::student: return "student";
+    case RunEnd::time_limit: return "time_limit";
+    case RunEnd::script: return "script";
+    case RunEnd::recorder_full: return "recorder_full";
+    case RunEnd::stopped: return "stopped";
+  }
+  return "stopped";
+}
+
+Hash256 rubric_hash(const Rubric& rubric) {
+  Scenario only;
+  only.rubric = rubric;
+  const auto json = nlohmann::json::parse(canonical_json(only), nullptr, false);
+  // Sorted keys and the shortest numbers, as canonical JSON of the whole: a part of it is canonical again.
+  return blake2b_256(json.is_object() && json.contains("rubric") ? json["rubric"].dump() : std::string());
+}
+
+Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store, const StepState& state,
+                        const Process& process, RunEnd end) {
+  RunResult result;
+  result.session = setup.session;
+  result.scenario = plan.scenario;
+  result.volume = std::make_shared<const Volume>(state.volume());
+  result.volume_hash = state.volume().hash();
+  result.seconds = process.time_s();
+  result.device = setup.device;
+  result.hand = plan.hand;
+  result.state = interrupts(end) ? SessionState::interrupted : SessionState::graded;
+  result.measures = measure(*setup.reference, *result.volume, process);
+  result.grade = grade(plan.scenario, result.measures);
+  if (!store) return result;
+
+  const FinalVolume volume{result.volume->save_cuts(), result.volume_hash, state.last().tick};
+  const std::string reason(key_of(end));
+  const auto now = store->sessions.state(setup.session);
+  if (!now) return run_fail(RunError::recording_failed, now.error());
+  // A second try after a full disk finds the session where the first left it.
+  if (*now == SessionState::running) {
+    if (interrupts(end)) {
+      if (auto done = store->sessions.interrupt(setup.session, reason); !done) {
+        return run_fail(RunError::recording_failed, done.error());
+      }
+      if (auto done = store->traces.save_final_volume(setup.session, volume); !done) {
+        return run_fail(RunError::recording_failed, done.error());
+      }
+    } else if (auto done = store->sessions.finish(setup.session, volume, reason); !done) {
+      return run_fail(RunError::recording_failed, done.error());
+    }
+  }
+  if (auto done = store->grades.save(setup.session, result.grade, rubric_hash(plan.scenario.rubric)); !done) {
+    return run_fail(RunError::recording_failed, done.error());
+  }
+  return result;
+}
+
+}  // namespace cusp

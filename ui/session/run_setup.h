@@ -1,0 +1,45 @@
+/// The beginning and the end that a live go and a scripted one share: scene, rows, recorder; then final volume and grade.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/step/step.h"
+#include "scenarios/metrics/process.h"
+#include "storage/store.h"
+#include "ui/session/exercise_run.h"
+
+namespace cusp {
+
+struct RunSetup {
+  DeviceLimits device;
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Reference> reference;
+  std::unique_ptr<Store> store;          // null: nothing is kept
+  SessionId session;
+  std::optional<StepState> loop_start, mirror_start;
+  Process process;                       // of the part before, when a session goes on
+};
+
+/// `plan` gets its specimen. No row is written before everything else has succeeded.
+Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device);
+
+/// Why a go is over; the key is the reason stored with the event.
+enum class RunEnd : std::uint8_t {
+  student,         // finished by hand
+  time_limit,      // finished, the scenario's time was used
+  script,          // finished, the hand had nothing more to do
+  recorder_full,   // interrupted: inputs were not taken off in time
+  stopped,         // interrupted from outside
+};
+std::string_view key_of(RunEnd end) noexcept;
+constexpr bool interrupts(RunEnd end) noexcept { return end == RunEnd::recorder_full || end == RunEnd::stopped; }
+
+/// Grades the volume and, with a store, writes final volume, event and grade. Measured before anything is written.
+Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store, const StepState& state,
+                        const Process& process, RunEnd end);
+
+/// Of the rubric's canonical JSON, as stored beside a grade.
+Hash256 rubric_hash(const Rubric& rubric);
+
+}  // namespace cusp

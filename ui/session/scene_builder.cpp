@@ -1,0 +1,97 @@
+#include "ui/session/scene_builder.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scenarios/specimens.h"
+
+namespace cusp {
+
+namespace {
+
+// The scene is part of what a replay must have to the bit, and libm's sine differs between processors: the series does
+// not. Error below 1e-16 for a quarter turn.
+struct SineCosine {
+  double sine, cosine;
+};
+SineCosine sine_cosine(double degrees) noexcept {
+  const double x = std::clamp(degrees, -90.0, 90.0) * (3.141592653589793 / 180.0);
+  double sine = 0, cosine = 0, term = 1;
+  for (int n = 0; n < 28; ++n) {
+    const bool even = n % 2 == 0;
+    const double sign = (n / 2) % 2 == 0 ? 1.0 : -1.0;
+    (even ? cosine : sine) += sign * term;
+    term = term * x / static_cast<double>(n + 1);
+  }
+  return {sine, cosine};
+}
+
+std::array<bool, kTissueCodes> tissues_in(const Specimen& specimen) {
+  std::array<bool, kTissueCodes> there{};
+  const IVec3 n = specimen.brick_count();
+  for (int b = 0; b < n.x * n.y * n.z; ++b) {
+    const int last = specimen.uniform(b) ? 1 : kBrickVoxels;
+    for (int o = 0; o < last; ++o) there[index_of(specimen.tissue_in(b, o))] = true;
+  }
+  there[index_of(Tissue::empty)] = false;
+  return there;
+}
+
+}  // namespace
+
+Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder) {
+  auto dense = make_specimen(scenario.specimen, folder);
+  if (!dense) return run_fail(RunError::specimen, dense.error());
+  return Specimen::build(*dense, reading_of(scenario.method));
+}
+
+Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
+                                              const DeviceLimits& device) {
+  GuardSettings guard;
+  guard.limit_n = device.max_force_n;
+  return build_scene(scenario, std::move(specimen), device, guard);
+}
+
+Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
+                                              const DeviceLimits& device, const GuardSettings& guard) {
+  const auto& admitted = scenario.device.admitted;
+  const bool scripted = device.device_class == "scripted";  // a script may play every exercise; its results stay apart
+  if (!scripted && !admitted.empty() && std::find(admitted.begin(), admitted.end(), device.device_class) == admitted.end()) {
+    return run_fail(RunError::device_class, device.device_class);
+  }
+  if (scenario.instruments.empty()) return run_fail(RunError::scene, "/instruments");
+
+  auto scene = std::make_shared<Scene>();
+  scene->method = scenario.method;
+  std::array<bool, kTissueCodes> described{};
+  for (std::size_t i = 0; i < scenario.tissues.size(); ++i) {
+    const ScenarioTissue& tissue = scenario.tissues[i];
+    const std::string where = "/tissues/" + std::to_string(i);
+    const bool stiff = tissue.stiffness_n_per_mm > 0.0 && tissue.stiffness_n_per_mm <= 20.0;
+    if (!stiff || index_of(tissue.tissue) >= kTissueCodes) return run_fail(RunError::scene, where);
+    if (!(tissue.speed_mm_s >= 0.0)) return run_fail(RunError::scene, where);
+    scene->tissues[index_of(tissue.tissue)] = {std::min(tissue.stiffness_n_per_mm, device.max_stiffness_n_per_mm),
+                                               tissue.speed_mm_s};
+    described[index_of(tissue.tissue)] = true;
+  }
+  const auto there = tissues_in(*specimen);
+  for (std::size_t t = 0; t < kTissueCodes; ++t) {
+    if (there[t] && !described[t]) {
+      return run_fail(RunError::scene, "/tissues", t < kTissueKeys.size() ? std::string(kTissueKeys[t]) : std::to_string(t));
+    }
+  }
+  for (std::size_t i = 0; i < scenario.instruments.size(); ++i) {
+    if (!(scenario.instruments[i].radius_mm > 0.0)) return run_fail(RunError::scene, "/instruments/" + std::to_string(i));
+  }
+  if (!(scenario.device.full_force_n > 0.0)) return run_fail(RunError::scene, "/device/full_force_n");
+  scene->specimen = std::move(specimen);
+  scene->burrs = scenario.instruments;
+  const SineCosine tilt = sine_cosine(scenario.tool_tilt_deg);
+  scene->tool_axis = {0.0, tilt.sine, tilt.cosine};
+  scene->full_force_n = scenario.device.full_force_n;
+  scene->friction = std::find(scenario.phenomena.begin(), scenario.phenomena.end(), "friction") != scenario.phenomena.end();
+  scene->guard = guard;
+  return scene;
+}
+
+}  // namespace cusp
