@@ -148,7 +148,7 @@ class Builder {
     const IVec3 at = lattice_.corner + lattice_.step * cell;
     if (!(lattice_.step == 1 ? surface_point(volume_, at, p) : coarse_point(volume_, at, p))) return kNone;
     slot = static_cast<std::uint16_t>(out_.vertices.size());
-    out_.vertices.push_back({Vec3f(p.point_mm), Vec3f(p.normal), p.tissue, p.cut, 0.0f});
+    out_.vertices.push_back({Vec3f(p.point_mm), Vec3f(p.normal), p.tissue, p.cut});
     return slot;
   }
 

@@ -15,7 +15,6 @@ struct PatchVertex {
   Vec3f normal{0.0f};       // unit, out of the tissue
   Tissue tissue = Tissue::empty;
   bool cut = false;         // left by a burr
-  float value = 0.0f;       // free for colouring (deviation from the target, mm); 0 from build_patch
 };
 
 /// How dense a patch is: cells of one voxel, or of two for what lies outside the region of interest.
