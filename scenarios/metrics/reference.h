@@ -2,8 +2,8 @@
 /// pulp. Built once an exercise, shared by the live scores and the final measures. Immutable; any thread.
 #pragma once
 
+#include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "engine/volume/specimen.h"
@@ -11,6 +11,11 @@
 #include "scenarios/shapes/leeway.h"
 
 namespace cusp {
+
+/// How well the surface of a cut is known, in voxels, one-sided (measured: README, "Uncertainty").
+inline constexpr double kBandedSigmaVoxels = 0.01;  // as a mean over a face
+inline constexpr double kBandedPointVoxels = 0.1;   // at one place, which may be a ridge between two passes
+inline constexpr double kFilledSigmaVoxels = 0.5;   // a voxel stands until the last of it is worn
 
 /// The pulp's outermost voxels, for the distance from a cut to it. The pulp is known to a voxel, as all tissues are.
 class PulpIndex {
@@ -45,8 +50,8 @@ class Reference {
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
   bool has(Tissue tissue) const noexcept { return present_[index_of(tissue)]; }
-  /// How well the surface of a cut is known, mm, one-sided (README, "Uncertainty").
-  double surface_sigma_mm() const noexcept;
+  double surface_sigma_mm() const noexcept;  // of a face's mean place
+  double point_sigma_mm() const noexcept;    // of one place
 
  private:
   std::shared_ptr<const Specimen> specimen_;

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <limits>
-#include <map>
+#include <vector>
 
 #include "engine/volume/volume.h"
 #include "scenarios/metrics/reference.h"

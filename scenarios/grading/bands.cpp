@@ -1,0 +1,40 @@
+#include "scenarios/grading/bands.h"
+
+#include <cmath>
+
+namespace cusp {
+
+namespace {
+
+/// Between two edges: share `at_a` at a, `at_b` at b.
+double between(double value, double a, double b, double at_a, double at_b) noexcept {
+  return at_a + (at_b - at_a) * (value - a) / (b - a);
+}
+
+}  // namespace
+
+double share_of_points(const Bands& bands, double value) noexcept {
+  if (!std::isfinite(value)) return 0.0;
+  if (value >= bands.ideal_lo && value <= bands.ideal_hi) return 1.0;
+  if (value < bands.ideal_lo) {
+    if (value >= bands.acc_lo) return between(value, bands.acc_lo, bands.ideal_lo, 0.5, 1.0);
+    if (value > bands.fail_lo) return between(value, bands.fail_lo, bands.acc_lo, 0.0, 0.5);
+    return 0.0;
+  }
+  if (value <= bands.acc_hi) return between(value, bands.ideal_hi, bands.acc_hi, 1.0, 0.5);
+  if (value < bands.fail_hi) return between(value, bands.acc_hi, bands.fail_hi, 0.5, 0.0);
+  return 0.0;
+}
+
+std::string_view band_of(const Bands& bands, double value, double uncertainty) noexcept {
+  const bool open_low = !(bands.fail_lo == bands.acc_lo && bands.acc_lo == bands.ideal_lo);
+  const bool open_high = !(bands.fail_hi == bands.acc_hi && bands.acc_hi == bands.ideal_hi);
+  const auto near = [&](double edge) { return std::fabs(value - edge) < uncertainty; };
+  if (open_low && (near(bands.acc_lo) || near(bands.ideal_lo))) return "borderline";
+  if (open_high && (near(bands.acc_hi) || near(bands.ideal_hi))) return "borderline";
+  if (value >= bands.ideal_lo && value <= bands.ideal_hi) return "ideal";
+  if (value >= bands.acc_lo && value <= bands.acc_hi) return "acceptable";
+  return "fail";
+}
+
+}  // namespace cusp

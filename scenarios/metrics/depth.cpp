@@ -1,0 +1,147 @@
+#include "scenarios/metrics/depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/volume/cell_field.h"
+
+namespace cusp {
+
+namespace {
+
+struct Floor {
+  double z_mm;
+  bool cut;      // left by a burr
+  double level;  // cosine of its lean
+};
+
+/// Looks down one column of a banded volume; x, y in voxels.
+class BandedColumn {
+ public:
+  explicit BandedColumn(const Volume& volume) : volume_(volume) {}
+
+  std::optional<Floor> look(double x, double y) {
+    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+    const double fx = x - i, fy = y - j;
+    for (int k = volume_.grid().size.z - 1; k >= 0; --k) {
+      if (!may_be_solid(i, j, k)) continue;
+      if (solid(Field::base, i, j, k, fx, fy) >= 0.0 || solid(Field::cut, i, j, k, fx, fy) >= 0.0) continue;
+      return refine({i, j, k}, fx, fy);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool may_be_solid(int i, int j, int k) const noexcept {
+    for (int c = 0; c < 4; ++c)
+      if (volume_.s({i + (c & 1), j + (c >> 1), k}) > 0) return true;
+    return false;
+  }
+  /// Bilinear distance at a height of voxel centres: negative where there is material.
+  double solid(Field field, int i, int j, int k, double fx, double fy) const noexcept {
+    const double a = field_sample(volume_, field, {i, j, k});
+    const double b = field_sample(volume_, field, {i + 1, j, k});
+    const double c = field_sample(volume_, field, {i, j + 1, k});
+    const double d = field_sample(volume_, field, {i + 1, j + 1, k});
+    return (1.0 - fy) * ((1.0 - fx) * a + fx * b) + fy * ((1.0 - fx) * c + fx * d);
+  }
+  /// The surface above voxel height k, on the corrected fields.
+  Floor refine(IVec3 cell, double fx, double fy) {
+    base_.load(volume_, Field::base, cell);
+    cut_.load(volume_, Field::cut, cell);
+    Vec3 g;
+    const auto outside = [&](double z) {
+      return std::max(base_.eval({fx, fy, z}, g), cut_.eval({fx, fy, z}, g));
+    };
+    // The corrected field may cross a little beyond the bilinear one's heights.
+    double low = outside(0.0) < 0.0 ? 0.0 : -0.3;
+    double high = outside(1.0) >= 0.0 ? 1.0 : 1.3;
+    for (int pass = 0; pass < 40; ++pass) {
+      const double middle = 0.5 * (low + high);
+      (outside(middle) < 0.0 ? low : high) = middle;
+    }
+    const double z = 0.5 * (low + high);
+    const double base = base_.eval({fx, fy, z}, g);
+    Vec3 up;
+    const double cut = cut_.eval({fx, fy, z}, up);
+    const double length = glm::length(up);
+    const Grid& grid = volume_.grid();
+    return {grid.origin_mm.z + grid.voxel_mm * (cell.z + z), cut >= base, length > 0.25 ? up.z / length : 0.0};
+  }
+
+  const Volume& volume_;
+  CellField base_, cut_;
+};
+
+/// The same of a filled volume: the top face of the highest voxel.
+class FilledColumn {
+ public:
+  explicit FilledColumn(const Volume& volume) : volume_(volume) {}
+
+  std::optional<Floor> look(double x, double y) {
+    const int i = static_cast<int>(std::floor(x + 0.5)), j = static_cast<int>(std::floor(y + 0.5));
+    const int k = top(i, j);
+    if (k < 0) return std::nullopt;
+    const double slope_x = 0.5 * (top(i + 1, j) - top(i - 1, j));
+    const double slope_y = 0.5 * (top(i, j + 1) - top(i, j - 1));
+    const Grid& grid = volume_.grid();
+    return Floor{grid.origin_mm.z + grid.voxel_mm * (k + 0.5), volume_.specimen().s({i, j, k + 1}) > 0,
+                 1.0 / std::sqrt(1.0 + slope_x * slope_x + slope_y * slope_y)};
+  }
+
+ private:
+  int top(int i, int j) const noexcept {
+    int k = volume_.grid().size.z - 1;
+    while (k >= 0 && !volume_.occupied({i, j, k})) --k;
+    return k;
+  }
+  const Volume& volume_;
+};
+
+template <class Column>
+std::optional<FloorDepth> over_outline(const Reference& reference, const Volume& volume, Column column) {
+  const TargetShape& shape = reference.shape();
+  const Grid& grid = volume.grid();
+  const double step = 0.5 * grid.voxel_mm;
+  // Half a step more than the inset, so that a slot as wide as the burr, whose floor is a line, keeps its columns.
+  const double inset = shape.corner_mm() - 0.5 * step;
+  constexpr double kLevel = 0.70710678;  // 45 degrees
+  FloorDepth out;
+  double sum = 0;
+  const int nx = static_cast<int>(std::floor((shape.high().x - shape.low().x) / step));
+  const int ny = static_cast<int>(std::floor((shape.high().y - shape.low().y) / step));
+  const Vec2 first = 0.5 * (shape.low() + shape.high() - step * Vec2(nx, ny));
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) {
+      const Vec2 p = first + step * Vec2(i, j);
+      if (shape.outline_mm(p) > -inset) continue;
+      const std::optional<Floor> floor =
+          column.look((p.x - grid.origin_mm.x) / grid.voxel_mm, (p.y - grid.origin_mm.y) / grid.voxel_mm);
+      if (!floor || !floor->cut || floor->level < kLevel) continue;
+      const double depth = shape.top_mm() - floor->z_mm;
+      const Vec3 at(p.x, p.y, floor->z_mm);
+      if (out.samples == 0 || depth < out.least_mm) {
+        out.least_mm = depth;
+        out.least_at_mm = at;
+      }
+      if (out.samples == 0 || depth > out.most_mm) {
+        out.most_mm = depth;
+        out.most_at_mm = at;
+      }
+      sum += depth;
+      ++out.samples;
+    }
+  if (out.samples == 0) return std::nullopt;
+  out.mean_mm = sum / static_cast<double>(out.samples);
+  return out;
+}
+
+}  // namespace
+
+std::optional<FloorDepth> floor_depth(const Reference& reference, const Volume& volume) {
+  if (reference.shape().empty() || volume.cut_bricks().empty()) return std::nullopt;
+  return volume.specimen().reading() == Reading::filled ? over_outline(reference, volume, FilledColumn(volume))
+                                                        : over_outline(reference, volume, BandedColumn(volume));
+}
+
+}  // namespace cusp

@@ -1,0 +1,111 @@
+#include "scenarios/metrics/reference.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scenarios/metrics/place_sink.h"
+
+namespace cusp {
+
+namespace {
+
+/// Adds up what lies in the target.
+class TargetSum final : public PlaceSink {
+ public:
+  using PlaceSink::PlaceSink;
+  double mm3 = 0;
+  void face(const std::array<Vec3, 3>&, double, Tissue) override {}
+
+ private:
+  void solid(Place place, double volume, Tissue) override {
+    if (place == Place::target) mm3 += volume;
+  }
+};
+
+double box_gap_squared(Vec3 p, Vec3 low, Vec3 high) noexcept {
+  const Vec3 off = glm::max(glm::max(low - p, p - high), Vec3(0.0));
+  return glm::dot(off, off);
+}
+
+}  // namespace
+
+PulpIndex::PulpIndex(const Specimen& specimen) : grid_(specimen.grid()) {
+  const IVec3 bricks = specimen.brick_count();
+  const auto is_pulp = [&](IVec3 v) {
+    return specimen.tissue(v) == Tissue::pulp &&
+           (specimen.reading() == Reading::filled ? specimen.s(v) > 0 : specimen.s(v) >= kHalf);
+  };
+  for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
+    if (specimen.uniform(b) && specimen.tissue_in(b, 0) != Tissue::pulp) continue;
+    const IVec3 corner = specimen.brick_at(b) * kBrickEdge;
+    Bin bin{Vec3(0.0), Vec3(0.0), voxels_.size(), voxels_.size()};
+    IVec3 low = corner + kBrickEdge, high = corner;
+    for (int o = 0; o < kBrickVoxels; ++o) {
+      const IVec3 v = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
+      if (!is_pulp(v)) continue;
+      bool outermost = false;
+      for (int axis = 0; axis < 3; ++axis)
+        for (int step = -1; step <= 1; step += 2) {
+          IVec3 next = v;
+          next[axis] += step;
+          outermost = outermost || !is_pulp(next);
+        }
+      if (!outermost) continue;
+      voxels_.push_back(v);
+      low = glm::min(low, v);
+      high = glm::max(high, v);
+    }
+    bin.last = voxels_.size();
+    if (bin.last == bin.first) continue;
+    bin.low = grid_.centre_mm(low) - 0.5 * grid_.voxel_mm;
+    bin.high = grid_.centre_mm(high) + 0.5 * grid_.voxel_mm;
+    bins_.push_back(bin);
+  }
+}
+
+double PulpIndex::distance_mm(Vec3 p, double at_most_mm) const noexcept {
+  double best = at_most_mm * at_most_mm;
+  for (const Bin& bin : bins_) {
+    if (box_gap_squared(p, bin.low, bin.high) >= best) continue;
+    for (std::size_t i = bin.first; i < bin.last; ++i) {
+      const Vec3 centre = grid_.centre_mm(voxels_[i]);
+      best = std::min(best, box_gap_squared(p, centre - 0.5 * grid_.voxel_mm, centre + 0.5 * grid_.voxel_mm));
+    }
+  }
+  return std::sqrt(best);
+}
+
+Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
+    : specimen_(std::move(specimen)), shape_(scenario.target), leeway_(scenario.leeway), pulp_(*specimen_) {
+  for (const ScenarioTissue& t : scenario.tissues) tissues_.push_back(t.tissue);
+  const Grid& grid = specimen_->grid();
+  const IVec3 bricks = specimen_->brick_count();
+  const double reach = grid.voxel_mm;  // cells and voxels stand up to one voxel out of their brick
+  TargetSum sum(shape_, leeway_);
+  for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
+    if (specimen_->uniform(b)) {
+      present_[index_of(specimen_->tissue_in(b, 0))] = true;
+    } else {
+      for (int o = 0; o < kBrickVoxels; ++o)
+        if (specimen_->s_in(b, o) >= kHalf) present_[index_of(specimen_->tissue_in(b, o))] = true;
+    }
+    const Vec3 low = grid.centre_mm(specimen_->brick_at(b) * kBrickEdge) - reach;
+    const Vec3 high = low + kBrickEdge * grid.voxel_mm + 2.0 * reach;
+    if (shape_.empty() || high.z < shape_.floor_mm() || high.x < shape_.low().x || high.y < shape_.low().y ||
+        low.x > shape_.high().x || low.y > shape_.high().y)
+      continue;
+    base_pieces(*specimen_, b, sum);
+  }
+  present_[index_of(Tissue::empty)] = false;
+  target_mm3_ = sum.mm3;
+}
+
+double Reference::surface_sigma_mm() const noexcept {
+  return (specimen_->reading() == Reading::filled ? kFilledSigmaVoxels : kBandedSigmaVoxels) * specimen_->grid().voxel_mm;
+}
+double Reference::point_sigma_mm() const noexcept {
+  return (specimen_->reading() == Reading::filled ? kFilledSigmaVoxels : kBandedPointVoxels) * specimen_->grid().voxel_mm;
+}
+
+}  // namespace cusp

@@ -1,0 +1,127 @@
+#include "scenarios/metrics/region_shares.h"
+
+#include <algorithm>
+
+#include "scenarios/metrics/place_sink.h"
+
+namespace cusp {
+
+namespace {
+
+class ShareSink final : public PlaceSink {
+ public:
+  ShareSink(const Reference& reference, RegionShares& shares)
+      : PlaceSink(reference.shape(), reference.leeway()), reference_(reference), shares_(shares) {}
+
+  void cell(Vec3 low, Vec3 high) override {
+    PlaceSink::cell(low, high);
+    pulp_asked_ = false;
+    pulp_near_ = false;
+  }
+  void face(const std::array<Vec3, 3>& corners, double mm2, Tissue tissue) override {
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    double d = 0;
+    const auto place = static_cast<std::size_t>(place_at(middle, d));
+    shares_.cut_face_mm2[place] += mm2;
+    shares_.tissue_face_mm2[index_of(tissue)] += mm2;
+    if (d > shares_.worst[place].mm) shares_.worst[place] = {d, middle};
+    if (!reference_.pulp().empty()) pulp(corners);
+  }
+
+ private:
+  void solid(Place place, double mm3, Tissue tissue) override {
+    shares_.removed_mm3[static_cast<std::size_t>(place)] += mm3;
+    shares_.tissue_mm3[index_of(tissue)] += mm3;
+  }
+  /// The faces of a cell are looked at only where the cell can hold a nearer place than the one known.
+  void pulp(const std::array<Vec3, 3>& corners) {
+    if (!pulp_asked_) {
+      pulp_asked_ = true;
+      const double reach = 0.8661 * (high_.x - low_.x);
+      const double limit = shares_.pulp_mm + reach;
+      pulp_near_ = reference_.pulp().distance_mm(0.5 * (low_ + high_), limit) < limit;
+    }
+    if (!pulp_near_) return;
+    for (const Vec3& p : corners) {
+      const double mm = reference_.pulp().distance_mm(p, shares_.pulp_mm);
+      if (mm < shares_.pulp_mm) {
+        shares_.pulp_mm = mm;
+        shares_.pulp_at_mm = p;
+      }
+    }
+  }
+
+  const Reference& reference_;
+  RegionShares& shares_;
+  bool pulp_asked_ = false, pulp_near_ = false;
+};
+
+/// Removed border between tissues: it is known to a voxel only, which the uncertainty owns up to.
+void add_seams(const Volume& volume, int brick, RegionShares& shares) {
+  const Specimen& specimen = volume.specimen();
+  if (specimen.uniform(brick) || !volume.has_cut(brick)) return;
+  const double mm2 = specimen.grid().voxel_mm * specimen.grid().voxel_mm;
+  const IVec3 corner = specimen.brick_at(brick) * kBrickEdge;
+  const bool filled = specimen.reading() == Reading::filled;
+  const auto gone = [&](IVec3 v) {
+    const bool was = filled ? specimen.s(v) > 0 : specimen.s(v) >= kHalf;
+    return was && !volume.occupied(v);
+  };
+  for (int o = 0; o < kBrickVoxels; ++o) {
+    const IVec3 v = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
+    if (!gone(v)) continue;
+    const Tissue here = specimen.tissue(v);
+    for (int axis = 0; axis < 3; ++axis) {
+      IVec3 next = v;
+      next[axis] += 1;
+      const Tissue there = specimen.tissue(next);
+      if (there == here || !gone(next)) continue;
+      shares.tissue_seam_mm2[index_of(here)] += mm2;
+      shares.tissue_seam_mm2[index_of(there)] += mm2;
+    }
+  }
+}
+
+}  // namespace
+
+void RegionShares::add(const RegionShares& other) noexcept {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(kPlaces); ++i) {
+    removed_mm3[i] += other.removed_mm3[i];
+    cut_face_mm2[i] += other.cut_face_mm2[i];
+    if (other.worst[i].mm > worst[i].mm) worst[i] = other.worst[i];
+  }
+  for (std::size_t i = 0; i < kTissueCodes; ++i) {
+    tissue_mm3[i] += other.tissue_mm3[i];
+    tissue_face_mm2[i] += other.tissue_face_mm2[i];
+    tissue_seam_mm2[i] += other.tissue_seam_mm2[i];
+  }
+  if (other.pulp_mm < pulp_mm) {
+    pulp_mm = other.pulp_mm;
+    pulp_at_mm = other.pulp_at_mm;
+  }
+}
+
+RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick) {
+  RegionShares shares;
+  ShareSink sink(reference, shares);
+  removed_pieces(volume, brick, sink);
+  add_seams(volume, brick, shares);
+  return shares;
+}
+
+std::vector<int> bricks_to_measure(const Volume& volume) {
+  const Specimen& specimen = volume.specimen();
+  std::vector<int> out;
+  for (const std::int32_t cut : volume.cut_bricks()) {
+    const IVec3 at = specimen.brick_at(cut);
+    for (int i = 0; i < 8; ++i) {
+      const int b = specimen.brick_index(at - IVec3(i & 1, i >> 1 & 1, i >> 2));
+      if (b >= 0) out.push_back(b);
+    }
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+}  // namespace cusp
