@@ -34,7 +34,6 @@ class ToothView : public QWidget {
 
   void set_lines(std::vector<OverlayLine> lines);
   void set_colouring(Colouring colouring);
-  void set_leeway(double mm);
   void set_target_shown(bool on);
   void set_burr(const std::optional<BurrPose>& burr);
   /// Takes away what lies before the image's plane and closes it with the image; nullopt: whole tooth.

@@ -16,7 +16,7 @@ struct PackedVertex {
   std::uint8_t tissue;
   std::uint8_t cut;        // 255 where a burr left the surface, else 0
   std::uint8_t ambient;    // light that reaches the place from around, 0 to 255
-  std::uint8_t unused;
+  std::uint8_t beyond;     // 255 where a burr went further than the leeway allows, else 0
   float value;             // mm from the target: above 0 cut too far, below 0 left standing
 };
 static_assert(sizeof(PackedVertex) == 28);
@@ -36,8 +36,13 @@ struct BakedPatch {
   }
 };
 
-/// Deviation of a place from the target, mm; `cut` tells whether a burr left the surface there.
-using DeviationAt = std::function<float(Vec3 mm, bool cut)>;
+/// How a place of the surface stands to the target.
+struct Deviation {
+  float mm = 0.0f;      // above 0 cut too far, below 0 left standing, 0 where nothing was to be done
+  bool beyond = false;  // cut further than the leeway allows
+};
+/// `cut` tells whether a burr left the surface there.
+using DeviationAt = std::function<Deviation(Vec3 mm, bool cut)>;
 
 /// Packs a patch. `with_seam` keeps the triangles under the upper neighbours. `deviation` may be empty.
 BakedPatch bake_patch(const Volume& volume, const Patch& patch, bool with_seam, const DeviationAt& deviation);

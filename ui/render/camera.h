@@ -27,8 +27,8 @@ class Camera {
   void orbit(double yaw, double pitch) noexcept;
   /// Factor above 1 comes nearer. The distance stays within 0.15 and 8 times the first one.
   void zoom(double factor) noexcept;
-  /// Moves the centre in the view's plane by pixels of a view `height_px` high.
-  void pan(double dx_px, double dy_px, double height_px) noexcept;
+  /// Moves the centre in the view's plane by pixels of a view whose shorter side has `shorter_px`.
+  void pan(double dx_px, double dy_px, double shorter_px) noexcept;
   void set_preset(PresetView view) noexcept;
   /// Dental mirror: the picture is turned left to right.
   void set_mirrored(bool on) noexcept { mirrored_ = on; }
@@ -56,8 +56,8 @@ class Camera {
   Ray ray(double x_px, double y_px, double width_px, double height_px) const noexcept;
   /// Pixel of a place; nullopt behind the eye.
   std::optional<glm::dvec2> project(Vec3 mm, double width_px, double height_px) const noexcept;
-  /// Pixels a millimetre covers at the centre.
-  double px_per_mm(double height_px) const noexcept;
+  /// Pixels a millimetre covers at the centre, in a view whose shorter side has `shorter_px`.
+  double px_per_mm(double shorter_px) const noexcept;
 
   friend bool operator==(const Camera&, const Camera&) = default;
 

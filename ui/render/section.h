@@ -33,9 +33,9 @@ struct SectionSettings {
   SectionPlane plane;
   int width = 271, height = 202;
   double mm_per_px = 0.045;
-  /// Signed distance to the target (below 0 inside) and the leeway about it; empty: none drawn.
+  /// Signed distances to the target and to the outer side of its leeway (below 0 inside); empty: none drawn.
   std::function<double(Vec3 mm)> target;
-  std::function<bool(Vec3 mm)> in_leeway;
+  std::function<double(Vec3 mm)> leeway;
   std::optional<Burr> burr;
   Vec3 pivot_mm{0.0};
   Vec3 axis{0.0, 0.0, 1.0};

@@ -34,8 +34,7 @@ struct Scene3d {
   Camera camera;
   Colour background_middle = colour_of(0xCDD4DC), background_edge = colour_of(0xAFB8C3);  // the theme's "view"
   Colouring colouring = Colouring::tissue;
-  float leeway_mm = 0.0f;                 // over-cut beyond it is hatched; 0: no hatching
-  bool show_target = true;                // tint of what is still to be removed, and the lines
+  bool show_target = true;                // tint of what is still to be removed, the lines, hatching of what went too far
   std::optional<BurrPose> burr;
   std::optional<SectionPlane> cutaway;    // what lies on the plane's front side is taken away
   float line_scale = 1.0f;                // device pixels a pixel, for the widths of lines

@@ -1,0 +1,12 @@
+# cmake -DOUT=file.cpp -P embed_shaders.cmake a.glsl b.glsl: the shaders as one table of text.
+set(rows "")
+math(EXPR last "${CMAKE_ARGC} - 1")
+foreach(i RANGE ${last})
+  set(file "${CMAKE_ARGV${i}}")
+  if(file MATCHES "\\.glsl$")
+    file(READ "${file}" text)
+    get_filename_component(name "${file}" NAME)
+    string(APPEND rows "    {\"${name}\", R\"GLSL(${text})GLSL\"},\n")
+  endif()
+endforeach()
+file(WRITE "${OUT}" "#include \"ui/render/shaders.h\"\n\nnamespace cusp {\nnamespace {\nconstexpr ShaderText kShaders[] = {\n${rows}};\n}\n\nstd::span<const ShaderText> shader_texts() noexcept { return kShaders; }\n\n}  // namespace cusp\n")

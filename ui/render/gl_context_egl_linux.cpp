@@ -1,0 +1,78 @@
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "ui/render/gl_context_egl.h"
+
+namespace cusp {
+
+std::unique_ptr<EglContext> EglContext::create(int width_px, int height_px, std::string* why) {
+  const auto give_up = [why](const char* where) {
+    if (why != nullptr) *why = where;
+    return nullptr;
+  };
+  std::unique_ptr<EglContext> out(new EglContext);
+  // Surfaceless first: it needs neither a display server nor a card.
+  EGLDisplay display = EGL_NO_DISPLAY;
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+    display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  if (display == EGL_NO_DISPLAY) display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return give_up("eglInitialize");
+  out->display_ = display;
+  if (!eglBindAPI(EGL_OPENGL_API)) return give_up("eglBindAPI");
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint found = 0;
+  if (!eglChooseConfig(display, wanted, &config, 1, &found) || found == 0) config = EGL_NO_CONFIG_KHR;
+  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
+                            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+  if (context == EGL_NO_CONTEXT) return give_up("eglCreateContext");
+  out->context_ = context;
+  if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return give_up("eglMakeCurrent");
+
+  out->width_ = width_px;
+  out->height_ = height_px;
+  glGenFramebuffers(1, &out->framebuffer_);
+  glGenRenderbuffers(1, &out->colour_);
+  glGenRenderbuffers(1, &out->depth_);
+  glBindFramebuffer(GL_FRAMEBUFFER, out->framebuffer_);
+  glBindRenderbuffer(GL_RENDERBUFFER, out->colour_);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_px, height_px);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, out->colour_);
+  glBindRenderbuffer(GL_RENDERBUFFER, out->depth_);
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width_px, height_px);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, out->depth_);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return give_up("glCheckFramebufferStatus");
+  return out;
+}
+
+EglContext::~EglContext() {
+  if (display_ == nullptr) return;
+  if (context_ != nullptr) {
+    if (framebuffer_ != 0) {
+      glDeleteFramebuffers(1, &framebuffer_);
+      glDeleteRenderbuffers(1, &colour_);
+      glDeleteRenderbuffers(1, &depth_);
+    }
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroyContext(display_, context_);
+  }
+  eglTerminate(display_);
+}
+
+std::vector<std::uint8_t> EglContext::read_rgba() const {
+  const auto row = static_cast<std::size_t>(width_) * 4;
+  std::vector<std::uint8_t> out(row * static_cast<std::size_t>(height_));
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
+  for (int y = 0; y < height_ / 2; ++y) {
+    std::swap_ranges(out.begin() + static_cast<std::ptrdiff_t>(row) * y,
+                     out.begin() + static_cast<std::ptrdiff_t>(row) * (y + 1),
+                     out.begin() + static_cast<std::ptrdiff_t>(row) * (height_ - 1 - y));
+  }
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,135 @@
+#include "ui/render/section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cusp {
+namespace {
+
+std::uint32_t packed(Colour c) {
+  const auto byte = [](float v) { return static_cast<std::uint32_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255.0f)); };
+  return byte(c.r) | byte(c.g) << 8 | byte(c.b) << 16 | byte(c.a) << 24;
+}
+
+Colour over(Colour under, Colour top, float alpha) {
+  alpha *= top.a;
+  const float a = alpha + under.a * (1 - alpha);
+  if (a <= 0) return {0, 0, 0, 0};
+  const auto mix = [&](float u, float t) { return (t * alpha + u * under.a * (1 - alpha)) / a; };
+  return {mix(under.r, top.r), mix(under.g, top.g), mix(under.b, top.b), a};
+}
+
+/// Solid fraction between the voxels' centres, 0 to 1; for a filled volume the share of occupied corners.
+double solid_at(const Volume& volume, Vec3 p) {
+  const IVec3 cell(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
+                   static_cast<int>(std::floor(p.z)));
+  const Vec3 f = p - Vec3(cell);
+  const bool filled = volume.specimen().reading() == Reading::filled;
+  double sum = 0;
+  for (int i = 0; i < 8; ++i) {
+    const IVec3 corner(i & 1, i >> 1 & 1, i >> 2);
+    const double w = (corner.x ? f.x : 1 - f.x) * (corner.y ? f.y : 1 - f.y) * (corner.z ? f.z : 1 - f.z);
+    const IVec3 v = cell + corner;
+    sum += w * (filled ? (volume.occupied(v) ? 1.0 : 0.0) : volume.s(v) / 65535.0);
+  }
+  return sum;
+}
+
+/// A field of the plane, asked at every fourth pixel and interpolated: a distance changes slowly.
+class PlaneField {
+ public:
+  PlaneField(int width, int height, const auto& at_px, const std::function<double(Vec3)>& field) {
+    if (!field) return;
+    columns_ = width / kStep + 2;
+    const int rows = height / kStep + 2;
+    values_.reserve(static_cast<std::size_t>(columns_ * rows));
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < columns_; ++x) values_.push_back(static_cast<float>(field(at_px(x * kStep, y * kStep))));
+  }
+  bool empty() const { return values_.empty(); }
+  float at(int x, int y) const {
+    const int cx = x / kStep, cy = y / kStep;
+    const float fx = static_cast<float>(x % kStep) / kStep, fy = static_cast<float>(y % kStep) / kStep;
+    const auto v = [&](int i, int j) { return values_[static_cast<std::size_t>((cy + j) * columns_ + cx + i)]; };
+    return (v(0, 0) * (1 - fx) + v(1, 0) * fx) * (1 - fy) + (v(0, 1) * (1 - fx) + v(1, 1) * fx) * fy;
+  }
+
+ private:
+  static constexpr int kStep = 4;
+  int columns_ = 0;
+  std::vector<float> values_;
+};
+
+/// How far a place lies within the burr, mm; above 0 outside.
+double burr_distance(const Burr& burr, Vec3 from_pivot, Vec3 axis) {
+  const double along = glm::dot(from_pivot, axis);
+  const double across = glm::length(from_pivot - along * axis);
+  double d = glm::length(from_pivot) - burr.radius_mm;
+  const auto rod = [&](double low, double high, double radius) {
+    return std::max({across - radius, low - along, along - high});
+  };
+  d = std::min(d, rod(0, burr.neck_length_mm, burr.neck_radius_mm));
+  return std::min(d, rod(burr.neck_length_mm, burr.neck_length_mm + burr.shank_length_mm, burr.shank_radius_mm));
+}
+
+float line(double distance_px, double half_width_px) {
+  return static_cast<float>(std::clamp(half_width_px + 0.5 - std::abs(distance_px), 0.0, 1.0));
+}
+
+}  // namespace
+
+SectionImage draw_section(const Volume& volume, const SectionSettings& settings) {
+  SectionImage out;
+  out.width = std::max(settings.width, 1);
+  out.height = std::max(settings.height, 1);
+  out.mm_per_px = settings.mm_per_px;
+  out.plane = settings.plane;
+  out.rgba.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+
+  const Grid& grid = volume.grid();
+  const std::array<Colour, kTissueCodes> colours = tissue_colours();
+  const auto at_px = [&](int x, int y) {
+    return settings.plane.centre_mm + (x - (out.width - 1) / 2.0) * settings.mm_per_px * settings.plane.right -
+           (y - (out.height - 1) / 2.0) * settings.mm_per_px * settings.plane.up;
+  };
+  const PlaneField target(out.width, out.height, at_px, settings.target);
+  const PlaneField leeway(out.width, out.height, at_px, settings.leeway);
+  const double px_per_mm = 1.0 / settings.mm_per_px;
+  const double voxel_px = grid.voxel_mm * px_per_mm;
+
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      const Vec3 at = at_px(x, y);
+      const Vec3 p = (at - grid.origin_mm) / grid.voxel_mm;
+      const IVec3 v(static_cast<int>(std::floor(p.x + 0.5)), static_cast<int>(std::floor(p.y + 0.5)),
+                    static_cast<int>(std::floor(p.z + 0.5)));
+      double s = volume.s(v) / 65535.0;
+      if ((s > 0.0 && s < 1.0) || volume.specimen().reading() == Reading::filled) s = solid_at(volume, p);
+      // Distance to the surface in pixels, below 0 in tissue.
+      const double d_px = volume.specimen().reading() == Reading::filled ? (0.5 - s) * voxel_px * 2
+                                                                         : (0.5 - s) * 2 * kBandVoxels * voxel_px;
+      Colour c{0, 0, 0, 0};
+      if (d_px < 1.0) {
+        Colour tissue = colours[index_of(volume.tissue(v)) % kTissueCodes];
+        c = over(c, tissue, static_cast<float>(std::clamp(0.5 - d_px, 0.0, 1.0)));
+        c = over(c, settings.edge, 0.85f * line(d_px, 0.6));
+      } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) >= kHalf) {
+        c = over(c, kTargetLine, 0.10f);  // what was taken away as it should be
+      }
+      if (settings.burr) {
+        const double b_px = burr_distance(*settings.burr, at - settings.pivot_mm, settings.axis) * px_per_mm;
+        if (b_px < 1.0) {
+          c = over(c, settings.metal, static_cast<float>(std::clamp(0.5 - b_px, 0.0, 1.0)));
+          c = over(c, settings.edge, line(b_px, 0.5));
+        }
+      }
+      if (!leeway.empty() && (x + y) % 9 < 6) c = over(c, kLeewayLine, line(leeway.at(x, y) * px_per_mm, 0.6));
+      if (!target.empty()) c = over(c, kTargetLine, line(target.at(x, y) * px_per_mm, 0.9));
+      out.rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)] =
+          packed(c);
+    }
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,59 @@
+#include "ui/render/target_look.h"
+
+#include <algorithm>
+
+#include "scenarios/shapes/leeway.h"
+
+namespace cusp {
+
+namespace {
+constexpr double kRegionMarginMm = 1.5;  // a burr's radius and a wandering hand
+}
+
+TargetLook::TargetLook(const Target& target, const Leeway& leeway)
+    : shape_(std::make_shared<TargetShape>(target)), leeway_(leeway) {}
+
+DeviationAt TargetLook::deviation() const {
+  if (empty()) return {};
+  return [shape = shape_, leeway = leeway_](Vec3 mm, bool cut) {
+    const double d = shape->distance_mm(mm);
+    Deviation out;
+    if (cut || d < 0.0) out.mm = static_cast<float>(d);
+    if (cut && d > 0.0) {
+      const Place place = place_of(*shape, leeway, mm);
+      out.beyond = place == Place::beyond_floor || place == Place::beyond_side;
+    }
+    return out;
+  };
+}
+
+FeedSettings TargetLook::feed() const {
+  FeedSettings out;
+  if (empty()) return out;
+  out.deviation = deviation();
+  // Cusps above the reference plane belong to it as far as they go.
+  out.region = box(shape_->top_mm() + 10.0);
+  return out;
+}
+
+Box TargetLook::box(double highest_mm) const {
+  const double side = leeway_.side_mm + kRegionMarginMm;
+  return {Vec3(shape_->low() - side, shape_->floor_mm() - leeway_.floor_mm - kRegionMarginMm),
+          Vec3(shape_->high() + side, std::max(highest_mm, shape_->top_mm()))};
+}
+
+std::vector<OverlayLine> TargetLook::lines(const Volume& uncut) const {
+  if (empty()) return {};
+  return target_lines(uncut, [shape = shape_](Vec3 p) { return shape->outline_mm({p.x, p.y}); }, leeway_.side_mm);
+}
+
+void TargetLook::put_into(SectionSettings& section) const {
+  if (empty()) return;
+  section.target = [shape = shape_](Vec3 p) { return shape->distance_mm(p); };
+  section.leeway = [shape = shape_, leeway = leeway_](Vec3 p) {
+    const double u = shape->outline_mm({p.x, p.y}), v = shape->below_floor_mm(p.z);
+    return rounded_corner(u - leeway.side_mm, v - leeway.floor_mm, shape->corner_mm());
+  };
+}
+
+}  // namespace cusp

@@ -1,0 +1,157 @@
+#include "ui/render/tooth_picture.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "ui/render/burr_pass.h"
+#include "ui/render/gl_program.h"
+#include "ui/render/mesh_buffers.h"
+#include "ui/render/overlay_pass.h"
+#include "ui/render/tooth_pass.h"
+
+namespace cusp {
+namespace {
+
+// Everything lies within it of the camera's centre: a tooth is 25 mm long, a burr with its shank 20.
+constexpr double kReachMm = 60.0;
+
+/// Background, and the lid of a cutaway: one quad each, too small for files of their own.
+class FlatPasses {
+ public:
+  ~FlatPasses() {
+    if (array_ != 0) glDeleteVertexArrays(1, &array_);
+    if (texture_ != 0) glDeleteTextures(1, &texture_);
+  }
+  bool create(std::string& why) {
+    if (!background_.link("background", why) || !lid_.link("section", why)) return false;
+    glGenVertexArrays(1, &array_);
+    glGenTextures(1, &texture_);
+    return true;
+  }
+  void background(const Scene3d& scene) {
+    background_.use();
+    background_.set("middle", glm::vec3(scene.background_middle.r, scene.background_middle.g, scene.background_middle.b));
+    background_.set("edge", glm::vec3(scene.background_edge.r, scene.background_edge.g, scene.background_edge.b));
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(array_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+  void set_section(const SectionImage& image) {
+    plane_ = image.plane;
+    size_mm_ = image.mm_per_px * glm::dvec2(image.width, image.height);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.rgba.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  void lid(const FrameView& view) {
+    if (size_mm_.x <= 0) return;
+    lid_.use();
+    lid_.set("clip_from_world", view.clip_from_world);
+    const Vec3 right = size_mm_.x * plane_.right, up = size_mm_.y * plane_.up;
+    lid_.set("corner", glm::vec3(plane_.centre_mm - 0.5 * right + 0.5 * up));
+    lid_.set("right", glm::vec3(right));
+    lid_.set("up", glm::vec3(up));
+    lid_.set("picture", 0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glDisable(GL_CULL_FACE);
+    glBindVertexArray(array_);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+
+ private:
+  GlProgram background_, lid_;
+  GLuint array_ = 0, texture_ = 0;
+  SectionPlane plane_;
+  glm::dvec2 size_mm_{0.0};
+};
+
+}  // namespace
+
+struct ToothPicture::Inner {
+  MeshBuffers mesh;
+  ToothPass tooth;
+  OverlayPass overlay;
+  BurrPass burr;
+  FlatPasses flat;
+};
+
+ToothPicture::ToothPicture() = default;
+ToothPicture::~ToothPicture() = default;
+
+std::unique_ptr<ToothPicture> ToothPicture::create(std::string* why) {
+  std::string reason;
+  if (epoxy_gl_version() < 33) {
+    reason = "OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." + std::to_string(epoxy_gl_version() % 10);
+  } else {
+    std::unique_ptr<ToothPicture> out(new ToothPicture);
+    out->inner_ = std::make_unique<Inner>();
+    Inner& in = *out->inner_;
+    if (in.tooth.create(reason) && in.overlay.create(reason) && in.burr.create(reason) && in.flat.create(reason))
+      return out;
+  }
+  if (why != nullptr) *why = reason;
+  return nullptr;
+}
+
+void ToothPicture::put(const BakedPatch& patch) { inner_->mesh.put(patch); }
+void ToothPicture::clear() { inner_->mesh.clear(); }
+void ToothPicture::set_lines(const std::vector<OverlayLine>& lines) { inner_->overlay.set(lines); }
+void ToothPicture::set_section(const SectionImage& image) { inner_->flat.set_section(image); }
+
+DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) {
+  Inner& in = *inner_;
+  const Camera& camera = scene.camera;
+  const double aspect = static_cast<double>(width_px) / std::max(height_px, 1);
+  FrameView view;
+  view.clip_from_world = glm::mat4(camera.clip_from_world(aspect, kReachMm));
+  view.eye = glm::vec3(camera.eye_mm());
+  // The lamp moves with the eye, as a dentist's does: upper left before, a weaker one at the right.
+  const Vec3 back = -camera.forward();
+  view.key_light = glm::vec3(glm::normalize(-0.55 * camera.right() + 0.75 * camera.up() + 0.75 * back));
+  view.fill_light = glm::vec3(glm::normalize(0.9 * camera.right() + 0.05 * camera.up() + 0.45 * back));
+  view.up = glm::vec3(camera.up());
+  view.view_px = glm::vec2(width_px, height_px);
+  view.line_scale = scene.line_scale;
+
+  glViewport(0, 0, width_px, height_px);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  in.flat.background(scene);
+
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  glFrontFace(camera.mirrored() ? GL_CW : GL_CCW);
+  glm::vec4 clip(0.0f);
+  if (scene.cutaway) {
+    const Vec3 n = -scene.cutaway->normal();
+    clip = glm::vec4(glm::vec3(n), static_cast<float>(-glm::dot(n, scene.cutaway->centre_mm)));
+    glEnable(GL_CLIP_DISTANCE0);
+  }
+  const MeshBuffers::Drawn drawn = in.tooth.draw(in.mesh, view, scene, clip);
+  if (scene.cutaway) {
+    glDisable(GL_CLIP_DISTANCE0);
+    in.flat.lid(view);
+    glEnable(GL_CULL_FACE);
+  }
+  if (scene.burr) in.burr.draw(view, *scene.burr);
+  if (scene.show_target && !scene.cutaway) in.overlay.draw(view);
+  glBindVertexArray(0);
+  glUseProgram(0);
+  return {drawn.triangles, drawn.bricks};
+}
+
+}  // namespace cusp
