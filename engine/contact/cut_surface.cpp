@@ -77,14 +77,18 @@ CutFeature CutSurface::compute(const Volume& volume, IVec3 cell) noexcept {
   CellField cut;
   cut.load(volume, Field::cut, cell);
   if (!cut.crossed()) return out;
+  // Deep in the specimen its own surface is further than 2.5 voxels: nothing of it to keep.
+  bool deep = true;
+  for (int i = 0; i < 8 && deep; ++i)
+    deep = volume.specimen().s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) == kSolid;
   CellField base;
-  base.load(volume, Field::base, cell);
+  if (!deep) base.load(volume, Field::base, cell);
   const double voxel = volume.grid().voxel_mm;
   // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
   Vec3 f, n;
   if (cell_point(cut, f, n)) {
-    Vec3 g;
-    const double other = base.eval(f, g);
+    Vec3 g(0.0);
+    const double other = deep ? -kBandVoxels : base.eval(f, g);
     if (other <= 0.0) {
       out.has_point = true;
       out.point = Vec3f(f);
@@ -105,7 +109,7 @@ CutFeature CutSurface::compute(const Volume& volume, IVec3 cell) noexcept {
         out.tissue = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
     }
   }
-  if (base.crossed()) {
+  if (!deep && base.crossed()) {
     Vec3 e(0.5), gb(0.0), gc(0.0);
     bool good = true;
     for (int pass = 0; pass < 5 && good; ++pass) {

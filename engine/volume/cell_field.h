@@ -23,12 +23,16 @@ class CellField {
   /// Cell (i,j,k) lies between the voxel centres (i,j,k) and (i+1,j+1,k+1). Reads the 32 samples round it.
   void load(const Volume& volume, Field field, IVec3 cell) noexcept {
     const Specimen& specimen = volume.specimen();
-    fill(cell, [&](int b) { return field == Field::base ? specimen.s_of(b) : volume.cut_of(b); }, specimen,
-         [&](IVec3 v) { return field == Field::base ? specimen.s(v) : volume.cut(v); });
+    if (field == Field::base) return load(specimen, cell);
+    fill(cell, specimen, [&](int brick) {
+      return brick < 0 ? Source{nullptr, kSolid} : Source{volume.cut_of(brick), kSolid};
+    });
   }
   /// The base field of a specimen alone.
   void load(const Specimen& specimen, IVec3 cell) noexcept {
-    fill(cell, [&](int b) { return specimen.s_of(b); }, specimen, [&](IVec3 v) { return specimen.s(v); });
+    fill(cell, specimen, [&](int brick) {
+      return brick < 0 ? Source{nullptr, 0} : Source{specimen.s_of(brick), specimen.s_in(brick, 0)};
+    });
   }
 
   /// True when the surface d = 0 passes between the corners.
@@ -81,24 +85,37 @@ class CellField {
   }
 
  private:
-  template <class Direct, class Single>
-  void fill(IVec3 cell, Direct&& brick_values, const Specimen& specimen, Single&& single) noexcept {
+  /// Where a brick's samples stand: 512 values, or one for all.
+  struct Source {
+    const std::uint16_t* values = nullptr;
+    std::uint16_t uniform = 0;
+  };
+  template <class BrickSource>
+  void fill(IVec3 cell, const Specimen& specimen, BrickSource&& source_of) noexcept {
     const IVec3 low = cell - 1;
-    const IVec3 high = cell + 2;
-    const std::uint16_t* direct = nullptr;
-    if (low.x >> 3 == high.x >> 3 && low.y >> 3 == high.y >> 3 && low.z >> 3 == high.z >> 3) {
-      const int b = specimen.brick_index({low.x >> 3, low.y >> 3, low.z >> 3});
-      if (b >= 0) direct = brick_values(b);
+    const IVec3 first(low.x >> 3, low.y >> 3, low.z >> 3);
+    const IVec3 over((low.x & 7) > 4, (low.y & 7) > 4, (low.z & 7) > 4);  // reaches into the next brick
+    Source source[8];
+    for (int i = 0; i < 8; ++i) {
+      const IVec3 o(i & 1, i >> 1 & 1, i >> 2);
+      if (o.x > over.x || o.y > over.y || o.z > over.z) continue;
+      source[i] = source_of(specimen.brick_index(first + o));
     }
     for (int z = 0; z < 4; ++z)
-      for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x) {
-          // Corners and edges of the 4^3 block are read by no stencil.
-          const int outer = (x == 0 || x == 3) + (y == 0 || y == 3) + (z == 0 || z == 3);
-          if (outer > 1) continue;
-          const IVec3 v = low + IVec3(x, y, z);
-          at(x, y, z) = distance_from_solid(direct ? direct[brick_offset(v.x & 7, v.y & 7, v.z & 7)] : single(v));
+      for (int y = 0; y < 4; ++y) {
+        // Corners and edges of the 4^3 block are read by no stencil.
+        const bool outer_yz = z == 0 || z == 3 ? true : y == 0 || y == 3;
+        if ((z == 0 || z == 3) && (y == 0 || y == 3)) continue;
+        const int vy = (low.y & 7) + y;
+        const int vz = (low.z & 7) + z;
+        const int row = (vy >> 3) * 2 + (vz >> 3) * 4;
+        const int row_offset = (vy & 7) << 3 | (vz & 7) << 6;
+        for (int x = outer_yz ? 1 : 0; x < (outer_yz ? 3 : 4); ++x) {
+          const int vx = (low.x & 7) + x;
+          const Source& from = source[row + (vx >> 3)];
+          at(x, y, z) = distance_from_solid(from.values ? from.values[row_offset | (vx & 7)] : from.uniform);
         }
+      }
     correct();
   }
   static bool clamped(double d) noexcept { return d > kBandVoxels - 1e-4 || d < -kBandVoxels + 1e-4; }

@@ -50,7 +50,7 @@ inline std::uint16_t solid_from_distance(double d_voxels) noexcept {
 }
 /// Signed distance in voxels, negative inside; at most kBandVoxels either way (then it only bounds).
 inline double distance_from_solid(std::uint16_t s) noexcept {
-  return (0.5 - static_cast<double>(s) / 65535.0) * (2.0 * kBandVoxels);
+  return kBandVoxels - static_cast<double>(s) * (2.0 * kBandVoxels / 65535.0);
 }
 
 /// Dense specimen. tissue[z][y][x] is set wherever s > 0 (also in the outer half of the band: the nearest tissue),
