@@ -1,0 +1,190 @@
+#include "device/scripted/csv_port.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+namespace cusp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kHeader = "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n";
+
+TraceError error_of(const std::string& text, std::string* where = nullptr) {
+  const auto rows = parse_trace(text);
+  if (rows) {
+    ADD_FAILURE() << "it was accepted: " << text;
+    return TraceError::empty;
+  }
+  if (where != nullptr) *where = rows.error().where;
+  return rows.error().code;
+}
+
+std::filesystem::path file_with(const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("cusp-trace-" + std::to_string(std::random_device{}()) + ".csv");
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+TEST(CsvTrace, ReadsTheStepsOwnIntegers) {
+  const auto rows = parse_trace(std::string(kHeader) + "1000,-12345,0,2147483647,0,0,0,32767,1,65535\r\n");
+  ASSERT_TRUE(rows);
+  ASSERT_EQ(rows->size(), 1u);
+  const TraceRow row = rows->front();
+  EXPECT_EQ(row.x, -12345);
+  EXPECT_EQ(row.z, 2147483647);
+  EXPECT_EQ(row.pedal, 65535);
+  const Sample sample = sample_of(row);
+  EXPECT_EQ(sample.position_mm.x, -1.2345);  // 0.1 µm a unit
+  EXPECT_EQ(sample.orientation, Quat(1, 0, 0, 0));
+  EXPECT_EQ(sample.buttons, 1);
+}
+
+TEST(CsvTrace, TakesABurrColumnAndNoHeader) {
+  const auto rows = parse_trace("1000,0,0,0,0,0,0,32767,0,0,3\n1000,1,0,0,0,0,0,32767,0,0,4");
+  ASSERT_TRUE(rows);
+  ASSERT_EQ(rows->size(), 2u);
+  EXPECT_EQ(rows->at(1).burr, 4);
+}
+
+TEST(CsvTrace, RefusesBrokenRowsWithLineAndColumn) {
+  const std::string good = "1000,0,0,0,0,0,0,32767,0,0\n";
+  std::string where;
+  EXPECT_EQ(error_of(kHeader + good + "1000,0,0,zero,0,0,0,32767,0,0\n", &where), TraceError::not_a_number);
+  EXPECT_EQ(where, "3:4");
+  EXPECT_EQ(error_of(good + "1000,0,0,0.5,0,0,0,32767,0,0\n", &where), TraceError::not_a_number);
+  EXPECT_EQ(where, "2:4");
+  EXPECT_EQ(error_of(good + "1000,0,0,,0,0,0,32767,0,0\n", &where), TraceError::not_a_number);
+  EXPECT_EQ(error_of(good + "1000,2147483648,0,0,0,0,0,32767,0,0\n", &where), TraceError::out_of_range);
+  EXPECT_EQ(where, "2:2");
+  EXPECT_EQ(error_of(good + "-1,0,0,0,0,0,0,32767,0,0\n", &where), TraceError::out_of_range);
+  EXPECT_EQ(where, "2:1");
+  EXPECT_EQ(error_of("1000,0,0,0,0,0,0,32768,0,0\n"), TraceError::out_of_range);
+  EXPECT_EQ(error_of("1000,0,0,0,0,0,0,32767,65536,0\n"), TraceError::out_of_range);
+  EXPECT_EQ(error_of("99999999999999999999,0,0,0,0,0,0,32767,0,0\n"), TraceError::out_of_range);
+  EXPECT_EQ(error_of(good + "1000,0,0\n", &where), TraceError::wrong_columns);
+  EXPECT_EQ(where, "2:3");
+  EXPECT_EQ(error_of(good + "1000,0,0,0,0,0,0,32767,0,0,0\n"), TraceError::wrong_columns);
+  EXPECT_EQ(error_of(good + "\n" + good, &where), TraceError::wrong_columns);
+  EXPECT_EQ(where, "2:1");
+  EXPECT_EQ(error_of("1000,0,0,0,0,0,0,20000,0,0\n", &where), TraceError::not_a_rotation);
+  EXPECT_EQ(where, "1:5");
+  EXPECT_EQ(error_of("time,x,y,z\n" + good), TraceError::bad_header);
+  EXPECT_EQ(error_of(""), TraceError::empty);
+  EXPECT_EQ(error_of(kHeader), TraceError::empty);
+}
+
+TEST(CsvTrace, WritingAndReadingIsTheIdentity) {
+  const unsigned seed = 7;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<TraceRow> rows(1 + random() % 40);
+    for (TraceRow& row : rows) {
+      row.elapsed_us = static_cast<std::uint32_t>(random());
+      row.x = static_cast<std::int32_t>(random());
+      row.y = static_cast<std::int32_t>(random());
+      row.z = static_cast<std::int32_t>(random());
+      row.qx = 32767;
+      row.qw = 0;
+      row.buttons = static_cast<std::uint16_t>(random());
+      row.pedal = static_cast<std::uint16_t>(random());
+      row.burr = round % 2 == 0 ? 0 : static_cast<std::uint16_t>(random());
+    }
+    const auto again = parse_trace(write_trace(rows));
+    ASSERT_TRUE(again);
+    ASSERT_EQ(*again, rows);
+  }
+}
+
+TEST(CsvTrace, NoTextBreaksTheReader) {
+  const unsigned seed = 11;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  const std::string good = std::string(kHeader) + "1000,-5,6,7,0,0,0,32767,1,65535\r\n1000,-5,6,8,0,0,0,32767,1,65535\n";
+  for (int round = 0; round < 20000; ++round) {
+    std::string text = good;
+    for (int change = 0; change < 3; ++change) {
+      const std::size_t at = random() % text.size();
+      if (random() % 3 == 0) {
+        text.erase(at, 1 + random() % 8);
+      } else {
+        text[at] = static_cast<char>(random());
+      }
+      if (text.empty()) break;
+    }
+    const auto rows = parse_trace(text);
+    EXPECT_LE(rows ? rows->size() : 0, 4u);
+  }
+}
+
+TEST(CsvPort, PlaysEachRowOnceAndIsGoneAtTheEnd) {
+  const auto path = file_with(std::string(kHeader) + "1000,10000,0,0,0,0,0,32767,0,0\n1000,20000,0,0,0,0,0,32767,1,0\n");
+  CsvPort port(path, Pacing::at_once);
+  ASSERT_TRUE(port.open());
+  EXPECT_EQ(port.wait({}).position_mm.x, 1);
+  const Sample second = port.wait({});
+  EXPECT_EQ(second.position_mm.x, 2);
+  EXPECT_EQ(second.status, Sample::Status::fresh);
+  EXPECT_EQ(port.wait({}).status, Sample::Status::gone);
+  EXPECT_EQ(port.wait({}).status, Sample::Status::gone);
+  ASSERT_TRUE(port.open());  // plays again from the start
+  EXPECT_EQ(port.wait({}).position_mm.x, 1);
+  std::filesystem::remove(path);
+}
+
+TEST(CsvPort, GivesEachRowAtItsTimeAndLateBefore) {
+  std::vector<TraceRow> rows(3);
+  rows[1].elapsed_us = 1000;
+  rows[1].x = 10000;
+  rows[2].elapsed_us = 3000;
+  rows[2].x = 20000;
+  CsvPort port(rows, Pacing::real_time);
+  ASSERT_TRUE(port.open());
+  auto at = Clock::now() - std::chrono::hours(1);  // deadlines long past: nothing sleeps
+  const auto next = [&] { return port.wait(at += std::chrono::milliseconds(1)); };
+  EXPECT_EQ(next().position_mm.x, 0);
+  EXPECT_EQ(next().position_mm.x, 1);
+  for (int i = 0; i < 2; ++i) {
+    const Sample early = next();
+    EXPECT_EQ(early.status, Sample::Status::late);
+    EXPECT_EQ(early.position_mm.x, 1);
+  }
+  EXPECT_EQ(next().position_mm.x, 2);
+  EXPECT_EQ(next().status, Sample::Status::gone);
+}
+
+TEST(CsvPort, SaysWhatIsWrongWithAFile) {
+  const auto missing = CsvPort("/nowhere/at/all.csv", Pacing::at_once).open();
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, PortError::not_found);
+  const auto folder = CsvPort(std::filesystem::temp_directory_path(), Pacing::at_once).open();
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(folder.error().code, PortError::io);
+  const auto path = file_with(std::string(kHeader) + "1000,0,0,0,0,0,0,32767,0\n");
+  CsvPort broken(path, Pacing::at_once);
+  const auto opened = broken.open();
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().code, PortError::bad_file);
+  EXPECT_EQ(opened.error().where, path.string() + ":2:9");
+  EXPECT_EQ(opened.error().detail, "wrong_columns");
+  EXPECT_EQ(broken.wait({}).status, Sample::Status::gone);
+  std::filesystem::remove(path);
+}
+
+TEST(CsvPort, MarksOfTheRecorderBecomeItsStatusAgain) {
+  TraceRow row;
+  row.buttons = 1 | 1u << 15;
+  EXPECT_EQ(sample_of(row).status, Sample::Status::late);
+  EXPECT_EQ(sample_of(row).buttons, 1);
+  row.buttons = 1u << 14;
+  EXPECT_EQ(sample_of(row).status, Sample::Status::gone);
+}
+
+}  // namespace
+}  // namespace cusp

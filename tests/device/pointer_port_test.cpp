@@ -1,0 +1,190 @@
+#include "device/pointer/pointer_port.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <thread>
+
+#include "device/catalogue.h"
+#include "tests/device/toy_tissue.h"
+
+namespace {
+
+thread_local bool armed = false;
+thread_local int allocations = 0;
+
+void* counted(std::size_t bytes) {
+  if (armed) ++allocations;
+  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes); }
+void* operator new[](std::size_t bytes) { return counted(bytes); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace cusp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using testing::ToyTissue;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+TEST(PointerHand, IgnoresPlacesThatAreNone) {
+  PointerHand hand(Vec3(1, 2, 3));
+  hand.move_to(Vec3(kNan, 0, 0));
+  EXPECT_EQ(hand.wish().target_mm, Vec3(1, 2, 3));
+  hand.nudge(kNan, 1);
+  EXPECT_EQ(hand.wish().target_mm, Vec3(1, 2, 3));
+  hand.nudge(std::numeric_limits<double>::infinity(), 0);
+  EXPECT_EQ(hand.wish().target_mm, Vec3(1, 2, 3));
+  EXPECT_EQ(PointerHand(Vec3(kNan, 0, 0)).wish().target_mm, Vec3(0.0));
+}
+
+TEST(PointerHand, CutsAPushToItsRange) {
+  PointerHand hand;
+  hand.set_push(99);
+  EXPECT_EQ(hand.wish().push_n, PointerHand::kMaxPushN);
+  hand.set_push(-1);
+  EXPECT_EQ(hand.wish().push_n, 0);
+  hand.set_push(1);
+  hand.set_push(kNan);
+  EXPECT_EQ(hand.wish().push_n, 0);
+}
+
+TEST(PointerHand, NudgesAsThePersonSeesIt) {
+  PointerHand hand;
+  hand.nudge(0.5, 0.25);
+  EXPECT_EQ(hand.wish().target_mm, Vec3(0.5, 0.25, 0));  // seen from above: x right, y up
+  PointerHand side;
+  side.set_view(Vec3(0, 1, 0), Vec3(1, 0, 0));  // looking along +y: x right, z up
+  side.nudge(1, 2);
+  EXPECT_NEAR(glm::length(side.wish().target_mm - Vec3(1, 0, 2)), 0, 1e-12);
+}
+
+TEST(PointerHand, RefusesAViewThatIsNone) {
+  PointerHand hand;
+  hand.set_view(Vec3(0.0), Vec3(1, 0, 0));
+  hand.set_view(Vec3(0, 0, -1), Vec3(0, 0, 5));
+  hand.set_view(Vec3(kNan, 0, -1), Vec3(1, 0, 0));
+  EXPECT_EQ(hand.wish().approach, Vec3(0, 0, -1));
+}
+
+TEST(PointerHand, NeverHandsOverHalfAWish) {
+  PointerHand hand;
+  std::atomic<bool> stop{false};
+  std::thread ui([&] {
+    for (int i = 1; !stop.load(); ++i) hand.move_to(Vec3(i, i, i));
+  });
+  double before = 0;
+  int seen = 0;
+  for (std::int64_t tries = 0; seen < 2000 && tries < 400'000'000; ++tries) {
+    const Vec3 at = hand.latest().target_mm;
+    ASSERT_EQ(at.x, at.y);
+    ASSERT_EQ(at.x, at.z);
+    ASSERT_GE(at.x, before);
+    seen += at.x > before;
+    before = at.x;
+  }
+  stop = true;
+  ui.join();
+  EXPECT_EQ(seen, 2000);
+}
+
+/// Deadlines in the past: wait() returns at once, and dt is still the time between them.
+struct Paced {
+  Clock::time_point at = Clock::now() - std::chrono::hours(1);
+  Clock::time_point next() { return at += std::chrono::milliseconds(1); }
+};
+
+TEST(PointerPort, DrillsWithTheKeysAlone) {
+  PointerPort port(Vec3(0, 0, 2));
+  ASSERT_TRUE(port.open());
+  ToyTissue tissue;
+  Paced paced;
+  port.hand().nudge(1, 0);
+  port.hand().set_push(1.5);
+  port.hand().set_cut(true);
+  port.hand().set_burr(2);
+  Sample sample;
+  for (int i = 0; i < 3000; ++i) {
+    sample = port.wait(paced.next());
+    const Feedback felt = tissue.feel(sample.position_mm);
+    if (felt.in_contact && (sample.buttons & 1) != 0) tissue.planes[0].point_mm.z -= 0.001;  // 1 mm/s
+    port.write(felt);
+  }
+  EXPECT_EQ(sample.status, Sample::Status::fresh);
+  EXPECT_EQ(sample.buttons, 1);
+  EXPECT_EQ(sample.burr, 2);
+  EXPECT_NEAR(sample.position_mm.x, 1, 1e-6);
+  // About 0.2 s through the air at 10 mm/s, then 1 mm/s.
+  EXPECT_LT(tissue.planes[0].point_mm.z, -2.7);
+}
+
+TEST(PointerPort, WaitsAndAnswersWithoutAllocating) {
+  PointerPort port(Vec3(0, 0, 2));
+  ASSERT_TRUE(port.open());
+  ToyTissue tissue;
+  Paced paced;
+  port.hand().set_push(1);
+  std::vector<Feedback> answers;
+  armed = true;
+  allocations = 0;
+  for (int i = 0; i < 10000; ++i) {
+    port.hand().nudge(0.001, 0.0005);
+    const Sample sample = port.wait(paced.next());
+    port.write(tissue.feel(sample.position_mm));
+  }
+  armed = false;
+  EXPECT_EQ(allocations, 0);
+  armed = true;
+  answers.reserve(1);  // the counter counts
+  armed = false;
+  EXPECT_EQ(allocations, 1);
+}
+
+TEST(PointerPort, SleepsToTheDeadline) {
+  PointerPort port(Vec3(0, 0, 2));
+  ASSERT_TRUE(port.open());
+  const auto deadline = Clock::now() + std::chrono::milliseconds(5);
+  port.wait(deadline);
+  EXPECT_GE(Clock::now(), deadline);
+}
+
+TEST(PointerPort, IsGoneOnceClosedAndBackOnceOpened) {
+  PointerPort port(Vec3(0, 0, 2));
+  Paced paced;
+  EXPECT_EQ(port.wait(paced.next()).status, Sample::Status::gone);
+  ASSERT_TRUE(port.open());
+  EXPECT_EQ(port.wait(paced.next()).status, Sample::Status::fresh);
+  port.close();
+  EXPECT_EQ(port.wait(paced.next()).status, Sample::Status::gone);
+}
+
+TEST(PointerPort, SaysWhatItCanDo) {
+  const DeviceLimits limits = PointerPort(Vec3(0.0)).limits();
+  EXPECT_EQ(limits.device_class, "pointer");
+  EXPECT_EQ(limits.position_axes, 3);
+  EXPECT_EQ(limits.max_force_n, PointerHand::kMaxPushN);
+  EXPECT_FALSE(limits.has_own_clock);
+}
+
+TEST(Catalogue, OffersTheMouseFirstAndKnowsItsKeys) {
+  ASSERT_FALSE(device_kinds().empty());
+  EXPECT_EQ(device_kinds().front().key, "pointer");
+  ASSERT_NE(device_kind("scripted"), nullptr);
+  EXPECT_TRUE(device_kind("scripted")->needs_file);
+  EXPECT_EQ(device_kind("falcon"), nullptr);
+}
+
+}  // namespace
+}  // namespace cusp
