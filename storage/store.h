@@ -22,10 +22,10 @@
 namespace cusp {
 
 struct StoreOptions {
-  DatabaseOptions database;
+  DatabaseOptions database{};
   UtcClock clock = system_utc_us;
   PasswordCost cost = PasswordCost::interactive();
-  std::filesystem::path key_file;  // of the station's secret key; empty = the database's name with ".key" added
+  std::filesystem::path key_file{};  // of the station's secret key; empty = the database's name with ".key" added
   bool mark_interrupted = true;    // sessions whose process is gone get their event on opening
 };
 
@@ -34,8 +34,8 @@ class Store {
   StorageContext context_;
 
  public:
-  /// Opens or makes the file and the station's key. A second failure to read the key makes a new one: old signatures
-  /// are still checked against the key they name.
+  /// Opens or makes the file and the station's key. Where the key's file is gone a new key is made; old signatures are
+  /// still checked against the key that they name. A damaged one fails with corrupt, where = its name.
   static Stored<std::unique_ptr<Store>> open(const std::filesystem::path& file, StoreOptions options = {});
   explicit Store(StorageContext context);
   Store(const Store&) = delete;

@@ -17,45 +17,45 @@
 namespace cusp {
 
 struct HistoryRow {
-  SessionId session;
-  UserId student;
+  SessionId session{};
+  UserId student{};
   std::string student_number, student_name;
   ScenarioId scenario;
-  VersionId version;
+  VersionId version{};
   int version_number = 1;
-  std::string scenario_key;               // built-in id, else empty
+  std::string scenario_key{};               // built-in id, else empty
   LocalText title;
   SessionKind kind = SessionKind::practice;
-  std::string hand;
+  std::string hand{};
   std::string device, device_class;
   std::int64_t started_utc_us = 0;
   std::uint64_t elapsed_us = 0;           // drilled, as stored
   SessionState state = SessionState::running;
   int go = 1;                             // the student's how-manieth at this scenario
   std::optional<double> score, score_max, pass_mark;
-  std::optional<bool> passed;             // none = not graded
-  std::vector<std::string> critical;
+  std::optional<bool> passed{};             // none = not graded
+  std::vector<std::string> critical{};
 };
 
 struct HistoryFilter {
-  std::optional<UserId> student;
-  std::optional<ScenarioId> scenario;
-  std::optional<CohortId> cohort;
-  std::optional<std::string> device_class;
+  std::optional<UserId> student{};
+  std::optional<ScenarioId> scenario{};
+  std::optional<CohortId> cohort{};
+  std::optional<std::string> device_class{};
   std::optional<std::int64_t> from_utc_us, to_utc_us;  // started at or after, before
-  std::optional<bool> passed;                          // graded only
-  std::string search;                                  // part of the student's name or number
-  std::optional<bool> scripted;                        // only by a script, or only by persons
+  std::optional<bool> passed{};                          // graded only
+  std::string search{};                                  // part of the student's name or number
+  std::optional<bool> scripted{};                        // only by a script, or only by persons
   int limit = -1;                                      // -1 = all
 };
 
 struct SessionDetails {
   HistoryRow row;
   Session session;
-  std::vector<SessionEvent> events;
-  std::optional<StoredGrade> grade;       // newest
-  std::vector<RemovedTissue> removed;
-  std::vector<Comment> comments;
+  std::vector<SessionEvent> events{};
+  std::optional<StoredGrade> grade{};       // newest
+  std::vector<RemovedTissue> removed{};
+  std::vector<Comment> comments{};
 };
 
 /// A student's standing in one scenario.

@@ -13,9 +13,9 @@
 namespace cusp {
 
 struct Account {
-  UserId id;
-  std::string number;  // student or staff number: what is typed at sign-in; unique, upper and lower case alike
-  std::string name;
+  UserId id{};
+  std::string number{};  // student or staff number: what is typed at sign-in; unique, upper and lower case alike
+  std::string name{};
   Role role = Role::student;
   bool disabled = false;
   bool guest = false;         // "Try it": never in lists, histories or figures
@@ -26,11 +26,11 @@ struct Account {
 };
 
 struct NewAccount {
-  std::string number;    // 1 to 64 bytes
-  std::string name;      // 1 to 200 bytes
+  std::string number{};    // 1 to 64 bytes
+  std::string name{};      // 1 to 200 bytes
   Role role = Role::student;
-  std::string password;  // students may do without; staff may not
-  std::string pin;       // students only: six digits, or empty
+  std::string password{};  // students may do without; staff may not
+  std::string pin{};       // students only: six digits, or empty
 };
 
 class People {
@@ -68,6 +68,7 @@ class People {
   Stored<std::vector<Account>> list(const Actor& actor);
 
  private:
+  Stored<Account> sign_in_by(std::string_view number, std::string_view given, bool by_pin);
   StorageContext& c_;
 };
 

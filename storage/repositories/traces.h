@@ -18,16 +18,16 @@ namespace cusp {
 /// StepState::save() after `tick`.
 struct KeyState {
   std::uint64_t tick = 0;
-  std::vector<std::byte> state;
+  std::vector<std::byte> state{};
 };
 
 /// One second (or the rest of one, at the end) as the recorder hands it over.
 struct RecordedSecond {
   std::uint64_t first_tick = 1;                // tick that inputs[0] makes; 1 is a session's first
-  std::vector<StepInput> inputs;               // 1 to kMostInputsPerChunk
-  std::optional<std::uint64_t> state_hash;     // StepState::hash() after the last of them
-  std::optional<KeyState> key_state;           // every 5 s
-  SecondMetrics metrics;
+  std::vector<StepInput> inputs{};               // 1 to kMostInputsPerChunk
+  std::optional<std::uint64_t> state_hash{};     // StepState::hash() after the last of them
+  std::optional<KeyState> key_state{};           // every 5 s
+  SecondMetrics metrics{};
 };
 
 struct ChunkInfo {
@@ -35,7 +35,7 @@ struct ChunkInfo {
   std::uint64_t first_tick = 1;
   std::uint64_t count = 0;       // inputs
   std::uint64_t elapsed_us = 0;  // of the whole session up to the chunk's end
-  std::optional<std::uint64_t> state_hash;
+  std::optional<std::uint64_t> state_hash{};
 };
 
 class Traces {

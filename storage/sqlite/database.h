@@ -28,8 +28,8 @@ struct DatabaseOptions {
   };
   Access access = Access::create;
   int busy_timeout_ms = 5000;
-  std::string vfs;                                                  // SQLite's name of one; empty = the system's
-  std::function<bool(const std::filesystem::path&)> on_network_drive;  // empty = ask the system
+  std::string vfs{};                                                  // SQLite's name of one; empty = the system's
+  std::function<bool(const std::filesystem::path&)> on_network_drive{};  // empty = ask the system
 };
 
 class Database {

@@ -105,7 +105,8 @@ CREATE TABLE sessions (
   engine_version INTEGER NOT NULL,
   specimen_blob BLOB NOT NULL CHECK (length(specimen_blob) = 32),
   header TEXT NOT NULL,
-  started_at INTEGER NOT NULL
+  started_at INTEGER NOT NULL,
+  sequence INTEGER NOT NULL
 ) STRICT, WITHOUT ROWID;
 CREATE INDEX sessions_of_student ON sessions (student, started_at);
 CREATE INDEX sessions_of_version ON sessions (version);

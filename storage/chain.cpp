@@ -1,0 +1,110 @@
+#include "storage/chain.h"
+
+#include "storage/sodium.h"
+
+namespace cusp {
+
+std::string hex(const Hash256& hash) {
+  static constexpr char digits[] = "0123456789abcdef";
+  std::string out;
+  out.reserve(64);
+  for (const std::uint8_t byte : hash) {
+    out += digits[byte >> 4];
+    out += digits[byte & 15];
+  }
+  return out;
+}
+
+namespace {
+crypto_generichash_state* of(std::array<unsigned char, 384>& state) {
+  static_assert(sizeof(crypto_generichash_state) <= 384 && alignof(crypto_generichash_state) <= 64);
+  return reinterpret_cast<crypto_generichash_state*>(state.data());
+}
+}  // namespace
+
+Blake2b::Blake2b() : state_{} {
+  ready_sodium();
+  crypto_generichash_init(of(state_), nullptr, 0, 32);
+}
+void Blake2b::raw(const void* data, std::size_t size) {
+  crypto_generichash_update(of(state_), static_cast<const unsigned char*>(data), size);
+}
+Blake2b& Blake2b::add_bytes(std::span<const std::byte> bytes) {
+  add_u64(bytes.size());
+  raw(bytes.data(), bytes.size());
+  return *this;
+}
+Blake2b& Blake2b::add_text(std::string_view text) { return add_bytes(std::as_bytes(std::span{text})); }
+Blake2b& Blake2b::add_u64(std::uint64_t value) {
+  std::array<std::uint8_t, 8> bytes{};
+  for (std::size_t i = 0; i < 8; ++i) bytes[i] = static_cast<std::uint8_t>(value >> (8 * i));
+  raw(bytes.data(), bytes.size());
+  return *this;
+}
+Blake2b& Blake2b::add_hash(const Hash256& hash) {
+  raw(hash.data(), hash.size());
+  return *this;
+}
+Blake2b& Blake2b::add_uuid(const Uuid& id) {
+  raw(id.bytes.data(), id.bytes.size());
+  return *this;
+}
+Hash256 Blake2b::finish() {
+  Hash256 hash{};
+  crypto_generichash_final(of(state_), hash.data(), hash.size());
+  return hash;
+}
+
+Hash256 blake2b_256(std::span<const std::byte> bytes) {
+  ready_sodium();
+  Hash256 hash{};
+  crypto_generichash(hash.data(), hash.size(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                     nullptr, 0);
+  return hash;
+}
+Hash256 blake2b_256(std::string_view text) { return blake2b_256(std::as_bytes(std::span{text})); }
+
+Hash256 chain_start(const Uuid& session) { return Blake2b{}.add_text("cusp chain 1").add_uuid(session).finish(); }
+
+Hash256 chain_link(const Hash256& before, const Uuid& session, const ChainLink& link) {
+  return Blake2b{}
+      .add_hash(before)
+      .add_uuid(session)
+      .add_u64(link.position)
+      .add_u64(link.table)
+      .add_u64(link.row)
+      .add_u64(static_cast<std::uint64_t>(link.second))
+      .add_hash(link.content)
+      .finish();
+}
+
+namespace {
+Hash256 head_message(const Uuid& owner, std::uint64_t count, const Hash256& link) {
+  return Blake2b{}.add_text("cusp head 1").add_uuid(owner).add_u64(count).add_hash(link).finish();
+}
+}  // namespace
+
+StationKey StationKey::make() {
+  ready_sodium();
+  StationKey key;
+  crypto_sign_keypair(key.public_key.data(), key.secret_key.data());
+  return key;
+}
+Hash256 key_id(std::span<const std::uint8_t, 32> public_key) { return blake2b_256(std::as_bytes(public_key)); }
+Hash256 StationKey::id() const { return key_id(public_key); }
+
+Signature StationKey::sign_head(const Uuid& owner, std::uint64_t count, const Hash256& link) const {
+  const Hash256 message = head_message(owner, count, link);
+  Signature signature{};
+  crypto_sign_detached(signature.data(), nullptr, message.data(), message.size(), secret_key.data());
+  return signature;
+}
+
+bool head_signature_holds(std::span<const std::uint8_t, 32> public_key, const Uuid& owner, std::uint64_t count,
+                          const Hash256& link, const Signature& signature) noexcept {
+  ready_sodium();
+  const Hash256 message = head_message(owner, count, link);
+  return crypto_sign_verify_detached(signature.data(), message.data(), message.size(), public_key.data()) == 0;
+}
+
+}  // namespace cusp

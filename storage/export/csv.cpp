@@ -1,0 +1,156 @@
+#include "storage/export/csv.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "storage/repositories/audit_log.h"
+#include "storage/repositories/grades.h"
+
+namespace cusp {
+namespace {
+
+/// One line: cells with commas between, CRLF at the end.
+class Line {
+ public:
+  explicit Line(std::string& out) : out_{out} {}
+  ~Line() { out_ += "\r\n"; }
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
+  Line& text(std::string_view value) { return raw(csv_text(value)); }
+  Line& number(double value) { return raw(csv_number(value)); }
+  Line& number(const std::optional<double>& value) { return raw(value ? csv_number(*value) : std::string{}); }
+  Line& integer(std::int64_t value) { return raw(std::to_string(value)); }
+  Line& flag(const std::optional<bool>& value) { return raw(value ? (*value ? "1" : "0") : ""); }
+  Line& raw(std::string_view cell) {
+    if (!first_) out_ += ',';
+    first_ = false;
+    out_ += cell;
+    return *this;
+  }
+
+ private:
+  std::string& out_;
+  bool first_ = true;
+};
+
+std::string title_in(const LocalText& title, const std::string& language) {
+  for (const std::string& wanted : {language, std::string("en")}) {
+    if (const auto found = title.find(wanted); found != title.end()) return found->second;
+  }
+  return title.empty() ? std::string{} : title.begin()->second;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+  return out;
+}
+
+std::string begin(const CsvOptions& options, std::string_view head) {
+  return (options.byte_order_mark ? "\xEF\xBB\xBF" : "") + std::string(head) + "\r\n";
+}
+
+Stored<void> note(StorageContext& context, const Actor& actor, std::string_view what, std::size_t lines) {
+  if (context.db.read_only()) return {};
+  return AuditLog(context).add(actor.id, what, Uuid{}, std::to_string(lines));
+}
+
+}  // namespace
+
+std::string csv_text(std::string_view text) {
+  std::string out;
+  // What a spreadsheet runs: OWASP, "CSV Injection".
+  const bool formula = !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos;
+  if (formula) out += '\'';
+  bool quote = false;
+  for (const char c : text) {
+    quote = quote || c == '"' || c == ',' || c == '\r' || c == '\n';
+    if (c == '"') out += '"';
+    out += c;
+  }
+  quote = quote || (!text.empty() && (text.front() == ' ' || text.back() == ' '));
+  return quote ? '"' + out + '"' : out;
+}
+
+std::string csv_number(double value) {
+  if (!std::isfinite(value)) return {};
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value);
+  return {text, end.ptr};
+}
+
+std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options) {
+  std::string out = begin(options,
+                          "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,"
+                          "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical");
+  for (const HistoryRow& r : rows) {
+    Line(out)
+        .text(r.session.text())
+        .text(iso_utc(r.started_utc_us))
+        .text(r.student_number)
+        .text(r.student_name)
+        .text(title_in(r.title, options.language))
+        .text(r.scenario_key)
+        .integer(r.version_number)
+        .text(key_of(r.kind))
+        .text(r.hand)
+        .text(r.device)
+        .text(r.device_class)
+        .integer(r.go)
+        .number(static_cast<double>(r.elapsed_us) / 1e6)
+        .text(key_of(r.state))
+        .number(r.score)
+        .number(r.score_max)
+        .number(r.pass_mark)
+        .flag(r.passed)
+        .text(joined(r.critical));
+  }
+  return out;
+}
+
+Stored<std::string> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
+                                   const CsvOptions& options) {
+  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
+  const auto rows = History(context).list(actor, filter);
+  if (!rows) return std::unexpected(rows.error());
+  if (auto noted = note(context, actor, "history_exported", rows->size()); !noted) return std::unexpected(noted.error());
+  return history_csv(*rows, options);
+}
+
+Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
+                                    const CsvOptions& options) {
+  if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
+  const auto rows = History(context).list(actor, filter);
+  if (!rows) return std::unexpected(rows.error());
+  std::string out = begin(options,
+                          "session,started_utc,student_number,exercise_key,criterion,measured,value,uncertainty,unit,band,"
+                          "points,points_max,reason_code");
+  std::size_t lines = 0;
+  for (const HistoryRow& r : *rows) {
+    const auto grade = Grades(context).newest(r.session);
+    if (!grade) return std::unexpected(grade.error());
+    if (!*grade) continue;
+    for (const CriterionGrade& c : (*grade)->grade.criteria) {
+      ++lines;
+      const Measure& m = c.measure;
+      Line(out)
+          .text(r.session.text())
+          .text(iso_utc(r.started_utc_us))
+          .text(r.student_number)
+          .text(r.scenario_key)
+          .text(c.id)
+          .flag(m.measured)
+          .number(m.measured ? std::optional{m.value} : std::nullopt)
+          .number(m.measured ? std::optional{m.uncertainty} : std::nullopt)
+          .text(m.unit)
+          .text(c.band)
+          .number(c.points)
+          .number(c.points_max)
+          .text(c.reason_code);
+    }
+  }
+  if (auto noted = note(context, actor, "criteria_exported", lines); !noted) return std::unexpected(noted.error());
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,29 @@
+#include "storage/repositories/blobs.h"
+
+#include "storage/trace_codec.h"
+
+namespace cusp {
+
+Stored<Hash256> Blobs::put(std::span<const std::byte> bytes) {
+  if (bytes.size() > kMostUnpackedBytes) return fail(StorageError::bad_value, "blobs");
+  const Hash256 hash = blake2b_256(bytes);
+  const auto there = c_.db.first("SELECT 1 FROM blobs WHERE hash = ?1", [](Row) { return true; }, hash);
+  if (!there) return std::unexpected(there.error());
+  if (*there) return hash;
+  Transaction transaction(c_.db);
+  transaction.run("INSERT INTO blobs (hash, packed) VALUES (?1, ?2) ON CONFLICT DO NOTHING", hash, pack(bytes));
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return hash;
+}
+
+Stored<std::vector<std::byte>> Blobs::get(const Hash256& hash) {
+  const auto packed =
+      c_.db.first("SELECT packed FROM blobs WHERE hash = ?1", [](Row row) { return row.blob(0); }, hash);
+  if (!packed) return std::unexpected(packed.error());
+  if (!*packed) return fail(StorageError::not_found, "blobs", hex(hash));
+  auto bytes = unpack(**packed);
+  if (!bytes || blake2b_256(*bytes) != hash) return fail(StorageError::corrupt, "blobs", hex(hash));
+  return bytes;
+}
+
+}  // namespace cusp

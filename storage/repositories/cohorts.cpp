@@ -1,0 +1,51 @@
+#include "storage/repositories/cohorts.h"
+
+#include "storage/repositories/audit_log.h"
+
+namespace cusp {
+
+Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
+  if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return std::unexpected(allowed.error());
+  if (name.empty() || name.size() > 200) return fail(StorageError::bad_value, "name");
+  const CohortId id = CohortId::make();
+  Transaction transaction(c_.db);
+  transaction.run("INSERT INTO cohorts (id, name, created_at) VALUES (?1, ?2, ?3)", id, name, c_.clock());
+  AuditLog::add(c_, transaction, actor.id, "cohort_created", id.uuid);
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return Cohort{id, name, 0};
+}
+
+Stored<void> Cohorts::add(const Actor& actor, CohortId cohort, UserId student) {
+  if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort, student);
+  AuditLog::add(c_, transaction, actor.id, "cohort_joined", student.uuid, cohort.text());
+  return transaction.commit();
+}
+
+Stored<void> Cohorts::remove(const Actor& actor, CohortId cohort, UserId student) {
+  if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  transaction.run("DELETE FROM cohort_students WHERE cohort = ?1 AND student = ?2", cohort, student);
+  if (transaction.ok() && c_.db.changes() == 0) transaction.refuse({StorageError::not_found, "cohort_students"});
+  AuditLog::add(c_, transaction, actor.id, "cohort_left", student.uuid, cohort.text());
+  return transaction.commit();
+}
+
+Stored<std::vector<Cohort>> Cohorts::list() {
+  return c_.db.all(
+      "SELECT id, name, (SELECT count(*) FROM cohort_students WHERE cohort = cohorts.id) FROM cohorts ORDER BY name",
+      [](Row row) { return Cohort{row.id<CohortId>(0), row.text(1), static_cast<int>(row.integer(2))}; });
+}
+
+Stored<std::vector<UserId>> Cohorts::students(CohortId cohort) {
+  return c_.db.all("SELECT student FROM cohort_students WHERE cohort = ?1",
+                   [](Row row) { return row.id<UserId>(0); }, cohort);
+}
+
+Stored<std::vector<CohortId>> Cohorts::cohorts_of(UserId student) {
+  return c_.db.all("SELECT cohort FROM cohort_students WHERE student = ?1",
+                   [](Row row) { return row.id<CohortId>(0); }, student);
+}
+
+}  // namespace cusp

@@ -1,0 +1,277 @@
+#include "storage/repositories/people.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "storage/repositories/audit_log.h"
+
+namespace cusp {
+namespace {
+
+constexpr const char* kColumns =
+    "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at FROM people ";
+
+Account account_of(Row row) {
+  Account a;
+  a.id = row.id<UserId>(0);
+  a.number = row.text(1);
+  a.name = row.text(2);
+  a.role = role_from_key(row.text(3)).value_or(Role::student);
+  a.disabled = row.flag(4);
+  a.guest = row.flag(5);
+  a.has_password = row.flag(6);
+  a.has_pin = row.flag(7);
+  a.created_utc_us = row.integer(8);
+  return a;
+}
+
+constexpr int kFreeTries = 5;
+constexpr std::int64_t kFirstLock_us = 30'000'000, kLongestLock_us = 900'000'000;
+
+std::int64_t lock_us(std::int64_t wrong_tries) noexcept {
+  if (wrong_tries < kFreeTries) return 0;
+  const auto doublings = std::min<std::int64_t>(wrong_tries - kFreeTries, 5);
+  return std::min(kFirstLock_us << doublings, kLongestLock_us);
+}
+
+Stored<void> check(const NewAccount& a) {
+  if (a.number.empty() || a.number.size() > 64) return fail(StorageError::bad_value, "number");
+  if (a.name.empty() || a.name.size() > 200) return fail(StorageError::bad_value, "name");
+  if (!a.pin.empty() && a.role != Role::student) return fail(StorageError::bad_value, "pin");
+  const bool may_do_without = a.role == Role::student;
+  if (!(a.password.empty() && may_do_without) && !acceptable_password(a.password)) {
+    return fail(StorageError::weak_password, "password");
+  }
+  if (!a.pin.empty() && !acceptable_pin(a.pin)) return fail(StorageError::weak_password, "pin");
+  return {};
+}
+
+/// Empty stays empty; refused when the memory that the cost asks for is not there.
+std::string secret(Transaction& transaction, std::string_view plain, const PasswordCost& cost) {
+  if (plain.empty()) return {};
+  std::string hashed = hash_password(plain, cost);
+  if (hashed.empty()) transaction.refuse({StorageError::io, "memory"});
+  return hashed;
+}
+
+std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserId actor, const NewAccount& a,
+                              bool guest) {
+  const UserId id = UserId::make();
+  transaction.run(
+      "INSERT INTO people (id, number, name, role, password, pin, guest, created_at) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+      id, a.number, a.name, key_of(a.role), secret(transaction, a.password, c.cost), secret(transaction, a.pin, c.cost),
+      guest, c.clock());
+  if (transaction.ok()) AuditLog::add(c, transaction, actor, "account_created", id.uuid, key_of(a.role));
+  return transaction.first(std::string(kColumns) + "WHERE id = ?1", account_of, id);
+}
+
+Stored<Account> committed(Transaction& transaction, std::optional<Account> account) {
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return *account;
+}
+
+/// The last one who may manage people must stay.
+void keep_an_administrator(Transaction& transaction) {
+  const auto left = transaction.first(
+      "SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0", [](Row row) { return row.integer(0); });
+  if (left && *left == 0) transaction.refuse({StorageError::last_administrator, "people"});
+}
+
+/// Refuses when the UPDATE before it met no row.
+void changed_one(StorageContext& c, Transaction& transaction) {
+  if (transaction.ok() && c.db.changes() != 1) transaction.refuse({StorageError::not_found, "people"});
+}
+
+}  // namespace
+
+Stored<bool> People::has_administrator() {
+  const auto count = c_.db.first("SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0",
+                                 [](Row row) { return row.integer(0); });
+  if (!count) return std::unexpected(count.error());
+  return count->value_or(0) > 0;
+}
+
+Stored<Account> People::create_first_administrator(const NewAccount& account) {
+  NewAccount wanted = account;
+  wanted.role = Role::administrator;
+  if (auto good = check(wanted); !good) return std::unexpected(good.error());
+  Transaction transaction(c_.db);
+  const auto there = has_administrator();
+  if (!there) transaction.refuse(there.error());
+  if (there && *there) transaction.refuse({StorageError::not_allowed, std::string(key_of(Action::manage_people))});
+  auto made = transaction.ok() ? insert(c_, transaction, UserId{}, wanted, false) : std::nullopt;
+  return committed(transaction, std::move(made));
+}
+
+Stored<Account> People::demo_student() {
+  if (auto there = find_number("demo"); there || there.error().code != StorageError::not_found) return there;
+  Transaction transaction(c_.db);
+  const auto others = transaction.first("SELECT count(*) FROM people WHERE guest = 0", [](Row row) { return row.integer(0); });
+  if (others.value_or(0) > 0) transaction.refuse({StorageError::not_allowed, "demo"});
+  auto made = transaction.ok() ? insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"}, false)
+                               : std::nullopt;
+  return committed(transaction, std::move(made));
+}
+
+Stored<Account> People::guest() {
+  const std::string query = std::string(kColumns) + "WHERE guest = 1";
+  const auto there = c_.db.first(query, account_of);
+  if (!there) return std::unexpected(there.error());
+  if (*there) return **there;
+  Transaction transaction(c_.db);
+  auto account = transaction.first(query, account_of);
+  // A number that nobody can type at sign-in: real ones have no line breaks.
+  if (!account && transaction.ok()) {
+    account = insert(c_, transaction, UserId{}, {.number = "\nguest", .name = "guest"}, true);
+  }
+  return committed(transaction, std::move(account));
+}
+
+Stored<Account> People::create(const Actor& actor, const NewAccount& account) {
+  if (auto allowed = require(actor, Action::manage_people); !allowed) return std::unexpected(allowed.error());
+  if (auto good = check(account); !good) return std::unexpected(good.error());
+  Transaction transaction(c_.db);
+  auto made = insert(c_, transaction, actor.id, account, false);
+  return committed(transaction, std::move(made));
+}
+
+Stored<void> People::rename(const Actor& actor, UserId user, const std::string& number, const std::string& name) {
+  if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
+  if (number.empty() || number.size() > 64) return fail(StorageError::bad_value, "number");
+  if (name.empty() || name.size() > 200) return fail(StorageError::bad_value, "name");
+  Transaction transaction(c_.db);
+  transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND guest = 0", user, number, name);
+  changed_one(c_, transaction);
+  AuditLog::add(c_, transaction, actor.id, "account_renamed", user.uuid);
+  return transaction.commit();
+}
+
+Stored<void> People::set_role(const Actor& actor, UserId user, Role role) {
+  if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  const auto has_password = transaction.first("SELECT password <> '' FROM people WHERE id = ?1 AND guest = 0",
+                                              [](Row row) { return row.flag(0); }, user);
+  if (!has_password) transaction.refuse({StorageError::not_found, "people"});
+  if (role != Role::student && has_password && !*has_password) {
+    transaction.refuse({StorageError::weak_password, "password"});  // staff never do without one
+  }
+  transaction.run("UPDATE people SET role = ?2, pin = iif(?2 = 'student', pin, '') WHERE id = ?1", user, key_of(role));
+  keep_an_administrator(transaction);
+  AuditLog::add(c_, transaction, actor.id, "role_changed", user.uuid, key_of(role));
+  return transaction.commit();
+}
+
+Stored<void> People::set_disabled(const Actor& actor, UserId user, bool disabled) {
+  if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  transaction.run("UPDATE people SET disabled = ?2 WHERE id = ?1 AND guest = 0", user, disabled);
+  changed_one(c_, transaction);
+  keep_an_administrator(transaction);
+  AuditLog::add(c_, transaction, actor.id, disabled ? "account_disabled" : "account_enabled", user.uuid);
+  return transaction.commit();
+}
+
+Stored<void> People::set_password(const Actor& actor, UserId user, std::string_view old, std::string_view fresh) {
+  if (!acceptable_password(fresh)) return fail(StorageError::weak_password, "password");
+  if (actor.id != user) {
+    if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
+  }
+  const auto stored = c_.db.first("SELECT password FROM people WHERE id = ?1 AND guest = 0",
+                                  [](Row row) { return row.text(0); }, user);
+  if (!stored) return std::unexpected(stored.error());
+  if (!*stored) return fail(StorageError::not_found, "people");
+  const bool none_yet = (*stored)->empty() && old.empty();
+  if (actor.id == user && !none_yet && !password_matches(**stored, old)) {
+    return fail(StorageError::wrong_password, "password");
+  }
+  Transaction transaction(c_.db);
+  transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1", user,
+                  secret(transaction, fresh, c_.cost));
+  AuditLog::add(c_, transaction, actor.id, "password_changed", user.uuid);
+  return transaction.commit();
+}
+
+Stored<void> People::set_pin(const Actor& actor, UserId user, std::string_view pin) {
+  if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
+  if (!pin.empty() && !acceptable_pin(pin)) return fail(StorageError::weak_password, "pin");
+  Transaction transaction(c_.db);
+  transaction.run(
+      "UPDATE people SET pin = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND role = 'student' AND guest = 0",
+      user, secret(transaction, pin, c_.cost));
+  changed_one(c_, transaction);
+  AuditLog::add(c_, transaction, actor.id, "pin_changed", user.uuid);
+  return transaction.commit();
+}
+
+Stored<Account> People::sign_in(std::string_view number, std::string_view password) {
+  return sign_in_by(number, password, false);
+}
+Stored<Account> People::sign_in_with_pin(std::string_view number, std::string_view pin) {
+  return sign_in_by(number, pin, true);
+}
+
+Stored<Account> People::sign_in_by(std::string_view number, std::string_view given, bool by_pin) {
+  struct Secrets {
+    Account account;
+    std::string password, pin;
+    std::int64_t locked_until = 0;
+  };
+  const auto found = c_.db.first(
+      "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at, password, pin, "
+      "locked_until FROM people WHERE number = ?1 AND guest = 0",
+      [](Row row) { return Secrets{account_of(row), row.text(9), row.text(10), row.integer(11)}; }, number);
+  if (!found) return std::unexpected(found.error());
+  const std::int64_t now = c_.clock();
+  if (!*found) {
+    // As slow as a wrong password, so that numbers cannot be told from guesses.
+    static_cast<void>(hash_password(given, c_.cost));
+    return fail(StorageError::wrong_password, "sign_in");
+  }
+  const Secrets& s = **found;
+  if (s.locked_until > now) return fail(StorageError::locked, "sign_in", std::to_string(s.locked_until));
+  const bool open = s.password.empty() && s.pin.empty() && s.account.role == Role::student;
+  const bool right = open ? given.empty() : password_matches(by_pin ? s.pin : s.password, given);
+  if (right && s.account.disabled) return fail(StorageError::disabled, "sign_in");
+  if (c_.db.read_only()) {
+    if (!right) return fail(StorageError::wrong_password, "sign_in");
+    return s.account;
+  }
+  Transaction transaction(c_.db);
+  if (right) {
+    transaction.run("UPDATE people SET wrong_tries = 0, locked_until = 0 WHERE id = ?1", s.account.id);
+    AuditLog::add(c_, transaction, s.account.id, "signed_in", s.account.id.uuid);
+    return committed(transaction, s.account);
+  }
+  const auto tries = transaction.first("UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
+                                       [](Row row) { return row.integer(0); }, s.account.id);
+  if (const auto lock = lock_us(tries.value_or(0)); lock > 0) {
+    transaction.run("UPDATE people SET locked_until = ?2 WHERE id = ?1", s.account.id, now + lock);
+  }
+  AuditLog::add(c_, transaction, UserId{}, "sign_in_failed", s.account.id.uuid, std::to_string(tries.value_or(0)));
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return fail(StorageError::wrong_password, "sign_in");
+}
+
+Stored<Account> People::find(UserId user) {
+  const auto found = c_.db.first(std::string(kColumns) + "WHERE id = ?1", account_of, user);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "people", user.text());
+  return **found;
+}
+
+Stored<Account> People::find_number(std::string_view number) {
+  const auto found = c_.db.first(std::string(kColumns) + "WHERE number = ?1 AND guest = 0", account_of, number);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "people", std::string(number));
+  return **found;
+}
+
+Stored<std::vector<Account>> People::list(const Actor& actor) {
+  if (!may(actor.role, Action::manage_people) && !may(actor.role, Action::manage_cohorts)) {
+    if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
+  }
+  return c_.db.all(std::string(kColumns) + "WHERE guest = 0 ORDER BY name, number", account_of);
+}
+
+}  // namespace cusp

@@ -1,0 +1,149 @@
+#include "storage/repositories/scenarios.h"
+
+#include <algorithm>
+
+#include "storage/repositories/audit_log.h"
+#include "storage/repositories/title.h"
+
+namespace cusp {
+namespace {
+
+constexpr const char* kColumns =
+    "SELECT id, scenario, number, key, title, json, content_hash, author, published_at FROM scenario_versions ";
+
+ScenarioVersion version_of(Row row) {
+  ScenarioVersion v;
+  v.id = row.id<VersionId>(0);
+  v.scenario = row.id<ScenarioId>(1);
+  v.number = static_cast<int>(row.integer(2));
+  v.key = row.text(3);
+  v.title = title_from_json(row.text(4));
+  v.json = row.text(5);
+  v.content_hash = row.hash(6);
+  v.author = row.id<UserId>(7);
+  v.published_utc_us = row.integer(8);
+  return v;
+}
+
+Stored<void> add_files(Database& db, ScenarioVersion& version) {
+  const auto files = db.all("SELECT name, blob FROM version_files WHERE version = ?1",
+                            [](Row row) { return std::pair{row.text(0), row.hash(1)}; }, version.id);
+  if (!files) return std::unexpected(files.error());
+  version.files.insert(files->begin(), files->end());
+  return {};
+}
+
+Stored<std::vector<ScenarioVersion>> with_files(Database& db, Stored<std::vector<ScenarioVersion>> versions) {
+  if (!versions) return versions;
+  for (ScenarioVersion& version : *versions) {
+    if (auto done = add_files(db, version); !done) return std::unexpected(done.error());
+  }
+  return versions;
+}
+
+}  // namespace
+
+Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenario, const std::string& json,
+                                          const Hash256& content_hash, const std::map<std::string, Hash256>& files) {
+  const bool published = !author.is_nil();
+  const VersionId id = VersionId::make();
+  Transaction transaction(c_.db);
+  const auto newest = transaction.first(
+      "SELECT number, content_hash FROM scenario_versions WHERE scenario = ?1 ORDER BY number DESC LIMIT 1",
+      [](Row row) { return std::pair{static_cast<int>(row.integer(0)), row.hash(1)}; }, scenario.id);
+  const int last = newest ? newest->first : 0;
+  if (published && newest && newest->second == content_hash) {
+    transaction.refuse({StorageError::duplicate, "scenario_versions"});
+  }
+  // A file's own number is kept where it is free; what an instructor publishes comes next.
+  const int number = published ? last + 1 : std::max(scenario.version, last + 1);
+  const std::int64_t sequence = c_.next_sequence(transaction);
+  transaction.run(
+      "INSERT INTO scenario_versions (id, scenario, number, key, title, json, content_hash, author, published_at, "
+      "sequence) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
+      id, scenario.id, number, scenario.key, title_to_json(scenario.title), json, content_hash, author, c_.clock(),
+      sequence);
+  for (const auto& [name, blob] : files) {
+    transaction.run("INSERT INTO version_files (version, name, blob) VALUES (?1, ?2, ?3)", id, name, blob);
+  }
+  if (published) {
+    transaction.run("DELETE FROM scenario_drafts WHERE scenario = ?1 AND author = ?2", scenario.id, author);
+    AuditLog::add(c_, transaction, author, "version_published", id.uuid, hex(content_hash));
+  }
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return version(id);
+}
+
+Stored<ScenarioVersion> Scenarios::ensure(const Scenario& scenario, const std::string& json,
+                                          const Hash256& content_hash, const std::map<std::string, Hash256>& files) {
+  const auto there =
+      c_.db.first("SELECT id FROM scenario_versions WHERE scenario = ?1 AND content_hash = ?2 ORDER BY number LIMIT 1",
+                  [](Row row) { return row.id<VersionId>(0); }, scenario.id, content_hash);
+  if (!there) return std::unexpected(there.error());
+  if (*there) return version(**there);
+  return insert(UserId{}, scenario, json, content_hash, files);
+}
+
+Stored<ScenarioVersion> Scenarios::publish(const Actor& actor, const Scenario& scenario, const std::string& json,
+                                           const Hash256& content_hash, const std::map<std::string, Hash256>& files) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+  return insert(actor.id, scenario, json, content_hash, files);
+}
+
+Stored<ScenarioVersion> Scenarios::version(VersionId id) {
+  auto found = c_.db.first(std::string(kColumns) + "WHERE id = ?1", version_of, id);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "scenario_versions", id.text());
+  if (auto done = add_files(c_.db, **found); !done) return std::unexpected(done.error());
+  return std::move(**found);
+}
+
+Stored<std::vector<ScenarioVersion>> Scenarios::versions(ScenarioId scenario) {
+  return with_files(c_.db,
+                    c_.db.all(std::string(kColumns) + "WHERE scenario = ?1 ORDER BY number", version_of, scenario));
+}
+
+Stored<std::vector<ScenarioVersion>> Scenarios::library() {
+  return with_files(c_.db, c_.db.all(std::string(kColumns) +
+                                         "AS v WHERE number = (SELECT max(number) FROM scenario_versions "
+                                         "WHERE scenario = v.scenario) ORDER BY scenario",
+                                     version_of));
+}
+
+Stored<void> Scenarios::save_draft(const Actor& actor, ScenarioId scenario, const std::string& json) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  transaction.run(
+      "INSERT INTO scenario_drafts (scenario, author, json, saved_at) VALUES (?1, ?2, ?3, ?4) "
+      "ON CONFLICT (scenario, author) DO UPDATE SET json = excluded.json, saved_at = excluded.saved_at",
+      scenario, actor.id, json, c_.clock());
+  return transaction.commit();
+}
+
+namespace {
+ScenarioDraft draft_of(Row row) {
+  return {row.id<ScenarioId>(0), row.id<UserId>(1), row.text(2), row.integer(3)};
+}
+}  // namespace
+
+Stored<std::optional<ScenarioDraft>> Scenarios::draft(const Actor& actor, ScenarioId scenario) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+  return c_.db.first("SELECT scenario, author, json, saved_at FROM scenario_drafts WHERE scenario = ?1 AND author = ?2",
+                     draft_of, scenario, actor.id);
+}
+
+Stored<std::vector<ScenarioDraft>> Scenarios::drafts(const Actor& actor) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+  return c_.db.all(
+      "SELECT scenario, author, json, saved_at FROM scenario_drafts WHERE author = ?1 ORDER BY saved_at DESC", draft_of,
+      actor.id);
+}
+
+Stored<void> Scenarios::drop_draft(const Actor& actor, ScenarioId scenario) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  transaction.run("DELETE FROM scenario_drafts WHERE scenario = ?1 AND author = ?2", scenario, actor.id);
+  return transaction.commit();
+}
+
+}  // namespace cusp

@@ -1,0 +1,81 @@
+#include "storage/repositories/session_header.h"
+
+#include <nlohmann/json.hpp>
+
+namespace cusp {
+
+using nlohmann::json;
+
+std::string header_to_json(const SessionHeader& h) {
+  const json out = {
+      {"engine_version", h.engine_version},
+      {"build", h.build},
+      {"device",
+       {{"name", h.device.name},
+        {"class", h.device.device_class},
+        {"position_axes", h.device.position_axes},
+        {"rotation_axes", h.device.rotation_axes},
+        {"max_force_n", h.device.max_force_n},
+        {"max_stiffness_n_per_mm", h.device.max_stiffness_n_per_mm},
+        {"has_own_clock", h.device.has_own_clock}}},
+      {"calibration", h.calibration},
+      {"guard",
+       {{"limit_n", h.guard.limit_n},
+        {"slew_n_per_ms", h.guard.slew_n_per_ms},
+        {"ramp_in_ms", h.guard.ramp_in_ms},
+        {"jump_mm", h.guard.jump_mm},
+        {"late_ms", h.guard.late_ms}}},
+      {"specimen_hash", h.specimen_hash},
+      {"specimen_blob", hex(h.specimen_blob)},
+      {"scene", h.scene},
+  };
+  return out.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+namespace {
+std::optional<Hash256> hash_from_hex(const std::string& text) {
+  if (text.size() != 64) return std::nullopt;
+  Hash256 hash{};
+  for (std::size_t i = 0; i < 64; ++i) {
+    const char c = text[i];
+    const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+    if (digit < 0) return std::nullopt;
+    hash[i / 2] = static_cast<std::uint8_t>(hash[i / 2] << 4 | digit);
+  }
+  return hash;
+}
+}  // namespace
+
+std::optional<SessionHeader> header_from_json(const std::string& text) {
+  try {
+    const json in = json::parse(text);
+    SessionHeader h;
+    in.at("engine_version").get_to(h.engine_version);
+    in.at("build").get_to(h.build);
+    const json& device = in.at("device");
+    device.at("name").get_to(h.device.name);
+    device.at("class").get_to(h.device.device_class);
+    device.at("position_axes").get_to(h.device.position_axes);
+    device.at("rotation_axes").get_to(h.device.rotation_axes);
+    device.at("max_force_n").get_to(h.device.max_force_n);
+    device.at("max_stiffness_n_per_mm").get_to(h.device.max_stiffness_n_per_mm);
+    device.at("has_own_clock").get_to(h.device.has_own_clock);
+    in.at("calibration").get_to(h.calibration);
+    const json& guard = in.at("guard");
+    guard.at("limit_n").get_to(h.guard.limit_n);
+    guard.at("slew_n_per_ms").get_to(h.guard.slew_n_per_ms);
+    guard.at("ramp_in_ms").get_to(h.guard.ramp_in_ms);
+    guard.at("jump_mm").get_to(h.guard.jump_mm);
+    guard.at("late_ms").get_to(h.guard.late_ms);
+    in.at("specimen_hash").get_to(h.specimen_hash);
+    const auto blob = hash_from_hex(in.at("specimen_blob").get<std::string>());
+    if (!blob) return std::nullopt;
+    h.specimen_blob = *blob;
+    in.at("scene").get_to(h.scene);
+    return h;
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace cusp

@@ -1,0 +1,142 @@
+#include "storage/repositories/sessions.h"
+
+#include "storage/chain_writer.h"
+#include "storage/process.h"
+#include "storage/repositories/session_header.h"
+#include "storage/repositories/session_state.h"
+#include "storage/trace_codec.h"
+
+namespace cusp {
+
+Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
+  if (auto allowed = require(actor, Action::drill); !allowed) return std::unexpected(allowed.error());
+  if (wanted.student != actor.id) return fail(StorageError::not_allowed, std::string(key_of(Action::drill)));
+  const SessionId id = SessionId::make();
+  Transaction transaction(c_.db);
+  const auto guest = transaction.first("SELECT guest FROM people WHERE id = ?1 AND disabled = 0",
+                                       [](Row row) { return row.flag(0); }, wanted.student);
+  if (!guest) transaction.refuse({StorageError::not_found, "people", wanted.student.text()});
+  const auto hashes = transaction.first(
+      "SELECT content_hash, json FROM scenario_versions WHERE id = ?1",
+      [](Row row) { return std::pair{row.hash(0), blake2b_256(row.bytes(1))}; }, wanted.version);
+  if (!hashes) transaction.refuse({StorageError::not_found, "scenario_versions", wanted.version.text()});
+  if (!transaction.ok()) return std::unexpected(transaction.commit().error());
+
+  const SessionKind kind = *guest ? SessionKind::try_it : wanted.kind;
+  const SessionHeader& h = wanted.header;
+  const std::int64_t sequence = c_.next_sequence(transaction);
+  transaction.run(
+      "INSERT INTO sessions (id, station, student, version, version_hash, json_hash, kind, assignment, hand, device, "
+      "device_class, engine_version, specimen_blob, header, started_at, sequence) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
+      id, c_.station, wanted.student, wanted.version, hashes->first, hashes->second, key_of(kind), wanted.assignment,
+      wanted.hand, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header_to_json(h), c_.clock(),
+      sequence);
+  const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.hand, {});
+  ChainWriter chain(c_, transaction, id);
+  chain.add(SessionTable::sessions, 0, -1);
+  chain.add(SessionTable::session_events, event, 0);
+  chain.finish();
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return find(id);
+}
+
+Stored<void> Sessions::add_event(SessionId session, EventKind kind, const std::string& reason,
+                                 const FinalVolume* volume) {
+  Transaction transaction(c_.db);
+  require_state(transaction, session,
+                kind == EventKind::resumed  ? Need::interrupted
+                : kind == EventKind::closed ? Need::not_running
+                                            : Need::running);
+  const TraceEnd end = trace_end(transaction, session);
+  ChainWriter chain(c_, transaction, session);
+  if (volume != nullptr) {
+    if (volume->tick != end.tick) transaction.refuse({StorageError::wrong_state, "final_volumes", session.text()});
+    insert_final_volume(transaction, session, *volume);
+    chain.add(SessionTable::final_volumes, 0, end.second());
+  }
+  chain.add(SessionTable::session_events, insert_event(c_, transaction, session, kind, reason, end), end.second());
+  chain.finish();
+  return transaction.commit();
+}
+
+Stored<void> Sessions::resume(SessionId session, const std::string& reason) {
+  return add_event(session, EventKind::resumed, reason, nullptr);
+}
+Stored<void> Sessions::interrupt(SessionId session, const std::string& reason) {
+  return add_event(session, EventKind::interrupted, reason, nullptr);
+}
+Stored<void> Sessions::finish(SessionId session, const FinalVolume& volume, const std::string& reason) {
+  return add_event(session, EventKind::finished, reason, &volume);
+}
+Stored<void> Sessions::close(SessionId session, const std::string& reason) {
+  return add_event(session, EventKind::closed, reason, nullptr);
+}
+
+Stored<std::vector<SessionId>> Sessions::mark_interrupted() {
+  const auto running = c_.db.all(
+      "SELECT s.id, e.process FROM sessions s JOIN session_events e ON e.session = s.id "
+      "WHERE e.row = (SELECT max(row) FROM session_events WHERE session = s.id) AND e.kind IN ('started', 'resumed')",
+      [](Row row) { return std::pair{row.id<SessionId>(0), row.text(1)}; });
+  if (!running) return std::unexpected(running.error());
+  std::vector<SessionId> marked;
+  for (const auto& [session, process] : *running) {
+    if (process_runs(process)) continue;
+    auto done = interrupt(session, "process_gone");
+    // Another program that opened the file at the same moment may have been first.
+    if (!done && done.error().code != StorageError::wrong_state) return std::unexpected(done.error());
+    if (done) marked.push_back(session);
+  }
+  return marked;
+}
+
+Stored<Session> Sessions::find(SessionId id) {
+  struct Found {
+    Session session;
+    std::optional<SessionKind> kind;
+    std::optional<SessionHeader> header;
+  };
+  const auto found = c_.db.first(
+      "SELECT id, student, version, version_hash, kind, assignment, hand, started_at, header FROM sessions WHERE id = ?1",
+      [](Row row) {
+        Found f;
+        f.session.id = row.id<SessionId>(0);
+        f.session.student = row.id<UserId>(1);
+        f.session.version = row.id<VersionId>(2);
+        f.session.version_hash = row.hash(3);
+        f.kind = session_kind_from_key(row.text(4));
+        if (!row.is_null(5)) f.session.assignment = row.id<AssignmentId>(5);
+        f.session.hand = row.text(6);
+        f.session.started_utc_us = row.integer(7);
+        f.header = header_from_json(row.text(8));
+        return f;
+      },
+      id);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "sessions", id.text());
+  if (!(*found)->kind || !(*found)->header) return fail(StorageError::corrupt, "sessions", id.text());
+  Session session = (*found)->session;
+  session.kind = *(*found)->kind;
+  session.header = *(*found)->header;
+  return session;
+}
+
+Stored<std::vector<SessionEvent>> Sessions::events(SessionId session) {
+  return c_.db.all(
+      "SELECT kind, at, sequence, tick, reason FROM session_events WHERE session = ?1 ORDER BY row",
+      [](Row row) {
+        // A kind that the schema does not admit is damage; the verifier names it, and here it stops the session.
+        return SessionEvent{event_kind_from_key(row.text(0)).value_or(EventKind::closed), row.integer(1), row.integer(2),
+                            row.u64(3), row.text(4)};
+      },
+      session);
+}
+
+Stored<SessionState> Sessions::state(SessionId session) {
+  const auto all = events(session);
+  if (!all) return std::unexpected(all.error());
+  if (all->empty()) return fail(StorageError::not_found, "sessions", session.text());
+  return state_after(*all);
+}
+
+}  // namespace cusp

@@ -1,0 +1,105 @@
+#include "storage/store.h"
+
+#include <algorithm>
+
+#include "storage/files.h"
+
+namespace cusp {
+namespace {
+
+/// The secret half and, within it, the public one, as 64 raw bytes.
+Stored<StationKey> key_from(const std::string& bytes, const std::filesystem::path& file) {
+  StationKey key;
+  if (bytes.size() != key.secret_key.size()) return fail(StorageError::corrupt, file.string());
+  std::ranges::transform(bytes, key.secret_key.begin(), [](char c) { return static_cast<std::uint8_t>(c); });
+  std::copy_n(key.secret_key.begin() + 32, 32, key.public_key.begin());
+  // A key whose halves do not belong together would sign what nobody can check.
+  const Hash256 probe = blake2b_256(std::string_view{"probe"});
+  if (!head_signature_holds(key.public_key, Uuid{}, 0, probe, key.sign_head(Uuid{}, 0, probe))) {
+    return fail(StorageError::corrupt, file.string());
+  }
+  return key;
+}
+
+Stored<StationKey> read_or_make_key(const std::filesystem::path& file) {
+  auto content = read_private_file(file);
+  if (!content) return std::unexpected(content.error());
+  if (!*content) {
+    const StationKey key = StationKey::make();
+    auto written = write_private_file(file, std::string(key.secret_key.begin(), key.secret_key.end()));
+    if (written) return key;
+    if (written.error().code != StorageError::duplicate) return std::unexpected(written.error());
+    content = read_private_file(file);
+    if (!content) return std::unexpected(content.error());
+  }
+  return key_from(content->value_or(""), file);
+}
+
+/// Station row and key, under the file's write lock: two programs that start together agree on both.
+Stored<void> ready_station(StorageContext& context, const std::filesystem::path& key_file) {
+  Transaction transaction(context.db);
+  const auto id = [](Row row) { return row.uuid(0); };
+  auto station = transaction.first("SELECT id FROM station", id);
+  if (!station) {
+    station = Uuid::v7();
+    transaction.run("INSERT INTO station (one, id, next_sequence) VALUES (1, ?1, 1)", *station);
+  }
+  context.station = *station;
+  if (transaction.ok()) {
+    auto key = read_or_make_key(key_file);
+    if (key) {
+      context.key = *key;
+    } else {
+      transaction.refuse(std::move(key.error()));
+    }
+  }
+  if (transaction.ok()) {
+    const Hash256 name = context.key->id();
+    transaction.run("INSERT OR IGNORE INTO station_keys (id, public_key, added_at) VALUES (?1, ?2, ?3)", name,
+                    context.key->public_key, context.clock());
+    if (transaction.ok() && context.db.changes() > 0) {
+      AuditLog::add(context, transaction, UserId{}, "station_key_added", context.station, hex(name));
+    }
+  }
+  return transaction.commit();
+}
+
+}  // namespace
+
+Store::Store(StorageContext context)
+    : context_{std::move(context)},
+      audit{context_},
+      blobs{context_},
+      people{context_},
+      cohorts{context_},
+      scenarios{context_},
+      assignments{context_},
+      sessions{context_},
+      traces{context_},
+      metrics{context_},
+      grades{context_},
+      comments{context_},
+      history{context_} {}
+
+Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, StoreOptions options) {
+  auto database = Database::open(file, options.database);
+  if (!database) return std::unexpected(database.error());
+  auto store = std::make_unique<Store>(
+      StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
+  StorageContext& context = store->context();
+  if (context.db.read_only()) {
+    const auto station = context.db.first("SELECT id FROM station", [](Row row) { return row.uuid(0); });
+    if (!station) return std::unexpected(station.error());
+    context.station = station->value_or(Uuid{});
+    return store;
+  }
+  const auto key_file =
+      options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
+  if (auto ready = ready_station(context, key_file); !ready) return std::unexpected(ready.error());
+  if (options.mark_interrupted) {
+    if (auto marked = store->sessions.mark_interrupted(); !marked) return std::unexpected(marked.error());
+  }
+  return store;
+}
+
+}  // namespace cusp

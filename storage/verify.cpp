@@ -1,0 +1,310 @@
+#include "storage/verify.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "storage/session_tables.h"
+#include "storage/trace_codec.h"
+
+namespace cusp {
+
+std::string_view key_of(FindingCode code) noexcept {
+  constexpr std::array<std::string_view, 8> keys = {"row_changed", "row_missing", "row_added",  "link_broken",
+                                                    "head_broken", "key_changed", "unreadable", "count_wrong"};
+  return keys[static_cast<std::size_t>(code)];
+}
+
+namespace {
+
+struct StoredLink {
+  ChainLink link;
+  Hash256 hash{};  // as stored
+};
+
+struct Head {
+  std::uint64_t links = 0;
+  Hash256 link{}, key{};
+  Signature signature{};
+};
+
+Signature signature_of(std::span<const std::byte> bytes) {
+  Signature out{};
+  if (bytes.size() == out.size()) {
+    std::ranges::transform(bytes, out.begin(), [](std::byte b) { return std::to_integer<std::uint8_t>(b); });
+  }
+  return out;
+}
+
+/// Follows a chain of stored links. After one that does not hold, what comes next may follow either from the link as
+/// stored (its entry was changed) or as reckoned (the link itself was): so one changed byte gives one finding.
+class Follower {
+ public:
+  Follower(Uuid owner) : owner_{owner}, stored_{chain_start(owner)}, reckoned_{stored_} {}
+  bool follows(const StoredLink& entry) {
+    const Hash256 a = chain_link(stored_, owner_, entry.link);
+    const Hash256 b = chain_link(reckoned_, owner_, entry.link);
+    const bool good = entry.hash == a || entry.hash == b;
+    reckoned_ = good ? entry.hash : a;
+    stored_ = entry.hash;
+    return good;
+  }
+  bool ends_in(const Hash256& link) const { return link == stored_ || link == reckoned_; }
+  const Hash256& reckoned() const { return reckoned_; }
+
+ private:
+  Uuid owner_;
+  Hash256 stored_, reckoned_;
+};
+
+/// Key and signature of a head.
+void check_head(Database& db, const Uuid& owner, const Head& head, const char* table,
+                std::vector<ChainFinding>& findings) {
+  const auto key = db.first("SELECT public_key FROM station_keys WHERE id = ?1", [](Row row) { return row.hash(0); },
+                            head.key);
+  if (!key) return findings.push_back({FindingCode::unreadable, "station_keys"});
+  if (!*key || key_id(**key) != head.key) {
+    // Was the head's name of the key changed, or the key? Another key under which the signature holds tells.
+    const auto keys = db.all("SELECT id, public_key FROM station_keys",
+                             [](Row row) { return std::pair{row.hash(0), row.hash(1)}; });
+    bool head_is_wrong = false;
+    if (keys) {
+      for (const auto& [id, other] : *keys) {
+        head_is_wrong = head_is_wrong ||
+                        (key_id(other) == id && head_signature_holds(other, owner, head.links, head.link, head.signature));
+      }
+    }
+    return findings.push_back(head_is_wrong ? ChainFinding{FindingCode::head_broken, table}
+                                            : ChainFinding{FindingCode::key_changed, "station_keys"});
+  }
+  if (!head_signature_holds(**key, owner, head.links, head.link, head.signature)) {
+    findings.push_back({FindingCode::head_broken, table});
+  }
+}
+
+class SessionVerifier {
+ public:
+  SessionVerifier(StorageContext& context, SessionId session) : db_{context.db}, session_{session} {}
+
+  Stored<Verification> run() {
+    read_chain();
+    for (const SessionTable table : kSessionTables) compare(table);
+    if (!anything_) return fail(StorageError::not_found, "sessions", session_.text());
+    check_heads();
+    check_trace();
+    check_what_it_names();
+    return std::move(out_);
+  }
+
+ private:
+  void find(FindingCode code, std::string_view table, std::int64_t row = -1, std::int64_t second = -1) {
+    out_.findings.push_back({code, std::string(table), row, second});
+  }
+
+  void read_chain() {
+    const auto links = db_.all(
+        "SELECT position, table_number, row, second, content, link FROM session_chain WHERE session = ?1 ORDER BY position",
+        [](Row row) {
+          return StoredLink{{row.u64(0), row.u64(1), row.u64(2), row.integer(3), row.hash(4)}, row.hash(5)};
+        },
+        session_);
+    if (!links) return find(FindingCode::unreadable, "session_chain");
+    anything_ = anything_ || !links->empty();
+    std::uint64_t expected = 0;
+    for (const StoredLink& entry : *links) {
+      const auto position = static_cast<std::int64_t>(entry.link.position);
+      if (entry.link.position != expected) {
+        find(FindingCode::row_missing, "session_chain", static_cast<std::int64_t>(expected));
+        whole_ = false;
+      }
+      expected = entry.link.position + 1;
+      const bool good = follower_.follows(entry);
+      // Behind a gap nothing can follow; the gap has been told.
+      if (!good && whole_) find(FindingCode::link_broken, "session_chain", position, entry.link.second);
+      entries_[{entry.link.table, entry.link.row}] = {entry.link, good || !whole_};
+    }
+    out_.links = links->size();
+  }
+
+  /// Every row of a table against what the chain says of it.
+  void compare(SessionTable table) {
+    const auto number = static_cast<std::uint64_t>(table);
+    std::set<std::uint64_t> seen;
+    const auto rows = db_.all(select_rows(table),
+                              [](Row row) { return std::pair{row.u64(0), row.content_hash(1)}; }, session_);
+    if (!rows) return find(FindingCode::unreadable, name_of(table));
+    anything_ = anything_ || !rows->empty();
+    for (const auto& [row, content] : *rows) {
+      seen.insert(row);
+      const auto entry = entries_.find({number, row});
+      if (entry == entries_.end()) {
+        // With a broken chain the entry may be what was changed.
+        if (whole_ && out_.findings.empty()) find(FindingCode::row_added, name_of(table), static_cast<std::int64_t>(row));
+      } else if (entry->second.trusted && entry->second.link.content != content) {
+        find(FindingCode::row_changed, name_of(table), static_cast<std::int64_t>(row), entry->second.link.second);
+      }
+    }
+    for (const auto& [key, entry] : entries_) {
+      if (key.first == number && entry.trusted && !seen.contains(key.second)) {
+        find(FindingCode::row_missing, name_of(table), static_cast<std::int64_t>(key.second), entry.link.second);
+      }
+    }
+  }
+
+  void check_heads() {
+    const auto head = db_.first(
+        "SELECT links, link, key, signature FROM session_heads WHERE session = ?1",
+        [](Row row) { return Head{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))}; }, session_);
+    if (!head) return find(FindingCode::unreadable, "session_heads");
+    if (!*head) return find(FindingCode::row_missing, "session_heads");
+    check_head(db_, session_.uuid, **head, "session_heads", out_.findings);
+    const bool ends = (*head)->links == out_.links && follower_.ends_in((*head)->link);
+    if (!ends && out_.findings.empty()) find(FindingCode::head_broken, "session_heads");
+  }
+
+  /// Beyond hashes: that the chunks unfold, hold what they say and follow each other, and that the blobs unfold.
+  void check_trace() {
+    struct Chunk {
+      std::uint64_t row, first_tick, count, elapsed_us, decoded, decoded_us;
+      bool good;
+    };
+    const auto chunks = db_.all(
+        "SELECT row, first_tick, inputs, elapsed_us, trace FROM trace_chunks WHERE session = ?1 ORDER BY row",
+        [](Row row) {
+          Chunk chunk{row.u64(0), row.u64(1), row.u64(2), row.u64(3), 0, 0, false};
+          if (const auto inputs = decode_trace(row.bytes(4))) {
+            chunk.good = true;
+            chunk.decoded = inputs->size();
+            for (const StepInput& input : *inputs) chunk.decoded_us += input.elapsed_us;
+          }
+          return chunk;
+        },
+        session_);
+    if (!chunks) return;  // told by compare()
+    std::uint64_t tick = 1, elapsed = 0;
+    for (const Chunk& chunk : *chunks) {
+      const auto row = static_cast<std::int64_t>(chunk.row);
+      const auto second = static_cast<std::int64_t>(elapsed / 1'000'000);
+      ++out_.chunks;
+      out_.inputs += chunk.decoded;
+      // A byte that the hashes have found needs no second finding.
+      if (out_.findings.empty() && !chunk.good) find(FindingCode::unreadable, "trace_chunks", row, second);
+      if (out_.findings.empty() && (chunk.first_tick != tick || chunk.count != chunk.decoded ||
+                                    chunk.elapsed_us != elapsed + chunk.decoded_us)) {
+        find(FindingCode::count_wrong, "trace_chunks", row, second);
+      }
+      tick = chunk.first_tick + chunk.count;
+      elapsed = chunk.elapsed_us;
+    }
+    check_unfolds("SELECT row, state FROM key_states WHERE session = ?1", "key_states");
+    check_unfolds("SELECT row, cuts FROM final_volumes WHERE session = ?1", "final_volumes");
+  }
+
+  void check_unfolds(const char* sql, const char* table) {
+    const auto rows = db_.all(sql, [](Row row) { return std::pair{row.integer(0), unpack(row.bytes(1)).has_value()}; },
+                              session_);
+    if (!rows || !out_.findings.empty()) return;
+    for (const auto& [row, good] : *rows) {
+      if (!good) find(FindingCode::unreadable, table, row);
+    }
+  }
+
+  /// The scenario version and the specimen that the session's row names are what they were when it started.
+  void check_what_it_names() {
+    struct Names {
+      Hash256 version, json, specimen;
+      std::optional<Hash256> version_now, json_now;
+      std::vector<std::byte> packed;
+      bool has_specimen;
+    };
+    const auto names = db_.first(
+        "SELECT s.version_hash, s.json_hash, s.specimen_blob, v.content_hash, v.json, b.packed, b.hash IS NOT NULL "
+        "FROM sessions s LEFT JOIN scenario_versions v ON v.id = s.version "
+        "LEFT JOIN blobs b ON b.hash = s.specimen_blob WHERE s.id = ?1",
+        [](Row row) {
+          Names n{row.hash(0), row.hash(1), row.hash(2), std::nullopt, std::nullopt, row.blob(5), row.flag(6)};
+          if (!row.is_null(3)) n.version_now = row.hash(3);
+          if (!row.is_null(4)) n.json_now = blake2b_256(row.bytes(4));
+          return n;
+        },
+        session_);
+    if (!names) return find(FindingCode::unreadable, "scenario_versions");
+    if (!*names || !out_.findings.empty()) return;
+    const Names& n = **names;
+    if (!n.version_now) {
+      find(FindingCode::row_missing, "scenario_versions");
+    } else if (*n.version_now != n.version || *n.json_now != n.json) {
+      find(FindingCode::row_changed, "scenario_versions");
+    }
+    if (n.specimen == Hash256{}) return;
+    if (!n.has_specimen) return find(FindingCode::row_missing, "blobs");
+    const auto bytes = unpack(n.packed);
+    if (!bytes || blake2b_256(*bytes) != n.specimen) find(FindingCode::row_changed, "blobs");
+  }
+
+  struct Entry {
+    ChainLink link;
+    bool trusted = false;  // the entry itself holds
+  };
+  Database& db_;
+  SessionId session_;
+  Verification out_;
+  Follower follower_{session_.uuid};
+  std::map<std::pair<std::uint64_t, std::uint64_t>, Entry> entries_;  // (table, row)
+  bool whole_ = true;                                                 // no gap in the chain's positions so far
+  bool anything_ = false;
+};
+
+}  // namespace
+
+Stored<Verification> verify_session(StorageContext& context, SessionId session) {
+  return SessionVerifier(context, session).run();
+}
+
+Stored<Verification> verify_audit_log(StorageContext& context) {
+  Verification out;
+  const auto rows = context.db.all(
+      "SELECT link, number, at, sequence, actor, action, subject, detail FROM audit_log ORDER BY number",
+      [](Row row) {
+        return StoredLink{{row.u64(1), 0, row.u64(1), -1, row.content_hash(1)}, row.hash(0)};
+      });
+  if (!rows) return std::unexpected(rows.error());
+  Follower follower(context.station);
+  std::uint64_t expected = 0;
+  for (const StoredLink& entry : *rows) {
+    const auto number = static_cast<std::int64_t>(entry.link.position);
+    if (entry.link.position != expected) {
+      out.findings.push_back({FindingCode::row_missing, "audit_log", static_cast<std::int64_t>(expected)});
+    }
+    const bool gap = entry.link.position != expected;
+    expected = entry.link.position + 1;
+    if (!follower.follows(entry) && !gap) out.findings.push_back({FindingCode::row_changed, "audit_log", number});
+  }
+  out.links = rows->size();
+  const auto head = context.db.first(
+      "SELECT entries, link, key, signature FROM audit_head",
+      [](Row row) { return Head{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))}; });
+  if (!head) return std::unexpected(head.error());
+  if (!*head) {
+    if (!rows->empty()) out.findings.push_back({FindingCode::row_missing, "audit_head"});
+    return out;
+  }
+  check_head(context.db, context.station, **head, "audit_head", out.findings);
+  if (out.findings.empty() && ((*head)->links != out.links || !follower.ends_in((*head)->link))) {
+    out.findings.push_back({FindingCode::head_broken, "audit_head"});
+  }
+  return out;
+}
+
+Stored<std::vector<SessionId>> sessions_to_verify(StorageContext& context) {
+  std::string sql = "SELECT id FROM sessions UNION SELECT session FROM session_chain UNION SELECT session FROM session_heads";
+  for (const SessionTable table : kSessionTables) {
+    if (table != SessionTable::sessions) sql.append(" UNION SELECT session FROM ").append(name_of(table));
+  }
+  return context.db.all(sql, [](Row row) { return row.id<SessionId>(0); });
+}
+
+}  // namespace cusp
