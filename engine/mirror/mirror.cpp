@@ -95,7 +95,7 @@ std::uint64_t Mirror::pump() {
     one(input);
     ++done;
     // Running behind, the picture waits: a show for each 25 ms would make it later still. Without a thread nothing does.
-    const bool behind = thread_.joinable() && hand_over_.inputs.size() > 100;
+    const bool behind = thread_.joinable() && hand_over_.inputs.size() > 200;
     if (state_.last().elapsed_us >= next_show_us_ && !behind) show(false);
   }
   compare();

@@ -1,5 +1,8 @@
 #include "ui/session/play_through.h"
 
+#include <chrono>
+#include <thread>
+
 #include "engine/loop/haptic_loop.h"
 #include "ui/session/run_follower.h"
 #include "ui/session/run_setup.h"
@@ -27,14 +30,17 @@ Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& 
   mirror.add(follower);
   for (Observer* observer : plan.observers) mirror.add(*observer);
 
+  // The mirror follows on the other core. Short turns and a short wait: what stands on the disk is never more than a
+  // fraction of a second of the session behind what was played.
+  constexpr std::uint64_t kTurn = 50;
+  constexpr std::size_t kMostWaiting = 150;
   RunEnd end = RunEnd::script;
-  // Short turns: the record on the disk is never far behind what was played, and the ring never fills.
-  constexpr std::uint64_t kTurn = 250;
   std::uint64_t asked_at_s = 0;
+  mirror.start();
   while (loop.run(kTurn) == kTurn) {
-    mirror.pump();
+    while (loop.hand_over().inputs.size() > kMostWaiting) std::this_thread::sleep_for(std::chrono::microseconds(200));
     if (recorder && recorder->state() == RecordingState::failed) break;
-    const std::uint64_t elapsed = mirror.state().last().elapsed_us;
+    const std::uint64_t elapsed = loop.state().last().elapsed_us;
     if (settings.go_on && elapsed / 1'000'000 > asked_at_s) {
       asked_at_s = elapsed / 1'000'000;
       if (!settings.go_on(elapsed)) {
@@ -44,7 +50,7 @@ Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& 
     }
   }
   loop.ticker().end(LoopEnd::asked);
-  mirror.finish();
+  mirror.stop();
   port.close();
 
   std::unique_ptr<Store> store;

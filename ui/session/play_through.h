@@ -1,5 +1,5 @@
-/// A scripted go in virtual time, as fast as the processor goes: the same ticks, mirror, recorder and grade as a live one,
-/// on the caller's thread. `cusp play`, the editor's "check with the expert".
+/// A scripted go in virtual time, as fast as the processor goes: the same ticks, mirror, recorder and grade as a live one.
+/// Thread: the caller's plays, the mirror has its own; observers are called on that one. `cusp play`, the editor's "check with the expert".
 #pragma once
 
 #include <cstdint>

@@ -15,18 +15,18 @@
 
 namespace cusp::test {
 
-/// 4 x 4 x 3 mm of plastic under z = 0, voxels of 0.1 mm, padded by four.
+/// 3.6 x 3.6 x 2.4 mm of plastic under z = 0, voxels of 0.15 mm, padded by four: coarse, so that it runs under sanitizers.
 inline VoxelVolume block_volume() {
   Grid grid;
-  grid.size = {48, 48, 38};
-  grid.voxel_mm = 0.1;
-  grid.origin_mm = {-2.35, -2.35, -3.35};
+  grid.size = {32, 32, 24};
+  grid.voxel_mm = 0.15;
+  grid.origin_mm = {-2.325, -2.325, -2.925};
   VoxelVolume block(grid);
   for (int z = 0; z < grid.size.z; ++z)
     for (int y = 0; y < grid.size.y; ++y)
       for (int x = 0; x < grid.size.x; ++x) {
         const Vec3 at = grid.centre_mm({x, y, z});
-        const double d = std::max({std::abs(at.x) - 2.0, std::abs(at.y) - 2.0, at.z, -3.0 - at.z});
+        const double d = std::max({std::abs(at.x) - 1.8, std::abs(at.y) - 1.8, at.z, -2.4 - at.z});
         const std::size_t i = grid.index({x, y, z});
         block.s[i] = solid_from_distance(d / grid.voxel_mm);
         if (block.s[i] > 0) block.tissue[i] = Tissue::plastic;
@@ -34,27 +34,32 @@ inline VoxelVolume block_volume() {
   return block;
 }
 
+inline std::vector<Burr> block_burrs() {
+  Burr large, small;
+  large.radius_mm = 0.5;
+  small.radius_mm = 0.4;
+  small.neck_radius_mm = 0.25;
+  return {large, small};
+}
+
 inline std::shared_ptr<const Scene> block_scene(Method method = Method::surface) {
   auto scene = std::make_shared<Scene>();
   scene->specimen = Specimen::build(block_volume(), reading_of(method));
   scene->method = method;
-  scene->tissues[index_of(Tissue::plastic)] = {1.0, 2.0};
-  Burr small;
-  small.radius_mm = 0.4;
-  small.neck_radius_mm = 0.25;
-  scene->burrs = {Burr{}, small};
+  scene->tissues[index_of(Tissue::plastic)] = {1.0, 4.0};
+  scene->burrs = block_burrs();
   scene->guard.ramp_in_ms = 10;
   return scene;
 }
 
-/// The hand after `tick` milliseconds: down at 5 mm/s until it pushes 0.3 mm deep, then it drills and circles.
+/// The hand after `tick` milliseconds: touches at 20 ms, cuts from 40 ms on, circles 0.5 mm deep until 1.2 mm.
 inline Sample drilling_sample(std::uint64_t tick) {
   const double t = static_cast<double>(tick) * 1e-3;
   Sample sample;
   sample.status = Sample::Status::fresh;
-  const double down = std::max(1.0 - 5.0 * t, 0.2 - 0.4 * std::max(0.0, t - 0.16));
-  sample.position_mm = {0.6 * std::sin(4.0 * t), 0.6 - 0.6 * std::cos(4.0 * t), std::max(down, -1.0)};
-  sample.buttons = t > 0.2 ? StepInput::kCut : 0;
+  sample.position_mm = {0.6 * std::sin(4.0 * t), 0.6 - 0.6 * std::cos(4.0 * t),
+                        t < 0.1 ? 0.6 - 5.0 * t : std::max(0.1 - 0.5 * (t - 0.1), -0.7)};
+  sample.buttons = t > 0.04 ? StepInput::kCut : 0;
   return sample;
 }
 
@@ -64,8 +69,8 @@ class DrillingPort final : public HapticPort {
   explicit DrillingPort(std::uint64_t ticks, bool sleeps = false) : ticks_(ticks), sleeps_(sleeps) {}
   Result<void, PortFailure> open() override { return {}; }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    if (gone_.load() || at_ >= ticks_) return {};  // at once: a lost device has no pace
     if (sleeps_) std::this_thread::sleep_until(deadline);
-    if (gone_.load() || at_ >= ticks_) return {};
     return drilling_sample(at_++);
   }
   void write(const Feedback& feedback) noexcept override {
