@@ -310,6 +310,17 @@ Contact SurfaceContact::solve(const Volume& volume, const Burr& burr, Vec3 axis,
   return out;
 }
 
+bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept {
+  if (clear_path(volume, burr, axis, pose, pose)) return true;
+  const Vec3 x = (pose - volume.grid().origin_mm) / voxel_mm_;
+  if (volume.s({static_cast<int>(std::floor(x.x + 0.5)), static_cast<int>(std::floor(x.y + 0.5)),
+                static_cast<int>(std::floor(x.z + 0.5))}) >= kHalf)
+    return false;
+  gather(volume, burr, axis, pose, burr.radius_mm + voxel_mm_, voxel_mm_, true);
+  planes(burr, axis, pose, burr.radius_mm, burr.radius_mm - kClearanceMm, 0.0);
+  return plane_count_ == 0;
+}
+
 bool SurfaceContact::push_out(const Volume& volume, Vec3 pose, double radius_mm, Vec3& out) noexcept {
   static const Burr none{};
   constexpr double kMost = 0.02;

@@ -40,6 +40,9 @@ class SurfaceContact {
   Contact solve(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 from, Vec3 device, double reach_mm,
                 const CutMemory* memory) noexcept;
 
+  /// True when the burr at this pose is in free space: ball, neck and shank clear of tissue.
+  bool fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept;
+
   /// Nearest pose to `pose` at which a ball of `radius_mm` (and no shank) fits; false when there is none within 20 um.
   bool push_out(const Volume& volume, Vec3 pose, double radius_mm, Vec3& out) noexcept;
 

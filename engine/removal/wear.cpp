@@ -1,23 +1,25 @@
 #include "engine/removal/wear.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace cusp {
 
 namespace {
 
-/// 98 directions: the integer points of a cube's surface two voxels wide, made unit. Only sqrt: the same everywhere.
+/// 152 directions: the points of a cube's surface with odd coordinates up to 5, made unit. None lies on a plane of the
+/// grid, so that a seam there is shared evenly. Only sqrt: the same everywhere.
 struct Directions {
-  std::array<Vec3, 98> unit;
-  constexpr static int kCount = 98;
+  std::array<Vec3, 152> unit;
   Directions() noexcept {
     std::size_t n = 0;
-    for (int z = -2; z <= 2; ++z)
-      for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) {
+    for (int z = -5; z <= 5; z += 2)
+      for (int y = -5; y <= 5; y += 2)
+        for (int x = -5; x <= 5; x += 2) {
           const int most = std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
-          if (most != 2) continue;
+          if (most != 5) continue;
           const Vec3 v(x, y, z);
           unit[n++] = v / std::sqrt(glm::dot(v, v));
         }

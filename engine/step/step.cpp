@@ -85,11 +85,12 @@ std::uint64_t StepState::hash() const noexcept {
 namespace {
 
 /// Where the proxy begins: at the device point when nothing is there, else above the specimen, whence it comes down.
-Vec3 first_pose(const StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
+Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   const Grid& grid = state.volume.grid();
   const Burr& burr = state.scene->burrs[state.last.burr];
   const Vec3 low = grid.origin_mm - grid.voxel_mm;
   const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
+  if (state.surface && state.surface->fits(state.volume, burr, axis, device)) return device;
   // Along the tool's axis until the ball has left the box.
   double leave = 0.0;
   for (int pass = 0; pass < 512; ++pass) {

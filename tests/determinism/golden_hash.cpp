@@ -1,0 +1,68 @@
+// The same bits on every build and CPU: an exploration and a drilling whose inputs are integers, hashed. The constant
+// was made by g++ 12 -O2 on x86-64; release, ASan/UBSan and TSan builds in ./check must all come to it.
+// A change of the step that changes it raises kEngineVersion.
+#include <gtest/gtest.h>
+
+#include "engine/step/step.h"
+#include "engine/volume/hash.h"
+
+namespace cusp {
+namespace {
+
+/// Triangle wave in integers: -amplitude to amplitude over `period` ticks.
+int wave(int k, int period, int amplitude) {
+  const int t = k % period;
+  const int up = t * 2 < period ? t * 2 : period * 2 - t * 2;
+  return amplitude * (2 * up - period) / period;
+}
+
+std::shared_ptr<const Scene> scene_of(Method method) {
+  // A ball of dentine under a slab of enamel: only + - * / and sqrt make it.
+  Grid grid{IVec3(40), 0.1, Vec3(-1.95)};
+  VoxelVolume volume(grid);
+  IVec3 v;
+  for (v.z = 0; v.z < 40; ++v.z)
+    for (v.y = 0; v.y < 40; ++v.y)
+      for (v.x = 0; v.x < 40; ++v.x) {
+        const Vec3 p = grid.centre_mm(v);
+        const double d = std::sqrt(glm::dot(p, p)) - 1.5;
+        volume.s[grid.index(v)] = solid_from_distance(d / 0.1);
+        if (volume.s[grid.index(v)] > 0) volume.tissue[grid.index(v)] = p.z > 1.0 ? Tissue::enamel : Tissue::dentine;
+      }
+  auto scene = std::make_shared<Scene>();
+  scene->specimen = Specimen::build(volume, reading_of(method));
+  scene->method = method;
+  scene->burrs = {Burr{"1", 0.4, 0.24, 4.0, 0.8, 12.0}, Burr{"1/4", 0.25, 0.15, 4.0, 0.8, 12.0}};
+  scene->tissues[index_of(Tissue::enamel)] = {2.0, 1.5};
+  scene->tissues[index_of(Tissue::dentine)] = {1.0, 3.0};
+  scene->friction = true;
+  return scene;
+}
+
+std::uint64_t run(Method method, bool cut) {
+  StepState state(scene_of(method));
+  Hash64 hash;
+  for (int k = 0; k < 2500; ++k) {
+    StepInput input;
+    input.x = wave(k, 900, 6000);
+    input.y = wave(k, 610, 5000);
+    input.z = 21000 - 4 * k;
+    if (input.z < 14000) input.z = 14000 + wave(k, 400, 1500);
+    input.buttons = cut && k % 500 > 60 ? StepInput::kCut : std::uint16_t{0};
+    input.burr = k < 1500 ? 0 : 1;
+    const StepOutput out = step(state, input);
+    for (int i = 0; i < 3; ++i) {
+      hash.add_double(out.proxy_mm[i]);
+      hash.add_double(out.force_n[i]);
+    }
+  }
+  hash.add(state.hash());
+  return hash.value();
+}
+
+TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 16957413444520004693ull); }
+TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 5545026940405360083ull); }
+TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 7681096162591609957ull); }
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,195 @@
+// The proxies against closed forms. CUSP_TOLERANCE_ZERO=1 prints the residuals by failing every bound.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "engine/contact/plane_search.h"
+#include "tests/engine/step/scenes.h"
+
+namespace cusp {
+namespace {
+
+using namespace test;
+
+double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
+
+constexpr double kVoxel = 10.0 / 128;  // the paper's
+
+struct Residual {
+  double angle_deg = 0.0;
+  double depth_um = 0.0;
+  int infeasible = 0;
+};
+
+/// Slides at 50 mm/s, 0.3 mm below the offset surface, and keeps the worst of 4,000 ticks.
+Residual slide(const VoxelVolume& volume, double radius, const std::function<Vec3(double)>& on_surface,
+               const std::function<double(Vec3)>& distance, const std::function<Vec3(Vec3)>& normal) {
+  StepState state(scene_of(volume, Method::surface, radius));
+  const Vec3 start = on_surface(0.0);
+  approach(state, start + normal(start) * (radius + 0.5), start + normal(start) * (radius - 0.3));
+  Residual worst;
+  for (int k = 1; k <= 4000; ++k) {
+    const Vec3 p = on_surface(0.05 * k);
+    const StepInput input = input_at(p + normal(p) * (radius - 0.3));
+    const StepOutput out = step(state, input);
+    const Vec3 exact = normal(input.position_mm());
+    const double cosine = glm::dot(out.force_raw_n, exact) / length(out.force_raw_n);
+    worst.angle_deg = std::max(worst.angle_deg, std::acos(std::min(1.0, cosine)) * 57.29578);
+    worst.depth_um = std::max(worst.depth_um, std::fabs(distance(out.proxy_mm) - radius) * 1000.0);
+    worst.infeasible += out.infeasible ? 1 : 0;
+  }
+  return worst;
+}
+
+TEST(SurfaceProxy, slides_over_a_tilted_face_with_the_exact_normal) {
+  const Vec3 n = Vec3(0.1, 0.2, 1.0) / length(Vec3(0.1, 0.2, 1.0));
+  const auto face = [n](Vec3 p) { return glm::dot(p, n); };
+  const VoxelVolume volume = from_distance(10.0, kVoxel, face);
+  const auto circle = [n](double s) {
+    const Vec3 p(2.0 * std::cos(s / 2.0), 2.0 * std::sin(s / 2.0), 0.0);
+    return p - n * glm::dot(p, n);
+  };
+  const Residual worst = slide(volume, 0.25, circle, face, [n](Vec3) { return n; });
+  EXPECT_LE(worst.angle_deg, bound(0.02));  // measured 0.004: 16-bit samples
+  EXPECT_LE(worst.depth_um, bound(0.02));   // measured 0.0023
+  EXPECT_EQ(worst.infeasible, 0);
+}
+
+TEST(SurfaceProxy, slides_over_a_sphere_far_below_the_voxel_size) {
+  const auto sphere = [](Vec3 p) { return length(p) - 4.0; };
+  const VoxelVolume volume = from_distance(10.0, kVoxel, sphere);
+  const auto path = [](double s) {
+    const Vec3 u(0.75 * std::cos(s / 3.0), 0.75 * std::sin(s / 3.0), 0.66 + 0.1 * std::sin(s));
+    return 4.0 * u / length(u);
+  };
+  const Residual worst = slide(volume, 0.5, path, sphere, [](Vec3 p) { return p / length(p); });
+  EXPECT_LE(worst.angle_deg, bound(0.03));  // measured 0.008
+  EXPECT_LE(worst.depth_um, bound(0.05));   // measured 0.004
+  EXPECT_EQ(worst.infeasible, 0);
+}
+
+TEST(SurfaceProxy, a_burr_outside_the_tissue_feels_no_force) {
+  const VoxelVolume volume = from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; });
+  StepState state(scene_of(volume, Method::surface, 0.25));
+  const StepOutput out = approach(state, {0, 0, 2.5}, {0, 0, 1.26});
+  EXPECT_FALSE(out.contact);
+  EXPECT_EQ(out.force_raw_n, Vec3(0.0));
+  EXPECT_EQ(out.proxy_mm, out.device_mm);
+}
+
+TEST(SurfaceProxy, rests_in_an_inner_corner_on_three_faces) {
+  // Outside of a box, turned inside out: tissue round a cubic cavity, 3 mm wide.
+  const VoxelVolume volume = from_distance(5.0, 0.1, [](Vec3 p) { return -box_distance(p, Vec3(1.5, 1.5, 1.5)); });
+  auto scene = scene_of(volume, Method::surface, 0.4);
+  scene->burrs[0].neck_length_mm = 0.1;
+  scene->burrs[0].shank_length_mm = 0.1;
+  scene->burrs[0].shank_radius_mm = 0.1;
+  StepState state(scene);
+  StepOutput out;
+  for (int i = 0; i < 200; ++i) out = step(state, input_at(Vec3(0.0)));
+  for (int i = 1; i <= 200; ++i) out = step(state, input_at(Vec3(-1.4 * i / 200.0)));
+  // The ball's centre stands 0.4 mm from each face, at -1.1; the corner itself is rounded over a voxel.
+  for (int a = 0; a < 3; ++a) EXPECT_NEAR(out.proxy_mm[a], -1.1, bound(0.0005));
+}
+
+TEST(SurfaceProxy, the_shank_keeps_the_burr_off_a_wall) {
+  const VoxelVolume volume = from_distance(6.0, 0.1, [](Vec3 p) { return p.x - 0.0; });
+  auto scene = scene_of(volume, Method::surface, 0.25);
+  scene->burrs[0].neck_radius_mm = 0.2;
+  scene->burrs[0].neck_length_mm = 1.0;
+  scene->burrs[0].shank_radius_mm = 0.8;
+  scene->burrs[0].shank_length_mm = 1.0;
+  StepState state(scene);
+  const StepOutput out = approach(state, {2.0, 0, -1.0}, {0.1, 0, -1.0});
+  EXPECT_TRUE(out.shank);
+  EXPECT_NEAR(out.proxy_mm.x, 0.8, bound(0.002));  // the shank's radius, not the ball's
+}
+
+TEST(SurfaceProxy, a_wall_cannot_be_jumped_in_one_tick) {
+  // 0.4 mm wall; the device point crosses it at 1 m/s.
+  const VoxelVolume volume = from_distance(6.0, 0.1, [](Vec3 p) { return std::fabs(p.x) - 0.2; });
+  auto scene = scene_of(volume, Method::surface, 0.25);
+  scene->burrs[0].shank_radius_mm = scene->burrs[0].neck_radius_mm;
+  StepState state(scene);
+  StepOutput out = approach(state, {-1.5, 0, 0}, {-0.6, 0, 0});
+  for (int i = 0; i < 30; ++i) {
+    out = step(state, input_at(Vec3(std::min(1.5, -0.6 + 1.0 * i), 0.003 * i, 0)));
+    EXPECT_LT(out.proxy_mm.x, -0.44) << "tick " << i;
+  }
+}
+
+TEST(OccupancyProxy, never_overlaps_tissue_with_the_tool) {
+  const VoxelVolume volume = from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.0)); });
+  auto scene = scene_of(volume, Method::occupancy, 0.3);
+  StepState state(scene);
+  const VoxelTool tool = voxelise(scene->burrs[0], scene->tool_axis, 0.1);
+  approach(state, {0.13, -0.21, 2.0}, {0.13, -0.21, 0.9});
+  for (int i = 0; i < 800; ++i) {
+    const StepOutput out = step(state, input_at({0.13 + 0.9 * std::sin(i * 0.01), -0.21 + 0.7 * std::cos(i * 0.013), 0.9}));
+    const Vec3 x = (out.proxy_mm - volume.grid.origin_mm) / 0.1 + 0.5;
+    const IVec3 pivot(glm::floor(x));
+    for (const IVec3& o : tool.cutting) ASSERT_FALSE(state.volume().occupied(pivot + o)) << "tick " << i;
+  }
+}
+
+TEST(OccupancyProxy, pushes_back_along_the_face_it_presses) {
+  const VoxelVolume volume = from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.0)); });
+  StepState state(scene_of(volume, Method::occupancy, 0.3));
+  const StepOutput out = approach(state, {0, 0, 2.0}, {0, 0, 0.9});
+  EXPECT_TRUE(out.contact);
+  EXPECT_GT(out.force_raw_n.z, 0.3);
+  EXPECT_LT(std::fabs(out.force_raw_n.x) + std::fabs(out.force_raw_n.y), 0.1);  // within a voxel: the ray leaves from its centre
+}
+
+TEST(PlaneSearch, agrees_with_brute_force_over_all_triples) {
+  // Random planes about the origin; the true optimum is the best feasible vertex, edge point or foot.
+  std::uint64_t seed = 42;
+  const auto random = [&seed] {
+    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
+    return static_cast<double>(seed >> 33) / 2147483648.0 - 1.0;
+  };
+  for (int round = 0; round < 300; ++round) {
+    std::vector<Plane> planes;
+    for (int i = 0; i < 9; ++i) {
+      Vec3 n(random(), random(), random() + 1.1);
+      n = n / length(n);
+      planes.push_back({n, 0.3 * random(), i});
+    }
+    const Vec3 q(random(), random(), -1.0);
+    const auto feasible = [&planes](Vec3 y) {
+      for (const Plane& p : planes)
+        if (glm::dot(p.n, y) < p.c - 1e-9) return false;
+      return true;
+    };
+    double best = feasible(q) ? 0.0 : 1e9;
+    const auto offer = [&](Vec3 y) {
+      if (feasible(y)) best = std::min(best, length(y - q));
+    };
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      offer(q + planes[i].n * (planes[i].c - glm::dot(planes[i].n, q)));
+      for (std::size_t j = i + 1; j < planes.size(); ++j) {
+        const double g = glm::dot(planes[i].n, planes[j].n);
+        const double a = planes[i].c - glm::dot(planes[i].n, q);
+        const double b = planes[j].c - glm::dot(planes[j].n, q);
+        const double det = 1.0 - g * g;
+        offer(q + planes[i].n * ((a - g * b) / det) + planes[j].n * ((b - g * a) / det));
+        for (std::size_t k = j + 1; k < planes.size(); ++k) {
+          const glm::dmat3 m = glm::transpose(glm::dmat3(planes[i].n, planes[j].n, planes[k].n));
+          offer(glm::inverse(m) * Vec3(planes[i].c, planes[j].c, planes[k].c));
+        }
+      }
+    }
+    const PlaneSearch found = closest_point(q, planes, 1e-10);
+    ASSERT_TRUE(found.feasible) << "round " << round;
+    ASSERT_TRUE(feasible(found.y)) << "round " << round;
+    ASSERT_NEAR(length(found.y - q), best, 1e-7) << "round " << round;
+  }
+}
+
+TEST(PlaneSearch, says_when_planes_contradict_each_other) {
+  const Plane planes[] = {{Vec3(0, 0, 1), 1.0, 0}, {Vec3(0, 0, -1), 1.0, 1}};
+  EXPECT_FALSE(closest_point(Vec3(0.0), planes, 1e-9).feasible);
+}
+
+}  // namespace
+}  // namespace cusp

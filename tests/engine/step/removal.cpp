@@ -1,0 +1,166 @@
+// Eq. (4) to (6) and the cut pose: the speed is the tissue's, whatever the tick, and the shape is the swept ball.
+#include <gtest/gtest.h>
+
+#include "engine/removal/carve.h"
+#include "engine/removal/wear.h"
+#include "tests/engine/step/scenes.h"
+
+namespace cusp {
+namespace {
+
+using namespace test;
+
+constexpr double kPaperVoxel = 10.0 / 128;
+
+/// Drills straight down at full wear for `seconds`; the speed between a tenth of the stroke and its end, mm/s.
+double drilling_speed(std::shared_ptr<const Scene> scene, Vec3 top, Vec3 direction, double seconds,
+                      std::uint32_t tick_us, double push_mm = 0.35, double expected = 1.0) {
+  StepState state(std::move(scene));
+  approach(state, top - direction * 0.5, top + direction * push_mm);
+  const int ticks = static_cast<int>(seconds * 1e6 / tick_us);
+  Vec3 from(0.0), to(0.0);
+  for (int k = 0; k < ticks; ++k) {
+    const Vec3 device = top + direction * (push_mm + expected * k * tick_us * 1e-6);
+    const StepOutput out = step(state, input_at(device, true, tick_us));
+    if (k == ticks / 10) from = out.proxy_mm;
+    if (k == ticks - 1) to = out.proxy_mm;
+  }
+  return glm::dot(to - from, direction) / ((ticks - 1 - ticks / 10) * tick_us * 1e-6);
+}
+
+VoxelVolume block(double voxel) {
+  return from_distance(4.0, voxel, [](Vec3 p) { return box_distance(p, Vec3(2.0)); });
+}
+
+TEST(SurfaceRemoval, drills_at_the_tissues_speed_at_any_tick_length) {
+  const auto scene = scene_of(block(0.1), Method::surface, 0.25);
+  for (const std::uint32_t tick_us : {250u, 1000u, 4000u}) {
+    const double speed = drilling_speed(scene, {0.013, 0.027, 2.25}, {0, 0, -1}, 0.5, tick_us);
+    EXPECT_NEAR(speed, 1.0, 0.005) << tick_us;  // measured within 0.001
+  }
+}
+
+TEST(SurfaceRemoval, half_the_push_drills_half_as_fast) {
+  auto scene = scene_of(block(0.1), Method::surface, 0.25);
+  scene->full_force_n = 0.7;  // at 1 N/mm and 0.35 mm: alpha = 1/2
+  EXPECT_NEAR(drilling_speed(scene, {0, 0, 2.25}, {0, 0, -1}, 0.6, 1000, 0.35, 0.5), 0.5, 0.005);
+}
+
+TEST(SurfaceRemoval, a_drilled_hole_is_the_swept_ball) {
+  const auto scene = scene_of(block(0.1), Method::surface, 0.5, 4.0);
+  StepState state(scene);
+  approach(state, {0, 0, 3.0}, {0, 0, 2.15});
+  StepOutput out;
+  for (int k = 0; k < 400; ++k) out = step(state, input_at({0, 0, 2.15 - 0.004 * k}, true));
+  // Below the face the hole's wall is a capsule about the axis: every surface point stands at the ball's radius.
+  double sum = 0.0, most = 0.0;
+  int count = 0;
+  for (const std::int32_t brick : state.volume().cut_bricks()) {
+    const IVec3 corner = state.volume().specimen().brick_at(brick) * kBrickEdge;
+    for (int o = 0; o < kBrickVoxels; ++o) {
+      SurfacePoint p;
+      if (!surface_point(state.volume(), corner + IVec3(o & 7, o >> 3 & 7, o >> 6), p)) continue;
+      if (!p.cut || p.point_mm.z > 1.7) continue;
+      const double z = std::max(p.point_mm.z, out.proxy_mm.z);
+      const double off = std::fabs(length(p.point_mm - Vec3(0, 0, z)) - 0.5) * 1000.0;
+      sum += off;
+      most = std::max(most, off);
+      ++count;
+    }
+  }
+  ASSERT_GT(count, 200);
+  EXPECT_LT(sum / count, 1.5) << "um";  // measured 0.8, 1 um of it the clearance at the floor
+  EXPECT_LT(most, 10.0) << "um";
+}
+
+TEST(SurfaceRemoval, the_burr_comes_out_of_its_own_hole_without_a_tug) {
+  const auto scene = scene_of(block(0.1), Method::surface, 0.5, 4.0);
+  StepState state(scene);
+  approach(state, {0, 0, 3.0}, {0, 0, 2.15});
+  for (int k = 0; k < 300; ++k) step(state, input_at({0, 0, 2.15 - 0.004 * k}, true));
+  double most = 0.0;
+  for (int k = 0; k < 500; ++k) {
+    const StepOutput out = step(state, input_at({0.0, 0.0, std::min(3.0, 0.95 + 0.01 * k)}));
+    if (k > 60) most = std::max(most, length(out.proxy_mm - out.device_mm));
+  }
+  EXPECT_LT(most, 0.004) << "mm behind the device point while nothing holds it";
+}
+
+TEST(SurfaceRemoval, over_two_tissues_the_speed_is_the_harmonic_mean) {
+  // Two halves side by side, the burr on the seam: equal shares of 1 and 4 mm/s give 2 / (1 + 1/4) = 1.6.
+  auto scene = scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(2.0)); },
+                                      [](Vec3 p) { return p.x < 0 ? Tissue::enamel : Tissue::dentine; }),
+                        Method::surface, 0.5);
+  scene->tissues[index_of(Tissue::enamel)].speed_mm_s = 1.0;
+  scene->tissues[index_of(Tissue::dentine)].speed_mm_s = 4.0;
+  EXPECT_NEAR(drilling_speed(scene, {0, 0, 2.5}, {0, 0, -1}, 0.4, 1000, 0.35, 1.6), 1.6, 0.05);
+}
+
+TEST(SurfaceRemoval, tissue_that_cannot_be_cut_stays) {
+  const auto scene = scene_of(block(0.1), Method::surface, 0.25, 0.0);
+  StepState state(scene);
+  approach(state, {0, 0, 3.0}, {0, 0, 2.0});
+  for (int k = 0; k < 200; ++k) {
+    const StepOutput out = step(state, input_at({0, 0, 2.0}, true));
+    ASSERT_FALSE(out.cutting);
+  }
+  EXPECT_TRUE(state.volume().cut_bricks().empty());
+}
+
+TEST(SurfaceRemoval, never_adds_tissue) {
+  const auto scene = scene_of(block(0.1), Method::surface, 0.3, 3.0);
+  StepState state(scene);
+  approach(state, {0, 0, 3.0}, {0, 0, 2.1});
+  VoxelVolume before = state.volume().dense();
+  for (int round = 0; round < 5; ++round) {
+    for (int k = 0; k < 60; ++k)
+      step(state, input_at({0.4 * std::sin(0.02 * (k + 60 * round)), 0.01 * k, 2.05}, true));
+    const VoxelVolume after = state.volume().dense();
+    for (std::size_t i = 0; i < after.s.size(); ++i) ASSERT_LE(after.s[i], before.s[i]);
+    before = after;
+  }
+}
+
+TEST(OccupancyRemoval, drills_at_the_papers_speeds_along_an_axis) {
+  // 1.2, 0.8 and 0.5 mm/s (paper, section 4); a voxel's stroke is the resolution, 1.4 mm is 18 voxels.
+  for (const double speed : {1.2, 0.8, 0.5}) {
+    const auto scene = scene_of(block(kPaperVoxel), Method::occupancy, 0.25, speed);
+    const double measured = drilling_speed(scene, {0.0, 0.0, 2.25}, {0, 0, -1}, 1.4 / speed, 1000, 0.35, speed);
+    EXPECT_NEAR(measured / speed, 1.0, 0.06) << speed;
+  }
+}
+
+TEST(OccupancyRemoval, loses_no_wear_to_rounding_at_a_slow_advance) {
+  const auto scene = scene_of(block(0.2), Method::occupancy, 0.3, 0.01);  // 3.3 quanta a tick
+  StepState state(scene);
+  approach(state, {0, 0, 3.0}, {0, 0, 1.8});
+  std::uint16_t least = kSolid;
+  for (int k = 0; k < 1000; ++k) step(state, input_at({0, 0, 1.8}, true));
+  for (const std::int32_t brick : state.volume().cut_bricks())
+    for (int o = 0; o < kBrickVoxels; ++o)
+      if (state.volume().specimen().s_in(brick, o) > 0) least = std::min(least, state.volume().cut_in(brick, o));
+  // 0.01 mm/s for 1 s is 1/20 of a 0.2 mm voxel: 3277 quanta, to within one.
+  EXPECT_NEAR(kSolid - least, 3277, 1);
+}
+
+TEST(Wear, densities_of_equation_six_are_the_papers) {
+  EXPECT_NEAR(density_for(1.2, kPaperVoxel), 2.604, 0.001);
+  EXPECT_NEAR(density_for(0.8, kPaperVoxel), 3.906, 0.001);
+  EXPECT_NEAR(density_for(0.5, kPaperVoxel), 6.25, 0.001);
+}
+
+TEST(Wear, the_coefficient_grows_with_the_push_and_stops_at_one) {
+  EXPECT_DOUBLE_EQ(wear_coefficient(0.75, 1.0, 1.5), 0.5);
+  EXPECT_DOUBLE_EQ(wear_coefficient(9.0, 1.0, 1.5), 1.0);
+  EXPECT_DOUBLE_EQ(wear_coefficient(0.0, 1.0, 1.5), 0.0);
+  EXPECT_DOUBLE_EQ(wear_coefficient(1.0, 1.0, 0.0), 0.0);
+}
+
+TEST(Carve, a_ball_far_from_tissue_takes_no_memory) {
+  Volume volume(Specimen::build(block(0.1), Reading::banded));
+  EXPECT_FALSE(carve_sweep(volume, Vec3(9.0), Vec3(9.1), 0.5).any);
+  EXPECT_TRUE(volume.cut_bricks().empty());
+}
+
+}  // namespace
+}  // namespace cusp

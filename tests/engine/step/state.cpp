@@ -1,0 +1,164 @@
+// Purity, key states, the guard and the quantised input.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "engine/step/guard.h"
+#include "tests/engine/step/scenes.h"
+
+namespace cusp {
+namespace {
+
+using namespace test;
+
+std::shared_ptr<const Scene> two_tissue_scene(Method method) {
+  auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.5)); },
+                                      [](Vec3 p) { return p.z > 1.0 ? Tissue::enamel : Tissue::dentine; }),
+                        method, 0.3, 3.0);
+  scene->tissues[index_of(Tissue::enamel)] = {1.4, 1.5};
+  scene->friction = true;
+  scene->guard = GuardSettings{};
+  scene->guard.ramp_in_ms = 20.0;
+  return scene;
+}
+
+/// A wandering, pressing, cutting hand; lifts now and then.
+StepInput wander(int k) {
+  const double a = 0.011 * k;
+  const bool lifted = k % 700 > 640;
+  return input_at({0.7 * std::sin(a), 0.6 * std::cos(0.7 * a), lifted ? 2.2 : 1.5 - 0.00015 * k}, !lifted);
+}
+
+class EveryMethod : public testing::TestWithParam<Method> {};
+
+TEST_P(EveryMethod, is_pure_in_state_and_input) {
+  StepState a(two_tissue_scene(GetParam()));
+  StepState b(two_tissue_scene(GetParam()));
+  for (int k = 0; k < 1500; ++k) {
+    const StepInput input = wander(k);
+    const StepOutput x = step(a, input);
+    const StepOutput y = step(b, input);
+    ASSERT_EQ(x.proxy_mm, y.proxy_mm) << k;
+    ASSERT_EQ(x.force_n, y.force_n) << k;
+  }
+  EXPECT_EQ(a.hash(), b.hash());
+  EXPECT_FALSE(a.volume().cut_bricks().empty());
+}
+
+TEST_P(EveryMethod, goes_on_from_a_key_state_bit_for_bit) {
+  const auto scene = two_tissue_scene(GetParam());
+  StepState whole(scene);
+  for (int k = 0; k < 900; ++k) step(whole, wander(k));
+  const std::vector<std::byte> bytes = whole.save();
+  auto resumed = StepState::restore(scene, bytes);
+  ASSERT_TRUE(resumed);
+  EXPECT_EQ(resumed->hash(), whole.hash());
+  EXPECT_EQ(resumed->save(), bytes);
+  for (int k = 900; k < 2000; ++k) {
+    const StepOutput x = step(whole, wander(k));
+    const StepOutput y = step(*resumed, wander(k));
+    ASSERT_EQ(x.proxy_mm, y.proxy_mm) << k;
+    ASSERT_EQ(x.force_n, y.force_n) << k;
+  }
+  EXPECT_EQ(resumed->hash(), whole.hash());
+}
+
+TEST_P(EveryMethod, refuses_a_key_state_that_is_cut_short_or_of_another_specimen) {
+  const auto scene = two_tissue_scene(GetParam());
+  StepState state(scene);
+  for (int k = 0; k < 300; ++k) step(state, wander(k));
+  std::vector<std::byte> bytes = state.save();
+  const auto other = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; }), GetParam(), 0.3);
+  EXPECT_FALSE(StepState::restore(other, bytes));
+  for (const std::size_t keep : {std::size_t{0}, std::size_t{3}, bytes.size() / 2, bytes.size() - 1})
+    EXPECT_FALSE(StepState::restore(scene, std::span(bytes).first(keep))) << keep;
+  bytes.push_back(std::byte{0});
+  EXPECT_FALSE(StepState::restore(scene, bytes));
+}
+
+TEST_P(EveryMethod, wants_no_more_room_than_was_reserved) {
+  StepState state(two_tissue_scene(GetParam()));
+  for (int k = 0; k < 3000; ++k) ASSERT_FALSE(step(state, wander(k)).overflow) << k;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
+                         testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot),
+                         [](const auto& p) {
+                           return p.param == Method::surface ? "surface"
+                                  : p.param == Method::occupancy ? "occupancy" : "occupancy_pivot";
+                         });
+
+TEST(Guard, a_jump_latches_a_fault_until_it_is_rearmed) {
+  auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; }), Method::surface, 0.3);
+  StepState state(scene);
+  approach(state, {0, 0, 2.5}, {0, 0, 1.2});
+  EXPECT_GT(length(state.last().force_n), 0.0);
+  StepOutput out = step(state, input_at({0, 0, 20.0}));
+  EXPECT_TRUE(out.faulted);
+  EXPECT_EQ(out.force_n, Vec3(0.0));
+  out = step(state, input_at({0, 0, 1.2}));
+  EXPECT_TRUE(out.faulted) << "going back does not clear it";
+  EXPECT_EQ(state.fault(), Fault::jump);
+  StepInput again = input_at({0, 0, 1.2});
+  again.buttons |= StepInput::kRearm;
+  out = step(state, again);
+  EXPECT_FALSE(out.faulted);
+}
+
+TEST(Guard, force_rises_no_faster_than_the_slew_and_falls_at_once) {
+  const GuardSettings settings{8.9, 0.3, 0.0, 5.0, 50.0};
+  GuardState state;
+  double last = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    const double given = length(guarded(settings, state, Vec3(0, 0, 20.0), 1.0));
+    EXPECT_LE(given - last, 0.3 + 1e-12);
+    EXPECT_LE(given, 8.9 + 1e-12);
+    last = given;
+  }
+  EXPECT_DOUBLE_EQ(last, 8.9);
+  EXPECT_EQ(guarded(settings, state, Vec3(0.0), 1.0), Vec3(0.0));
+}
+
+TEST(Guard, not_a_number_gives_no_force) {
+  const GuardSettings settings;
+  GuardState state;
+  EXPECT_EQ(guarded(settings, state, Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), 1.0), Vec3(0.0));
+  EXPECT_EQ(state.fault, Fault::not_finite);
+}
+
+TEST(Guard, a_device_that_is_late_or_gone_is_a_fault) {
+  const GuardSettings settings;
+  StepInput late = input_at(Vec3(0.0));
+  late.elapsed_us = 60000;
+  EXPECT_EQ(judge(settings, late, 0.0, false), Fault::late);
+  StepInput gone = input_at(Vec3(0.0));
+  gone.buttons |= StepInput::kGone;
+  EXPECT_EQ(judge(settings, gone, 0.0, true), Fault::gone);
+  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, false), Fault::jump);
+  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, true), Fault::none) << "the first input has come from nowhere";
+}
+
+TEST(Input, a_position_that_is_not_finite_counts_as_gone) {
+  Sample sample;
+  sample.status = Sample::Status::fresh;
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e9}) {
+    sample.position_mm = {0.0, bad, 0.0};
+    const StepInput last = input_at({1, 2, 3});
+    const StepInput input = quantise(sample, 1000, last);
+    EXPECT_TRUE(input.buttons & StepInput::kGone);
+    EXPECT_EQ(input.y, last.y);
+  }
+}
+
+TEST(Input, a_tenth_of_a_micrometre_survives) {
+  Sample sample;
+  sample.status = Sample::Status::fresh;
+  sample.position_mm = {1.23456, -0.00014, 9.99999};
+  const StepInput input = quantise(sample, 1000, StepInput{});
+  EXPECT_EQ(input.x, 12346);
+  EXPECT_EQ(input.y, -1);
+  EXPECT_EQ(input.z, 100000);
+}
+
+}  // namespace
+}  // namespace cusp
