@@ -1,0 +1,312 @@
+#include "scenarios/teeth/voxels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <thread>
+
+namespace cusp {
+namespace {
+
+constexpr int kBlock = 4;             // voxels on a side of the blocks that are skipped or sampled whole
+constexpr int kPad = 4;               // empty voxels on every side (voxel_volume.h)
+constexpr double kTapVoxels = 4.5;    // how far from the surface samples are read: band 2.75 and two taps, less a bit
+constexpr double kSlopeMost = 1.5;    // of the fields, away from fissures
+constexpr double kFissureMm = 0.35;   // within a fissure the field may promise that much too much distance
+
+/// Runs work(i) for i in [0, count) on this thread and one more; `tick` on this one, between pieces.
+void in_two(int count, const std::function<void(int)>& work, const std::function<void(int)>& tick, ToothCancel cancel) {
+  std::atomic<int> next{0};
+  const auto stop = [&] { return cancel != nullptr && cancel->load(std::memory_order_relaxed); };
+  const auto run = [&](bool first) {
+    for (int i = next++; i < count && !stop(); i = next++) {
+      work(i);
+      if (first) tick(i);
+    }
+  };
+  std::jthread other([&] { run(false); });
+  run(true);
+}
+
+/// Samples of the outside field on the grid, with a cubic reading between them.
+struct Field {
+  IVec3 size;
+  std::vector<float> f;
+  std::size_t index(int x, int y, int z) const noexcept {
+    return static_cast<std::size_t>(x) +
+           static_cast<std::size_t>(size.x) *
+               (static_cast<std::size_t>(y) + static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z));
+  }
+  /// Value and gradient (per voxel) at a place in voxel coordinates, tricubic (Catmull-Rom).
+  double at(Vec3 p, Vec3& slope) const noexcept {
+    const Vec3 base = glm::floor(p);
+    const IVec3 i = glm::clamp(IVec3(base), IVec3(1), size - 3);
+    double w[3][4], s[3][4];
+    for (int a = 0; a < 3; ++a) {
+      const double t = p[a] - i[a], t2 = t * t, t3 = t2 * t;
+      w[a][0] = 0.5 * (2 * t2 - t3 - t);
+      w[a][1] = 0.5 * (3 * t3 - 5 * t2 + 2);
+      w[a][2] = 0.5 * (4 * t2 - 3 * t3 + t);
+      w[a][3] = 0.5 * (t3 - t2);
+      s[a][0] = 0.5 * (4 * t - 3 * t2 - 1);
+      s[a][1] = 0.5 * (9 * t2 - 10 * t);
+      s[a][2] = 0.5 * (8 * t - 9 * t2 + 1);
+      s[a][3] = 0.5 * (3 * t2 - 2 * t);
+    }
+    double v = 0, gx = 0, gy = 0, gz = 0;
+    for (int c = 0; c < 4; ++c) {
+      double pv = 0, px = 0, py = 0;
+      for (int b = 0; b < 4; ++b) {
+        const float* row = &f[index(i.x - 1, i.y - 1 + b, i.z - 1 + c)];
+        const double r0 = double(row[0]), r1 = double(row[1]), r2 = double(row[2]), r3 = double(row[3]);
+        const double rv = w[0][0] * r0 + w[0][1] * r1 + w[0][2] * r2 + w[0][3] * r3;
+        const double rx = s[0][0] * r0 + s[0][1] * r1 + s[0][2] * r2 + s[0][3] * r3;
+        pv += w[1][b] * rv;
+        px += w[1][b] * rx;
+        py += s[1][b] * rv;
+      }
+      v += w[2][c] * pv;
+      gx += w[2][c] * px;
+      gy += w[2][c] * py;
+      gz += s[2][c] * pv;
+    }
+    slope = {gx, gy, gz};
+    return v;
+  }
+};
+
+/// Distance from a grid point to the field's zero, in voxels with the field's sign, and the nearest place found there.
+/// First the field over its own slope; then Newton steps that bring the place onto the surface and the line to it at
+/// right angles to the surface. Where they do not settle (an edge, a fissure's middle), the nearest place they met counts.
+double true_distance(const Field& field, IVec3 at, double value, Vec3& nearest) noexcept {
+  const Vec3 from(at);
+  Vec3 slope;
+  field.at(from, slope);
+  double s2 = std::max(glm::dot(slope, slope), 1e-12);
+  const double first = value / std::sqrt(s2);
+  Vec3 p = from - glm::clamp(value / s2, -4.0 / std::sqrt(s2), 4.0 / std::sqrt(s2)) * slope;
+  double best = 1e9;
+  for (int round = 0; round < 5; ++round) {
+    const double v = field.at(p, slope);
+    s2 = std::max(glm::dot(slope, slope), 1e-12);
+    const Vec3 onto = -(v / s2) * slope;
+    const Vec3 away = from - p;
+    const Vec3 along = away - (glm::dot(away, slope) / s2) * slope;
+    if (std::fabs(v) < 0.02 * std::sqrt(s2)) {
+      const Vec3 q = p + onto;
+      const double d = glm::length(from - q);
+      if (d < best) {
+        best = d;
+        nearest = q;
+      }
+      if (glm::dot(along, along) < 1e-6) break;
+    }
+    Vec3 move = onto + along;
+    const double length = glm::length(move), most = 0.7;
+    if (length > most && round > 0) move *= most / length;
+    p += move;
+  }
+  if (best > 1e8) {
+    nearest = p;
+    return first;
+  }
+  return value < 0.0 ? -best : best;
+}
+
+/// Largest change of s to a neighbour 1, sqrt 2 or sqrt 3 voxels away (index: squared), with 1 % for rounding.
+constexpr int step_of(double voxels) { return static_cast<int>(1.01 * voxels * 65535.0 / (2.0 * kBandVoxels)); }
+constexpr int kMostStep[4] = {0, step_of(1.0), step_of(1.41421356), step_of(1.73205081)};
+
+class Maker {
+ public:
+  Maker(const ToothShape& shape, double voxel_mm) : shape_(shape), h_(voxel_mm) {
+    // Whole voxels from the origin, so that the mirrored tooth lies on the same grid.
+    const double edge = kBandVoxels + kPad + 0.5;
+    const IVec3 low(glm::floor(shape.low() / h_ - edge)), high(glm::ceil(shape.high() / h_ + edge));
+    Grid grid;
+    grid.size = high - low + 1;
+    grid.voxel_mm = h_;
+    grid.origin_mm = h_ * Vec3(low);
+    out_ = VoxelVolume(grid);
+    field_.size = grid.size;
+    field_.f.assign(grid.voxels(), 0.0f);
+    blocks_ = (grid.size + (kBlock - 1)) / kBlock;
+    kind_.assign(static_cast<std::size_t>(blocks_.x * blocks_.y * blocks_.z), Kind::outside);
+  }
+
+  int layers() const noexcept { return blocks_.z; }
+
+  /// Pass 1, one layer of blocks: the outside field near the surface.
+  void sample(int layer) {
+    const double radius = (0.5 * kBlock * std::sqrt(3.0) + kTapVoxels) * h_, far = kSlopeMost * radius + kFissureMm;
+    for_blocks(layer, [&](IVec3 low, IVec3 high, Kind& kind) {
+      const double centre = shape_.outside(place(0.5 * Vec3(low + high - 1)));
+      kind = centre > far ? Kind::outside : centre < -far ? Kind::inside : Kind::near;
+      for (int z = low.z; z < high.z; ++z) {
+        for (int y = low.y; y < high.y; ++y) {
+          for (int x = low.x; x < high.x; ++x) {
+            field_.f[field_.index(x, y, z)] =
+                static_cast<float>((kind == Kind::near ? shape_.outside(place({x, y, z})) : centre) / h_);
+          }
+        }
+      }
+    });
+  }
+
+  /// Pass 2: distance and tissue.
+  void fill(int layer) {
+    const double radius = 0.5 * kBlock * std::sqrt(3.0) * h_, far = kSlopeMost * radius + 0.25;
+    for_blocks(layer, [&](IVec3 low, IVec3 high, Kind& kind) {
+      if (kind == Kind::outside) return;
+      Tissue whole = Tissue::empty;
+      if (kind == Kind::inside) {
+        const Vec3 c = place(0.5 * Vec3(low + high - 1));
+        const double value = shape_.outside(c), dentine = shape_.dentine(c, value), pulp = shape_.pulp(c);
+        if (pulp < -far) whole = Tissue::pulp;
+        else if (dentine < -far && pulp > far) whole = Tissue::dentine;
+        else if (dentine > far && shape_.above_cej(c) > far) whole = Tissue::enamel;
+      }
+      for (int z = low.z; z < high.z; ++z) {
+        for (int y = low.y; y < high.y; ++y) {
+          for (int x = low.x; x < high.x; ++x) voxel({x, y, z}, kind, whole);
+        }
+      }
+    });
+  }
+
+  /// Pass 3. Above a fissure a Newton path may end on the farther wall; a distance grows by no more than the way walked
+  /// (1 % for rounding), so such a voxel is taken back to what its neighbours allow. Two sweeps: its neighbours are right.
+  void settle() {
+    const int count = static_cast<int>(out_.grid.voxels());
+    for (int i = 0; i < count; ++i) settle(i);
+    for (int i = count - 1; i >= 0; --i) settle(i);
+  }
+
+  VoxelVolume take() { return std::move(out_); }
+
+ private:
+  enum class Kind : std::uint8_t { outside, near, inside };
+
+  Vec3 place(Vec3 voxel) const noexcept { return out_.grid.origin_mm + h_ * voxel; }
+
+  template <class Work>
+  void for_blocks(int layer, const Work& work) {
+    for (int by = 0; by < blocks_.y; ++by) {
+      for (int bx = 0; bx < blocks_.x; ++bx) {
+        const IVec3 low = kBlock * IVec3(bx, by, layer), high = glm::min(low + kBlock, field_.size);
+        work(low, high, kind_[static_cast<std::size_t>(bx + blocks_.x * (by + blocks_.y * layer))]);
+      }
+    }
+  }
+
+  void voxel(IVec3 v, Kind kind, Tissue whole) {
+    const std::size_t i = field_.index(v.x, v.y, v.z);
+    const double value = double(field_.f[i]);
+    double d = value;
+    Vec3 nearest(v);
+    if (kind == Kind::near && std::fabs(value) < kTapVoxels && inner(v)) d = true_distance(field_, v, value, nearest);
+    const std::uint16_t s = solid_from_distance(d);
+    if (s == 0) return;
+    out_.s[i] = s;
+    if (whole != Tissue::empty) {
+      out_.tissue[i] = whole;
+    } else if (d > 0.0) {
+      const Vec3 p = place(nearest);  // outside: as the surface next to it
+      out_.tissue[i] = shape_.above_cej(p) > 0.0 ? Tissue::enamel : Tissue::cementum;
+    } else {
+      out_.tissue[i] = tissue(place(Vec3(v)), d * h_);
+    }
+  }
+
+  void settle(int i) {
+    const IVec3 size = field_.size;
+    const int z = i / (size.x * size.y), y = i / size.x % size.y, x = i % size.x;
+    const auto at = static_cast<std::size_t>(i);
+    if (!inner({x, y, z}) || kind_[block_of({x, y, z})] != Kind::near) return;
+    const int own = out_.s[at];
+    if (own == 0 || own == kSolid) {  // far from the surface, unless a face neighbour is not
+      const std::size_t row = static_cast<std::size_t>(size.x), slice = row * static_cast<std::size_t>(size.y);
+      const auto same = [&](std::size_t next) { return out_.s[next] == own; };
+      if (same(at - 1) && same(at + 1) && same(at - row) && same(at + row) && same(at - slice) && same(at + slice)) return;
+    }
+    int best = own;
+    std::size_t from = at;
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const int squares = dx * dx + dy * dy + dz * dz;
+          if (squares == 0) continue;
+          const std::size_t next = field_.index(x + dx, y + dy, z + dz);
+          int step = kMostStep[squares], other = out_.s[next];
+          const double here = double(field_.f[at]), there = double(field_.f[next]);
+          if (here * there < 0.0) {  // the surface lies between: about where the field says
+            step = static_cast<int>(step * (here / (here - there)) * 1.1);
+            other = kHalf;
+          }
+          if (here > 0.0 && other - step > best) best = other - step, from = next;
+          if (here < 0.0 && other + step < best) best = other + step, from = next;
+        }
+      }
+    }
+    if (best == own) return;
+    out_.s[at] = static_cast<std::uint16_t>(best);
+    if (own == 0) out_.tissue[at] = out_.tissue[from];
+  }
+
+  std::size_t block_of(IVec3 v) const noexcept {
+    const IVec3 b = v / kBlock;
+    return static_cast<std::size_t>(b.x + blocks_.x * (b.y + blocks_.y * b.z));
+  }
+
+  Tissue tissue(Vec3 p, double outside_mm) const noexcept {
+    if (shape_.dentine(p, outside_mm) < 0.0) return shape_.pulp(p) < 0.0 ? Tissue::pulp : Tissue::dentine;
+    return shape_.above_cej(p) > 0.0 ? Tissue::enamel : Tissue::cementum;
+  }
+
+  bool inner(IVec3 v) const noexcept {
+    return v.x >= kPad && v.y >= kPad && v.z >= kPad && v.x < field_.size.x - kPad && v.y < field_.size.y - kPad &&
+           v.z < field_.size.z - kPad;
+  }
+
+  const ToothShape& shape_;
+  double h_;
+  Field field_;
+  IVec3 blocks_{0};
+  std::vector<Kind> kind_;
+  VoxelVolume out_;
+};
+
+}  // namespace
+
+Result<VoxelVolume, ToothFailure> voxels_of(const ToothShape& shape, double voxel_mm, ToothCancel cancel,
+                                            const ToothProgress& progress, double from) {
+  Maker maker(shape, voxel_mm);
+  const int layers = maker.layers();
+  const auto tell = [&](double low, double high) {
+    return [&progress, low, high, layers](int i) {
+      if (progress) progress(low + (high - low) * (i + 1) / layers);
+    };
+  };
+  const double middle = from + 0.5 * (1.0 - from);
+  in_two(layers, [&](int layer) { maker.sample(layer); }, tell(from, middle), cancel);
+  in_two(layers, [&](int layer) { maker.fill(layer); }, tell(middle, 1.0), cancel);
+  if (cancel != nullptr && cancel->load()) return fail(ToothError::cancelled, "tooth");
+  maker.settle();
+  return maker.take();
+}
+
+VoxelVolume mirrored(const VoxelVolume& volume) {
+  Grid grid = volume.grid;
+  grid.origin_mm.x = -(grid.origin_mm.x + grid.voxel_mm * (grid.size.x - 1));
+  VoxelVolume out(grid);
+  out.names = volume.names;
+  const std::size_t row = static_cast<std::size_t>(grid.size.x);
+  for (std::size_t i = 0; i < grid.voxels(); i += row) {
+    const auto at = static_cast<std::ptrdiff_t>(i), end = static_cast<std::ptrdiff_t>(i + row);
+    std::reverse_copy(volume.s.begin() + at, volume.s.begin() + end, out.s.begin() + at);
+    std::reverse_copy(volume.tissue.begin() + at, volume.tissue.begin() + end, out.tissue.begin() + at);
+  }
+  return out;
+}
+
+}  // namespace cusp

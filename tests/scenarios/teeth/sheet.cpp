@@ -1,0 +1,76 @@
+/// cusp-teeth-sheet OUT_DIR [--fdi N]... [--seed N] [--voxel-mm X] [--scale PX_PER_MM]: pictures to judge the teeth by.
+/// Writes sheet.png (a row a tooth: occlusal, buccal, lingual, mesial, distal, two sections) and occlusal.png.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "scenarios/teeth/tooth.h"
+#include "tests/scenarios/teeth/picture.h"
+
+using namespace cusp;
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: cusp-teeth-sheet OUT_DIR [--fdi N]... [--seed N] [--voxel-mm X] [--scale PX_PER_MM]\n");
+    return 2;
+  }
+  std::vector<int> fdis;
+  ToothRequest request;
+  double scale = 8.0, occlusal_scale = 22.0;
+  for (int i = 2; i + 1 < argc; i += 2) {
+    if (!std::strcmp(argv[i], "--fdi")) fdis.push_back(std::atoi(argv[i + 1]));
+    else if (!std::strcmp(argv[i], "--seed")) request.seed = std::strtoull(argv[i + 1], nullptr, 10);
+    else if (!std::strcmp(argv[i], "--voxel-mm")) request.voxel_mm = std::atof(argv[i + 1]);
+    else if (!std::strcmp(argv[i], "--scale")) scale = std::atof(argv[i + 1]), occlusal_scale = 2.75 * scale;
+    else return 2;
+  }
+  if (fdis.empty()) fdis = {11, 12, 13, 14, 15, 16, 17, 18, 31, 32, 33, 34, 35, 36, 37, 38};
+  const int n = static_cast<int>(fdis.size()), columns = n > 4 ? 4 : n;
+  const int cell = static_cast<int>(13.0 * occlusal_scale);
+  Picture occlusal(columns * cell, (n + columns - 1) / columns * cell);
+  const int row_h = static_cast<int>(29.0 * scale), col_w = static_cast<int>(13.5 * scale);
+  const int per_row = n > 1 ? 2 : 1, rows = (n + per_row - 1) / per_row;
+  Picture sheet(per_row * 7 * col_w, rows * row_h);
+  for (int k = 0; k < n; ++k) {
+    request.fdi = fdis[static_cast<std::size_t>(k)];
+    const auto start = std::chrono::steady_clock::now();
+    const auto tooth = grow_tooth(request);
+    if (!tooth) {
+      std::fprintf(stderr, "cusp-teeth-sheet: %d: %s %s\n", request.fdi, tooth.error().where.c_str(),
+                   tooth.error().detail.c_str());
+      return 1;
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const VoxelVolume& v = tooth->volume;
+    const ToothDims &d = tooth->landmarks.dims, a = *average_dims(request.fdi);
+    std::printf("%d  %.2f s  crown %.2f/%.2f root %.2f/%.2f md %.2f/%.2f neck %.2f/%.2f bl %.2f/%.2f neck %.2f/%.2f\n",
+                request.fdi, seconds, d.crown_length, a.crown_length, d.root_length, a.root_length, d.mesiodistal,
+                a.mesiodistal, d.mesiodistal_neck, a.mesiodistal_neck, d.buccolingual, a.buccolingual,
+                d.buccolingual_neck, a.buccolingual_neck);
+    const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    const bool upper = request.fdi < 30;
+    const Vec3 up = upper ? -z : z;
+    occlusal.put(view(v, -z, y, occlusal_scale), (k % columns) * cell + cell / 2, k / columns * cell + cell / 2);
+    // Uppers to the left, lowers to the right, as on the chart.
+    const int row = n == 16 ? k % 8 : k / per_row, left = (n == 16 ? k / 8 : k % per_row) * 7 * col_w;
+    const int mid = row * row_h + row_h / 2;
+    int column = 0;
+    const auto put = [&](const Picture& p) { sheet.put(p, left + column++ * col_w + col_w / 2, mid); };
+    put(view(v, -z, y, scale));
+    put(view(v, -y, up, scale));
+    put(view(v, y, up, scale));
+    put(view(v, -x, up, scale));
+    put(view(v, x, up, scale));
+    const int number = request.fdi % 10, mesial = request.fdi / 10 % 2 == 1 ? 1 : -1;
+    const bool molar = number >= 6;
+    put(pulp_section(v, -x, up, scale, [&](Vec3 p) { return !molar || p.x * mesial > 0.6 || (upper && p.y < -0.6); }));
+    put(pulp_section(v, -y, up, scale, [&](Vec3 p) { return (!molar && number != 4) || p.y > 0.3 || (!upper && p.x * mesial < 0.0); }));
+  }
+  const std::string dir = argv[1];
+  if (!sheet.save_png(dir + "/sheet.png") || !occlusal.save_png(dir + "/occlusal.png")) {
+    std::fprintf(stderr, "cusp-teeth-sheet: cannot write into %s\n", dir.c_str());
+    return 1;
+  }
+  return 0;
+}
