@@ -100,8 +100,9 @@ class Value {
   }
   std::uint64_t seed() const {
     if (!node_.is_number_integer()) return wrong<std::uint64_t>("integer");
-    if (!node_.is_number_unsigned()) {
-      problems_.add(FormatError::out_of_range, where_, ">= 0");
+    const Range range{0, 9007199254740991.0};  // 2^53 - 1: every JSON reader keeps it
+    if (!range.holds(node_.get<double>())) {
+      problems_.add(FormatError::out_of_range, where_, range.text());
       return 0;
     }
     return node_.get<std::uint64_t>();

@@ -21,7 +21,7 @@ using LocalText = std::map<std::string, std::string>;
 struct SpecimenSource {
   std::string generator;   // "paper-block", "block", "tooth"; empty = from file
   int fdi = 0;             // tooth: FDI number, 11..48
-  std::uint64_t seed = 0;  // tooth: natural variation; 0 = the average
+  std::uint64_t seed = 0;  // tooth: natural variation, below 2^53; 0 = the average
   double voxel_mm = 0.1;
   std::string volume;      // file name beside scenario.json (NRRD), when generator is empty
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;

@@ -10,7 +10,8 @@ namespace cusp {
 
 std::string_view scenario_schema() noexcept;
 
-/// One finding "schema" for each place that breaks the schema, innermost first. Pre: text is JSON; other text gives none.
+/// One finding "schema" for each place that breaks the schema, innermost first; of alternatives (specimen) what each of
+/// them minds. Text that is not JSON gives none: the reader says why.
 std::vector<Finding> check_schema(std::string_view text);
 
 }  // namespace cusp

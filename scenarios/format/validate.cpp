@@ -17,6 +17,9 @@ namespace {
 constexpr double kLeastFeatureVoxels = 2.5;
 constexpr double kLeastRadiusVoxels = 3.0;
 
+/// Below a limit that is itself a product of rounded numbers (3 voxels of 0.1 mm are a hair more than 0.3).
+bool below(double value, double limit) noexcept { return value < limit - 1e-9; }
+
 class Checks {
  public:
   explicit Checks(const Scenario& scenario, const SpecimenFacts* specimen) : s_(scenario), facts_(specimen) {}
@@ -77,7 +80,7 @@ class Checks {
     for (std::size_t i = 0; i < s_.instruments.size(); ++i) {
       const Burr& burr = s_.instruments[i];
       const double least = kLeastRadiusVoxels * s_.specimen.voxel_mm;
-      if (burr.radius_mm < least) {
+      if (below(burr.radius_mm, least)) {
         warn(at("/instruments", i, "/radius_mm"), "burr_small", {{"value", burr.radius_mm}, {"limit", least}}, burr.name);
       }
       if (burr.neck_radius_mm > burr.radius_mm) {
@@ -118,24 +121,24 @@ class Checks {
     const double narrow = box ? std::min(t.box_size_mm.x, t.box_size_mm.y) : t.width_mm;
     const char* narrow_path = box ? "/target/box_size_mm" : "/target/width_mm";
     const double resolved = kLeastFeatureVoxels * s_.specimen.voxel_mm;
-    if (narrow > 0 && narrow < resolved) warn(narrow_path, "feature_thin", {{"value", narrow}, {"limit", resolved}});
-    if (t.depth_mm < resolved) warn("/target/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
+    if (narrow > 0 && below(narrow, resolved)) warn(narrow_path, "feature_thin", {{"value", narrow}, {"limit", resolved}});
+    if (below(t.depth_mm, resolved)) warn("/target/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
 
     if (!s_.instruments.empty()) {
       const auto by_radius = [](const Burr& a, const Burr& b) { return a.radius_mm < b.radius_mm; };
       const Burr& smallest = *std::ranges::min_element(s_.instruments, by_radius);
-      if (narrow > 0 && 2 * smallest.radius_mm > narrow) {
+      if (narrow > 0 && below(narrow, 2 * smallest.radius_mm)) {
         warn(narrow_path, "burr_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}}, smallest.name);
       }
-      if (t.corner_radius_mm < smallest.radius_mm) {
+      if (below(t.corner_radius_mm, smallest.radius_mm)) {
         warn("/target/corner_radius_mm", "corner_below_burr",
              {{"value", t.corner_radius_mm}, {"limit", smallest.radius_mm}}, smallest.name);
       }
     }
-    if (s_.leeway.floor_mm < s_.specimen.voxel_mm) {
+    if (below(s_.leeway.floor_mm, s_.specimen.voxel_mm)) {
       warn("/leeway/floor_mm", "leeway_below_voxel", {{"value", s_.leeway.floor_mm}, {"limit", s_.specimen.voxel_mm}});
     }
-    if (s_.leeway.side_mm < s_.specimen.voxel_mm) {
+    if (below(s_.leeway.side_mm, s_.specimen.voxel_mm)) {
       warn("/leeway/side_mm", "leeway_below_voxel", {{"value", s_.leeway.side_mm}, {"limit", s_.specimen.voxel_mm}});
     }
   }
@@ -221,7 +224,7 @@ class Checks {
     }
     const Target& t = s_.target;
     const double floor = t.top_mm - t.depth_mm;
-    if (floor < f.low_mm.z) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.low_mm.z}});
+    if (below(floor, f.low_mm.z)) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.low_mm.z}});
     if (floor >= f.high_mm.z) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.high_mm.z}});
     const bool box = t.shape == "box";
     const Vec3 half = box ? Vec3(t.box_size_mm.x / 2, t.box_size_mm.y / 2, 0) : Vec3(t.width_mm / 2, t.width_mm / 2, 0);
@@ -230,7 +233,7 @@ class Checks {
         for (int axis = 0; axis < 2; ++axis) {
           const double low = t.paths[i][k][axis] - half[axis];
           const double high = t.paths[i][k][axis] + half[axis];
-          if (low < f.low_mm[axis] || high > f.high_mm[axis]) {
+          if (below(low, f.low_mm[axis]) || below(f.high_mm[axis], high)) {
             error(at("/target/paths", i) + "/" + std::to_string(k), "target_outside",
                   {{"value", low < f.low_mm[axis] ? low : high},
                    {"limit", low < f.low_mm[axis] ? f.low_mm[axis] : f.high_mm[axis]}});

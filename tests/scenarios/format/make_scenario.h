@@ -1,0 +1,121 @@
+/// A seeded generator of scenarios that are well formed, with every list at every length that matters.
+#pragma once
+
+#include <random>
+
+#include "scenarios/format/keys.h"
+#include "scenarios/format/scenario.h"
+
+namespace cusp::testing {
+
+class ScenarioMaker {
+ public:
+  explicit ScenarioMaker(std::uint64_t seed) : random_(seed) {}
+
+  Scenario make() {
+    Scenario s;
+    for (auto& byte : s.id.uuid.bytes) byte = static_cast<std::uint8_t>(random_());
+    s.version = 1 + pick(1000);
+    if (coin()) s.key = "made-" + std::to_string(pick(1000));
+    s.title = words();
+    s.briefing = words();
+    s.specimen = specimen();
+    for (std::size_t code = 1; code < kTissueCodes; ++code) {
+      if (code >= kTissueKeys.size() && code < 16) continue;
+      if (pick(4) == 0) s.tissues.push_back({static_cast<Tissue>(code), above(0, 20), between(0, 100)});
+    }
+    for (int i = pick(4); i > 0; --i) {
+      s.instruments.push_back({std::to_string(i) + text(), above(0, 10), above(0, 10), between(0, 50), above(0, 10), between(0, 100)});
+    }
+    s.device.needs_dof = 3 + pick(4);
+    if (coin()) s.device.admitted = {"pointer", "falcon"};
+    s.device.full_force_n = above(0, 50);
+    s.tool_tilt_deg = between(-80, 80);
+    s.method = kMethods[static_cast<std::size_t>(pick(static_cast<int>(kMethods.size())))];
+    if (coin()) s.phenomena = {"friction"};
+    s.target.shape = kShapeKeys[static_cast<std::size_t>(pick(static_cast<int>(kShapeKeys.size())))];
+    for (int i = 1 + pick(4); i > 0; --i) {
+      auto& path = s.target.paths.emplace_back();
+      for (int k = 1 + pick(6); k > 0; --k) path.push_back(point());
+    }
+    s.target.width_mm = above(0, 100);
+    s.target.depth_mm = above(0, 100);
+    s.target.top_mm = between(-1000, 1000);
+    s.target.corner_radius_mm = between(0, 10);
+    s.target.box_size_mm = point();
+    s.leeway = {between(0, 10), between(0, 10)};
+    if (coin()) s.protected_tissues = {Tissue::pulp, static_cast<Tissue>(16 + pick(16))};
+    s.time_limit_s = coin() ? 0 : between(0, 86400);
+    s.rubric.pass = between(0, 100);
+    for (const MetricKey& metric : kMetricKeys) {
+      if (coin()) s.rubric.criteria.push_back({std::string(metric.key), between(0, 1000), bands()});
+    }
+    if (coin()) s.rubric.criteria.push_back({"removed_carious_dentine", between(0, 1000), bands()});
+    if (coin()) s.rubric.critical = {"pulp_exposure"};
+    s.tolerance_points = between(0, 100);
+    return s;
+  }
+
+ private:
+  int pick(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
+  bool coin() { return pick(2) == 0; }
+  /// Often a round number, as people write; else any double in the range.
+  double between(double low, double high) {
+    if (coin()) return low + std::floor((high - low) * pick(1000) / 1000);
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  double above(double low, double high) {
+    const double v = between(low, high);
+    return v > low ? v : high;
+  }
+  Vec3 point() { return {between(-1000, 1000), between(-1000, 1000), between(-1000, 1000)}; }
+  Bands bands() {
+    return {between(-100, 100), between(-1e6, 1e6), between(0, 1e-6), between(0, 1), between(0, 1e6), between(-1, 1)};
+  }
+  std::string text() {
+    static const std::string parts[] = {"a", "Ü", "\"", "\\", "\n", "/", "<b>", "\xe4\xb8\xad", "\xf0\x9f\xa6\xb7", " ", "~", "\x01"};
+    std::string out;
+    for (int i = 1 + pick(8); i > 0; --i) out += parts[pick(12)];
+    return out;
+  }
+  LocalText words() {
+    LocalText out{{"en", text()}};
+    if (coin()) out["de"] = text();
+    if (coin()) out["pt_BR"] = text();
+    return out;
+  }
+  SpecimenSource specimen() {
+    SpecimenSource out;
+    out.voxel_mm = std::uniform_real_distribution<double>(0.04, 1)(random_);
+    switch (pick(4)) {
+      case 0: out.generator = "paper-block"; break;
+      case 1: out.generator = "block"; break;
+      case 2: out.volume = "tooth.nrrd"; break;
+      default:
+        out.generator = "tooth";
+        out.fdi = 10 * (1 + pick(4)) + 1 + pick(8);
+        out.seed = coin() ? 0 : random_() >> 11;
+    }
+    return out;
+  }
+
+  std::mt19937_64 random_;
+};
+
+/// A small scenario without a single finding, to break one thing at a time.
+inline Scenario sound_scenario() {
+  Scenario s;
+  s.id = *ScenarioId::parse("019a9f3c-6a00-7c41-9b1e-5d0f6a3c2eff");
+  s.title = {{"en", "Channel"}, {"de", "Rinne"}};
+  s.briefing = {{"en", "Cut."}, {"de", "Schleifen."}};
+  s.specimen.generator = "block";
+  s.tissues = {{Tissue::plastic, 2, 2}};
+  s.instruments = {{.name = "4", .radius_mm = 0.7, .neck_radius_mm = 0.4}};
+  s.target.paths = {{Vec3(-4, 0, -2), Vec3(4, 0, -2)}};
+  s.target.width_mm = 1.6;
+  s.target.corner_radius_mm = 0.7;
+  s.rubric.criteria = {{"target_removed", 60, {80, 90, 97, 100, 100, 100}}, {"depth_mean", 40, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
+  return s;
+}
+
+}  // namespace cusp::testing

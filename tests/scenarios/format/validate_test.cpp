@@ -1,0 +1,176 @@
+#include "scenarios/format/validate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scenarios/format/schema.h"
+#include "scenarios/format/write.h"
+#include "tests/scenarios/format/make_scenario.h"
+
+namespace cusp {
+namespace {
+
+using testing::sound_scenario;
+using ::testing::IsEmpty;
+
+std::vector<std::string> codes(const std::vector<Finding>& findings) {
+  std::vector<std::string> out;
+  for (const Finding& f : findings) out.push_back((f.severity == Severity::error ? "error " : "warning ") + f.path + " " + f.code);
+  return out;
+}
+
+/// The findings of the sound scenario after one change.
+template <class Change>
+std::vector<std::string> after(Change change, const SpecimenFacts* facts = nullptr) {
+  Scenario scenario = sound_scenario();
+  change(scenario);
+  return codes(validate(scenario, facts));
+}
+
+SpecimenFacts plastic_block() {
+  return {Vec3(-10, -10, -10), Vec3(10, 10, 0), 0.1, {Tissue::plastic}};
+}
+
+TEST(Validate, ASoundScenarioHasNoFinding) {
+  EXPECT_THAT(codes(validate(sound_scenario())), IsEmpty());
+  const SpecimenFacts facts = plastic_block();
+  EXPECT_THAT(codes(validate(sound_scenario(), &facts)), IsEmpty());
+  EXPECT_THAT(codes(validate_text(write_scenario(sound_scenario()), &facts)), IsEmpty());
+}
+
+TEST(Validate, FindsWhatMakesAnExerciseImpossible) {
+  using ::testing::Contains;
+  EXPECT_THAT(after([](Scenario& s) { s.instruments.clear(); }), Contains("error /instruments no_instrument"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.paths.clear(); }), Contains("error /target/paths no_target"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.paths.push_back(s.target.paths[0]); }), Contains("error /target/paths path_count"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0].pop_back(); }), Contains("error /target/paths/0 point_count"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.shape = "box"; }), Contains("error /target/paths/0 point_count"));
+  EXPECT_THAT(after([](Scenario& s) {
+                s.target.shape = "box";
+                s.target.paths[0].pop_back();
+              }),
+              Contains("error /target/box_size_mm empty_target"));
+  EXPECT_THAT(after([](Scenario& s) { s.rubric.criteria.clear(); }), Contains("error /rubric/criteria no_criteria"));
+  EXPECT_THAT(after([](Scenario& s) { s.rubric.criteria[1].weight = 0; }), Contains("error /rubric/criteria/1/weight weight_zero"));
+  EXPECT_THAT(after([](Scenario& s) { s.rubric.criteria[0].bands.acc_lo = 99; }),
+              Contains("error /rubric/criteria/0/bands bands_not_ordered"));
+  EXPECT_THAT(after([](Scenario& s) { s.protected_tissues = {Tissue::pulp}; }), Contains("error /protected/0 protected_missing"));
+  EXPECT_THAT(after([](Scenario& s) { s.rubric.critical = {"pulp_exposure"}; }), Contains("error /rubric/critical protected_missing"));
+}
+
+TEST(Validate, APassMarkThatNobodyReachesIsAnError) {
+  using ::testing::Contains;
+  using ::testing::ElementsAre;
+  using ::testing::Not;
+  // Depth wanted at 3 mm while the target is 2 mm deep: a perfect go reads 2.0, exactly at fail_lo, so 0 of 40 points.
+  const auto too_deep = [](Scenario& s) { s.rubric.criteria[1].bands = {2, 2.5, 2.9, 3.1, 3.5, 4}; };
+  EXPECT_THAT(after(too_deep), ElementsAre("error /rubric/pass pass_unreachable",
+                                           "warning /rubric/criteria/1/bands target_scores_less"));
+  EXPECT_THAT(after([&](Scenario& s) {
+                too_deep(s);
+                s.rubric.pass = 60;
+              }),
+              Not(Contains("error /rubric/pass pass_unreachable")));
+  // Reads 2.0 at acc_lo: half of 40 points, so 80 are left.
+  const auto half = [](double pass) {
+    return [pass](Scenario& s) {
+      s.rubric.criteria[1].bands = {1.5, 2, 2.9, 3.1, 3.5, 4};
+      s.rubric.pass = pass;
+    };
+  };
+  EXPECT_THAT(after(half(80)), Not(Contains("error /rubric/pass pass_unreachable")));
+  EXPECT_THAT(after(half(80.01)), Contains("error /rubric/pass pass_unreachable"));
+  // More than 100 % cannot be removed; a time below nothing cannot be measured.
+  EXPECT_THAT(after([](Scenario& s) {
+                s.rubric.criteria = {{"time", 10, {-9, -8, -7, -6, -5, -4}}};
+              }),
+              Contains("error /rubric/pass pass_unreachable"));
+}
+
+TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
+  using ::testing::ElementsAre;
+  // 2.5 voxels of 0.1 mm.
+  EXPECT_THAT(after([](Scenario& s) { s.target.width_mm = 0.24; }),
+              ElementsAre("warning /target/width_mm feature_thin", "warning /target/width_mm burr_wider_than_target"));
+  EXPECT_THAT(after([](Scenario& s) { s.instruments[0].radius_mm = 0.29; }),
+              ElementsAre("warning /instruments/0/radius_mm burr_small", "warning /instruments/0/neck_radius_mm neck_wider_than_ball"));
+  EXPECT_THAT(after([](Scenario& s) {
+                s.instruments[0].radius_mm = 0.3;
+                s.instruments[0].neck_radius_mm = 0.2;
+              }),
+              IsEmpty());
+  EXPECT_THAT(after([](Scenario& s) { s.leeway.side_mm = 0.05; }), ElementsAre("warning /leeway/side_mm leeway_below_voxel"));
+}
+
+TEST(Validate, WarnsOfWhatTheBurrCannotCut) {
+  using ::testing::ElementsAre;
+  EXPECT_THAT(after([](Scenario& s) { s.target.width_mm = 1.3; }), ElementsAre("warning /target/width_mm burr_wider_than_target"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.corner_radius_mm = 0.2; }),
+              ElementsAre("warning /target/corner_radius_mm corner_below_burr"));
+  EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
+}
+
+TEST(Validate, WarnsOfTextsInOneLanguageOnlyAndPointsOffTheFloor) {
+  using ::testing::ElementsAre;
+  EXPECT_THAT(after([](Scenario& s) { s.briefing.erase("de"); }), ElementsAre("warning /briefing language_missing"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0][1].z = -1.9; }), ElementsAre("warning /target/paths/0/1 point_off_floor"));
+}
+
+TEST(Validate, HoldsTheTargetAgainstTheSpecimen) {
+  using ::testing::Contains;
+  using ::testing::ElementsAre;
+  const SpecimenFacts facts = plastic_block();
+  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0][1].x = 9.3; }, &facts), ElementsAre("error /target/paths/0/1 target_outside"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.paths[0][1].x = 9.2; }, &facts), IsEmpty());  // 9.2 + 1.6 / 2 = 10
+  EXPECT_THAT(after([](Scenario& s) { s.target.depth_mm = 10.5; }, &facts), Contains("error /target/depth_mm target_outside"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.top_mm = 3; }, &facts), Contains("error /target/depth_mm target_outside"));
+  EXPECT_THAT(after([](Scenario& s) { s.specimen.voxel_mm = 0.2; }, &facts), Contains("error /specimen/voxel_mm voxel_mismatch"));
+  EXPECT_THAT(after([](Scenario& s) { s.tissues[0].tissue = Tissue::bone; }, &facts),
+              ElementsAre("error /tissues tissue_missing", "warning /tissues/0 tissue_unused"));
+  EXPECT_THAT(after(
+                  [](Scenario& s) {
+                    s.tissues.push_back({Tissue::pulp, 1, 1});
+                    s.protected_tissues = {Tissue::pulp};
+                  },
+                  &facts),
+              Contains("error /protected/0 protected_missing"));
+}
+
+TEST(Validate, KnowsAVolumeByItsOccupiedVoxels) {
+  VoxelVolume volume(Grid{IVec3(10, 8, 6), 0.5, Vec3(-1, 0, 2)});
+  for (int x = 2; x <= 5; ++x) {
+    const std::size_t at = volume.grid.index({x, 3, 4});
+    volume.s[at] = kSolid;
+    volume.tissue[at] = x < 4 ? Tissue::enamel : Tissue::pulp;
+  }
+  volume.s[volume.grid.index({9, 7, 5})] = kHalf - 1;  // not occupied
+  volume.tissue[volume.grid.index({9, 7, 5})] = Tissue::bone;
+  const SpecimenFacts facts = facts_of(volume);
+  EXPECT_EQ(facts.low_mm, Vec3(-1 + 2 * 0.5 - 0.25, 1.5 - 0.25, 4 - 0.25));
+  EXPECT_EQ(facts.high_mm, Vec3(-1 + 5 * 0.5 + 0.25, 1.5 + 0.25, 4 + 0.25));
+  EXPECT_EQ(facts.tissues, (std::vector<Tissue>{Tissue::enamel, Tissue::pulp}));
+}
+
+TEST(Validate, ATextThatDoesNotReadSaysWhyAndWhatElseTheSchemaMinds) {
+  std::string text = write_scenario(sound_scenario());
+  text.replace(text.find("\"depth_mm\": 2"), 13, "\"depth_mm\": -2");
+  text.replace(text.find("\"surface\""), 9, "\"telepathy\"");
+  const auto findings = validate_text(text);
+  ASSERT_GE(findings.size(), 3u);
+  EXPECT_EQ(findings[0].code, "unknown_method");
+  EXPECT_EQ(findings[0].path, "/method");
+  const auto schema_at = [&](const std::string& path) {
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == "schema" && f.path == path; });
+  };
+  EXPECT_TRUE(schema_at("/method"));
+  EXPECT_TRUE(schema_at("/target/depth_mm"));
+  EXPECT_TRUE(has_error(findings));
+
+  const auto broken = validate_text("{");
+  ASSERT_EQ(broken.size(), 1u);
+  EXPECT_EQ(broken[0].code, "broken_json");
+  EXPECT_EQ(broken[0].path, "1:2");
+}
+
+}  // namespace
+}  // namespace cusp
