@@ -7,21 +7,23 @@
 namespace cusp {
 namespace {
 
-/// Samples of a patch along one axis: every `step`-th voxel from -1 to `last + 1`, where `last` is the highest sample
-/// that starts an edge.
+/// Samples of a patch along one axis: every `step`-th voxel; edges start at samples `first` to `last`.
 struct Lattice {
   IVec3 corner;   // voxel of sample 0
   int step;       // voxels between samples
   int own;        // samples 0..own-1 belong to this brick
-  int last;       // highest sample that starts an edge: own - 1, or own with a seam
-  int samples() const noexcept { return last + 3; }      // -1 .. last + 1
-  int index(IVec3 c) const noexcept {                    // of a sample or of the cell above it, from -1
-    const int n = samples();
-    return (c.x + 1) + n * ((c.y + 1) + n * (c.z + 1));
+  int seam;       // samples beyond it on either side whose edges are taken too
+  int first() const noexcept { return -seam; }
+  int last() const noexcept { return own - 1 + seam; }
+  int below() const noexcept { return first() - 1; }      // lowest sample read
+  int samples() const noexcept { return own + 2 + 2 * seam; }
+  int index(IVec3 c) const noexcept {                     // of a sample, or of the cell above it
+    const int n = samples(), from = below();
+    return (c.x - from) + n * ((c.y - from) + n * (c.z - from));
   }
 };
 
-constexpr int kMostSamples = 10;  // fine: -1 .. 8
+constexpr int kMostSamples = 10;  // fine: -1 to 8; coarse: -2 to 5
 
 /// The coarse vertex: the mean of the fine points in its eight cells, so that it needs no field of its own.
 bool coarse_point(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept {
@@ -54,8 +56,7 @@ bool coarse_point(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept 
 class Builder {
  public:
   Builder(const Volume& volume, int brick, int level, Patch& out)
-      : volume_{volume}, out_{out}, lattice_{volume.specimen().brick_at(brick) * kBrickEdge, level, kBrickEdge / level, 0} {
-    lattice_.last = level == kFinePatch ? lattice_.own - 1 : lattice_.own;
+      : volume_{volume}, out_{out}, lattice_{volume.specimen().brick_at(brick) * kBrickEdge, level, kBrickEdge / level, level == kCoarsePatch ? 1 : 0} {
     at_low_edge_ = {lattice_.corner.x == 0, lattice_.corner.y == 0, lattice_.corner.z == 0};
     vertex_.fill(kNone);
   }
@@ -64,7 +65,7 @@ class Builder {
     if (!read_occupancy()) return;
     quads(true);
     out_.own = out_.indices.size();
-    if (lattice_.last == lattice_.own) quads(false);
+    if (lattice_.seam > 0) quads(false);
   }
 
  private:
@@ -75,9 +76,9 @@ class Builder {
   bool read_occupancy() {
     std::size_t set = 0, all = 0;
     IVec3 c;
-    for (c.z = -1; c.z <= lattice_.last + 1; ++c.z)
-      for (c.y = -1; c.y <= lattice_.last + 1; ++c.y)
-        for (c.x = -1; c.x <= lattice_.last + 1; ++c.x) {
+    for (c.z = lattice_.below(); c.z <= lattice_.last() + 1; ++c.z)
+      for (c.y = lattice_.below(); c.y <= lattice_.last() + 1; ++c.y)
+        for (c.x = lattice_.below(); c.x <= lattice_.last() + 1; ++c.x) {
           const bool there = volume_.occupied(lattice_.corner + lattice_.step * c);
           solid_[static_cast<std::size_t>(lattice_.index(c))] = there;
           set += there ? 1u : 0u;
@@ -89,15 +90,14 @@ class Builder {
   bool solid(IVec3 c) const { return solid_[static_cast<std::size_t>(lattice_.index(c))]; }
 
   void quads(bool own) {
+    const int from = std::min(lattice_.first(), -1);
     IVec3 c;
-    for (c.z = -1; c.z <= lattice_.last; ++c.z)
-      for (c.y = -1; c.y <= lattice_.last; ++c.y)
-        for (c.x = -1; c.x <= lattice_.last; ++c.x) {
-          const bool seam = c.x >= lattice_.own || c.y >= lattice_.own || c.z >= lattice_.own;
-          if (seam == own) continue;
+    for (c.z = from; c.z <= lattice_.last(); ++c.z)
+      for (c.y = from; c.y <= lattice_.last(); ++c.y)
+        for (c.x = from; c.x <= lattice_.last(); ++c.x) {
           for (int axis = 0; axis < 3; ++axis) {
             // An edge that enters the box from outside belongs to the brick it enters.
-            if (!starts_here(c, axis)) continue;
+            if (is_own(c, axis) != own) continue;
             IVec3 up = c;
             ++up[axis];
             const bool here = solid(c);
@@ -106,10 +106,10 @@ class Builder {
         }
   }
 
-  bool starts_here(IVec3 c, int axis) const {
+  bool is_own(IVec3 c, int axis) const {
     for (int i = 0; i < 3; ++i) {
-      if (c[i] >= 0) continue;
-      if (i != axis || !at_low_edge_[static_cast<std::size_t>(i)]) return false;
+      if (c[i] >= lattice_.own) return false;
+      if (c[i] < 0 && (c[i] < -1 || i != axis || !at_low_edge_[static_cast<std::size_t>(i)])) return false;
     }
     return true;
   }

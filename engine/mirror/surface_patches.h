@@ -26,8 +26,8 @@ struct Patch {
   int level = kFinePatch;
   std::vector<PatchVertex> vertices;
   /// Triangles, three each, counter-clockwise seen from outside. The first `own` of them tile the surface with the
-  /// other patches of the same level; the rest (coarse patches only) reach one cell under the upper neighbours and
-  /// close the seam where those are fine.
+  /// other patches of the same level; the rest (coarse patches only) reach one cell under the neighbours on every side
+  /// and close the seam where those are fine.
   std::vector<std::uint16_t> indices;
   std::size_t own = 0;
 };

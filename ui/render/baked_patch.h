@@ -44,7 +44,7 @@ struct Deviation {
 /// `cut` tells whether a burr left the surface there.
 using DeviationAt = std::function<Deviation(Vec3 mm, bool cut)>;
 
-/// Packs a patch. `with_seam` keeps the triangles under the upper neighbours. `deviation` may be empty.
+/// Packs a patch. `with_seam` keeps the triangles under the neighbours. `deviation` may be empty.
 BakedPatch bake_patch(const Volume& volume, const Patch& patch, bool with_seam, const DeviationAt& deviation);
 
 /// Light from around that reaches a surface place, 0 to 1: short rays through the volume, soft at the surface.

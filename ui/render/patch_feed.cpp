@@ -9,6 +9,21 @@ namespace {
 /// Voxels about a patch that its points read: a cell's point looks a few voxels beyond the cell.
 constexpr int kReadMargin = 5;
 
+/// True where a coarse patch would lose what is to be seen: its normals spread as on a fissure or an edge.
+bool rough(const Patch& patch) {
+  constexpr float kSmooth = 0.85f;  // cosine of 32 degrees; a crown of 5 mm radius turns by 9 within a brick
+  // The vertices of the patch's own triangles come first.
+  std::size_t own = 0;
+  for (std::size_t i = 0; i < patch.own; ++i) own = std::max<std::size_t>(own, patch.indices[i] + 1u);
+  Vec3f sum(0.0f);
+  for (std::size_t i = 0; i < own; ++i) sum += patch.vertices[i].normal;
+  const float length = glm::length(sum);
+  for (std::size_t i = 0; i < own; ++i) {
+    if (glm::dot(sum, patch.vertices[i].normal) < kSmooth * length) return true;
+  }
+  return false;
+}
+
 struct Extent {
   IVec3 low{kBrickEdge}, high{-1};
   bool empty() const { return high.x < 0; }
@@ -21,28 +36,24 @@ struct Extent {
 
 }  // namespace
 
-int PatchFeed::level_of(const Volume& volume, int brick) const {
-  if (settings_.region.low == settings_.region.high || volume.has_cut(brick)) return kFinePatch;
+bool PatchFeed::in_region(const Volume& volume, int brick) const {
+  if (settings_.region.low == settings_.region.high) return true;
   const Grid& grid = volume.grid();
   const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
   const Vec3 low = grid.centre_mm(corner), high = grid.centre_mm(corner + kBrickEdge);
   for (int i = 0; i < 3; ++i) {
-    if (high[i] < settings_.region.low[i] || low[i] > settings_.region.high[i]) return kCoarsePatch;
+    if (high[i] < settings_.region.low[i] || low[i] > settings_.region.high[i]) return false;
   }
-  return kFinePatch;
+  return true;
 }
 
-BakedPatch PatchFeed::bake(const Volume& volume, int brick) const {
-  const int level = level_of(volume, brick);
+BakedPatch PatchFeed::bake(const Volume& volume, int brick, const Patch& patch) const {
   bool seam = false;
-  if (level == kCoarsePatch) {
-    const IVec3 at = volume.specimen().brick_at(brick);
-    for (int i = 1; i < 8 && !seam; ++i) {
-      const int upper = volume.specimen().brick_index(at + IVec3(i & 1, i >> 1 & 1, i >> 2));
-      seam = upper >= 0 && level_of(volume, upper) == kFinePatch;
-    }
+  if (patch.level == kCoarsePatch) {
+    for (const int b : patches_touched_by(volume.specimen(), brick))
+      seam = seam || level_[static_cast<std::size_t>(b)] == kFinePatch;
   }
-  BakedPatch out = bake_patch(volume, build_patch(volume, brick, level), seam, settings_.deviation);
+  BakedPatch out = bake_patch(volume, patch, seam, settings_.deviation);
   out.brick = brick;
   return out;
 }
@@ -57,23 +68,34 @@ void PatchFeed::put(BakedPatch patch, std::optional<std::chrono::steady_clock::t
 
 void PatchFeed::build_all(const Volume& volume, std::uint64_t tick) {
   const IVec3 n = volume.specimen().brick_count();
-  const int bricks = n.x * n.y * n.z;
-  seen_.assign(static_cast<std::size_t>(bricks), {});
-  for (int b = 0; b < bricks; ++b) {
-    if (const std::uint16_t* cut = volume.cut_of(b)) seen_[static_cast<std::size_t>(b)].assign(cut, cut + kBrickVoxels);
+  const auto bricks = static_cast<std::size_t>(n.x * n.y * n.z);
+  seen_.assign(bricks, {});
+  level_.assign(bricks, kCoarsePatch);
+  std::vector<Patch> patches;
+  for (int b = 0; b < static_cast<int>(bricks); ++b) {
+    const auto at = static_cast<std::size_t>(b);
+    if (const std::uint16_t* cut = volume.cut_of(b)) seen_[at].assign(cut, cut + kBrickVoxels);
+    const bool fine = volume.has_cut(b) || in_region(volume, b);
+    if (fine) level_[at] = kFinePatch;
     if (!may_have_surface(volume, b)) continue;
-    BakedPatch patch = bake(volume, b);
+    Patch patch = build_patch(volume, b, level_[at]);
     if (patch.indices.empty()) continue;
-    patch.tick = tick;
-    put(std::move(patch), std::nullopt);
+    if (!fine && rough(patch)) {
+      level_[at] = kFinePatch;
+      patch = build_patch(volume, b, kFinePatch);
+    }
+    patches.push_back(std::move(patch));
+  }
+  for (const Patch& patch : patches) {
+    BakedPatch baked = bake(volume, patch.brick, patch);
+    baked.tick = tick;
+    if (!baked.indices.empty()) put(std::move(baked), std::nullopt);
   }
 }
 
 void PatchFeed::update(const Volume& volume, std::span<const std::int32_t> changed_bricks, std::uint64_t tick,
                        std::chrono::steady_clock::time_point changed_at) {
   const Specimen& specimen = volume.specimen();
-  const IVec3 n = specimen.brick_count();
-  seen_.resize(static_cast<std::size_t>(n.x * n.y * n.z));
   std::set<int> anew;
   for (const std::int32_t brick : changed_bricks) {
     const std::uint16_t* cut = volume.cut_of(brick);
@@ -82,6 +104,7 @@ void PatchFeed::update(const Volume& volume, std::span<const std::int32_t> chang
       // First cut here (or taken back): the level may change too, and with it the neighbours' seams.
       if (cut != nullptr) seen.assign(cut, cut + kBrickVoxels);
       else seen.clear();
+      level_[static_cast<std::size_t>(brick)] = kFinePatch;
       for (const int b : patches_touched_by(specimen, brick)) anew.insert(b);
       continue;
     }
@@ -93,17 +116,17 @@ void PatchFeed::update(const Volume& volume, std::span<const std::int32_t> chang
     seen.assign(cut, cut + kBrickVoxels);
     const IVec3 at = specimen.brick_at(brick);
     for (const int b : patches_touched_by(specimen, brick)) {
-      // A patch reads its brick, one voxel below, and one (coarse: six) above, and the points' margin about that.
+      // A patch reads its brick and about it one voxel (coarse, with its seam: four) and the points' margin.
       const IVec3 offset = (specimen.brick_at(b) - at) * kBrickEdge;
-      const int above = level_of(volume, b) == kCoarsePatch ? 6 : 1;
-      const IVec3 low = offset - 2 - kReadMargin, high = offset + (kBrickEdge - 1 + above + kReadMargin);
+      const int about = (level_[static_cast<std::size_t>(b)] == kCoarsePatch ? 4 : 1) + kReadMargin;
+      const IVec3 low = offset - about, high = offset + (kBrickEdge - 1 + about);
       bool reads = true;
       for (int i = 0; i < 3; ++i) reads = reads && extent.high[i] >= low[i] && extent.low[i] <= high[i];
       if (reads) anew.insert(b);
     }
   }
   for (const int b : anew) {
-    BakedPatch patch = bake(volume, b);
+    BakedPatch patch = bake(volume, b, build_patch(volume, b, level_[static_cast<std::size_t>(b)]));
     patch.tick = tick;
     put(std::move(patch), changed_at);
   }

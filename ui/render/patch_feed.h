@@ -21,7 +21,8 @@ struct Box {
 };
 
 struct FeedSettings {
-  /// Inside it patches are fine, outside coarse until a burr comes; an empty box (low == high): all fine.
+  /// Inside it patches are fine; outside coarse where the surface is smooth and until a burr comes. An empty box
+  /// (low == high): all fine.
   Box region;
   DeviationAt deviation;
 };
@@ -38,7 +39,7 @@ class PatchFeed {
  public:
   explicit PatchFeed(FeedSettings settings) : settings_(std::move(settings)) {}
 
-  /// Owner of the volume: every patch anew.
+  /// Owner of the volume: every patch anew. Before update().
   void build_all(const Volume& volume, std::uint64_t tick = 0);
   /// Owner of the volume: what depends on these bricks. `changed_at`: when the newest of the changes was made.
   void update(const Volume& volume, std::span<const std::int32_t> changed_bricks, std::uint64_t tick,
@@ -48,18 +49,18 @@ class PatchFeed {
   FedPatches take(std::size_t max_bytes);
   bool empty() const;
 
-  /// The dense level is for a brick that the region touches or a burr has reached.
-  int level_of(const Volume& volume, int brick) const;
 
  private:
   struct Waiting {
     BakedPatch patch;
     std::optional<std::chrono::steady_clock::time_point> changed_at;
   };
-  BakedPatch bake(const Volume& volume, int brick) const;
+  bool in_region(const Volume& volume, int brick) const;
+  BakedPatch bake(const Volume& volume, int brick, const Patch& patch) const;
   void put(BakedPatch patch, std::optional<std::chrono::steady_clock::time_point> changed_at);
 
   FeedSettings settings_;
+  std::vector<std::uint8_t> level_;               // [brick] fine in the region, where a burr was, and where it is rough
   std::vector<std::vector<std::uint16_t>> seen_;  // [brick] cut values at the last build, for the extent of a change
   mutable std::mutex mutex_;                      // guards waiting_; held for a move of a patch, never by the loop
   std::map<int, Waiting> waiting_;                // [brick]

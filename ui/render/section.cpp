@@ -36,6 +36,40 @@ double solid_at(const Volume& volume, Vec3 p) {
   return sum;
 }
 
+/// Colour of the tissue about a place: where several meet, by their share, so that a border runs smoothly between
+/// voxels (it is known to a voxel only).
+Colour tissue_at(const Volume& volume, const std::array<Colour, kTissueCodes>& colours, Vec3 p) {
+  const IVec3 cell(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
+                   static_cast<int>(std::floor(p.z)));
+  const Vec3 f = p - Vec3(cell);
+  std::array<Tissue, 8> corner;
+  bool alike = true;
+  for (int i = 0; i < 8; ++i) {
+    corner[static_cast<std::size_t>(i)] = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
+    alike = alike && corner[static_cast<std::size_t>(i)] == corner[0];
+  }
+  if (alike) return colours[index_of(corner[0]) % kTissueCodes];
+  std::array<float, kTissueCodes> share{};
+  for (int i = 0; i < 8; ++i) {
+    const double w = ((i & 1) ? f.x : 1 - f.x) * ((i >> 1 & 1) ? f.y : 1 - f.y) * ((i >> 2) ? f.z : 1 - f.z);
+    share[index_of(corner[static_cast<std::size_t>(i)]) % kTissueCodes] += static_cast<float>(w);
+  }
+  share[0] = 0;  // outside: the surface's own line says where
+  // Cubed, so that the mixing stays close to the border.
+  Colour out{0, 0, 0, 1};
+  float sum = 0;
+  for (std::size_t t = 0; t < share.size(); ++t) {
+    const float w = share[t] * share[t] * share[t];
+    if (w <= 0) continue;
+    out.r += w * colours[t].r;
+    out.g += w * colours[t].g;
+    out.b += w * colours[t].b;
+    sum += w;
+  }
+  if (sum <= 0) return colours[index_of(Tissue::enamel)];
+  return {out.r / sum, out.g / sum, out.b / sum, 1};
+}
+
 /// A field of the plane, asked at every fourth pixel and interpolated: a distance changes slowly.
 class PlaneField {
  public:
@@ -111,8 +145,7 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
                                                                          : (0.5 - s) * 2 * kBandVoxels * voxel_px;
       Colour c{0, 0, 0, 0};
       if (d_px < 1.0) {
-        Colour tissue = colours[index_of(volume.tissue(v)) % kTissueCodes];
-        c = over(c, tissue, static_cast<float>(std::clamp(0.5 - d_px, 0.0, 1.0)));
+        c = over(c, tissue_at(volume, colours, p), static_cast<float>(std::clamp(0.5 - d_px, 0.0, 1.0)));
         c = over(c, settings.edge, 0.85f * line(d_px, 0.6));
       } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) >= kHalf) {
         c = over(c, kTargetLine, 0.10f);  // what was taken away as it should be

@@ -7,7 +7,7 @@
 namespace cusp {
 
 namespace {
-constexpr double kRegionMarginMm = 1.5;  // a burr's radius and a wandering hand
+constexpr double kRegionMarginMm = 0.4;  // what a burr reaches beyond it becomes fine anyway
 }
 
 TargetLook::TargetLook(const Target& target, const Leeway& leeway)

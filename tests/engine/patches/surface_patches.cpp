@@ -191,25 +191,42 @@ TEST(SurfacePatches, normals_point_out_of_the_tissue_and_along_the_radius) {
   EXPECT_GT(sum / static_cast<double>(count), 0.99995);
 }
 
-TEST(SurfacePatches, the_seam_of_a_coarse_patch_lies_under_its_upper_neighbours_only) {
-  const Volume volume(Specimen::build(ball(1.5), Reading::banded));
-  bool any = false;
-  for (const Patch& patch : all_patches(volume, kCoarsePatch)) {
-    const IVec3 corner = volume.specimen().brick_at(patch.brick) * kBrickEdge;
-    // A point may lie a little outside its cell.
-    const Vec3 upper = volume.grid().centre_mm(corner + kBrickEdge) - 0.5 * kVoxel;
-    for (std::size_t i = patch.own; i < patch.indices.size(); i += 3) {
-      any = true;
-      bool beyond = false;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3f at = patch.vertices[patch.indices[i + k]].position_mm;
-        beyond = beyond || static_cast<double>(at.x) > upper.x || static_cast<double>(at.y) > upper.y ||
-                 static_cast<double>(at.z) > upper.z;
-      }
-      EXPECT_TRUE(beyond);
+/// The mesh near z = 0 is fine, or coarse, by turns of a brick: wherever it is met along a ray, it lies on the ball.
+TEST(SurfacePatches, coarse_patches_beside_fine_ones_leave_no_gap_for_a_ray) {
+  const double r = 1.5;
+  const Volume volume(Specimen::build(ball(r), Reading::banded));
+  const IVec3 n = volume.specimen().brick_count();
+  std::vector<std::array<Vec3, 3>> triangles;
+  std::vector<std::array<Vec3, 3>> without_seam;
+  for (int b = 0; b < n.x * n.y * n.z; ++b) {
+    const IVec3 at = volume.specimen().brick_at(b);
+    const Patch patch = build_patch(volume, b, (at.x + at.y + at.z) % 2 == 0 ? kFinePatch : kCoarsePatch);
+    for (std::size_t i = 0; i < patch.indices.size(); i += 3) {
+      std::array<Vec3, 3> t;
+      for (std::size_t k = 0; k < 3; ++k) t[k] = Vec3(patch.vertices[patch.indices[i + k]].position_mm);
+      triangles.push_back(t);
+      if (i < patch.own) without_seam.push_back(t);
     }
   }
-  EXPECT_TRUE(any);
+  // Rays from the middle along a spiral over the whole ball.
+  const auto missed = [](const std::vector<std::array<Vec3, 3>>& mesh) {
+    int count = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const double z = 1 - (2 * i + 1) / 4000.0, a = 2.399963 * i, s = std::sqrt(1 - z * z);
+      const Vec3 d(s * std::cos(a), s * std::sin(a), z);
+      bool met = false;
+      for (const auto& t : mesh) {
+        const double u = glm::dot(d, glm::cross(t[0], t[1])), v = glm::dot(d, glm::cross(t[1], t[2])),
+                     w = glm::dot(d, glm::cross(t[2], t[0]));
+        met = u >= -1e-12 && v >= -1e-12 && w >= -1e-12;
+        if (met) break;
+      }
+      count += met ? 0 : 1;
+    }
+    return count;
+  };
+  EXPECT_EQ(missed(triangles), 0);
+  EXPECT_GT(missed(without_seam), 0);  // the seam is what closes it
 }
 
 TEST(SurfacePatches, a_brick_of_air_or_of_whole_tissue_has_no_triangle) {

@@ -11,10 +11,10 @@ out vec4 colour;
 void main() {
   vec3 n = normalize(facing);
   vec3 to_eye = normalize(eye - at);
-  vec3 metal = vec3(0.36, 0.385, 0.42);
+  vec3 metal = vec3(0.46, 0.49, 0.55);
   float dark = 1.0;
   if (blades > 0.5) {
-    metal = vec3(0.30, 0.31, 0.33);
+    metal = vec3(0.40, 0.41, 0.44);
     if (turn >= 0.0) {
       float angle = atan(tool.y, tool.x) + 0.9 * tool.z / radius + turn;
       dark = 0.55 + 0.45 * smoothstep(-0.5, 0.3, sin(8.0 * angle));
@@ -25,12 +25,12 @@ void main() {
   // A studio in a line: bright above, a band of shade at the side, the floor below.
   vec3 mirrored = reflect(-to_eye, n);
   float sky = dot(mirrored, up);
-  float band = smoothstep(-0.25, 0.15, sky) * 0.75 + 0.25;
+  float band = smoothstep(-0.5, 0.2, sky) * 0.55 + 0.45;
   float key = max(dot(n, key_light), 0.0);
   vec3 h = normalize(key_light + to_eye);
   float s = max(dot(n, h), 0.0);
   float s4 = s * s * s * s;
   float s16 = s4 * s4 * s4 * s4;
-  vec3 lit = metal * dark * (0.30 + 0.75 * key) * band + vec3(0.30) * s16 * dark + metal * 0.25 * smoothstep(0.3, 0.9, sky);
+  vec3 lit = metal * dark * (0.42 + 0.75 * key) * band + vec3(0.30) * s16 * dark + metal * 0.25 * smoothstep(0.3, 0.9, sky);
   colour = vec4(sqrt(clamp(lit, 0.0, 1.0)), 1.0);
 }

@@ -51,22 +51,26 @@ void main() {
   }
 
   float key = dot(n, key_light);
-  float wrapped = max(key * 0.86 + 0.14, 0.0);    // light that the tooth carries round its edge
+  float wrapped = max(key * 0.80 + 0.20, 0.0);    // light that the tooth carries round its edge
   float fill = max(dot(n, fill_light), 0.0);
   float open = ambient * ambient * (3.0 - 2.0 * ambient);
-  vec3 around = mix(vec3(0.13, 0.105, 0.085), vec3(0.30, 0.31, 0.34), 0.5 + 0.5 * dot(n, up)) * open;
-  vec3 lit = surface * (wrapped * (0.25 + 0.75 * open) * vec3(0.86, 0.83, 0.77) + fill * vec3(0.10, 0.12, 0.15) * open + around);
+  vec3 around = mix(vec3(0.10, 0.085, 0.065), vec3(0.25, 0.25, 0.26), 0.5 + 0.5 * dot(n, up)) * open;
+  float warm = by_deviation != 0 ? 0.0 : 1.0;
+  vec3 key_colour = mix(vec3(0.72), vec3(0.78, 0.735, 0.645), warm);
+  vec3 lit = surface * (wrapped * (0.2 + 0.8 * open) * key_colour + fill * vec3(0.09, 0.10, 0.11) * open + around);
 
   // Dark places take the colour of what light has gone through: warm brown.
-  lit *= mix(vec3(0.62, 0.52, 0.42), vec3(1.0), clamp(open * 1.3, 0.0, 1.0));
+  lit *= mix(mix(vec3(0.55), vec3(0.50, 0.40, 0.29), warm), vec3(1.0), clamp(open * 1.25, 0.0, 1.0));
 
   vec3 h = normalize(key_light + to_eye);
   float s = max(dot(n, h), 0.0);
   float s4 = s * s * s * s;
   float s16 = s4 * s4 * s4 * s4;
   float s64 = s16 * s16 * s16 * s16;
-  float edge = 1.0 - max(dot(n, to_eye), 0.0);
-  lit += gloss * open * (0.16 * s64 + 0.06 * s16 + 0.07 * edge * edge * edge) * vec3(1.0, 0.99, 0.97);
+  float facing_eye = max(dot(n, to_eye), 0.0);
+  // Enamel lets light through at its edge: darker and warmer there, with a cool gleam.
+  lit *= mix(mix(vec3(0.62, 0.58, 0.48), vec3(0.7), 1.0 - warm), vec3(1.0), smoothstep(0.0, 0.55, facing_eye));
+  lit += gloss * open * (0.22 * s64 + 0.05 * s16) * vec3(1.0, 0.99, 0.97);
 
   colour = vec4(sqrt(clamp(lit, 0.0, 1.0)), 1.0);
 }
