@@ -1,0 +1,132 @@
+// The house as it stands: arrows, top level, READMEs, the licence, and the flags that determinism needs.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "tests/architecture/rules.h"
+
+namespace cusp::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = CUSP_SOURCE_DIR;
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+std::vector<fs::path> sources(const std::vector<std::string>& rooms) {
+  std::vector<fs::path> out;
+  for (const std::string& room : rooms)
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
+      const std::string kind = entry.path().extension().string();
+      if (entry.is_regular_file() && (kind == ".h" || kind == ".cpp" || kind == ".in")) out.push_back(entry.path());
+    }
+  return out;
+}
+
+TEST(Includes, no_file_points_upward) {
+  int files = 0;
+  for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui"})) {
+    ++files;
+    for (const std::string& what : forbidden_includes(fs::relative(path, kRoot).string(), read(path)))
+      ADD_FAILURE() << what;
+  }
+  EXPECT_GT(files, 50);
+}
+
+TEST(Includes, a_planted_violation_is_found) {
+  EXPECT_EQ(forbidden_includes("engine/step/step.cpp", "#include \"scenarios/format/scenario.h\"\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("engine/base/vec.h", "#include \"engine/volume/volume.h\"\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("device/pointer/pointer_port.cpp", "#include \"engine/step/step.h\"\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("engine/loop/loop.cpp", "  #  include <QString>\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("ui/session/run.cpp", "#include <QtCore/QObject>\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("storage/chain.cpp", "#include <sqlite3.h>\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("engine/loop/loop.cpp", "#include <sys/resource.h>\n").size(), 1u);
+  EXPECT_TRUE(forbidden_includes("engine/loop/realtime_linux.cpp", "#include <pthread.h>\n").empty());
+  EXPECT_TRUE(forbidden_includes("ui/drill/drill_screen.cpp", "#include <QWidget>\n#include \"storage/rights.h\"\n").empty());
+}
+
+TEST(House, has_the_fixed_top_level) {
+  const std::set<std::string> folders = {"ui", "engine", "device", "scenarios", "storage", "translations", "tests",
+                                         ".ci", ".git", "build", "shared"};
+  for (const auto& entry : fs::directory_iterator(kRoot)) {
+    if (entry.is_directory()) {
+      EXPECT_TRUE(folders.contains(entry.path().filename().string())) << entry.path();
+    }
+  }
+  for (const char* file : {"README.md", "LICENSE", "CMakePresets.json", "run", "check", "packages.txt", ".clang-format",
+                           ".clang-tidy", ".gitignore", ".ci/run"})
+    EXPECT_TRUE(fs::exists(kRoot / file)) << file;
+}
+
+TEST(House, every_room_says_what_lives_in_it) {
+  for (const char* room : {"ui", "engine", "device", "scenarios", "storage", "translations", "tests"})
+    EXPECT_TRUE(fs::exists(kRoot / room / "README.md")) << room;
+  for (const auto& entry : fs::directory_iterator(kRoot / "ui")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file()) {
+      EXPECT_TRUE(name == "README.md" || name == "CMakeLists.txt") << name << " lies directly in ui";
+    } else if (entry.is_directory()) {
+      EXPECT_NE(read(kRoot / "ui/README.md").find(name), std::string::npos) << "ui/README.md does not name " << name;
+    }
+  }
+}
+
+TEST(House, is_licensed_under_gpl_3_or_later) {
+  const std::string text = read(kRoot / "LICENSE");
+  EXPECT_NE(text.find("GNU GENERAL PUBLIC LICENSE"), std::string::npos);
+  EXPECT_NE(text.find("Version 3, 29 June 2007"), std::string::npos);
+  EXPECT_GT(text.size(), 30000u);
+}
+
+TEST(House, leaves_nothing_unfinished_in_the_code) {
+  const std::string words[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X"};
+  for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui", "tests"})) {
+    const std::string text = read(path);
+    for (const std::string& word : words) EXPECT_EQ(text.find(word), std::string::npos) << path << ": " << word;
+  }
+}
+
+TEST(Determinism, everything_the_step_reaches_is_built_without_contraction_and_fast_math) {
+  const nlohmann::json commands = nlohmann::json::parse(read(fs::path(CUSP_BINARY_DIR) / "compile_commands.json"));
+  int seen = 0;
+  for (const auto& entry : commands) {
+    const std::string file = fs::relative(entry["file"].get<std::string>(), kRoot).string();
+    if (!(file.starts_with("engine/step/") || file.starts_with("engine/contact/") ||
+          file.starts_with("engine/removal/") || file.starts_with("engine/volume/") ||
+          file.starts_with("engine/tool/")))
+      continue;
+    ++seen;
+    const std::string command = entry["command"].get<std::string>();
+    EXPECT_NE(command.find("-ffp-contract=off"), std::string::npos) << file;
+    for (const char* flag : {"-ffast-math", "-Ofast", "-funsafe-math", "-fassociative-math", "-mfma"})
+      EXPECT_EQ(command.find(flag), std::string::npos) << file << ": " << flag;
+  }
+  EXPECT_GT(seen, 12);
+}
+
+TEST(Determinism, the_step_calls_nothing_of_libm_but_what_is_exact) {
+  // sin, exp, pow ... differ between processors; sqrt, floor, ceil and fabs do not.
+  for (const char* folder : {"engine/step", "engine/contact", "engine/removal", "engine/volume"})
+    for (const fs::path& path : sources({folder})) {
+      const std::string name = path.filename().string();
+      if (name.starts_with("cut_volume")) continue;  // metrics: not reached by the step
+      const std::string text = read(path);
+      for (const char* call : {"std::sin(", "std::cos(", "std::tan(", "std::exp(", "std::pow(", "std::log(", "std::acos(",
+                               "std::asin(", "std::atan2(", "std::hypot(", "std::fma(", "glm::inversesqrt(",
+                               "glm::normalize(", "unordered_map", "std::chrono"})
+        EXPECT_EQ(text.find(call), std::string::npos) << path << ": " << call;
+    }
+}
+
+}  // namespace
+}  // namespace cusp::test
