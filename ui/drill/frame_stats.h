@@ -24,8 +24,9 @@ class FrameStats {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// A frame ended at `shown`; `changed_at` is the oldest change of the tooth that it shows first.
-  void frame(Clock::time_point shown, std::optional<Clock::time_point> changed_at, double draw_ms);
+  /// A frame ended at `shown`; `changes` are the moments of ticks that changed the tooth and that it is the first to
+  /// show (a few of them stand for all), empty when the tooth is as before.
+  void frame(Clock::time_point shown, const std::vector<Clock::time_point>& changes, double draw_ms);
   FrameFigures figures() const;
   void reset() { *this = FrameStats(); }
 
@@ -37,7 +38,7 @@ class FrameStats {
   std::uint64_t frames_ = 0, cutting_frames_ = 0;
   double cutting_s_ = 0;
   std::optional<Clock::time_point> last_cutting_;
-  std::vector<float> latency_ms_, draw_ms_;  // at most kKept, then every second one is dropped
+  std::vector<float> latency_ms_, draw_ms_;  // at most kKept: later ones are left out
 };
 
 }  // namespace cusp

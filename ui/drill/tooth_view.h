@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -29,19 +30,20 @@ class ToothView : public QWidget {
   void show_volume(const Volume& volume, const FeedSettings& settings = {});
   /// Patches come from this feed from now on, a bounded number of bytes a frame. Call feed_changed() when it has news.
   void set_feed(std::shared_ptr<PatchFeed> feed);
-  /// Any thread: asks for a frame.
+  /// Any thread: asks for a frame. Several askings before it make one.
   void feed_changed();
 
   void set_lines(std::vector<OverlayLine> lines);
   void set_colouring(Colouring colouring);
   void set_target_shown(bool on);
+  bool target_shown() const { return scene_.show_target; }
   void set_burr(const std::optional<BurrPose>& burr);
   /// Takes away what lies before the image's plane and closes it with the image; nullopt: whole tooth.
   void set_cutaway(std::optional<SectionImage> image);
 
   const Camera& camera() const { return scene_.camera; }
   void set_camera(const Camera& camera);
-  /// Turns, over a few frames or at once with reduced motion, so that the place faces the viewer.
+  /// Turns so that the place faces the viewer, and brings it to the middle.
   void look_at(Vec3 place_mm);
   /// The left button turns too (where a click means nothing else).
   void set_left_turns(bool on) { left_turns_ = on; }
@@ -86,7 +88,7 @@ class ToothView : public QWidget {
   friend class Surface;
   void repaint_soon();
   void read_theme();
-  bool take_patches();
+  void frame_ended();
 
   Surface* surface_ = nullptr;
   Scene3d scene_;
@@ -95,9 +97,13 @@ class ToothView : public QWidget {
   std::vector<OverlayLine> lines_;
   std::optional<SectionImage> section_;
   FrameStats* stats_ = nullptr;
+  TickTimes changes_;                      // shown by the frame being drawn
+  std::chrono::steady_clock::time_point draw_start_;
   QPointF last_;
   bool left_turns_ = false, wheel_taken_ = false;
-  bool framed_ = false;  // the camera was set or found
+  bool framed_ = false;      // the camera was set or found
+  bool drawn_ = false;       // draw_start_ belongs to a frame not yet ended
+  std::atomic<bool> asked_{false};
 };
 
 }  // namespace cusp

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace cusp {
 namespace {
@@ -58,11 +59,10 @@ BakedPatch PatchFeed::bake(const Volume& volume, int brick, const Patch& patch) 
   return out;
 }
 
-void PatchFeed::put(BakedPatch patch, std::optional<std::chrono::steady_clock::time_point> changed_at) {
+void PatchFeed::put(BakedPatch patch, bool live) {
   const std::lock_guard lock(mutex_);
   Waiting& place = waiting_[patch.brick];
-  // What waits already has waited longer: the oldest moment is the one that counts.
-  if (!place.changed_at || (changed_at && *changed_at < *place.changed_at)) place.changed_at = changed_at;
+  place.live = place.live || live;
   place.patch = std::move(patch);
 }
 
@@ -89,12 +89,12 @@ void PatchFeed::build_all(const Volume& volume, std::uint64_t tick) {
   for (const Patch& patch : patches) {
     BakedPatch baked = bake(volume, patch.brick, patch);
     baked.tick = tick;
-    if (!baked.indices.empty()) put(std::move(baked), std::nullopt);
+    if (!baked.indices.empty()) put(std::move(baked), false);
   }
 }
 
 void PatchFeed::update(const Volume& volume, std::span<const std::int32_t> changed_bricks, std::uint64_t tick,
-                       std::chrono::steady_clock::time_point changed_at) {
+                       const TickTimes& changes) {
   const Specimen& specimen = volume.specimen();
   std::set<int> anew;
   for (const std::int32_t brick : changed_bricks) {
@@ -128,8 +128,10 @@ void PatchFeed::update(const Volume& volume, std::span<const std::int32_t> chang
   for (const int b : anew) {
     BakedPatch patch = bake(volume, b, build_patch(volume, b, level_[static_cast<std::size_t>(b)]));
     patch.tick = tick;
-    put(std::move(patch), changed_at);
+    put(std::move(patch), true);
   }
+  const std::lock_guard lock(mutex_);
+  changes_.insert(changes_.end(), changes.begin(), changes.end());
 }
 
 FedPatches PatchFeed::take(std::size_t max_bytes) {
@@ -139,7 +141,7 @@ FedPatches PatchFeed::take(std::size_t max_bytes) {
   // Live changes before the first picture's patches.
   for (const bool live : {true, false}) {
     for (auto it = waiting_.begin(); it != waiting_.end();) {
-      if (it->second.changed_at.has_value() != live) {
+      if (it->second.live != live) {
         ++it;
         continue;
       }
@@ -148,12 +150,11 @@ FedPatches PatchFeed::take(std::size_t max_bytes) {
         return out;
       }
       bytes += it->second.patch.bytes();
-      if (it->second.changed_at && (!out.changed_at || *it->second.changed_at < *out.changed_at))
-        out.changed_at = it->second.changed_at;
       out.tick = std::max(out.tick, it->second.patch.tick);
       out.patches.push_back(std::move(it->second.patch));
       it = waiting_.erase(it);
     }
+    if (live) out.changes = std::exchange(changes_, {});
   }
   return out;
 }

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,10 +26,12 @@ struct FeedSettings {
   DeviationAt deviation;
 };
 
-/// What the drawer got, with the moment at which the oldest change in it entered the volume.
+using TickTimes = std::vector<std::chrono::steady_clock::time_point>;
+
+/// What the drawer got, with the moments of the ticks whose changes it shows first (as update() was told them).
 struct FedPatches {
   std::vector<BakedPatch> patches;
-  std::optional<std::chrono::steady_clock::time_point> changed_at;
+  TickTimes changes;
   std::uint64_t tick = 0;   // newest state shown
   bool more = false;        // the limit was reached; further patches wait
 };
@@ -41,9 +42,9 @@ class PatchFeed {
 
   /// Owner of the volume: every patch anew. Before update().
   void build_all(const Volume& volume, std::uint64_t tick = 0);
-  /// Owner of the volume: what depends on these bricks. `changed_at`: when the newest of the changes was made.
+  /// Owner of the volume: what depends on these bricks. `changes`: when they were made, for measuring; any of them.
   void update(const Volume& volume, std::span<const std::int32_t> changed_bricks, std::uint64_t tick,
-              std::chrono::steady_clock::time_point changed_at);
+              const TickTimes& changes = {});
 
   /// The drawing thread: what waits, at most about `max_bytes` of it (one patch at least).
   FedPatches take(std::size_t max_bytes);
@@ -53,17 +54,18 @@ class PatchFeed {
  private:
   struct Waiting {
     BakedPatch patch;
-    std::optional<std::chrono::steady_clock::time_point> changed_at;
+    bool live = false;  // changed while drawing, before the first picture's
   };
   bool in_region(const Volume& volume, int brick) const;
   BakedPatch bake(const Volume& volume, int brick, const Patch& patch) const;
-  void put(BakedPatch patch, std::optional<std::chrono::steady_clock::time_point> changed_at);
+  void put(BakedPatch patch, bool live);
 
   FeedSettings settings_;
   std::vector<std::uint8_t> level_;               // [brick] fine in the region, where a burr was, and where it is rough
   std::vector<std::vector<std::uint16_t>> seen_;  // [brick] cut values at the last build, for the extent of a change
   mutable std::mutex mutex_;                      // guards waiting_; held for a move of a patch, never by the loop
   std::map<int, Waiting> waiting_;                // [brick]
+  TickTimes changes_;                             // not yet shown; told when the last live patch has gone out
 };
 
 }  // namespace cusp
