@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <new>
+#include <exception>
 #include <set>
 
 #include "scenarios/import/mesh_distance.h"
@@ -65,7 +66,8 @@ Result<std::vector<Part>, ImportFailure> choose(std::vector<TriangleMesh> meshes
     if (!in_file.oriented) return fail(ImportError::mesh_not_oriented, name + place(in_file.bad_edge));
     for (Vec3& p : part.mesh.points) p = turned(p, what.up) * what.unit_mm;
     part.checked = check(part.mesh);
-    if (!(part.checked.volume != 0.0) || !std::isfinite(part.checked.volume)) return fail(ImportError::mesh_empty, name);
+    if (!std::isfinite(part.checked.volume)) return fail(ImportError::too_large, what.path.filename().string());
+    if (part.checked.volume == 0.0) return fail(ImportError::mesh_empty, name);
     parts.push_back(std::move(part));
   }
   std::ranges::sort(parts, [](const Part& a, const Part& b) {
@@ -99,43 +101,59 @@ Result<Grid, ImportFailure> grid_about(const std::vector<Part>& parts, const Mes
 /// Share of a voxel at this distance that is inside, for a face across it.
 double coverage(float distance) noexcept { return std::clamp(0.5 - static_cast<double>(distance), 0.0, 1.0); }
 
+/// The piece of `grid` about a shell, with its first voxel's place in `grid`.
+struct Piece {
+  Grid grid;
+  IVec3 first{0};
+};
+Piece piece_about(const MeshCheck& shell, const Grid& grid) {
+  Piece out{grid, IVec3(glm::floor((shell.low - grid.origin_mm) / grid.voxel_mm)) - kDistanceReach};
+  out.first = glm::max(out.first, IVec3(0));
+  const IVec3 last = IVec3(glm::ceil((shell.high - grid.origin_mm) / grid.voxel_mm)) + kDistanceReach;
+  out.grid.size = glm::min(last, grid.size - 1) - out.first + 1;
+  out.grid.origin_mm = grid.centre_mm(out.first);
+  return out;
+}
+
+/// Calls each(index in grid, s of the shell) about a shell. False when what it encloses is not what its triangles say:
+/// it has turned itself inside out somewhere. A face is off by at most a tenth of a voxel, a small shell by two per cent.
+template <class Each>
+bool for_each_voxel(const TriangleMesh& shell, const Grid& grid, Each each) {
+  const MeshCheck c = check(shell);
+  const Piece piece = piece_about(c, grid);
+  const std::vector<float> d = mesh_distance(shell, piece.grid);
+  double voxels = 0.0;
+  std::size_t i = 0;
+  for (int z = 0; z < piece.grid.size.z; ++z)
+    for (int y = 0; y < piece.grid.size.y; ++y) {
+      std::size_t to = grid.index(piece.first + IVec3(0, y, z));
+      for (int x = 0; x < piece.grid.size.x; ++x, ++i, ++to) {
+        voxels += coverage(d[i]);
+        each(to, solid_from_distance(static_cast<double>(d[i])));
+      }
+    }
+  const double v = grid.voxel_mm;
+  return std::abs(voxels * v * v * v - std::abs(c.volume)) <= 0.02 * std::abs(c.volume) + 0.1 * c.area * v;
+}
+
 /// s of one part alone: its solids less its cavities.
 Result<void, ImportFailure> solids_of(const Part& part, const Grid& grid, std::vector<std::uint16_t>& s) {
   const std::string& name = part.mesh.name;
   const Shells shells = shells_of(part.mesh);
   std::ranges::fill(s, std::uint16_t{0});
-  double solid_voxels = 0.0;
-  mesh_distance(shells.solids, grid, [&](int y, int z, std::span<const float> d) {
-    std::uint16_t* to = &s[grid.index({0, y, z})];
-    for (std::size_t x = 0; x < d.size(); ++x) {
-      to[x] = solid_from_distance(static_cast<double>(d[x]));
-      solid_voxels += coverage(d[x]);
-    }
-  });
-  // What encloses less than its shells say, or more than all of them, has turned itself inside out somewhere. A face
-  // is off by at most a tenth of a voxel, edges and small parts by two per cent.
-  const double cube = grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
-  const double slack = 0.02 * shells.solid_volume + 0.1 * part.checked.area * grid.voxel_mm;
-  const double measured = solid_voxels * cube;
-  if (std::ranges::none_of(s, [](std::uint16_t v) { return v >= kHalf; })) return fail(ImportError::nothing_solid, name);
-  if (measured < shells.largest_solid - slack || measured > shells.solid_volume + slack)
-    return fail(ImportError::mesh_ambiguous, name);
-
-  if (shells.cavities.triangles.empty()) return {};
+  for (const TriangleMesh& shell : shells.solids) {
+    if (!for_each_voxel(shell, grid, [&](std::size_t i, std::uint16_t solid) { s[i] = std::max(s[i], solid); }))
+      return fail(ImportError::mesh_ambiguous, name);
+  }
   bool within = true;
-  Vec3 outside(0.0);
-  mesh_distance(shells.cavities, grid, [&](int y, int z, std::span<const float> d) {
-    std::uint16_t* to = &s[grid.index({0, y, z})];
-    for (std::size_t x = 0; x < d.size(); ++x) {
-      const std::uint16_t hollow = solid_from_distance(static_cast<double>(d[x]));
-      if (hollow == kSolid && to[x] == 0 && within) {
-        within = false;
-        outside = grid.centre_mm({static_cast<int>(x), y, z});
-      }
-      to[x] = std::min(to[x], static_cast<std::uint16_t>(kSolid - hollow));
-    }
-  });
-  if (!within) return fail(ImportError::mesh_ambiguous, name + place(outside));
+  for (const TriangleMesh& shell : shells.cavities) {
+    const bool sound = for_each_voxel(shell, grid, [&](std::size_t i, std::uint16_t hollow) {
+      within &= hollow != kSolid || s[i] != 0;
+      s[i] = std::min(s[i], static_cast<std::uint16_t>(kSolid - hollow));
+    });
+    if (!sound || !within) return fail(ImportError::mesh_ambiguous, name);
+  }
+  if (std::ranges::none_of(s, [](std::uint16_t v) { return v >= kHalf; })) return fail(ImportError::nothing_solid, name);
   return {};
 }
 

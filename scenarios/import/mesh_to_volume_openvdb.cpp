@@ -3,7 +3,6 @@
 #include <openvdb/tools/MeshToVolume.h>
 
 #include <mutex>
-#include <vector>
 
 #include "scenarios/import/mesh_distance.h"
 
@@ -26,24 +25,23 @@ struct IndexSpaceMesh {
 
 }  // namespace
 
-void mesh_distance(const TriangleMesh& mesh, const Grid& grid, const DistanceRow& row) {
+std::vector<bool> mesh_inside(const TriangleMesh& shell, const Grid& grid) {
   static std::once_flag once;
   std::call_once(once, [] { openvdb::initialize(); });
 
+  // The narrowest band that is not widened by guesses; beyond it the sign is filled in.
+  constexpr float band = 2.0f;
   const auto transform = openvdb::math::Transform::createLinearTransform(1.0);
-  // Renormalising smooths the distances by up to a tenth of a voxel; they are exact without.
   const openvdb::FloatGrid::Ptr field = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-      IndexSpaceMesh{mesh, grid}, *transform, kDistanceReach, kDistanceReach, openvdb::tools::DISABLE_RENORMALIZATION);
+      IndexSpaceMesh{shell, grid}, *transform, band, band, openvdb::tools::DISABLE_RENORMALIZATION);
 
-  const openvdb::CoordBBox box = field->evalActiveVoxelBoundingBox();
+  std::vector<bool> inside(grid.voxels());
   auto accessor = field->getConstAccessor();
-  std::vector<float> values(static_cast<std::size_t>(grid.size.x));
-  for (int z = std::max(0, box.min().z()); z <= std::min(grid.size.z - 1, box.max().z()); ++z)
-    for (int y = std::max(0, box.min().y()); y <= std::min(grid.size.y - 1, box.max().y()); ++y) {
-      for (int x = 0; x < grid.size.x; ++x)
-        values[static_cast<std::size_t>(x)] = accessor.getValue(openvdb::Coord(x, y, z));
-      row(y, z, values);
-    }
+  std::size_t i = 0;
+  for (int z = 0; z < grid.size.z; ++z)
+    for (int y = 0; y < grid.size.y; ++y)
+      for (int x = 0; x < grid.size.x; ++x, ++i) inside[i] = accessor.getValue(openvdb::Coord(x, y, z)) < 0.0f;
+  return inside;
 }
 
 }  // namespace cusp

@@ -1,5 +1,6 @@
 #include "scenarios/import/nrrd.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
@@ -36,6 +37,22 @@ Result<std::string, ImportFailure> read_header_text(std::istream& in, const std:
     }
   }
   return fail(in.bad() ? ImportError::io : ImportError::truncated, name);
+}
+
+/// Whether the bytes that follow can be the data at all, before memory is taken for them.
+Result<void, ImportFailure> check_length(std::istream& in, const NrrdHeader& h, const std::filesystem::path& file,
+                                         const std::string& name) {
+  std::error_code ec;
+  const std::uintmax_t all = std::filesystem::file_size(file, ec);
+  const std::streamoff at = in.tellg();
+  if (ec || at < 0) return fail(ImportError::io, name, ec.message());
+  const std::uintmax_t there = all - std::min(all, static_cast<std::uintmax_t>(at));
+  const std::uintmax_t samples = h.content == NrrdHeader::Content::labels ? 1 : 2;
+  const std::uintmax_t needed = h.grid.voxels() * samples * static_cast<std::uintmax_t>(h.sample_bytes);
+  // Deflate packs 258 bytes into two bits at the most.
+  constexpr std::uintmax_t best_packing = 1032;
+  if (needed > (h.gzip ? there * best_packing : there)) return fail(ImportError::truncated, name);
+  return {};
 }
 
 /// Sample at p, least significant byte first unless big; a negative one comes out huge, and so above any code.
@@ -150,6 +167,7 @@ Result<VoxelVolume, ImportFailure> read_nrrd(const std::filesystem::path& file, 
   if (!text) return std::unexpected(text.error());
   const auto header = parse_nrrd_header(*text, name, limits);
   if (!header) return std::unexpected(header.error());
+  if (const auto enough = check_length(in, *header, file, name); !enough) return std::unexpected(enough.error());
   NrrdSource source(in, header->gzip);
   if (header->content == NrrdHeader::Content::labels) return read_labels(source, *header, name, limits);
   return read_tissue_and_s(source, *header, name);

@@ -109,22 +109,30 @@ Shells shells_of(const TriangleMesh& mesh) {
   }
   const double sign = total < 0.0 ? -1.0 : 1.0;
 
+  constexpr std::uint32_t kNone = ~0u;
+  std::vector<std::uint32_t> shell_at(mesh.points.size(), kNone);  // [root]: place among its kind
+  std::vector<std::uint32_t> point_at(mesh.points.size(), kNone);  // [point]: within its shell
   Shells out;
-  out.solids.name = out.cavities.name = mesh.name;
-  out.solids.points = out.cavities.points = mesh.points;
   for (const auto& t : mesh.triangles) {
-    const double v = sign * volume[find(t[0])];
-    if (v > 0.0) out.solids.triangles.push_back(t);
-    if (v < 0.0) out.cavities.triangles.push_back(t);
-  }
-  for (std::uint32_t i = 0; i < volume.size(); ++i) {
-    const double v = sign * volume[i];
-    if (v > 0.0) {
-      out.solid_volume += v;
-      out.largest_solid = std::max(out.largest_solid, v);
-    } else {
-      out.cavity_volume -= v;
+    const std::uint32_t shell = find(t[0]);
+    const double v = sign * volume[shell];
+    if (v == 0.0) continue;
+    std::vector<TriangleMesh>& kind = v > 0.0 ? out.solids : out.cavities;
+    if (shell_at[shell] == kNone) {
+      shell_at[shell] = static_cast<std::uint32_t>(kind.size());
+      kind.push_back({mesh.name, {}, {}});
     }
+    TriangleMesh& to = kind[shell_at[shell]];
+    auto moved = t;
+    for (auto& p : moved) {
+      if (point_at[p] == kNone) {
+        point_at[p] = static_cast<std::uint32_t>(to.points.size());
+        to.points.push_back(mesh.points[p]);
+      }
+      p = point_at[p];
+    }
+    if (volume[shell] < 0.0) std::swap(moved[1], moved[2]);
+    to.triangles.push_back(moved);
   }
   return out;
 }

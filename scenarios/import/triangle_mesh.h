@@ -37,15 +37,13 @@ struct MeshCheck {
 };
 MeshCheck check(const TriangleMesh& mesh);
 
-/// The shells of a closed mesh (triangles that hang together by their points) parted by what they enclose.
+/// The shells of a closed mesh: triangles that hang together by their points, parted by what they enclose.
 struct Shells {
-  TriangleMesh solids;    // with a positive volume
-  TriangleMesh cavities;  // with a negative one: hollows within a solid
-  double solid_volume = 0.0;   // sum, >= 0
-  double largest_solid = 0.0;  // of one shell
-  double cavity_volume = 0.0;  // sum, >= 0
+  std::vector<TriangleMesh> solids;    // with a positive volume
+  std::vector<TriangleMesh> cavities;  // with a negative one, turned round: hollows within a solid
 };
-/// Pre: closed and oriented. A mesh that is inside out as a whole is turned first.
+/// In the order of their first points. Shells without a volume are left out. Pre: closed and oriented. A mesh that is
+/// inside out as a whole is turned first.
 Shells shells_of(const TriangleMesh& mesh);
 
 }  // namespace cusp

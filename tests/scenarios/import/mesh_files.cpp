@@ -1,0 +1,180 @@
+#include "tests/scenarios/import/mesh_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+
+#include "engine/base/ids.h"
+
+namespace cusp::testing {
+
+Mesh sphere(std::string name, Vec3 centre, double radius, int level) {
+  Mesh m{std::move(name), {}, {}};
+  const double g = std::numbers::phi;
+  m.points = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
+              {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  m.triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
+                 {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  for (; level > 0; --level) {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b) {
+      const auto [it, is_new] = middles.try_emplace(std::pair(std::min(a, b), std::max(a, b)),
+                                                    static_cast<int>(m.points.size()));
+      if (is_new)
+        m.points.push_back(0.5 * (glm::normalize(m.points[static_cast<std::size_t>(a)]) +
+                                  glm::normalize(m.points[static_cast<std::size_t>(b)])));
+      return it->second;
+    };
+    std::vector<std::array<int, 3>> finer;
+    for (const auto& [a, b, c] : m.triangles) {
+      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+    }
+    m.triangles = std::move(finer);
+  }
+  for (Vec3& p : m.points) p = centre + radius * glm::normalize(p);
+  return m;
+}
+
+Mesh torus(std::string name, Vec3 centre, double ring, double tube, int n) {
+  Mesh m{std::move(name), {}, {}};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double u = 2.0 * std::numbers::pi * i / n, v = 2.0 * std::numbers::pi * j / n;
+      const double r = ring + tube * std::cos(v);
+      m.points.push_back(centre + Vec3(r * std::cos(u), r * std::sin(u), tube * std::sin(v)));
+      const int a = i * n + j, b = (i + 1) % n * n + j, c = (i + 1) % n * n + (j + 1) % n, d = i * n + (j + 1) % n;
+      m.triangles.push_back({a, b, c});
+      m.triangles.push_back({a, c, d});
+    }
+  return m;
+}
+
+Mesh rounded_box(std::string name, Vec3 centre, Vec3 core, double round, int level) {
+  Mesh out{std::move(name), {}, {}};
+  // Octants of a sphere at the corners, quarter cylinders along the edges, rectangles between them.
+  const int n = 1 << level;
+  std::map<std::array<long, 3>, int> known;
+  const auto point = [&](Vec3 p) {
+    const std::array<long, 3> key = {std::lround(p.x * 1e9), std::lround(p.y * 1e9), std::lround(p.z * 1e9)};
+    const auto [it, is_new] = known.try_emplace(key, static_cast<int>(out.points.size()));
+    if (is_new) out.points.push_back(p);
+    return it->second;
+  };
+  const auto quad = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    const int i = point(a), j = point(b), k = point(c), l = point(d);
+    if (i != j && j != k && k != i) out.triangles.push_back({i, j, k});
+    if (i != k && k != l && l != i) out.triangles.push_back({i, k, l});
+  };
+  for (int sx : {-1, 1})
+    for (int sy : {-1, 1})
+      for (int sz : {-1, 1}) {
+        const Vec3 s(sx, sy, sz);
+        const auto at = [&](int i, int j) {  // of the octant's triangle, by its sides' shares
+          const double a = static_cast<double>(i) / n, b = static_cast<double>(j) / n;
+          const Vec3 d = glm::normalize(Vec3(1.0 - a - b, a, b));
+          return s * (core + round * d);
+        };
+        const bool odd = sx * sy * sz < 0;
+        const auto triangle = [&](Vec3 a, Vec3 b, Vec3 c) { odd ? quad(a, c, b, b) : quad(a, b, c, c); };
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; i + j < n; ++j) {
+            triangle(at(i, j), at(i + 1, j), at(i, j + 1));
+            if (i + j + 1 < n) triangle(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+          }
+      }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int su : {-1, 1})
+      for (int sv : {-1, 1}) {
+        for (int i = 0; i < n; ++i) {
+          const auto at = [&](int k, double end) {
+            Vec3 d(0.0);
+            const double b = static_cast<double>(k) / n;
+            d[u] = 1.0 - b;
+            d[v] = b;
+            d = round * glm::normalize(d);
+            Vec3 p(0.0);
+            p[axis] = end * core[axis];
+            p[u] = su * (core[u] + d[u]);
+            p[v] = sv * (core[v] + d[v]);
+            return p;
+          };
+          const Vec3 a = at(i, -1), b = at(i + 1, -1), c = at(i + 1, 1), d = at(i, 1);
+          su * sv > 0 ? quad(a, b, c, d) : quad(a, d, c, b);
+        }
+      }
+    for (int side : {-1, 1}) {
+      const auto at = [&](int du, int dv) {
+        Vec3 p(0.0);
+        p[axis] = side * (core[axis] + round);
+        p[u] = du * core[u];
+        p[v] = dv * core[v];
+        return p;
+      };
+      side > 0 ? quad(at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)) : quad(at(-1, -1), at(-1, 1), at(1, 1), at(1, -1));
+    }
+  }
+  for (Vec3& p : out.points) p += centre;
+  return out;
+}
+
+Mesh inside_out(Mesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+Mesh turned(Mesh mesh) {
+  const Quat q = glm::angleAxis(0.61, glm::normalize(Vec3(1.0, 2.0, 3.0)));
+  for (Vec3& p : mesh.points) p = q * p;
+  return mesh;
+}
+
+TempFolder::TempFolder() : path_(std::filesystem::temp_directory_path() / ("cusp-test-" + Uuid::v7().text())) {
+  std::filesystem::create_directory(path_);
+}
+TempFolder::~TempFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+void write_obj(const std::filesystem::path& file, const std::vector<Mesh>& meshes) {
+  std::ofstream out(file);
+  out.precision(9);
+  int base = 1;
+  for (const Mesh& m : meshes) {
+    out << "g " << m.name << "\n";
+    for (const Vec3& p : m.points) out << "v " << p.x << " " << p.y << " " << p.z << "\n";
+    for (const auto& [a, b, c] : m.triangles) out << "f " << base + a << " " << base + b << " " << base + c << "\n";
+    base += static_cast<int>(m.points.size());
+  }
+}
+
+void write_stl(const std::filesystem::path& file, const Mesh& mesh) {
+  std::ofstream out(file);
+  out.precision(9);
+  out << "solid " << mesh.name << "\n";
+  for (const auto& t : mesh.triangles) {
+    out << "facet normal 0 0 0\nouter loop\n";
+    for (const int i : t) {
+      const Vec3& p = mesh.points[static_cast<std::size_t>(i)];
+      out << "vertex " << p.x << " " << p.y << " " << p.z << "\n";
+    }
+    out << "endloop\nendfacet\n";
+  }
+  out << "endsolid " << mesh.name << "\n";
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace cusp::testing

@@ -1,0 +1,80 @@
+#include "scenarios/specimens.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/blocks/blocks.h"
+#include "scenarios/import/nrrd.h"
+#include "tests/scenarios/import/mesh_files.h"
+
+namespace cusp {
+namespace {
+
+using testing::TempFolder;
+
+SpecimenSource generator(const std::string& name, double voxel_mm = 0.1, int fdi = 0) {
+  SpecimenSource source;
+  source.generator = name;
+  source.voxel_mm = voxel_mm;
+  source.fdi = fdi;
+  return source;
+}
+
+void expect_refused(const SpecimenSource& source, ImportError code, const std::string& where) {
+  const TempFolder folder;
+  const auto r = make_specimen(source, folder.path());
+  ASSERT_FALSE(r);
+  EXPECT_EQ(key_of(r.error().code), key_of(code));
+  EXPECT_EQ(r.error().where, where);
+}
+
+TEST(MakeSpecimen, TheBlocksComeFromTheirGenerators) {
+  const auto paper = make_specimen(generator("paper-block"), {});
+  ASSERT_TRUE(paper);
+  EXPECT_EQ(paper->grid, paper_block().grid);
+  const auto block = make_specimen(generator("block", 0.25), {});
+  ASSERT_TRUE(block);
+  EXPECT_TRUE(block->s == dexterity_block(0.25).s);
+}
+
+TEST(MakeSpecimen, AToothComesFromItsGenerator) {
+  const auto tooth = make_specimen(generator("tooth", 0.3, 36), {});
+  ASSERT_TRUE(tooth) << key_of(tooth.error().code) << tooth.error().where;
+  EXPECT_TRUE(std::ranges::find(tooth->tissue, Tissue::enamel) != tooth->tissue.end());
+  EXPECT_TRUE(std::ranges::find(tooth->tissue, Tissue::pulp) != tooth->tissue.end());
+}
+
+TEST(MakeSpecimen, AVolumeIsReadBesideTheScenario) {
+  const TempFolder folder;
+  const VoxelVolume block = dexterity_block(1.0);
+  ASSERT_TRUE(write_nrrd(block, folder / "block.nrrd"));
+  SpecimenSource source;
+  source.volume = "block.nrrd";
+  const auto read = make_specimen(source, folder.path());
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->s == block.s);
+}
+
+TEST(MakeSpecimen, AVolumeOutsideTheScenariosFolderIsNotRead) {
+  for (const char* name : {"../block.nrrd", "/etc/passwd", "", "..", ".", "a/b.nrrd", "a\\b.nrrd"}) {
+    SpecimenSource source;
+    source.volume = name;
+    expect_refused(source, ImportError::bad_option, "volume");
+  }
+  SpecimenSource source;
+  source.volume = "none.nrrd";
+  expect_refused(source, ImportError::missing_file, "none.nrrd");
+}
+
+TEST(MakeSpecimen, WhatNoGeneratorMakesIsRefusedByKey) {
+  expect_refused(generator("cube"), ImportError::unknown_generator, "cube");
+  expect_refused(generator("block", 0.001), ImportError::bad_option, "voxel_mm");
+  expect_refused(generator("block", std::nan("")), ImportError::bad_option, "voxel_mm");
+  expect_refused(generator("tooth", 0.1, 19), ImportError::bad_option, "fdi");
+  expect_refused(generator("tooth", 3.0, 36), ImportError::bad_option, "voxel_mm");
+}
+
+}  // namespace
+}  // namespace cusp
