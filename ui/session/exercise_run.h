@@ -40,6 +40,7 @@ struct RunPlan {
 struct RunResult {
   SessionId session;                         // nil when nothing was kept
   SessionState state = SessionState::graded;
+  bool interrupted = false;                  // it never came to its finish: graded as it stands
   Scenario scenario;
   Grade grade;
   std::vector<Measure> measures;             // all that was measured, also without a criterion; empty for an old session
@@ -69,7 +70,7 @@ class ExerciseRun {
 
   /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
   /// run as it was (stopped): finish() may be tried again when the disk is well. A go that ended by itself because inputs
-  /// were not taken off in time is graded as it stands, RunResult::state says interrupted.
+  /// were not taken off in time is graded as it stands, RunResult::interrupted says so.
   Run<RunResult> finish();
   /// Stops; the session stays as interrupted in the database and can be graded as it stands.
   void abandon();

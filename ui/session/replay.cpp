@@ -126,6 +126,7 @@ RunResult result_of(const OpenedSession& opened) {
   RunResult result;
   result.session = opened.session.id;
   result.state = opened.state;
+  result.interrupted = std::ranges::none_of(opened.events, [](const SessionEvent& e) { return e.kind == EventKind::finished; });
   result.scenario = opened.scenario;
   result.seconds = static_cast<double>(opened.elapsed_us) * 1e-6;
   result.device = opened.session.header.device;
@@ -134,11 +135,11 @@ RunResult result_of(const OpenedSession& opened) {
   return result;
 }
 
-Run<void> keep_grade(Store& store, const OpenedSession& opened, const RunResult& result, const Rubric& rubric,
-                     std::uint64_t tick, UserId grader) {
+Run<void> keep_grade(Store& store, const RunResult& result, const Rubric& rubric, std::uint64_t tick,
+                     const std::optional<Actor>& grader) {
   auto volume = store.traces.final_volume(result.session);
   if (!volume) return storage_failed(volume);
-  if (!*volume && opened.state == SessionState::interrupted) {
+  if (!*volume && result.interrupted) {
     const FinalVolume whole{result.volume->save_cuts(), result.volume_hash, tick};
     if (auto done = store.traces.save_final_volume(result.session, whole); !done) return storage_failed(done);
   }
@@ -149,7 +150,8 @@ Run<void> keep_grade(Store& store, const OpenedSession& opened, const RunResult&
 
 }  // namespace
 
-Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep, UserId grader) {
+Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
+                             const std::optional<Actor>& grader) {
   auto opened = open_session(store, id);
   if (!opened) return std::unexpected(opened.error());
   if (opened->state == SessionState::running) return run_fail(RunError::wrong_state, id.text());
@@ -164,9 +166,9 @@ Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rub
   result.measures = measure(reference, *result.volume, replay->process());
   result.grade = grade(result.scenario, result.measures);
   if (keep) {
-    auto kept = keep_grade(store, *opened, result, result.scenario.rubric, replay->state().last().tick, grader);
+    auto kept = keep_grade(store, result, result.scenario.rubric, replay->state().last().tick, grader);
     if (!kept) return std::unexpected(kept.error());
-    if (result.state != SessionState::interrupted) result.state = SessionState::graded;
+    result.state = SessionState::graded;
   }
   return result;
 }

@@ -67,7 +67,8 @@ Run<RunResult> open_result(Store& store, SessionId id, bool keep = false);
 
 /// Rebuilds and grades, with the scenario's rubric or another one. `keep`: stores the grade (and the final volume of an
 /// interrupted session). wrong_state while the session runs.
-Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep, UserId grader = {});
+Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
+                             const std::optional<Actor>& grader = std::nullopt);
 
 /// Proof of one session, in order: rows and chain (storage), each second's state hash, volume and grade bit for bit.
 struct ReplayProof {

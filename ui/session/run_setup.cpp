@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenarios/format/content_hash.h"
+#include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
@@ -41,8 +42,8 @@ Run<VersionId> version_of(const RunPlan& plan, Store& store) {
     files[name] = *kept;
     beside[name] = std::move(*bytes);
   }
-  auto version = store.scenarios.ensure(plan.scenario, canonical_json(plan.scenario),
-                                        content_hash(plan.scenario, beside).bytes, files);
+  const std::string json = canonical_json(plan.scenario);
+  auto version = store.scenarios.ensure(plan.scenario, json, content_hash(plan.scenario, beside).bytes, files);
   if (!version) return run_fail(RunError::storage, version.error());
   return version->id;
 }
@@ -104,6 +105,10 @@ Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device) {
   setup.mirror_start.emplace(setup.scene);
   if (!setup.store) return setup;
 
+  // A session that could not be opened again must not begin.
+  if (auto readable = read_scenario(canonical_json(plan.scenario)); !readable) {
+    return run_fail(RunError::scenario, readable.error());
+  }
   auto version = version_of(plan, *setup.store);
   if (!version) return std::unexpected(version.error());
   auto blob = setup.store->blobs.put(specimen_bytes(plan.specimen->dense()));
@@ -159,7 +164,7 @@ Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store
   result.seconds = process.time_s();
   result.device = setup.device;
   result.hand = plan.hand;
-  result.state = interrupts(end) ? SessionState::interrupted : SessionState::graded;
+  result.interrupted = interrupts(end);
   result.measures = measure(*setup.reference, *result.volume, process);
   result.grade = grade(plan.scenario, result.measures);
   if (!store) return result;

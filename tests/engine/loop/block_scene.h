@@ -36,7 +36,9 @@ inline VoxelVolume block_volume() {
 
 inline std::vector<Burr> block_burrs() {
   Burr large, small;
+  large.name = "large";
   large.radius_mm = 0.5;
+  small.name = "small";
   small.radius_mm = 0.4;
   small.neck_radius_mm = 0.25;
   return {large, small};
@@ -64,7 +66,7 @@ inline Sample drilling_sample(std::uint64_t tick) {
 }
 
 /// A port that plays drilling_sample(): one sample a wait(), without sleeping or with, `gone` after the last.
-class DrillingPort final : public HapticPort {
+class DrillingPort : public HapticPort {
  public:
   explicit DrillingPort(std::uint64_t ticks, bool sleeps = false) : ticks_(ticks), sleeps_(sleeps) {}
   Result<void, PortFailure> open() override { return {}; }

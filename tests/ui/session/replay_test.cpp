@@ -1,0 +1,137 @@
+#include "ui/session/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/ui/session/small_exercise.h"
+#include "ui/session/play_through.h"
+#include "ui/session/specimen_blob.h"
+
+namespace cusp {
+namespace {
+
+using test::DrillingPort;
+using test::Workplace;
+
+TEST(Replay, JumpsByKeyStatesToTheSameStateAsTickByTick) {
+  const Workplace work;
+  DrillingPort port(11'000);
+  const auto result = play_through(work.plan(), port);
+  ASSERT_TRUE(result);
+  const auto store = work.store();
+  EXPECT_EQ(store->traces.key_state_ticks(result->session), (std::vector<std::uint64_t>{5000, 10'000}));
+  auto opened = open_session(*store, result->session);
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->ticks, 11'000u);
+  auto whole = Replay::open(*store, *opened);
+  auto jumping = Replay::open(*store, *opened);
+  ASSERT_TRUE(whole && jumping);
+  for (const std::uint64_t tick : {10'500u, 700u, 5000u, 5001u, 11'000u, 4999u}) {
+    ASSERT_TRUE(whole->to(tick, true));
+    ASSERT_TRUE(jumping->to(tick));
+    EXPECT_EQ(whole->state().hash(), jumping->state().hash()) << "tick " << tick;
+  }
+}
+
+TEST(Replay, ItsObserversAreToldOfEveryBrickThatAJumpChanged) {
+  class Sketch final : public Observer {
+   public:
+    void on_state(const StepState& state, const StateNews& news) override {
+      if (news.first) cut.clear();
+      for (const std::int32_t b : news.changed_bricks) {
+        cut[b].assign(state.volume().cut_of(b), state.volume().cut_of(b) + kBrickVoxels);
+      }
+      equal = cut.size() == state.volume().cut_bricks().size();
+      for (const auto& [b, values] : cut) {
+        equal = equal && std::equal(values.begin(), values.end(), state.volume().cut_of(b));
+      }
+    }
+    std::map<std::int32_t, std::vector<std::uint16_t>> cut;
+    bool equal = false;
+  };
+  const Workplace work;
+  DrillingPort port(6000);
+  const auto result = play_through(work.plan(), port);
+  ASSERT_TRUE(result);
+  const auto store = work.store();
+  auto replay = Replay::open(*store, *open_session(*store, result->session));
+  ASSERT_TRUE(replay);
+  Sketch sketch;
+  replay->add(sketch);
+  for (const std::uint64_t tick : {300u, 900u, 5500u, 200u, 6000u}) {
+    ASSERT_TRUE(replay->to(tick));
+    EXPECT_TRUE(sketch.equal) << "tick " << tick;
+  }
+}
+
+TEST(Replay, AByteChangedInTheRecordIsFoundAndNamed) {
+  const Workplace work;
+  DrillingPort port(1500);
+  const auto result = play_through(work.plan(), port);
+  ASSERT_TRUE(result);
+  {
+    const auto store = work.store();
+    // As somebody with a database tool would: one byte of the second second's inputs.
+    const auto changed = store->database().run(
+        "UPDATE trace_chunks SET trace = CAST(substr(trace, 1, 40) || x'5a' || substr(trace, 42) AS BLOB) "
+        "WHERE row = 1");
+    ASSERT_TRUE(changed) << changed.error().where << changed.error().detail;
+    ASSERT_EQ(store->database().changes(), 1);
+  }
+  const auto store = work.store();
+  const auto proof = prove_session(*store, result->session);
+  ASSERT_TRUE(proof);
+  EXPECT_FALSE(proof->holds());
+  ASSERT_FALSE(proof->chain.findings.empty());
+  EXPECT_EQ(proof->chain.findings.front().table, "trace_chunks");
+  EXPECT_EQ(proof->chain.findings.front().row, 1);
+}
+
+TEST(Replay, AnotherRubricGradesTheSameToothOtherwiseAndKeepsNothingUnlessAsked) {
+  const Workplace work;
+  DrillingPort port(1200);
+  const auto result = play_through(work.plan(), port);
+  ASSERT_TRUE(result);
+  const auto store = work.store();
+  Rubric strict = work.plan().scenario.rubric;
+  strict.pass = 100;
+  strict.criteria.resize(1);
+  const auto graded = grade_session(*store, result->session, &strict, false);
+  ASSERT_TRUE(graded);
+  EXPECT_EQ(graded->volume_hash, result->volume_hash);
+  EXPECT_EQ(graded->grade.criteria.size(), 1u);
+  EXPECT_EQ(graded->grade.pass_mark, 100);
+  EXPECT_EQ(store->grades.all(result->session)->size(), 1u);
+}
+
+TEST(Replay, ASessionThatIsNotThereSaysSo) {
+  const Workplace work;
+  const auto store = work.store();
+  const auto opened = open_session(*store, SessionId::make());
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().code, RunError::storage);
+  EXPECT_EQ(std::get<StorageError>(opened.error().cause), StorageError::not_found);
+}
+
+TEST(SpecimenBlob, ReadsBackWhatItWroteAndRefusesAnythingElse) {
+  const VoxelVolume volume = test::block_volume();
+  auto bytes = specimen_bytes(volume);
+  const auto back = specimen_from_bytes(bytes);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->grid, volume.grid);
+  EXPECT_EQ(back->s, volume.s);
+  EXPECT_EQ(back->tissue, volume.tissue);
+  EXPECT_EQ(Specimen::build(*back, Reading::banded)->hash(), Specimen::build(volume, Reading::banded)->hash());
+  EXPECT_FALSE(specimen_from_bytes({}));
+  EXPECT_FALSE(specimen_from_bytes(std::span(bytes).first(bytes.size() - 1)));
+  auto huge = bytes;
+  huge[14] = std::byte{0xFF};  // a size of 2^54 voxels
+  EXPECT_FALSE(specimen_from_bytes(huge));
+  auto tissue = bytes;
+  tissue[bytes.size() - volume.grid.voxels() * 3] = std::byte{200};
+  EXPECT_FALSE(specimen_from_bytes(tissue));
+}
+
+}  // namespace
+}  // namespace cusp
