@@ -9,8 +9,22 @@ namespace cusp {
 namespace {
 /// Crossing cells kept at once: a cavity of 60 mm2 at 0.04 mm voxels has about 60,000.
 constexpr std::size_t kPool = 120000;
-/// Further from the surface than a cell's diagonal: no crossing (s of |d| = 1.83 voxel).
-constexpr std::uint16_t kLow = 11000, kHigh = 54500;
+/// The cut's surface passes between the eight corners.
+bool crossed(const Volume& volume, int brick, int offset) noexcept {
+  const std::uint16_t* values = volume.cut_of(brick);
+  const bool first = values[offset] >= kHalf;
+  if ((offset & 7) != 7 && (offset >> 3 & 7) != 7 && offset >> 6 != 7) {
+    for (int i = 1; i < 8; ++i)
+      if ((values[offset + (i & 1) + (i >> 1 & 1) * 8 + (i >> 2) * 64] >= kHalf) != first) return true;
+    return false;
+  }
+  const IVec3 cell =
+      volume.specimen().brick_at(brick) * kBrickEdge + IVec3(offset & 7, offset >> 3 & 7, offset >> 6);
+  for (int i = 1; i < 8; ++i)
+    if ((volume.cut(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) >= kHalf) != first) return true;
+  return false;
+}
+
 }  // namespace
 
 CutSurface::CutSurface(const Volume& volume)
@@ -46,9 +60,8 @@ const CutFeature* CutSurface::at(const Volume& volume, int brick, int offset) no
       static_cast<std::size_t>(volume.cut_slot(brick)) * kBrickVoxels + static_cast<std::size_t>(offset);
   std::uint32_t& entry = entry_[i];
   if (entry & kStale) {
-    const std::uint16_t s = volume.cut_in(brick, offset);
     CutFeature fresh;
-    if (s >= kLow && s <= kHigh)
+    if (crossed(volume, brick, offset))
       fresh = compute(volume, volume.specimen().brick_at(brick) * kBrickEdge +
                                   IVec3(offset & 7, offset >> 3 & 7, offset >> 6));
     std::uint32_t place = entry & ~kStale;
@@ -76,7 +89,6 @@ CutFeature CutSurface::compute(const Volume& volume, IVec3 cell) noexcept {
   CutFeature out;
   CellField cut;
   cut.load(volume, Field::cut, cell);
-  if (!cut.crossed()) return out;
   // Deep in the specimen its own surface is further than 2.5 voxels: nothing of it to keep.
   bool deep = true;
   for (int i = 0; i < 8 && deep; ++i)

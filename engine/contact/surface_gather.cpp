@@ -132,10 +132,14 @@ void SurfaceContact::gather_shank_brick(const Volume& volume, int brick, const B
                                         double reach) noexcept {
   const Grid& grid = volume.grid();
   const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
+  // Up to here the neck lies within the ball, which answers for it.
+  const double inner = burr.neck_radius_mm + reach;
+  const double r2 = burr.radius_mm * burr.radius_mm - inner * inner;
+  const double from = r2 > 0.0 ? std::sqrt(r2) : 0.0;
   const auto touches = [&](Vec3 p) {
     const Vec3 d = p - centre;
     const double t = glm::dot(d, axis);
-    if (t < 0.0 || t > burr.neck_length_mm + burr.shank_length_mm + reach) return false;
+    if (t < from || t > burr.neck_length_mm + burr.shank_length_mm + reach) return false;
     const double off2 = glm::dot(d, d) - t * t;
     const double wide = (t > burr.neck_length_mm - reach ? burr.shank_radius_mm : burr.neck_radius_mm) + reach;
     return off2 <= wide * wide;

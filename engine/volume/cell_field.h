@@ -37,50 +37,36 @@ class CellField {
 
   /// True when the surface d = 0 passes between the corners.
   bool crossed() const noexcept {
-    const bool first = at(1, 1, 1) > 0.0;
+    const bool first = corner(0) > 0.0;
     for (int i = 1; i < 8; ++i)
-      if ((at(1 + (i & 1), 1 + (i >> 1 & 1), 1 + (i >> 2)) > 0.0) != first) return true;
+      if ((corner(i) > 0.0) != first) return true;
     return false;
   }
   /// True when every corner is inside the band, so that d is a distance and not a bound.
   bool in_band() const noexcept {
     for (int i = 0; i < 8; ++i)
-      if (clamped(at(1 + (i & 1), 1 + (i >> 1 & 1), 1 + (i >> 2)))) return false;
+      if (clamped(corner(i))) return false;
     return true;
   }
 
   /// Distance in voxels at f (fraction of the cell, a little outside [0,1] is allowed) and its gradient (voxel/voxel).
   double eval(Vec3 f, Vec3& gradient) const noexcept {
-    const double g[3][2] = {{1.0 - f.x, f.x}, {1.0 - f.y, f.y}, {1.0 - f.z, f.z}};
-    // Trilinear part.
-    double d = 0.0;
-    Vec3 grad(0.0);
-    for (int k = 0; k < 2; ++k)
-      for (int j = 0; j < 2; ++j)
-        for (int i = 0; i < 2; ++i) {
-          const double v = at(1 + i, 1 + j, 1 + k);
-          d += g[0][i] * g[1][j] * g[2][k] * v;
-          grad.x += (i ? v : -v) * g[1][j] * g[2][k];
-          grad.y += (j ? v : -v) * g[0][i] * g[2][k];
-          grad.z += (k ? v : -v) * g[0][i] * g[1][j];
-        }
-    // Second differences along each axis, blended over the four edges.
-    for (int axis = 0; axis < 3; ++axis) {
-      const int b = axis == 0 ? 1 : 0;
-      const int c = axis == 2 ? 1 : 2;
-      const double* e = second_[axis];  // [q + 2 r]: q along b, r along c
-      const double mean = g[b][0] * g[c][0] * e[0] + g[b][1] * g[c][0] * e[1] + g[b][0] * g[c][1] * e[2] +
-                          g[b][1] * g[c][1] * e[3];
-      const double along_b = g[c][0] * (e[1] - e[0]) + g[c][1] * (e[3] - e[2]);
-      const double along_c = g[b][0] * (e[2] - e[0]) + g[b][1] * (e[3] - e[1]);
-      const double t = f[axis];
-      const double w = -0.5 * t * (1.0 - t);
-      d += w * mean;
-      grad[axis] += -0.5 * (1.0 - 2.0 * t) * mean;
-      grad[b] += w * along_b;
-      grad[c] += w * along_c;
-    }
-    gradient = grad;
+    const double* v = &d_[kFirstCorner];
+    // Trilinear part: along x, then y, then z; differences of the same steps are its gradient.
+    const double dx00 = v[1] - v[0], dx10 = v[5] - v[4], dx01 = v[17] - v[16], dx11 = v[21] - v[20];
+    const double x00 = v[0] + f.x * dx00, x10 = v[4] + f.x * dx10;
+    const double x01 = v[16] + f.x * dx01, x11 = v[20] + f.x * dx11;
+    const double dy0 = x10 - x00, dy1 = x11 - x01;
+    const double y0 = x00 + f.y * dy0, y1 = x01 + f.y * dy1;
+    const double dz = y1 - y0;
+    const double dx0 = dx00 + f.y * (dx10 - dx00), dx1 = dx01 + f.y * (dx11 - dx01);
+    double d = y0 + f.z * dz;
+    Vec3 g(dx0 + f.z * (dx1 - dx0), dy0 + f.z * (dy1 - dy0), dz);
+    // Second differences along each axis, blended over its four edges.
+    correction(second_[0], f.x, f.y, f.z, d, g.x, g.y, g.z);
+    correction(second_[1], f.y, f.x, f.z, d, g.y, g.x, g.z);
+    correction(second_[2], f.z, f.x, f.y, d, g.z, g.x, g.y);
+    gradient = g;
     return d;
   }
 
@@ -118,6 +104,18 @@ class CellField {
       }
     correct();
   }
+  /// d -= t(1-t)/2 of the second difference along one axis; e: [q + 2 r] at the edges q along b, r along c.
+  static void correction(const double* e, double t, double fb, double fc, double& d, double& along, double& along_b,
+                         double& along_c) noexcept {
+    const double b0 = e[1] - e[0], b1 = e[3] - e[2];
+    const double c0 = e[0] + fb * b0, c1 = e[2] + fb * b1;
+    const double mean = c0 + fc * (c1 - c0);
+    const double w = -0.5 * t * (1.0 - t);
+    d += w * mean;
+    along += (t - 0.5) * mean;
+    along_b += w * (b0 + fc * (b1 - b0));
+    along_c += w * (c1 - c0);
+  }
   static bool clamped(double d) noexcept { return d > kBandVoxels - 1e-4 || d < -kBandVoxels + 1e-4; }
   static double blend(double low, double mid_a, double mid_b, double high) noexcept {
     const bool a_ok = !clamped(low);
@@ -132,16 +130,19 @@ class CellField {
     return a_ok ? a : b_ok ? b : 0.0;
   }
   void correct() noexcept {
-    for (int r = 0; r < 2; ++r)
-      for (int q = 0; q < 2; ++q) {
-        const int i = q + 2 * r;
-        second_[0][i] = blend(at(0, 1 + q, 1 + r), at(1, 1 + q, 1 + r), at(2, 1 + q, 1 + r), at(3, 1 + q, 1 + r));
-        second_[1][i] = blend(at(1 + q, 0, 1 + r), at(1 + q, 1, 1 + r), at(1 + q, 2, 1 + r), at(1 + q, 3, 1 + r));
-        second_[2][i] = blend(at(1 + q, 1 + r, 0), at(1 + q, 1 + r, 1), at(1 + q, 1 + r, 2), at(1 + q, 1 + r, 3));
+    // Places in d_: x, then 4 y, then 16 z.
+    constexpr int along[3] = {1, 4, 16};
+    constexpr int across[3][2] = {{4, 16}, {1, 16}, {1, 4}};
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 4; ++i) {
+        const double* v = &d_[kFirstCorner + (i & 1) * across[axis][0] + (i >> 1) * across[axis][1]];
+        second_[axis][i] = blend(v[-along[axis]], v[0], v[along[axis]], v[2 * along[axis]]);
       }
   }
   double& at(int x, int y, int z) noexcept { return d_[x + 4 * (y + 4 * z)]; }
-  double at(int x, int y, int z) const noexcept { return d_[x + 4 * (y + 4 * z)]; }
+  double corner(int i) const noexcept { return d_[kFirstCorner + (i & 1) + (i >> 1 & 1) * 4 + (i >> 2) * 16]; }
+
+  static constexpr int kFirstCorner = 1 + 4 + 16;
 
   double d_[64];
   double second_[3][4];
@@ -180,13 +181,21 @@ inline FieldPoint field_at(const Volume& volume, Field field, Vec3 at_mm) noexce
 inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal) noexcept {
   f = Vec3(0.5);
   Vec3 g(0.0);
-  for (int pass = 0; pass < 5; ++pass) {
+  for (int pass = 0; pass < 6; ++pass) {
     const double d = field.eval(f, g);
     const double square = g.x * g.x + g.y * g.y + g.z * g.z;
     if (!(square > 0.04)) return false;
-    f -= g * (d / square);
-    for (int a = 0; a < 3; ++a) f[a] = f[a] < -0.1 ? -0.1 : f[a] > 1.1 ? 1.1 : f[a];
-    if (pass >= 1 && std::fabs(d) < 1e-7) break;
+    const Vec3 to = f - g * (d / square);
+    bool kept = true;
+    for (int a = 0; a < 3; ++a) {
+      f[a] = to[a] < -0.1 ? -0.1 : to[a] > 1.1 ? 1.1 : to[a];
+      kept = kept && f[a] == to[a];
+    }
+    // Newton squares the error: from 3e-4 voxel the step just taken leaves less than 1e-8.
+    if (std::fabs(d) < 3e-4 && kept) {
+      normal = g / std::sqrt(square);
+      return true;
+    }
   }
   const double d = field.eval(f, g);
   const double length = std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
