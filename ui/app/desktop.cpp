@@ -1,0 +1,274 @@
+#include "ui/app/desktop.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QCloseEvent>
+#include <QKeyEvent>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QStandardPaths>
+
+#include "ui/app/go_anywhere.h"
+#include "ui/app/help_page.h"
+#include "ui/app/language.h"
+#include "ui/app/password_dialog.h"
+#include "ui/app/shell.h"
+#include "ui/signin/sign_in.h"
+#include "ui/student/briefing.h"
+#include "ui/student/exercises_page.h"
+#include "ui/student/own_history.h"
+#include "ui/student/picture_shelf.h"
+#include "ui/student/start_page.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kLeastWidth = 1024, kLeastHeight = 640;   // px; designed for 1280 x 800
+constexpr const char* kCoverExercise = "class-1-36";    // whose tooth the sign-in shows
+
+std::filesystem::path cache_folder() {
+  return (QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + u"/Cusp"_qs).toStdString();
+}
+
+}  // namespace
+
+Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database, QWidget* parent)
+    : QMainWindow(parent),
+      settings_(settings),
+      ports_(std::move(ports)),
+      database_(std::move(database)),
+      pictures_(std::make_unique<PictureShelf>(cache_folder() / "pictures")),
+      stack_(new QStackedWidget) {
+  setWindowTitle(QStringLiteral("Cusp"));
+  setWindowIcon(icon(u"tooth"_qs, Ink::accent));
+  setCentralWidget(stack_);
+  setMinimumSize(kLeastWidth, kLeastHeight);
+  resize(1280, 800);
+  restoreGeometry(settings_.window());
+  connect(new QShortcut(QKeySequence(Qt::ALT | Qt::Key_Left), this), &QShortcut::activated, this, [this] {
+    if (stack_->count() > 1 && qobject_cast<Briefing*>(page())) back();
+  });
+  connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::go_anywhere);
+  connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, [this] {
+    if (page() == shell_ && shell_) {
+      shell_->next_pane();
+    } else {
+      focusNextChild();
+    }
+  });
+  connect(pictures_.get(), &PictureShelf::ready, this, [this] {
+    if (sign_in_ && page() == sign_in_) show_sign_in(sign_in_->typed_number(), sign_in_->staff());
+  });
+}
+
+Desktop::~Desktop() = default;
+
+std::filesystem::path Desktop::volume_folder() { return cache_folder() / "volumes"; }
+
+void Desktop::start() {
+  auto store = Store::open(database_);
+  if (!store) {
+    show_refusal(tell(store.error()));
+    return;
+  }
+  store_ = std::move(*store);
+  show_sign_in();
+}
+
+void Desktop::replace_root(QWidget* root) {
+  shell_ = nullptr;
+  sign_in_ = nullptr;
+  while (stack_->count() > 0) {
+    QWidget* old = stack_->widget(0);
+    stack_->removeWidget(old);
+    old->deleteLater();
+  }
+  stack_->addWidget(root);
+  stack_->setCurrentWidget(root);
+}
+
+void Desktop::show_refusal(const Told& told) {
+  auto* page = new QWidget;
+  page->setProperty("kind", u"page"_qs);
+  page->setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(page);
+  auto* state = new EmptyState(u"warning"_qs, told.what, told.more, tr("Try again"), Ink::bad);
+  connect(state, &EmptyState::acted, this, &Desktop::start);
+  column->addWidget(state);
+  replace_root(page);
+}
+
+void Desktop::show_sign_in(const QString& number, bool staff) {
+  auto* page = new SignIn(*store_);
+  page->set_typed_number(number, staff);
+  if (const auto list = load_exercises(*store_)) {
+    for (const Exercise& e : list->exercises) {
+      if (e.scenario.key != kCoverExercise) continue;
+      page->set_picture(pictures_->picture(e, {}, PictureShelf::Use::cover, tokens().dark));
+    }
+  }
+  connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
+  connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
+  connect(page, &SignIn::theme_toggled, this,
+          [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });
+  connect(page, &SignIn::try_it, this, [this] {
+    const auto list = load_exercises(*store_);
+    if (!list || list->exercises.empty()) return;
+    const Exercise* block = &list->exercises.front();
+    for (const Exercise& e : list->exercises) {
+      if (e.scenario.key == "channel-1") block = &e;
+    }
+    account_.reset();
+    drill(*block);
+  });
+  replace_root(page);
+  sign_in_ = page;
+}
+
+void Desktop::sign_in(const Account& account) {
+  account_ = account;
+  show_shell(entries().first().key);
+}
+
+void Desktop::sign_out() {
+  account_.reset();
+  show_sign_in();
+}
+
+QVector<NavEntry> Desktop::entries() {
+  QVector<NavEntry> list;
+  const Role role = account_->role;
+  if (role == Role::student) {
+    list += {u"start"_qs, tr("Start"), u"home"_qs, [this]() -> QWidget* {
+               auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now());
+               connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
+               connect(page, &StartPage::start_wanted, this, &Desktop::drill);
+               connect(page, &StartPage::report_wanted, this, &Desktop::open_report);
+               return page;
+             }};
+  }
+  if (may(role, Action::drill)) {
+    list += {u"exercises"_qs, tr("Exercises"), u"list"_qs, [this]() -> QWidget* {
+               auto* page = new ExercisesPage(*store_, account_->actor());
+               connect(page, &ExercisesPage::briefing_wanted, this, &Desktop::show_briefing);
+               return page;
+             }};
+  }
+  if (role == Role::student) {
+    list += {u"results"_qs, tr("My results"), u"chart"_qs, [this]() -> QWidget* {
+               auto* page = new OwnHistory(*store_, account_->actor());
+               connect(page, &OwnHistory::report_wanted, this, &Desktop::open_report);
+               connect(page, &OwnHistory::exercises_wanted, this, [this] { shell_->show_page(u"exercises"_qs); });
+               return page;
+             }};
+  }
+  list += {u"help"_qs, tr("Help"), u"book"_qs, []() -> QWidget* { return new HelpPage; }};
+  return list;
+}
+
+void Desktop::show_shell(const QString& page_key) {
+  auto* shell = new Shell(*account_, entries());
+  connect(shell, &Shell::language_chosen, this, &Desktop::set_language);
+  connect(shell, &Shell::theme_toggled, this,
+          [this] { set_scheme(tokens().dark ? ColourScheme::light : ColourScheme::dark); });
+  connect(shell, &Shell::scale_chosen, this, &Desktop::set_scale);
+  connect(shell, &Shell::help_wanted, this, [this] { shell_->show_page(u"help"_qs); });
+  connect(shell, &Shell::signed_out, this, &Desktop::sign_out);
+  connect(shell, &Shell::password_wanted, this, [this] { (new PasswordDialog(*store_, *account_, this))->open(); });
+  replace_root(shell);
+  shell_ = shell;
+  shell->show_page(page_key);
+}
+
+void Desktop::push(QWidget* fresh) {
+  stack_->addWidget(fresh);
+  stack_->setCurrentWidget(fresh);
+  fresh->setFocus();
+}
+
+void Desktop::back() {
+  if (stack_->count() < 2) return;
+  QWidget* old = stack_->currentWidget();
+  stack_->removeWidget(old);
+  old->deleteLater();
+  stack_->setCurrentIndex(stack_->count() - 1);
+  // What lies below may have new results.
+  if (shell_ && page() == shell_) shell_->show_page(shell_->page_key());
+}
+
+QWidget* Desktop::page() const { return stack_->currentWidget(); }
+
+void Desktop::show_briefing(const Exercise& exercise) {
+  const auto folder = exercise_folder(*store_, exercise, volume_folder());
+  if (!folder) {
+    tell_failure(tell(folder.error()));
+    return;
+  }
+  auto* briefing = new Briefing(exercise, *pictures_, *folder);
+  connect(briefing, &Briefing::back_wanted, this, &Desktop::back);
+  connect(briefing, &Briefing::start_wanted, this, &Desktop::drill);
+  push(briefing);
+}
+
+void Desktop::tell_failure(const Told& told) {
+  auto* page = new QWidget;
+  page->setProperty("kind", u"page"_qs);
+  page->setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(page);
+  auto* state = new EmptyState(u"warning"_qs, told.what, told.more, tr("Back"), Ink::bad);
+  connect(state, &EmptyState::acted, this, &Desktop::back);
+  column->addWidget(state);
+  page->setFocusProxy(state->button());
+  push(page);
+}
+
+void Desktop::rebuild() {
+  if (sign_in_ && page() == sign_in_) {
+    show_sign_in(sign_in_->typed_number(), sign_in_->staff());
+  } else if (shell_ && page() == shell_) {
+    show_shell(shell_->page_key());
+  } else if (!store_) {
+    start();
+  }
+}
+
+void Desktop::set_scheme(ColourScheme scheme) {
+  settings_.set_scheme(scheme);
+  apply_theme(*qApp, scheme, settings_.scale_percent());
+  rebuild();
+}
+
+void Desktop::set_language(const QString& code) {
+  settings_.set_language(code);
+  install_language(*qApp, code);
+  rebuild();
+}
+
+void Desktop::set_scale(int percent) {
+  settings_.set_scale_percent(percent);
+  apply_theme(*qApp, settings_.scheme(), percent);
+  rebuild();
+}
+
+void Desktop::go_anywhere() {
+  if (!shell_ || page() != shell_) return;
+  QVector<Destination> places;
+  for (const NavEntry& entry : shell_->entries()) {
+    places += {entry.name, tr("page"), entry.icon, [this, key = entry.key] { shell_->show_page(key); }};
+  }
+  if (const auto list = load_exercises(*store_); list && may(account_->role, Action::drill)) {
+    for (const Exercise& e : list->exercises) {
+      places += {local(e.scenario.title), tr("exercise"), u"list"_qs, [this, e] { show_briefing(e); }};
+    }
+  }
+  (new GoAnywhere(places, this))->open();
+}
+
+void Desktop::closeEvent(QCloseEvent* event) {
+  settings_.set_window(saveGeometry());
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace cusp

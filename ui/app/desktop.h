@@ -1,0 +1,83 @@
+/// The window: sign-in first, then top bar, sidebar and pages by role; work that needs the room (drilling, report,
+/// editor) takes the whole window with a way back. Holds what the pages share: the records and who is signed in.
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "storage/store.h"
+#include "ui/app/ports.h"
+#include "ui/app/sentences.h"
+#include "ui/app/settings.h"
+#include "ui/session/exercise_run.h"
+#include "ui/student/exercises.h"
+
+class QStackedWidget;
+
+namespace cusp {
+
+class PictureShelf;
+class Shell;
+class SignIn;
+struct NavEntry;
+
+class Desktop : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  Desktop(Settings& settings, Ports ports, std::filesystem::path database, QWidget* parent = nullptr);
+  ~Desktop() override;
+
+  /// Opens the records and shows sign-in, or says why they cannot be opened.
+  void start();
+
+  void sign_in(const Account& account);
+  void sign_out();
+  const std::optional<Account>& account() const { return account_; }
+  Store* store() { return store_.get(); }
+
+  /// A page over the whole window; back() closes it and shows what was there before.
+  void push(QWidget* page);
+  void back();
+  /// What fills the window now: sign-in, the shell, or the page pushed last.
+  QWidget* page() const;
+  Shell* shell() const { return shell_; }
+
+  /// Starts a go; without an account nothing is kept.
+  void drill(const Exercise& exercise);
+  void open_report(const SessionId& session);
+
+  void set_scheme(ColourScheme scheme);
+  void set_language(const QString& code);
+  void set_scale(int percent);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void rebuild();
+  void show_sign_in(const QString& number = {}, bool staff = false);
+  void show_shell(const QString& page_key);
+  void show_refusal(const Told& told);
+  void replace_root(QWidget* root);
+  void show_briefing(const Exercise& exercise);
+  static std::filesystem::path volume_folder();
+  QVector<NavEntry> entries();
+  void show_result(std::shared_ptr<const RunResult> result, std::optional<Exercise> exercise);
+  void tell_failure(const Told& told);
+  void go_anywhere();
+
+  Settings& settings_;
+  Ports ports_;
+  std::filesystem::path database_;
+  std::unique_ptr<Store> store_;
+  std::optional<Account> account_;
+  std::unique_ptr<PictureShelf> pictures_;
+  QStackedWidget* stack_;
+  Shell* shell_ = nullptr;
+  SignIn* sign_in_ = nullptr;
+};
+
+}  // namespace cusp

@@ -1,0 +1,38 @@
+// The desktop's way into a go and out of it.
+
+#include <QApplication>
+
+#include "ui/app/desktop.h"
+#include "ui/drill/drill_screen.h"
+
+namespace cusp {
+
+void Desktop::drill(const Exercise& exercise) {
+  RunPlan plan;
+  plan.scenario = exercise.scenario;
+  plan.version = exercise.version;
+  if (const auto folder = exercise_folder(*store_, exercise, volume_folder())) plan.scenario_folder = *folder;
+  DrillText text{local(exercise.scenario.title), tr("Try it: nothing is kept")};
+  if (account_) {
+    plan.database = database_;
+    plan.student = account_->actor();
+    const auto goes = store_->history.goes(account_->actor(), account_->id, exercise.scenario.id);
+    text.aside = tr("Practice, go %1").arg(goes.value_or(0) + 1);
+  } else {
+    plan.kind = SessionKind::try_it;
+  }
+  auto* screen = new DrillScreen;
+  connect(screen, &DrillScreen::left, this, &Desktop::back);
+  connect(screen, &DrillScreen::failed, this, [this](const RunFailure& failure) {
+    back();
+    tell_failure(tell(failure));
+  });
+  connect(screen, &DrillScreen::finished, this, [this, exercise](std::shared_ptr<const RunResult> result) {
+    back();
+    show_result(std::move(result), exercise);
+  });
+  push(screen);
+  screen->begin(std::move(plan), text);
+}
+
+}  // namespace cusp

@@ -1,0 +1,94 @@
+#include "ui/app/help_page.h"
+
+#include <QBoxLayout>
+#include <QGridLayout>
+#include <QLabel>
+
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+void add_keys(Card* card, const QVector<std::pair<QStringList, QString>>& keys) {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(px(16));
+  grid->setVerticalSpacing(px(8));
+  int line = 0;
+  for (const auto& [caps, what] : keys) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(px(4));
+    for (const QString& cap : caps) row->addWidget(make_key_cap(cap));
+    row->addStretch();
+    grid->addLayout(row, line, 0);
+    QLabel* text = make_label(what, TextRole::body, false, "text2");
+    text->setWordWrap(true);
+    grid->addWidget(text, line++, 1);
+  }
+  grid->setColumnMinimumWidth(0, px(150));
+  grid->setColumnStretch(1, 1);
+  card->body()->addLayout(grid);
+}
+
+}  // namespace
+
+HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* body = nullptr;
+  outer->addWidget(make_scroll_page(&body));
+  body->addWidget(new PageHead(tr("Help")));
+
+  auto* go = new Card(tr("A go, from start to report"));
+  for (const QString& line :
+       {tr("1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points."),
+        tr("2. Slide the burr over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at "
+           "the right shows the push, the bar at the left the depth."),
+        tr("3. Hold Space or the left button to cut. The target is the solid line, the leeway round it the dashed one."),
+        tr("4. Finish ends the go and grades it. The report says what was measured, how well it is known, and what to do "
+           "next time."),
+        tr("5. Every go stays under My results. A go that broke off is kept up to its last second.")}) {
+    QLabel* label = make_label(line);
+    label->setWordWrap(true);
+    go->body()->addWidget(label);
+  }
+  body->addWidget(go);
+
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(16));
+  auto* everywhere = new Card(tr("Keys everywhere"));
+  add_keys(everywhere, {{{u"F1"_qs}, tr("this page")},
+                        {{u"F6"_qs}, tr("next pane")},
+                        {{u"Ctrl"_qs, u"K"_qs}, tr("go to any page or exercise")},
+                        {{u"Alt"_qs, u"←"_qs}, tr("back")},
+                        {{u"Esc"_qs}, tr("out of what is open")},
+                        {{u"Ctrl"_qs, u"T"_qs}, tr("a chart as its table, and back")},
+                        {{u"Enter"_qs}, tr("opens the chosen row")}});
+  everywhere->body()->addStretch();
+  row->addWidget(everywhere, 1);
+  auto* drilling = new Card(tr("Keys while drilling"));
+  add_keys(drilling, {{{u"←"_qs, u"→"_qs, u"↑"_qs, u"↓"_qs}, tr("slide the burr")},
+                      {{u"Page Up"_qs, u"Page Down"_qs}, tr("push less, push more")},
+                      {{u"Space"_qs}, tr("cut while held")},
+                      {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
+                      {{u"["_qs, u"]"_qs}, tr("burr before, burr after")},
+                      {{u"P"_qs}, tr("pause and go on")},
+                      {{u"Ctrl"_qs, u"Return"_qs}, tr("finish (asks)")}});
+  drilling->body()->addStretch();
+  row->addWidget(drilling, 1);
+  body->addLayout(row);
+
+  auto* words = new Card(tr("How it is marked"));
+  for (const QString& line :
+       {tr("Target removed: how much of the wanted cavity is gone. Left standing: what of it is still there."),
+        tr("Cut too far: what is gone outside the target. Within the leeway it costs little, beyond it much."),
+        tr("± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so."),
+        tr("Time earns no points.")}) {
+    QLabel* label = make_label(line, TextRole::body, false, "text2");
+    label->setWordWrap(true);
+    words->body()->addWidget(label);
+  }
+  body->addWidget(words);
+  body->addStretch();
+}
+
+}  // namespace cusp

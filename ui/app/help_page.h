@@ -1,0 +1,15 @@
+/// Help: how a go works, and every key. Searched by nobody, read by everybody once: one page.
+#pragma once
+
+#include <QWidget>
+
+namespace cusp {
+
+class HelpPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HelpPage(QWidget* parent = nullptr);
+};
+
+}  // namespace cusp

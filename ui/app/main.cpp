@@ -1,0 +1,34 @@
+// `cusp` opens the desktop; `cusp VERB …` does the same work without a window.
+
+#include <QApplication>
+#include <QCommandLineParser>
+
+#include "ui/app/desktop.h"
+#include "ui/app/language.h"
+#include "ui/app/settings.h"
+#ifdef CUSP_VERBS
+#include "ui/cli/verbs.h"
+#endif
+#include "ui/widgets/theme.h"
+
+int main(int argc, char** argv) {
+#ifdef CUSP_VERBS
+  if (cusp::is_verb(argc, argv)) return cusp::run_verb(argc, argv);
+#endif
+
+  QApplication app(argc, argv);
+  QCoreApplication::setApplicationName(QStringLiteral("Cusp"));
+  QGuiApplication::setDesktopFileName(QStringLiteral("cusp"));
+  QCommandLineParser line;
+  const QCommandLineOption database(QStringLiteral("db"), QStringLiteral("Database file."), QStringLiteral("FILE"));
+  line.addOption(database);
+  line.process(app);
+
+  cusp::Settings settings;
+  cusp::install_language(app, settings.language());
+  cusp::apply_theme(app, settings.scheme(), settings.scale_percent());
+  cusp::Desktop desktop(settings, cusp::Ports::of_the_system(), cusp::database_path(line.value(database)));
+  desktop.start();
+  desktop.show();
+  return QApplication::exec();
+}

@@ -1,0 +1,62 @@
+#include "ui/app/password_dialog.h"
+
+#include <QBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+
+PasswordDialog::PasswordDialog(Store& store, const Account& account, QWidget* parent)
+    : QDialog(parent), store_(store), account_(account) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Change password"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(px(24), px(24), px(24), px(24));
+  column->setSpacing(px(12));
+  band_ = new Band;
+  column->addWidget(band_);
+  const auto field = [&](const QString& label) {
+    auto* edit = new QLineEdit;
+    edit->setEchoMode(QLineEdit::Password);
+    column->addWidget(labelled(label, edit));
+    return edit;
+  };
+  old_ = field(tr("Password until now"));
+  fresh_ = field(tr("New password, at least 8 characters"));
+  again_ = field(tr("New password again"));
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  QPushButton* cancel = make_button(tr("Cancel"));
+  QPushButton* change = make_button(tr("Change password"), ButtonKind::primary);
+  change->setDefault(true);
+  row->addWidget(cancel);
+  row->addWidget(change);
+  column->addLayout(row);
+  setMinimumWidth(px(400));
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(change, &QPushButton::clicked, this, &PasswordDialog::submit);
+}
+
+void PasswordDialog::submit() {
+  if (fresh_->text() != again_->text()) {
+    band_->show_message(Band::Kind::bad, tr("The two new passwords differ."), tr("Type them again."));
+    return;
+  }
+  const auto done = store_.people.set_password(account_.actor(), account_.id, old_->text().toStdString(),
+                                               fresh_->text().toStdString());
+  if (done) {
+    accept();
+    return;
+  }
+  if (done.error().code == StorageError::wrong_password) {
+    band_->show_message(Band::Kind::bad, tr("The password until now is another one."), tr("Nothing was changed."));
+    return;
+  }
+  const Told told = tell(done.error());
+  band_->show_message(Band::Kind::bad, told.what, told.more);
+}
+
+}  // namespace cusp

@@ -1,0 +1,28 @@
+/// One question: a new password for one's own account.
+#pragma once
+
+#include <QDialog>
+
+#include "storage/store.h"
+
+class QLineEdit;
+
+namespace cusp {
+
+class Band;
+
+class PasswordDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PasswordDialog(Store& store, const Account& account, QWidget* parent);
+
+ private:
+  void submit();
+  Store& store_;
+  Account account_;
+  Band* band_;
+  QLineEdit *old_, *fresh_, *again_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,88 @@
+// The desktop's way to a report: from a go that has just ended, or from the records.
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QThreadPool>
+
+#include "ui/app/desktop.h"
+#include "ui/app/shell.h"
+#include "ui/report/report_page.h"
+#include "ui/session/replay.h"
+#include "ui/widgets/busy.h"
+
+namespace cusp {
+namespace {
+
+/// What the background came to: a result or a failure in words.
+struct Opened {
+  std::optional<RunResult> result;
+  Told told;
+};
+
+Opened open_in_background(const std::filesystem::path& database, const SessionId& session) {
+  // A store belongs to one thread: this one opens its own on the same file.
+  StoreOptions options;
+  options.database.access = DatabaseOptions::Access::existing;
+  options.mark_interrupted = false;
+  auto store = Store::open(database, options);
+  if (!store) return {std::nullopt, tell(store.error())};
+  auto result = open_result(**store, session);
+  if (!result) return {std::nullopt, tell(result.error())};
+  return {std::move(*result), {}};
+}
+
+}  // namespace
+
+void Desktop::open_report(const SessionId& session) {
+  auto* waiting = new QWidget;
+  waiting->setProperty("kind", u"page"_qs);
+  waiting->setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(waiting);
+  auto* busy = new Busy;
+  column->addWidget(busy);
+  push(waiting);
+  busy->start(tr("Opening the report"), false);
+  QThreadPool::globalInstance()->start([this, session, waiting = QPointer<QWidget>(waiting), database = database_] {
+    auto opened = std::make_shared<Opened>(open_in_background(database, session));
+    QMetaObject::invokeMethod(
+        qApp,
+        [this, opened, waiting] {
+          // Whoever signed out meanwhile has taken the page with them.
+          if (!waiting || page() != waiting) return;
+          back();
+          if (!opened->result) {
+            tell_failure(opened->told);
+            return;
+          }
+          std::optional<Exercise> exercise;
+          if (const auto list = load_exercises(*store_)) {
+            if (const Exercise* found = list->find(opened->result->scenario.id)) exercise = *found;
+          }
+          show_result(std::make_shared<RunResult>(std::move(*opened->result)), exercise);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void Desktop::show_result(std::shared_ptr<const RunResult> result, std::optional<Exercise> exercise) {
+  const bool signed_in = account_.has_value();
+  const Actor reader = signed_in ? account_->actor() : Actor{};
+  ReportData gathered = gather_report(*result, store_.get(), signed_in ? &reader : nullptr);
+  bool own = !signed_in;
+  if (signed_in && store_ && !result->session.is_nil()) {
+    const auto details = store_->history.details(reader, result->session);
+    own = details && details->row.student == reader.id;
+  }
+  const QString back_name = !signed_in ? tr("Sign in") : tr("Back");
+  auto* report = new ReportPage(std::move(gathered), ports_, own && exercise.has_value(), back_name);
+  connect(report, &ReportPage::back_wanted, this, &Desktop::back);
+  if (exercise) {
+    connect(report, &ReportPage::go_again_wanted, this, [this, again = *exercise] {
+      back();
+      drill(again);
+    });
+  }
+  push(report);
+}
+
+}  // namespace cusp

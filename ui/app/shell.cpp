@@ -1,0 +1,199 @@
+#include "ui/app/shell.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QSysInfo>
+#include <QToolButton>
+
+#include "ui/app/language.h"
+#include "ui/app/sentences.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kTopBar = 48, kSidebar = 200;  // px at 100 %
+
+}  // namespace
+
+Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
+    : QWidget(parent), entries_(std::move(entries)), group_(new QButtonGroup(this)), pages_(new QStackedWidget) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  top_ = make_top_bar(account);
+  column->addWidget(top_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  side_ = make_sidebar();
+  row->addWidget(side_);
+  row->addWidget(pages_, 1);
+  column->addLayout(row, 1);
+}
+
+QWidget* Shell::make_top_bar(const Account& account) {
+  auto* bar = new QFrame;
+  bar->setProperty("kind", u"bar_top"_qs);
+  bar->setFixedHeight(px(kTopBar));
+  bar->setAccessibleName(tr("Top bar"));
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(px(16), 0, px(12), 0);
+  row->setSpacing(px(8));
+  auto* logo = new QLabel;
+  logo->setPixmap(icon_pixmap(u"tooth"_qs, Ink::accent, 20, devicePixelRatioF()));
+  row->addWidget(logo);
+  row->addWidget(make_label(u"Cusp"_qs, TextRole::section, true));
+  row->addStretch();
+  auto* sign = new QLabel;
+  sign->setPixmap(icon_pixmap(u"monitor"_qs, Ink::text2, 16, devicePixelRatioF()));
+  row->addWidget(sign);
+  row->addWidget(make_label(QSysInfo::machineHostName(), TextRole::caption, false, "text2"));
+  row->addSpacing(px(20));
+
+  QToolButton* globe = make_icon_button(u"globe"_qs, tr("Language"));
+  auto* speech = new QMenu(globe);
+  for (const Language& l : languages()) {
+    QAction* action = speech->addAction(l.name);
+    action->setCheckable(true);
+    action->setChecked(l.code == current_language());
+    connect(action, &QAction::triggered, this, [this, code = l.code] { Q_EMIT language_chosen(code); });
+  }
+  globe->setMenu(speech);
+  globe->setPopupMode(QToolButton::InstantPopup);
+  row->addWidget(globe);
+  QToolButton* theme = make_icon_button(tokens().dark ? u"sun"_qs : u"moon"_qs,
+                                        tokens().dark ? tr("Light colours") : tr("Dark colours"));
+  connect(theme, &QToolButton::clicked, this, &Shell::theme_toggled);
+  row->addWidget(theme);
+  QToolButton* help = make_icon_button(u"help"_qs, tr("Help"), QKeySequence(Qt::Key_F1));
+  connect(help, &QToolButton::clicked, this, &Shell::help_wanted);
+  row->addWidget(help);
+  QFrame* rule = make_rule(Qt::Vertical);
+  rule->setFixedHeight(px(24));
+  row->addWidget(rule);
+
+  auto* person = new QPushButton;
+  person->setProperty("kind", u"quiet"_qs);
+  person->setObjectName(u"account"_qs);
+  auto* inside = new QHBoxLayout(person);
+  inside->setContentsMargins(px(8), 0, px(8), 0);
+  inside->setSpacing(px(8));
+  auto* face = new QLabel;
+  face->setPixmap(icon_pixmap(u"person"_qs, Ink::text, 20, devicePixelRatioF()));
+  auto* chevron = new QLabel;
+  chevron->setPixmap(icon_pixmap(u"chevron_down"_qs, Ink::text2, 16, devicePixelRatioF()));
+  const QString name = QString::fromStdString(account.name);
+  QLabel* who = make_label(name);
+  QLabel* role = make_label(role_name(account.role), TextRole::body, false, "text2");
+  for (QLabel* label : {face, who, role, chevron}) {
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    inside->addWidget(label);
+  }
+  person->setMinimumWidth(inside->sizeHint().width());
+  person->setAccessibleName(tr("Account of %1").arg(name));
+  auto* menu = new QMenu(person);
+  QMenu* size = menu->addMenu(tr("Size of everything"));
+  auto* sizes = new QActionGroup(size);
+  for (const int percent : {100, 125, 150, 175, 200}) {
+    QAction* action = size->addAction(QLocale().toString(percent) + QChar(0x00A0) + u'%');
+    action->setCheckable(true);
+    action->setChecked(percent == scale_percent());
+    sizes->addAction(action);
+    connect(action, &QAction::triggered, this, [this, percent] { Q_EMIT scale_chosen(percent); });
+  }
+  if (account.has_password) {
+    connect(menu->addAction(tr("Change password…")), &QAction::triggered, this, &Shell::password_wanted);
+  }
+  menu->addSeparator();
+  QAction* out = menu->addAction(icon(u"sign_out"_qs), tr("Sign out"));
+  connect(out, &QAction::triggered, this, &Shell::signed_out);
+  person->setMenu(menu);
+  row->addWidget(person);
+  return bar;
+}
+
+QWidget* Shell::make_sidebar() {
+  auto* side = new QFrame;
+  side->setProperty("kind", u"bar_side"_qs);
+  side->setFixedWidth(px(kSidebar));
+  side->setAccessibleName(tr("Pages"));
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(px(8), px(12), px(8), px(16));
+  column->setSpacing(px(2));
+  for (int i = 0; i < entries_.size(); ++i) {
+    auto* button = new QPushButton(icon(entries_[i].icon, Ink::text2), u"  "_qs + entries_[i].name);
+    button->setIconSize(QSize(px(20), px(20)));
+    button->setProperty("kind", u"nav"_qs);
+    button->setCheckable(true);
+    button->setAutoDefault(false);
+    button->setAccessibleName(entries_[i].name);
+    group_->addButton(button, i);
+    column->addWidget(button);
+    connect(button, &QPushButton::toggled, this, [button, name = entries_[i].icon](bool on) {
+      button->setIcon(icon(name, on ? Ink::accent : Ink::text2));
+    });
+    connect(button, &QPushButton::clicked, this, [this, i] { show_page(entries_[i].key); });
+  }
+  column->addStretch();
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(px(12), 0, 0, 0);
+  foot->setSpacing(px(8));
+  auto* sign = new QLabel;
+  sign->setPixmap(icon_pixmap(u"mouse"_qs, Ink::good, 16, devicePixelRatioF()));
+  foot->addWidget(sign);
+  QLabel* device = make_label(tr("Mouse and keys ready"), TextRole::caption, false, "text2");
+  device->setWordWrap(true);
+  foot->addWidget(device, 1);
+  column->addLayout(foot);
+  return side;
+}
+
+void Shell::show_page(const QString& key) {
+  for (int i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].key != key) continue;
+    key_ = key;
+    group_->button(i)->setChecked(true);
+    QWidget* old = pages_->currentWidget();
+    QWidget* fresh = entries_[i].make();
+    fresh->setAccessibleName(entries_[i].name);
+    pages_->addWidget(fresh);
+    pages_->setCurrentWidget(fresh);
+    if (old) {
+      pages_->removeWidget(old);
+      old->deleteLater();
+    }
+    return;
+  }
+}
+
+QWidget* Shell::page() const { return pages_->currentWidget(); }
+
+void Shell::next_pane() {
+  QWidget* panes[] = {top_, side_, pages_};
+  int now = 2;
+  for (int i = 0; i < 3; ++i) {
+    if (QApplication::focusWidget() && panes[i]->isAncestorOf(QApplication::focusWidget())) now = i;
+  }
+  for (int step = 1; step <= 3; ++step) {
+    QWidget* pane = panes[(now + step) % 3];
+    if (pane == side_ && group_->checkedButton()) {
+      group_->checkedButton()->setFocus(Qt::TabFocusReason);
+      return;
+    }
+    for (QWidget* w : pane->findChildren<QWidget*>()) {
+      if (w->isVisible() && w->isEnabled() && (w->focusPolicy() & Qt::TabFocus)) {
+        w->setFocus(Qt::TabFocusReason);
+        return;
+      }
+    }
+  }
+}
+
+}  // namespace cusp

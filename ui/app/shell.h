@@ -1,0 +1,57 @@
+/// The frame round everyday pages: top bar (48), sidebar (200), and the page.
+#pragma once
+
+#include <QIcon>
+#include <QVector>
+#include <QWidget>
+#include <functional>
+
+#include "storage/repositories/people.h"
+
+class QButtonGroup;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace cusp {
+
+/// One line of the sidebar. The page is made when it is first shown, and anew each time it is shown again, so that it
+/// never shows yesterday's results.
+struct NavEntry {
+  QString key;   // stable: "start", "people"
+  QString name;
+  QString icon;
+  std::function<QWidget*()> make;
+};
+
+class Shell : public QWidget {
+  Q_OBJECT
+
+ public:
+  Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent = nullptr);
+  void show_page(const QString& key);
+  QString page_key() const { return key_; }
+  QWidget* page() const;
+  const QVector<NavEntry>& entries() const { return entries_; }
+  /// Moves the focus to the next of top bar, sidebar and page.
+  void next_pane();
+
+ Q_SIGNALS:
+  void language_chosen(const QString& code);
+  void theme_toggled();
+  void scale_chosen(int percent);
+  void help_wanted();
+  void password_wanted();
+  void signed_out();
+
+ private:
+  QWidget* make_top_bar(const Account& account);
+  QWidget* make_sidebar();
+
+  QVector<NavEntry> entries_;
+  QString key_;
+  QWidget *top_ = nullptr, *side_ = nullptr;
+  QButtonGroup* group_;
+  QStackedWidget* pages_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,69 @@
+#include "ui/report/against_before.h"
+
+#include <QPainter>
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kRow = 23;  // px at 100 %
+
+QString with_sign(double points) {
+  if (std::abs(points) < 0.05) return u"0"_qs;
+  return isolate((points > 0 ? u"+"_qs : QString()) + format_points(points));
+}
+
+}  // namespace
+
+AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, QWidget* parent) : QWidget(parent) {
+  QStringList spoken;
+  for (const CriterionGrade& c : now.criteria) {
+    if (!(c.points_max > 0)) continue;
+    for (const CriterionGrade& b : before.criteria) {
+      if (b.id != c.id || !(b.points_max > 0)) continue;
+      rows_ += {metric_name(c.id), b.points / b.points_max, c.points / c.points_max, c.points - b.points};
+      spoken += tr("%1 %2").arg(rows_.last().name, with_sign(rows_.last().points));
+    }
+  }
+  setAccessibleName(tr("Against your best before"));
+  setAccessibleDescription(spoken.join(u", "_qs));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize AgainstBefore::sizeHint() const { return {px(250), px(kRow) * std::max<int>(1, static_cast<int>(rows_.size()))}; }
+
+void AgainstBefore::paintEvent(QPaintEvent*) {
+  const Tokens& t = tokens();
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const double name = width() * 0.46, number = px(44);
+  for (int i = 0; i < rows_.size(); ++i) {
+    const Row& r = rows_[i];
+    const double y = px(kRow) * (i + 0.5);
+    p.setFont(font_of(TextRole::body));
+    p.setPen(t.text);
+    const QFontMetrics metrics(p.font());
+    p.drawText(QRectF(0, y - px(10), name - px(8), px(20)), Qt::AlignLeading | Qt::AlignVCenter,
+               metrics.elidedText(r.name, Qt::ElideRight, static_cast<int>(name) - px(8)));
+    const double x0 = name + px(6), x1 = width() - number - px(8);
+    p.setPen(QPen(t.line, px(2)));
+    p.drawLine(QPointF(x0, y), QPointF(x1, y));
+    const double xb = x0 + r.before * (x1 - x0), xn = x0 + r.now * (x1 - x0);
+    p.setPen(QPen(t.text2, px(2)));
+    p.drawLine(QPointF(xb, y), QPointF(xn, y));
+    p.setPen(QPen(t.text2, px(2)));
+    p.setBrush(t.surface);
+    p.drawEllipse(QPointF(xb, y), px(4.0), px(4.0));
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.accent);
+    p.drawEllipse(QPointF(xn, y), px(4.6), px(4.6));
+    p.setFont(font_of(TextRole::body, true));
+    p.setPen(t.text);
+    p.drawText(QRectF(width() - number, y - px(10), number, px(20)), Qt::AlignRight | Qt::AlignVCenter, with_sign(r.points));
+  }
+}
+
+}  // namespace cusp

@@ -1,0 +1,97 @@
+#include "ui/report/criteria_model.h"
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+
+namespace cusp {
+
+CriteriaModel::CriteriaModel(const Grade& grade, const Rubric& rubric, QObject* parent)
+    : QAbstractTableModel(parent), grade_(grade), rubric_(rubric) {}
+
+int CriteriaModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(grade_.criteria.size());
+}
+int CriteriaModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+Bar::Role CriteriaModel::bar_role(int row) const {
+  const CriterionGrade& c = criterion(row);
+  if (c.points_max - c.points < 1e-9) return Bar::Role::good;
+  return c.points < c.points_max / 2 ? Bar::Role::bad : Bar::Role::look;
+}
+
+QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
+  const CriterionGrade& c = criterion(index.row());
+  const Measure& m = c.measure;
+  const bool marked = m.measured && c.points_max > 0;
+  switch (role) {
+    case Qt::TextAlignmentRole:
+      if (index.column() == kYours || index.column() == kPoints) return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+      return {};
+    case IconRole:
+      if (index.column() == kPlace) return m.where_mm ? u"target"_qs : QString();
+      if (index.column() != kSign) return {};
+      if (!marked) return u"info"_qs;
+      return bar_role(index.row()) == Bar::Role::good  ? u"check"_qs
+             : bar_role(index.row()) == Bar::Role::bad ? u"cross"_qs
+                                                       : u"warning"_qs;
+    case IconInkRole:
+      if (index.column() != kSign || !marked) return static_cast<int>(Ink::text2);
+      return static_cast<int>(bar_role(index.row()) == Bar::Role::good  ? Ink::good
+                              : bar_role(index.row()) == Bar::Role::bad ? Ink::bad
+                                                                        : Ink::look);
+    case SecondRole:
+      if (index.column() == kYours && m.measured) {
+        return format_uncertainty({m.value, m.uncertainty, QString::fromStdString(m.unit)});
+      }
+      if (index.column() == kPoints && marked) return u"/ "_qs + format_points(c.points_max);
+      return {};
+    case ShareRole:
+      return index.column() == kPoints && marked ? QVariant(c.points / c.points_max) : QVariant();
+    case BarRole: return static_cast<int>(bar_role(index.row()));
+    case BoldRole: return index.column() == kPoints && marked;
+    case QuietRole: return !marked && index.column() == kPoints;
+    case Qt::ToolTipRole:
+      return c.band == "borderline" ? tr("An edge of the marking is nearer than the figure is known.") : reason_text(c);
+    case Qt::AccessibleTextRole:
+      if (index.column() == kSign) {
+        if (!marked) return tr("not marked");
+        return bar_role(index.row()) == Bar::Role::good ? tr("full points") : tr("points lost");
+      }
+      if (index.column() == kPlace) return m.where_mm ? tr("shows its place on the tooth") : QString();
+      if (index.column() == kYours && m.measured) {
+        return format({m.value, m.uncertainty, QString::fromStdString(m.unit)});
+      }
+      return {};
+    case Qt::DisplayRole: break;
+    default: return {};
+  }
+  switch (index.column()) {
+    case kName: return metric_name(c.id);
+    case kYours:
+      return m.measured ? format_value({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
+    case kWanted:
+      for (const Criterion& wanted : rubric_.criteria) {
+        if (wanted.metric == c.id) return wanted_text(wanted);
+      }
+      return {};
+    case kPoints: return marked ? format_points(c.points) : tr("no points");
+    default: return {};
+  }
+}
+
+QVariant CriteriaModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole && (section == kYours || section == kPoints)) {
+    return static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter);
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kName: return tr("Criterion");
+    case kYours: return tr("Yours");
+    case kWanted: return tr("Full points");
+    case kPoints: return tr("Points");
+    default: return QString();
+  }
+}
+
+}  // namespace cusp

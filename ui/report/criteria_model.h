@@ -1,0 +1,30 @@
+/// The report's table: each criterion with its value, what earns full points, and its points.
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "scenarios/grading/grade.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+
+class CriteriaModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kSign, kName, kYours, kWanted, kPoints, kPlace, kColumns };
+  CriteriaModel(const Grade& grade, const Rubric& rubric, QObject* parent = nullptr);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  const CriterionGrade& criterion(int row) const { return grade_.criteria[static_cast<std::size_t>(row)]; }
+  Bar::Role bar_role(int row) const;
+
+ private:
+  Grade grade_;
+  Rubric rubric_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,138 @@
+#include "ui/report/pinned_tooth.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/drill/tooth_view.h"
+#include "ui/render/target_look.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+/// Ring round the pinned place; lets the mouse through.
+class Ring : public QWidget {
+ public:
+  explicit Ring(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFixedSize(px(22), px(22));
+    // Shaped, not translucent: the view below is OpenGL.
+    setMask(QRegion(rect(), QRegion::Ellipse) - QRegion(rect().adjusted(px(6), px(6), -px(6), -px(6)), QRegion::Ellipse));
+    hide();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    p.fillRect(rect(), ToothColours::get().casing);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.setPen(QPen(ToothColours::get().map[2], px(2)));
+    p.drawEllipse(QRectF(rect()).adjusted(px(3), px(3), -px(3), -px(3)));
+  }
+};
+
+}  // namespace
+
+PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent)
+    : QWidget(parent), volume_(std::move(volume)), view_(new ToothView(this)), ring_(new Ring(this)), card_(new QLabel(this)) {
+  view_->setAccessibleName(tr("The tooth after this go"));
+  view_->set_left_turns(true);
+  view_->set_target_shown(false);
+  view_->set_colouring(Colouring::deviation);
+  card_->setProperty("kind", u"pin"_qs);
+  card_->setTextFormat(Qt::RichText);
+  card_->setWordWrap(true);
+  card_->setContentsMargins(px(12), px(8), px(12), px(8));
+  card_->setAutoFillBackground(true);
+  card_->hide();
+  if (volume_) {
+    const TargetLook look(scenario.target, scenario.leeway);
+    view_->show_volume(*volume_, look.feed());
+    turn_back();
+  }
+  connect(view_, &ToothView::camera_changed, this, &PinnedTooth::place_pin);
+}
+
+void PinnedTooth::show_difference(bool on) { view_->set_colouring(on ? Colouring::deviation : Colouring::tissue); }
+
+void PinnedTooth::turn_back() {
+  Camera camera = view_->camera();
+  camera.set_preset(PresetView::occlusal);
+  view_->set_camera(camera);
+  place_pin();
+}
+
+void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more) {
+  place_ = place_mm;
+  card_->setText(u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped()));
+  if (place_) view_->look_at(*place_);
+  place_pin();
+}
+
+void PinnedTooth::place_pin() {
+  const auto at = place_ ? view_->project(*place_) : std::nullopt;
+  ring_->setVisible(at.has_value());
+  card_->setVisible(at.has_value());
+  if (!at) return;
+  ring_->move((*at - QPointF(ring_->width() / 2.0, ring_->height() / 2.0)).toPoint());
+  card_->setFixedWidth(px(200));
+  card_->adjustSize();
+  // Below the place, or above it where there is no room; never outside.
+  const double below = at->y() + px(36), above = at->y() - px(36) - card_->height();
+  const double y = below + card_->height() < height() - px(8) ? below : std::max(above, px(8.0));
+  const double x = std::clamp(at->x() - card_->width() / 2.0, px(8.0), std::max(px(8.0), width() - card_->width() - px(8.0)));
+  card_->move(qRound(x), qRound(y));
+  card_->raise();
+  ring_->raise();
+}
+
+void PinnedTooth::resizeEvent(QResizeEvent*) {
+  view_->setGeometry(rect());
+  place_pin();
+}
+
+DeviationLegend::DeviationLegend(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Colours: left standing, on target, cut too far; from -0.5 to +0.5 mm"));
+}
+QSize DeviationLegend::sizeHint() const { return {px(440), px(66)}; }
+
+void DeviationLegend::paintEvent(QPaintEvent*) {
+  const Tokens& t = tokens();
+  const ToothColours& c = ToothColours::get();
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setLayoutDirection(Qt::LeftToRight);
+  const double w = std::min<double>(width() - px(40), px(400)), x0 = (width() - w) / 2;
+  p.setFont(font_of(TextRole::caption, true));
+  p.setPen(t.text);
+  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignLeft | Qt::AlignVCenter, tr("Left standing"));
+  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignRight | Qt::AlignVCenter, tr("Cut too far"));
+  p.setFont(font_of(TextRole::caption));
+  p.setPen(t.text2);
+  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignCenter, tr("on target"));
+  const QRectF bar(x0, px(22), w, px(13));
+  QLinearGradient gradient(bar.topLeft(), bar.topRight());
+  gradient.setColorAt(0.0, c.map[0]);
+  gradient.setColorAt(0.2, c.map[1]);
+  gradient.setColorAt(0.4, c.map[2]);
+  gradient.setColorAt(0.6, c.map[2]);
+  gradient.setColorAt(0.8, c.map[3]);
+  gradient.setColorAt(1.0, c.map[4]);
+  p.setPen(QPen(t.border, 1));
+  p.setBrush(gradient);
+  p.drawRoundedRect(bar, px(3), px(3));
+  for (const double mm : {-0.5, -0.3, 0.0, 0.3, 0.5}) {
+    const double x = x0 + (mm + 0.5) * w;
+    p.setPen(QPen(t.border, 1));
+    p.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + px(4)));
+    p.setPen(t.text2);
+    QString text = mm == 0 ? u"0"_qs : (mm > 0 ? u"+"_qs : QString()) + format_number(mm, 1);
+    if (mm == 0.5) text += QChar(0x00A0) + u"mm"_qs;
+    p.drawText(QRectF(x - px(40), bar.bottom() + px(5), px(80), px(16)), Qt::AlignCenter, isolate(text));
+  }
+}
+
+}  // namespace cusp

@@ -1,0 +1,51 @@
+/// The report's tooth: the 3D view with a pin on one place and a card that says what was measured there. The card is an
+/// opaque child: no translucency under software OpenGL.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "engine/volume/volume.h"
+#include "scenarios/format/scenario.h"
+
+class QLabel;
+
+namespace cusp {
+
+class ToothView;
+
+class PinnedTooth : public QWidget {
+  Q_OBJECT
+
+ public:
+  PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent = nullptr);
+  void show_difference(bool on);
+  void pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more);
+  void turn_back();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void place_pin();
+  std::shared_ptr<const Volume> volume_;
+  ToothView* view_;
+  QWidget* ring_;
+  QLabel* card_;
+  std::optional<Vec3> place_;
+};
+
+/// Colours of the difference map with their figures.
+class DeviationLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DeviationLegend(QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
+}  // namespace cusp

@@ -1,0 +1,299 @@
+#include "ui/report/report_page.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "ui/app/sentences.h"
+#include "ui/report/against_before.h"
+#include "ui/report/criteria_model.h"
+#include "ui/report/pinned_tooth.h"
+#include "ui/report/report_pdf.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kToothWidth = 600;     // px at 100 %, of a window of 1280
+constexpr int kPictureSide = 1200;   // of the tooth on paper: 140 dots a cm
+constexpr int kReasonsShown = 3;
+
+}  // namespace
+
+ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, const QString& back_name, QWidget* parent)
+    : QWidget(parent), data_(std::move(data)), ports_(ports) {
+  setProperty("kind", u"page"_qs);
+  setAttribute(Qt::WA_StyledBackground);
+  setAccessibleName(tr("Report"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(make_bar(can_go_again, back_name));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(make_tooth(), 47);
+  QVBoxLayout* body = nullptr;
+  row->addWidget(make_scroll_page(&body), 53);
+  body->setContentsMargins(px(20), px(16), px(20), px(16));
+  body->setSpacing(px(12));
+  band_ = new Band;
+  body->addWidget(band_);
+  body->addWidget(make_score());
+  body->addWidget(make_criteria());
+  auto* below = new QHBoxLayout;
+  below->setSpacing(px(12));
+  below->addWidget(make_next_time(), 1);
+  below->addWidget(make_against(), 1);
+  body->addLayout(below);
+  body->addStretch();
+  column->addLayout(row, 1);
+
+  const Grade& g = data_.result.grade;
+  if (!g.critical.empty()) {
+    QStringList what;
+    for (const std::string& critical : g.critical) what += critical_name(critical);
+    band_->show_message(Band::Kind::bad, what.join(u", "_qs) + u'.',
+                        tr("This fails the go, whatever its points; the points still stand."));
+  } else if (data_.result.state == SessionState::interrupted) {
+    band_->show_message(Band::Kind::look, tr("This go broke off."), tr("It is marked as it stands."));
+  }
+  // The dearest loss first: that is what the reader came for.
+  const auto lost = lost_points(g);
+  for (int i = 0; i < model_->rowCount(); ++i) {
+    if (!lost.empty() && model_->criterion(i).id == lost.front()->id) table_->choose_row(i);
+  }
+  setFocusProxy(table_);
+}
+
+QWidget* ReportPage::make_bar(bool can_go_again, const QString& back_name) {
+  auto* bar = new QFrame;
+  bar->setProperty("kind", u"bar_top"_qs);
+  bar->setFixedHeight(px(48));
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(px(12), 0, px(12), 0);
+  row->setSpacing(px(8));
+  QPushButton* leave = make_button(back_name, ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
+  connect(leave, &QPushButton::clicked, this, &ReportPage::back_wanted);
+  row->addWidget(leave);
+  QFrame* rule = make_rule(Qt::Vertical);
+  rule->setFixedHeight(px(24));
+  row->addWidget(rule);
+  row->addSpacing(px(4));
+  row->addWidget(make_label(data_.title, TextRole::section, true));
+  QString aside = occasion_text(data_);
+  if (!data_.student.isEmpty() && !can_go_again) aside = data_.student + u" · "_qs + aside;
+  row->addWidget(make_label(aside, TextRole::body, false, "text2"), 1);
+  QPushButton* paper = make_button(tr("Print"), ButtonKind::standard, u"print"_qs, QKeySequence::Print);
+  QPushButton* pdf = make_button(tr("Save as PDF"), ButtonKind::standard, u"export"_qs, QKeySequence::Save);
+  connect(paper, &QPushButton::clicked, this, &ReportPage::print);
+  connect(pdf, &QPushButton::clicked, this, &ReportPage::save_pdf);
+  row->addWidget(paper);
+  row->addWidget(pdf);
+  if (can_go_again) {
+    QPushButton* again = make_button(tr("Go again"), ButtonKind::primary);
+    connect(again, &QPushButton::clicked, this, &ReportPage::go_again_wanted);
+    row->addWidget(again);
+  }
+  return bar;
+}
+
+QWidget* ReportPage::make_tooth() {
+  auto* left = new QWidget;
+  left->setMinimumWidth(px(360));
+  left->setMaximumWidth(px(kToothWidth) * 2);
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  tooth_ = new PinnedTooth(data_.result.volume, data_.result.scenario);
+  column->addWidget(tooth_, 1);
+
+  auto* tools = new QFrame(tooth_);
+  tools->setProperty("kind", u"card"_qs);
+  tools->setAutoFillBackground(true);
+  auto* row = new QHBoxLayout(tools);
+  row->setContentsMargins(px(4), px(4), px(4), px(4));
+  row->setSpacing(px(4));
+  QPushButton* difference = make_button(tr("Difference"), ButtonKind::quiet);
+  QPushButton* drilled = make_button(tr("As drilled"), ButtonKind::quiet);
+  for (QPushButton* b : {difference, drilled}) {
+    b->setCheckable(true);
+    b->setAutoExclusive(true);
+    row->addWidget(b);
+  }
+  difference->setChecked(true);
+  QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
+  row->addWidget(turn);
+  connect(difference, &QPushButton::toggled, tooth_, &PinnedTooth::show_difference);
+  connect(turn, &QToolButton::clicked, tooth_, &PinnedTooth::turn_back);
+  tools->move(px(12), px(12));
+  tools->adjustSize();
+
+  auto* legend_box = new QFrame;
+  legend_box->setProperty("kind", u"bar_bottom"_qs);
+  auto* legend_row = new QVBoxLayout(legend_box);
+  legend_row->setContentsMargins(px(12), px(10), px(12), px(8));
+  legend_row->addWidget(new DeviationLegend);
+  column->addWidget(legend_box);
+  return left;
+}
+
+QWidget* ReportPage::make_score() {
+  const Grade& g = data_.result.grade;
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(16));
+  QLabel* score = make_label(format_points(g.score), TextRole::score, true);
+  score->setObjectName(u"score"_qs);
+  row->addWidget(score);
+  auto* text = new QVBoxLayout;
+  text->setSpacing(px(2));
+  text->addStretch();
+  auto* line = new QHBoxLayout;
+  line->setSpacing(px(8));
+  line->addWidget(new Chip(g.passed ? tr("Passed") : tr("Not passed"), g.passed ? Chip::Kind::good : Chip::Kind::bad));
+  line->addWidget(make_label(tr("of %1 points, pass mark %2").arg(format_points(g.score_max), format_points(g.pass_mark)),
+                             TextRole::body, false, "text2"));
+  line->addStretch();
+  text->addLayout(line);
+  text->addWidget(make_label(circumstances_text(data_), TextRole::caption, false, "text2"));
+  text->addStretch();
+  row->addLayout(text, 1);
+  if (data_.before) {
+    auto* best = new QVBoxLayout;
+    best->setSpacing(0);
+    QLabel* name = make_label(tr("Best before"), TextRole::caption, false, "text2");
+    QLabel* value = make_label(format_points(data_.before->score), TextRole::section, true);
+    name->setAlignment(Qt::AlignTrailing);
+    value->setAlignment(Qt::AlignTrailing);
+    best->addStretch();
+    best->addWidget(name);
+    best->addWidget(value);
+    best->addStretch();
+    row->addLayout(best);
+  }
+  return box;
+}
+
+QWidget* ReportPage::make_criteria() {
+  auto* card = new Card;
+  card->setAccessibleName(tr("Criteria"));
+  card->body()->setContentsMargins(px(8), px(6), px(8), px(6));
+  model_ = new CriteriaModel(data_.result.grade, data_.result.scenario.rubric, this);
+  table_ = new Table;
+  table_->setAccessibleName(tr("Criteria"));
+  table_->setModel(model_);
+  table_->set_stretch_column(CriteriaModel::kName);
+  table_->set_rows_shown(14);
+  card->body()->addWidget(table_);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { choose(table_->chosen_row()); });
+  return card;
+}
+
+void ReportPage::choose(int row) {
+  if (row < 0) return;
+  const CriterionGrade& c = model_->criterion(row);
+  const Measure& m = c.measure;
+  const QString value = m.measured ? format({m.value, m.uncertainty, QString::fromStdString(m.unit)}) : tr("not measured");
+  tooth_->pin(m.where_mm, metric_name(c.id) + u": "_qs + value, reason_text(c));
+}
+
+QWidget* ReportPage::make_next_time() {
+  auto* card = new Card(tr("Next time"));
+  int shown = 0;
+  for (const CriterionGrade* c : lost_points(data_.result.grade)) {
+    if (++shown > kReasonsShown) break;
+    const bool much = c->points < c->points_max / 2;
+    auto* line = new QHBoxLayout;
+    line->setSpacing(px(8));
+    auto* sign = new QLabel;
+    sign->setPixmap(icon_pixmap(much ? u"cross"_qs : u"warning"_qs, much ? Ink::bad : Ink::look, 16, devicePixelRatioF()));
+    line->addWidget(sign, 0, Qt::AlignTop);
+    auto* text = new QVBoxLayout;
+    text->setSpacing(0);
+    QLabel* head = make_label(tr("%1: %2 points lost").arg(metric_name(c->id), format_points(c->points_max - c->points)),
+                              TextRole::body, true);
+    head->setWordWrap(true);
+    text->addWidget(head);
+    for (const QString& sentence : {reason_text(*c) + u'.', advice_text(*c)}) {
+      if (sentence.size() < 2) continue;
+      QLabel* label = make_label(sentence, TextRole::body, false, "text2");
+      label->setWordWrap(true);
+      text->addWidget(label);
+    }
+    line->addLayout(text, 1);
+    card->body()->addLayout(line);
+  }
+  if (shown == 0) {
+    QLabel* label = make_label(tr("Every criterion has its full points."), TextRole::body, false, "text2");
+    label->setWordWrap(true);
+    card->body()->addWidget(label);
+  }
+  card->body()->addStretch();
+  return card;
+}
+
+QWidget* ReportPage::make_against() {
+  auto* card = new Card(tr("Against your best before"));
+  if (!data_.before) {
+    QLabel* label = make_label(tr("No go with this device came before. From the next one on this compares the two."),
+                               TextRole::body, false, "text2");
+    label->setWordWrap(true);
+    card->body()->addWidget(label);
+    card->body()->addStretch();
+    return card;
+  }
+  auto* legend = new QHBoxLayout;
+  legend->setSpacing(px(6));
+  const auto dot = [&](bool filled, const QString& text) {
+    auto* sign = new QLabel;
+    sign->setPixmap(icon_pixmap(filled ? u"dot"_qs : u"circle"_qs, filled ? Ink::accent : Ink::text2, 12, devicePixelRatioF()));
+    legend->addWidget(sign);
+    legend->addWidget(make_label(text, TextRole::caption, false, "text2"));
+    legend->addSpacing(px(6));
+  };
+  dot(false, tr("%1, %2").arg(format_day(data_.before_when), format_points(data_.before->score)));
+  dot(true, tr("this go, %1").arg(format_points(data_.result.grade.score)));
+  legend->addStretch();
+  card->body()->addLayout(legend);
+  card->body()->addWidget(new AgainstBefore(data_.result.grade, *data_.before));
+  card->body()->addStretch();
+  return card;
+}
+
+void ReportPage::save_pdf() {
+  FileWish wish;
+  wish.title = tr("Save the report");
+  wish.name = (data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)).trimmed() + u".pdf"_qs;
+  wish.filter = tr("PDF (*.pdf)");
+  ports_.pick_file(this, wish, [this](const QString& path) {
+    const auto done = write_report_pdf(path.toStdString(), data_, draw_report_tooth(data_.result, kPictureSide));
+    if (done) {
+      band_->show_message(Band::Kind::good, tr("The report is saved."), path);
+    } else {
+      band_->show_message(Band::Kind::bad, tr("The report was not saved."),
+                          tr("%1 cannot be written. The go and its grade are kept.").arg(path));
+    }
+  });
+}
+
+void ReportPage::print() {
+  auto* dialog = new QPrintDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->printer()->setPageSize(QPageSize(QPageSize::A4));
+  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
+    QPainter painter(printer);
+    const QRectF page(QPointF(0, 0), printer->pageRect(QPrinter::DevicePixel).size());
+    paint_report(painter, page, printer->resolution() / 84.0, data_, draw_report_tooth(data_.result, kPictureSide));
+  });
+  dialog->open();
+}
+
+}  // namespace cusp

@@ -1,0 +1,54 @@
+/// The report of one go: the tooth by deviation at the left; score, criteria, what to do next time and the best before
+/// at the right. A chosen row turns the tooth to its place and pins it.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/app/ports.h"
+#include "ui/report/report_data.h"
+
+class QLabel;
+class QPushButton;
+
+namespace cusp {
+
+class Band;
+class CriteriaModel;
+class DeviationLegend;
+class PinnedTooth;
+class Segments;
+class Table;
+
+class ReportPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `can_go_again`: the one who drilled it is looking.
+  ReportPage(ReportData data, const Ports& ports, bool can_go_again, const QString& back_name, QWidget* parent = nullptr);
+  Table* table() const { return table_; }
+  const ReportData& data() const { return data_; }
+
+ Q_SIGNALS:
+  void back_wanted();
+  void go_again_wanted();
+
+ private:
+  QWidget* make_bar(bool can_go_again, const QString& back_name);
+  QWidget* make_tooth();
+  QWidget* make_score();
+  QWidget* make_criteria();
+  QWidget* make_next_time();
+  QWidget* make_against();
+  void choose(int row);
+  void save_pdf();
+  void print();
+
+  ReportData data_;
+  const Ports& ports_;
+  CriteriaModel* model_ = nullptr;
+  Table* table_ = nullptr;
+  PinnedTooth* tooth_ = nullptr;
+  Band* band_ = nullptr;
+};
+
+}  // namespace cusp

@@ -1,0 +1,259 @@
+#include "ui/report/report_pdf.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <cmath>
+
+#include "ui/app/sentences.h"
+#include "ui/report/criteria_model.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(cusp::Report)
+};
+
+/// A pen that writes downwards.
+class Paper {
+ public:
+  Paper(QPainter& painter, const QRectF& page, double unit) : p_(painter), page_(page), u_(unit), y_(page.top()) {}
+
+  double u(double px_at_100) const { return px_at_100 * u_; }
+  double y() const { return y_; }
+  void skip(double px_at_100) { y_ += u(px_at_100); }
+  QPainter& painter() { return p_; }
+  const QRectF& page() const { return page_; }
+
+  QFont font(double size, bool bold = false) const {
+    QFont f = font_of(TextRole::body, bold);
+    f.setPixelSize(std::max(1, static_cast<int>(std::lround(size * u_))));
+    return f;
+  }
+  /// One paragraph within [x, x + width]; returns its height. Moves on only with `advance`.
+  double write(const QString& text, double x, double width, double size, bool bold, const QColor& ink,
+               Qt::Alignment align = Qt::AlignLeading, bool advance = true) {
+    p_.setFont(font(size, bold));
+    p_.setPen(ink);
+    const QRectF room(x, y_, width, page_.bottom() - y_);
+    const int flags = static_cast<int>(align | Qt::AlignTop) | Qt::TextWordWrap;
+    const QRectF used = p_.boundingRect(room, flags, text);
+    p_.drawText(room, flags, text);
+    if (advance) y_ += used.height();
+    return used.height();
+  }
+  void rule(const QColor& ink) {
+    p_.fillRect(QRectF(page_.left(), y_, page_.width(), std::max(1.0, u(0.7))), ink);
+  }
+
+ private:
+  QPainter& p_;
+  QRectF page_;
+  double u_;
+  double y_;
+};
+
+void write_head(Paper& paper, const ReportData& d, const Tokens& t) {
+  const double x = paper.page().left(), w = paper.page().width();
+  paper.write(u"Cusp"_qs, x, w, 12, true, t.accent, Qt::AlignTrailing, false);
+  paper.write(d.title, x, w * 0.8, 22, true, t.text);
+  paper.skip(2);
+  QString line = occasion_text(d);
+  if (!d.student.isEmpty()) line = d.student + u" · "_qs + line;
+  paper.write(line, x, w, 11, false, t.text2);
+  paper.skip(10);
+  paper.rule(t.line);
+  paper.skip(10);
+}
+
+void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
+  const Grade& g = d.result.grade;
+  const double x = paper.page().left(), w = paper.page().width();
+  const QString score = format_points(g.score);
+  paper.painter().setFont(paper.font(40, true));
+  const double width = paper.painter().fontMetrics().horizontalAdvance(score);
+  paper.write(score, x, w, 40, true, t.text, Qt::AlignLeft, false);
+  const double right = x + width + paper.u(14);
+  paper.skip(8);
+  paper.write((g.passed ? Words::tr("Passed") : Words::tr("Not passed")) + u" · "_qs +
+                  Words::tr("%1 of %2 points, pass mark %3")
+                      .arg(score, format_points(g.score_max), format_points(g.pass_mark)),
+              right, w - width, 12, true, g.passed ? t.good : t.bad);
+  paper.skip(2);
+  paper.write(circumstances_text(d), right, w - width, 11, false, t.text2);
+  paper.skip(14);
+  for (const std::string& critical : g.critical) {
+    paper.write(Words::tr("%1: this fails the go, whatever its points.").arg(critical_name(critical)), x, w, 12, true, t.bad);
+    paper.skip(4);
+  }
+}
+
+void write_tooth(Paper& paper, const QImage& tooth, const Tokens& t) {
+  const QRectF page = paper.page();
+  const double side = paper.u(250);
+  const QRectF where(page.left(), paper.y(), side * 1.35, side);
+  if (tooth.isNull()) {
+    paper.painter().fillRect(where, t.sunken);
+    paper.painter().setFont(paper.font(11));
+    paper.painter().setPen(t.text2);
+    paper.painter().drawText(where, Qt::AlignCenter, Words::tr("No picture: this computer has no OpenGL."));
+  } else {
+    const double ratio = where.width() / where.height();
+    const QRectF part(0, tooth.height() * (1 - 1 / ratio) / 2, tooth.width(), tooth.width() / ratio);
+    paper.painter().drawImage(where, tooth, part);
+  }
+}
+
+void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
+  const CriteriaModel model(d.result.grade, d.result.scenario.rubric);
+  const QRectF page = paper.page();
+  const double widths[] = {0.36, 0.22, 0.2, 0.22};
+  const int columns[] = {CriteriaModel::kName, CriteriaModel::kYours, CriteriaModel::kWanted, CriteriaModel::kPoints};
+  const auto cell = [&](int i) {
+    double x = page.left();
+    for (int j = 0; j < i; ++j) x += widths[j] * page.width();
+    return QRectF(x, paper.y(), widths[i] * page.width() - paper.u(10), paper.u(18));
+  };
+  for (int i = 0; i < 4; ++i) {
+    const bool at_right = i == 1 || i == 3;
+    paper.painter().setFont(paper.font(10.5, true));
+    paper.painter().setPen(t.text2);
+    paper.painter().drawText(cell(i), (at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
+                             model.headerData(columns[i], Qt::Horizontal, Qt::DisplayRole).toString());
+  }
+  paper.skip(20);
+  paper.rule(t.border);
+  for (int row = 0; row < model.rowCount(); ++row) {
+    paper.skip(3);
+    const CriterionGrade& c = model.criterion(row);
+    for (int i = 0; i < 4; ++i) {
+      const QModelIndex at = model.index(row, columns[i]);
+      QString text = model.data(at, Qt::DisplayRole).toString();
+      const QString second = model.data(at, SecondRole).toString();
+      if (!second.isEmpty()) text += u' ' + second;
+      const bool at_right = i == 1 || i == 3;
+      paper.painter().setFont(paper.font(11, i == 3));
+      paper.painter().setPen(t.text);
+      paper.painter().drawText(cell(i), (at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
+    }
+    if (c.points_max > 0) {
+      const QRectF last = cell(3);
+      paint_bar(paper.painter(), QRectF(last.left(), last.center().y() - paper.u(2.5), paper.u(44), paper.u(5)),
+                c.points / c.points_max, colour_of(model.bar_role(row)), t.sunken);
+    }
+    paper.skip(20);
+    paper.rule(t.line);
+  }
+  paper.skip(10);
+}
+
+void write_next_time(Paper& paper, const ReportData& d, const Tokens& t) {
+  const double x = paper.page().left(), w = paper.page().width();
+  paper.write(Words::tr("Next time"), x, w, 13, true, t.text);
+  paper.skip(4);
+  int shown = 0;
+  for (const CriterionGrade* c : lost_points(d.result.grade)) {
+    if (++shown > 4) break;
+    paper.write(Words::tr("%1: %2 points lost. %3. %4")
+                    .arg(metric_name(c->id), format_points(c->points_max - c->points), reason_text(*c), advice_text(*c)),
+                x, w, 11, false, t.text);
+    paper.skip(3);
+  }
+  if (shown == 0) paper.write(Words::tr("Every criterion has its full points."), x, w, 11, false, t.text);
+  if (d.before) {
+    paper.skip(8);
+    const double apart = d.result.grade.score - d.before->score;
+    paper.write(Words::tr("Best before: %1 points on %2; today %3.")
+                    .arg(format_points(d.before->score), format_day(d.before_when),
+                         (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)),
+                x, w, 11, false, t.text2);
+  }
+}
+
+}  // namespace
+
+void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const QImage& tooth) {
+  const Tokens& t = Tokens::light();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  Paper paper(painter, page, unit);
+  write_head(paper, data, t);
+  write_score(paper, data, t);
+  write_tooth(paper, tooth, t);
+  // Legend at the right of the tooth.
+  {
+    const double x = page.left() + paper.u(250 * 1.35 + 20), w = page.right() - x;
+    const ToothColours& c = ToothColours::get();
+    const std::pair<QString, QColor> lines[] = {{Words::tr("0.5 mm and more left standing"), c.map[0]},
+                                                {Words::tr("0.3 mm left standing"), c.map[1]},
+                                                {Words::tr("on target, within 0.1 mm"), c.map[2]},
+                                                {Words::tr("0.3 mm cut too far"), c.map[3]},
+                                                {Words::tr("0.5 mm and more cut too far"), c.map[4]}};
+    double y = paper.y();
+    for (const auto& [text, colour] : lines) {
+      painter.setPen(QPen(t.border, paper.u(0.7)));
+      painter.setBrush(colour);
+      painter.drawRect(QRectF(x, y + paper.u(3), paper.u(12), paper.u(12)));
+      painter.setFont(paper.font(11));
+      painter.setPen(t.text);
+      const QRectF room(x + paper.u(20), y, w - paper.u(20), paper.u(60));
+      painter.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
+      y += std::max(paper.u(22), painter.boundingRect(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text).height() +
+                                     paper.u(6));
+    }
+  }
+  paper.skip(250 + 14);
+  write_criteria(paper, data, t);
+  write_next_time(paper, data, t);
+  // Foot: what identifies the go.
+  painter.setFont(paper.font(8.5));
+  painter.setPen(t.text3);
+  QString foot = Words::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
+  if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
+  painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom, foot);
+}
+
+Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
+                                          const QImage& tooth) {
+  const QString name = QString::fromStdString(file.string());
+  const QString part = name + u".part"_qs;
+  {
+    QPdfWriter writer(part);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(QMarginsF(18, 16, 18, 16), QPageLayout::Millimeter);
+    writer.setResolution(300);
+    writer.setTitle(data.title);
+    writer.setCreator(u"Cusp"_qs);
+    QPainter painter;
+    if (!painter.begin(&writer)) return fail(PdfError::cannot_write, file.string());
+    // A screen's pixel at 96 a inch would print small; 84 fills the page's width as the screen's column.
+    paint_report(painter, QRectF(QPointF(0, 0), QSizeF(writer.width(), writer.height())), 300.0 / 84.0, data, tooth);
+    if (!painter.end()) return fail(PdfError::cannot_write, file.string());
+  }
+  // QPdfWriter tells nothing of a full disk: a whole PDF ends in its mark.
+  QFile written(part);
+  if (!written.open(QIODevice::ReadOnly) || written.size() < 16) return fail(PdfError::cannot_write, file.string());
+  written.seek(written.size() - 16);
+  const bool whole = written.readAll().contains("%%EOF");
+  written.close();
+  if (!whole) {
+    QFile::remove(part);
+    return fail(PdfError::cannot_write, file.string());
+  }
+  std::error_code failed;
+  std::filesystem::rename(part.toStdString(), file, failed);
+  if (failed) {
+    QFile::remove(part);
+    return fail(PdfError::cannot_write, file.string(), failed.message());
+  }
+  return {};
+}
+
+}  // namespace cusp

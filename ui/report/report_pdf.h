@@ -1,0 +1,26 @@
+/// The report on paper: one A4 page, always in the light colours. Needs a QGuiApplication; without a display its
+/// platform is "offscreen" ("minimal" has no fonts).
+#pragma once
+
+#include <QImage>
+#include <QRectF>
+#include <filesystem>
+
+#include "engine/base/result.h"
+#include "ui/report/report_data.h"
+
+class QPainter;
+
+namespace cusp {
+
+enum class PdfError : std::uint8_t { cannot_write };
+using PdfFailure = Failure<PdfError>;
+
+/// `tooth` may be null: then its place says so. Written beside the name and renamed, so that no half file is left.
+Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
+                                          const QImage& tooth);
+
+/// Onto any paper: `page` in the painter's units, `unit` of them to a pixel of the screen.
+void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const QImage& tooth);
+
+}  // namespace cusp

@@ -1,0 +1,67 @@
+/// Sign-in: number and PIN first, staff second, Try it apart; on the first start it makes the administrator instead.
+/// It asks storage and says what came; who is signed in is the desktop's to know.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+#include "storage/store.h"
+#include "ui/app/sentences.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace cusp {
+
+class Band;
+class PinBoxes;
+class Segments;
+
+class SignIn : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SignIn(Store& store, QWidget* parent = nullptr);
+
+  /// Shown at the right, from 1100 px of width on.
+  void set_picture(const QImage& picture);
+  /// What was typed survives a change of language or scale.
+  QString typed_number() const;
+  void set_typed_number(const QString& number, bool staff);
+  bool staff() const;
+  bool first_start() const { return first_start_; }
+  QString message() const;
+
+ Q_SIGNALS:
+  void signed_in(const cusp::Account& account);
+  void try_it();
+  void language_chosen(const QString& code);
+  void theme_toggled();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* make_head();
+  QWidget* make_sign_in_form();
+  QWidget* make_first_start_form();
+  void submit();
+  void create_administrator();
+  void refuse(const Told& told);
+  void show_segment(int index);
+
+  Store& store_;
+  bool first_start_ = false;
+  Segments* who_ = nullptr;
+  QWidget *student_fields_ = nullptr, *staff_fields_ = nullptr;
+  QLineEdit *number_ = nullptr, *staff_number_ = nullptr, *password_ = nullptr, *repeat_ = nullptr, *name_ = nullptr;
+  PinBoxes* pin_ = nullptr;
+  QPushButton* enter_ = nullptr;
+  Band* band_ = nullptr;
+  QLabel* picture_ = nullptr;
+  QImage image_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,156 @@
+#include "ui/student/briefing.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+#include <QStandardItemModel>
+
+namespace cusp {
+
+QString burrs_text(const Scenario& scenario) {
+  QStringList parts;
+  for (const Burr& burr : scenario.instruments) {
+    parts += Briefing::tr("%1 (%2)").arg(QString::fromStdString(burr.name),
+                                         format({2 * burr.radius_mm, std::nullopt, u"mm"_qs, 1}));
+  }
+  return parts.join(Briefing::tr(", "));
+}
+
+void show_covering(QLabel* label, const QImage& image, double radius) {
+  const qreal ratio = label->devicePixelRatioF();
+  const QSize room = label->size() * ratio;
+  if (image.isNull() || room.isEmpty()) return;
+  const QImage scaled = image.scaled(room, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  QPixmap out(room);
+  out.fill(Qt::transparent);
+  QPainter painter(&out);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath clip;
+  clip.addRoundedRect(QRectF(QPointF(), room), radius * ratio, radius * ratio);
+  painter.setClipPath(clip);
+  painter.drawImage((room.width() - scaled.width()) / 2, (room.height() - scaled.height()) / 2, scaled);
+  painter.end();
+  out.setDevicePixelRatio(ratio);
+  label->setPixmap(out);
+}
+
+Briefing::Briefing(const Exercise& exercise, PictureShelf& pictures, const std::filesystem::path& folder, QWidget* parent)
+    : QWidget(parent), exercise_(exercise), pictures_(pictures), folder_(folder) {
+  const Scenario& s = exercise_.scenario;
+  setProperty("kind", u"page"_qs);
+  setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+
+  auto* bar = new QFrame;
+  bar->setProperty("kind", u"bar_top"_qs);
+  bar->setFixedHeight(px(48));
+  auto* bar_row = new QHBoxLayout(bar);
+  bar_row->setContentsMargins(px(12), 0, px(12), 0);
+  QPushButton* leave = make_button(tr("Back"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
+  connect(leave, &QPushButton::clicked, this, &Briefing::back_wanted);
+  bar_row->addWidget(leave);
+  QFrame* rule = make_rule(Qt::Vertical);
+  rule->setFixedHeight(px(24));
+  bar_row->addWidget(rule);
+  bar_row->addWidget(make_label(local(s.title), TextRole::section, true));
+  bar_row->addStretch();
+  column->addWidget(bar);
+
+  QVBoxLayout* body = nullptr;
+  column->addWidget(make_scroll_page(&body), 1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(24));
+  body->addLayout(row);
+
+  picture_ = new QLabel;
+  picture_->setFixedSize(px(400), px(330));
+  picture_->setAccessibleName(tr("The tooth with its target"));
+  row->addWidget(picture_, 0, Qt::AlignTop);
+  auto* text = new QVBoxLayout;
+  text->setSpacing(px(8));
+  row->addLayout(text, 1);
+  text->addWidget(make_label(local(s.title), TextRole::page_title, true));
+  QLabel* what = make_label(local(s.briefing));
+  what->setWordWrap(true);
+  text->addWidget(what);
+  text->addSpacing(px(8));
+  auto* facts = new QGridLayout;
+  facts->setHorizontalSpacing(px(24));
+  facts->setVerticalSpacing(px(4));
+  int line = 0;
+  const auto fact = [&](const QString& name, const QString& value) {
+    facts->addWidget(make_label(name, TextRole::body, false, "text2"), line, 0, Qt::AlignTop);
+    QLabel* label = make_label(value);
+    label->setWordWrap(true);
+    facts->addWidget(label, line++, 1);
+  };
+  fact(tr("Burrs"), burrs_text(s));
+  fact(tr("Wanted depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
+  fact(tr("Leeway"), tr("%1 at the floor, %2 at the sides")
+                         .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
+                              format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));
+  fact(tr("Time"), s.time_limit_s > 0 ? tr("%1 at most").arg(format_clock(s.time_limit_s))
+                                      : tr("as much as you need; time earns no points"));
+  fact(tr("Pass mark"), tr("%1 of 100").arg(format_points(s.rubric.pass)));
+  for (const std::string& critical : s.rubric.critical) fact(tr("Fails the go"), critical_name(critical));
+  facts->setColumnStretch(1, 1);
+  text->addLayout(facts);
+  text->addSpacing(px(16));
+  auto* acts = new QHBoxLayout;
+  start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
+  start_->setDefault(true);
+  acts->addWidget(start_);
+  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, false, "text3"));
+  acts->addStretch();
+  text->addLayout(acts);
+  text->addStretch();
+  connect(start_, &QPushButton::clicked, this, [this] { Q_EMIT start_wanted(exercise_); });
+
+  auto* points = new Card(tr("What earns points"), tr("Full points"));
+  auto* table = new Table;
+  auto* model = new QStandardItemModel(this);
+  model->setHorizontalHeaderLabels({tr("Criterion"), tr("Full points"), tr("Points")});
+  double whole = 0;
+  for (const Criterion& c : s.rubric.criteria) whole += c.weight;
+  for (const Criterion& c : s.rubric.criteria) {
+    auto* weight = new QStandardItem(format_points(whole > 0 ? 100 * c.weight / whole : 0));
+    weight->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
+    model->appendRow({new QStandardItem(metric_name(c.metric)), new QStandardItem(wanted_text(c)), weight});
+  }
+  model->setHeaderData(2, Qt::Horizontal, static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter), Qt::TextAlignmentRole);
+  table->setModel(model);
+  table->setAccessibleName(tr("What earns points"));
+  table->set_stretch_column(0);
+  table->set_rows_shown(12);
+  points->set_aside({});
+  points->body()->addWidget(table);
+  body->addWidget(points);
+
+  auto* keys = new Card(tr("With mouse and keys"));
+  QLabel* how = make_label(tr("Move the mouse, or the arrow keys, to slide the burr over the tooth. Push with the wheel "
+                              "or with Page Down, let up with Page Up. Hold Space, or the left button, to cut."),
+                           TextRole::body, false, "text2");
+  how->setWordWrap(true);
+  keys->body()->addWidget(how);
+  body->addWidget(keys);
+  body->addStretch();
+  setFocusProxy(start_);
+  connect(&pictures_, &PictureShelf::ready, this, &Briefing::show_picture);
+  show_picture();
+}
+
+void Briefing::show_picture() {
+  show_covering(picture_, pictures_.picture(exercise_, folder_, PictureShelf::Use::card, tokens().dark), px(8));
+}
+
+}  // namespace cusp

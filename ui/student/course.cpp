@@ -1,0 +1,178 @@
+#include "ui/student/course.h"
+
+#include <QDateTime>
+#include <algorithm>
+#include <limits>
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+QDateTime from_utc_us(std::int64_t us) { return QDateTime::fromMSecsSinceEpoch(us / 1000, Qt::UTC); }
+
+QVariant right() { return QVariant(static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter)); }
+
+}  // namespace
+
+int Course::next() const {
+  if (rows.empty()) return -1;
+  const auto rank = [](const CourseRow& r) {
+    const bool passed = r.best && r.best->passed.value_or(false);
+    return std::tuple(passed, r.due_utc_us.value_or(std::numeric_limits<std::int64_t>::max()),
+                      passed ? r.best->score.value_or(0) : 0.0);
+  };
+  const auto it = std::min_element(rows.begin(), rows.end(),
+                                   [&](const CourseRow& a, const CourseRow& b) { return rank(a) < rank(b); });
+  return static_cast<int>(it - rows.begin());
+}
+
+const HistoryRow* Course::last_graded() const {
+  for (const HistoryRow& go : goes) {
+    if (go.score) return &go;
+  }
+  return nullptr;
+}
+
+Stored<Course> load_course(Store& store, const Actor& student) {
+  Course course;
+  auto list = load_exercises(store);
+  if (!list) return std::unexpected(list.error());
+  course.unreadable = std::move(list->unreadable);
+  HistoryFilter own;
+  own.student = student.id;
+  auto goes = store.history.list(student, own);
+  if (!goes) return std::unexpected(goes.error());
+  course.goes = std::move(*goes);
+  const auto standings = store.history.standings(student, student.id);
+  if (!standings) return std::unexpected(standings.error());
+  const auto assigned = store.assignments.for_student(student.id);
+  if (!assigned) return std::unexpected(assigned.error());
+  for (Exercise& exercise : list->exercises) {
+    CourseRow row;
+    row.exercise = std::move(exercise);
+    for (const Standing& s : *standings) {
+      if (s.scenario != row.exercise.scenario.id) continue;
+      row.goes = s.goes;
+      row.best = s.best;
+      row.last = s.last;
+    }
+    for (const Assignment& a : *assigned) {
+      if (a.version != row.exercise.version || row.assignment) continue;
+      row.assignment = a.id;
+      row.due_utc_us = a.due_utc_us;
+      row.goes_allowed = a.goes_allowed;
+    }
+    course.rows.push_back(std::move(row));
+  }
+  return course;
+}
+
+CourseModel::CourseModel(std::vector<CourseRow> rows, QObject* parent)
+    : QAbstractTableModel(parent), rows_(std::move(rows)) {}
+
+int CourseModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int CourseModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant CourseModel::data(const QModelIndex& index, int role) const {
+  const CourseRow& r = row(index.row());
+  if (role == Qt::TextAlignmentRole && (index.column() == kGoes || index.column() == kBest)) return right();
+  if (role == BoldRole && index.column() == kExercise) return true;
+  if (role == IconRole && index.column() == kOpen) return u"chevron_right"_qs;
+  if (role == QuietRole && index.column() == kBest) return !r.best;
+  if (role == Qt::AccessibleTextRole && index.column() == kOpen) return tr("Briefing");
+  if (role != Qt::DisplayRole) return {};
+  switch (index.column()) {
+    case kExercise: return local(r.exercise.scenario.title);
+    case kKind: return tr("Practice");
+    case kDue: return r.due_utc_us ? format_day(from_utc_us(*r.due_utc_us)) : tr("always open");
+    case kGoes:
+      return r.goes_allowed ? tr("%1 of %2").arg(r.goes).arg(*r.goes_allowed) : format_number(r.goes, 0);
+    case kBest: return r.best && r.best->score ? format_points(*r.best->score) : tr("none yet");
+    default: return {};
+  }
+}
+
+QVariant CourseModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole && (section == kGoes || section == kBest)) return right();
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kExercise: return tr("Exercise");
+    case kKind: return tr("Kind");
+    case kDue: return tr("Due");
+    case kGoes: return tr("Goes");
+    case kBest: return tr("Best");
+    default: return QString();
+  }
+}
+
+QString result_text(const HistoryRow& row) {
+  if (row.passed) return *row.passed ? GoesModel::tr("Passed") : GoesModel::tr("Not passed");
+  return state_name(row.state);
+}
+int result_chip(const HistoryRow& row) {
+  if (row.passed) return static_cast<int>(*row.passed ? Chip::Kind::good : Chip::Kind::bad);
+  return static_cast<int>(row.state == SessionState::interrupted ? Chip::Kind::look : Chip::Kind::plain);
+}
+
+void GoesModel::set_rows(std::vector<HistoryRow> rows) {
+  beginResetModel();
+  rows_ = std::move(rows);
+  endResetModel();
+}
+int GoesModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int GoesModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant GoesModel::data(const QModelIndex& index, int role) const {
+  const HistoryRow& r = row(index.row());
+  const int column = index.column();
+  if (role == Qt::TextAlignmentRole && (column == kGo || column == kScore || column == kTime)) return right();
+  if (role == ChipRole && column == kResult) return result_chip(r);
+  if (role == BoldRole && (column == kStudent || column == kScore)) return true;
+  if (role == IconRole && column == kOpen) return u"chevron_right"_qs;
+  if (role == Qt::AccessibleTextRole && column == kOpen) return tr("Report");
+  if (role == QuietRole && column == kScore) return !r.score;
+  if (role == SortRole) {
+    switch (column) {
+      case kDate: return static_cast<qlonglong>(r.started_utc_us);
+      case kGo: return r.go;
+      case kScore: return r.score.value_or(-1);
+      case kTime: return static_cast<qulonglong>(r.elapsed_us);
+      default: return data(index, Qt::DisplayRole);
+    }
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (column) {
+    case kDate: return format_day_time(from_utc_us(r.started_utc_us));
+    case kStudent: return QString::fromStdString(r.student_name);
+    case kExercise: return local(r.title);
+    case kGo: return format_number(r.go, 0);
+    case kScore: return r.score ? format_points(*r.score) : QStringLiteral("–");
+    case kResult: return result_text(r);
+    case kTime: return format_clock(static_cast<double>(r.elapsed_us) * 1e-6);
+    case kDevice: return device_name(r.device_class);
+    default: return {};
+  }
+}
+
+QVariant GoesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole && (section == kGo || section == kScore || section == kTime)) return right();
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kDate: return tr("Date");
+    case kStudent: return tr("Student");
+    case kExercise: return tr("Exercise");
+    case kGo: return tr("Go");
+    case kScore: return tr("Points");
+    case kResult: return tr("Result");
+    case kTime: return tr("Time");
+    case kDevice: return tr("Device");
+    default: return QString();
+  }
+}
+
+}  // namespace cusp

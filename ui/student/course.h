@@ -1,0 +1,73 @@
+/// A student's standing: each exercise with its goes, best and last result, and which one is next. Models over it feed
+/// tables; no widget here.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "ui/student/exercises.h"
+
+namespace cusp {
+
+struct CourseRow {
+  Exercise exercise;
+  int goes = 0;
+  std::optional<HistoryRow> best, last;
+  std::optional<std::int64_t> due_utc_us;
+  std::optional<int> goes_allowed;
+  std::optional<AssignmentId> assignment;
+};
+
+struct Course {
+  std::vector<CourseRow> rows;
+  std::vector<HistoryRow> goes;         // all of this student, newest first
+  std::vector<StorageFailure> unreadable;
+
+  /// First by due date, then the first not passed yet, then the one with the lowest best score; -1 without exercises.
+  int next() const;
+  const HistoryRow* last_graded() const;
+};
+
+Stored<Course> load_course(Store& store, const Actor& student);
+
+class CourseModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kExercise, kKind, kDue, kGoes, kBest, kOpen, kColumns };
+  explicit CourseModel(std::vector<CourseRow> rows, QObject* parent = nullptr);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  const CourseRow& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+
+ private:
+  std::vector<CourseRow> rows_;
+};
+
+/// Goes of one or of all students: the newest first.
+class GoesModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kDate, kStudent, kExercise, kGo, kScore, kResult, kTime, kDevice, kOpen, kColumns };
+  explicit GoesModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+  void set_rows(std::vector<HistoryRow> rows);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  const HistoryRow& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+  const std::vector<HistoryRow>& rows() const { return rows_; }
+
+ private:
+  std::vector<HistoryRow> rows_;
+};
+
+/// "Passed", "Not passed", "Interrupted", "Not graded" as a chip of a table.
+QString result_text(const HistoryRow& row);
+int result_chip(const HistoryRow& row);
+
+}  // namespace cusp

@@ -1,0 +1,98 @@
+#include "ui/student/own_history.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <map>
+
+#include "ui/app/sentences.h"
+#include "ui/student/history_charts.h"
+#include "ui/widgets/chart.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+
+OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QWidget(parent) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(px(24), px(16), px(24), px(24));
+  outer->setSpacing(px(16));
+  auto* head = new PageHead(tr("My results"));
+  outer->addWidget(head);
+  HistoryFilter own;
+  own.student = student.id;
+  auto rows = store.history.list(student, own);
+  if (!rows) {
+    const Told told = tell(rows.error());
+    outer->addWidget(new EmptyState(u"warning"_qs, told.what, told.more, {}, Ink::bad), 1);
+    return;
+  }
+  all_ = std::move(*rows);
+  if (all_.empty()) {
+    auto* empty = new EmptyState(u"chart"_qs, tr("No go yet"), tr("Each go you finish stays here, with its report."),
+                                 tr("Choose an exercise"));
+    connect(empty, &EmptyState::acted, this, &OwnHistory::exercises_wanted);
+    outer->addWidget(empty, 1);
+    return;
+  }
+  exercise_ = new QComboBox;
+  exercise_->setAccessibleName(tr("Exercise"));
+  exercise_->setMinimumWidth(px(240));
+  exercise_->addItem(tr("All exercises"));
+  std::map<ScenarioId, bool> listed;
+  for (const HistoryRow& go : all_) {
+    if (!listed[go.scenario]) exercise_->addItem(local(go.title), QString::fromStdString(go.scenario.text()));
+    listed[go.scenario] = true;
+  }
+  head->buttons()->addWidget(exercise_);
+
+  auto* charts = new QHBoxLayout;
+  charts->setSpacing(px(16));
+  by_go_ = new Chart;
+  by_time_ = new Chart;
+  for (auto [chart, title] : {std::pair{by_go_, tr("Points by go")}, std::pair{by_time_, tr("Time and score")}}) {
+    auto* card = new Card(title);
+    card->body()->addWidget(chart);
+    card->setFixedHeight(px(250));
+    charts->addWidget(card, 1);
+  }
+  outer->addLayout(charts);
+  auto* card = new Card;
+  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  table_ = new Table;
+  table_->setAccessibleName(tr("My results"));
+  model_ = new GoesModel(this);
+  table_->setModel(model_);
+  table_->setColumnHidden(GoesModel::kStudent, true);
+  table_->set_stretch_column(GoesModel::kExercise);
+  card->body()->addWidget(table_);
+  outer->addWidget(card, 1);
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_goes);
+  const auto open = [this](const QModelIndex& at) { Q_EMIT report_wanted(model_->row(at.row()).session); };
+  connect(table_, &Table::row_opened, this, open);
+  connect(table_, &QTableView::clicked, this, [open](const QModelIndex& at) {
+    if (at.column() == GoesModel::kOpen) open(at);
+  });
+  show_goes();
+  setFocusProxy(table_);
+}
+
+void OwnHistory::show_goes() {
+  const QString chosen = exercise_->currentData().toString();
+  std::vector<HistoryRow> rows;
+  for (const HistoryRow& go : all_) {
+    if (chosen.isEmpty() || QString::fromStdString(go.scenario.text()) == chosen) rows.push_back(go);
+  }
+  // A chart is of one exercise: of the chosen one, or of the one drilled last.
+  std::vector<HistoryRow> drawn;
+  for (const HistoryRow& go : rows) {
+    if (go.scenario == rows.front().scenario && go.device_class == rows.front().device_class) drawn.push_back(go);
+  }
+  by_go_->set_data(score_by_go(drawn));
+  by_time_->set_data(time_and_score(drawn));
+  model_->set_rows(std::move(rows));
+  table_->choose_row(0);
+}
+
+}  // namespace cusp

@@ -1,0 +1,36 @@
+/// One's own goes: chart and table, by exercise. Enter opens the report.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/student/course.h"
+
+class QComboBox;
+
+namespace cusp {
+
+class Chart;
+class Table;
+
+class OwnHistory : public QWidget {
+  Q_OBJECT
+
+ public:
+  OwnHistory(Store& store, const Actor& student, QWidget* parent = nullptr);
+  Table* table() const { return table_; }
+  QComboBox* exercise() const { return exercise_; }
+
+ Q_SIGNALS:
+  void report_wanted(const cusp::SessionId& session);
+  void exercises_wanted();
+
+ private:
+  void show_goes();
+  std::vector<HistoryRow> all_;
+  GoesModel* model_ = nullptr;
+  Table* table_ = nullptr;
+  QComboBox* exercise_ = nullptr;
+  Chart *by_go_ = nullptr, *by_time_ = nullptr;
+};
+
+}  // namespace cusp

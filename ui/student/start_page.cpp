@@ -1,0 +1,300 @@
+#include "ui/student/start_page.h"
+
+#include <QBoxLayout>
+#include <QDateTime>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "ui/app/sentences.h"
+#include "ui/student/briefing.h"
+#include "ui/student/history_charts.h"
+#include "ui/widgets/chart.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px at 100 %, of the page
+
+QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC); }
+
+QWidget* fact(const QString& name, const QString& value) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(make_label(name, TextRole::caption, false, "text2"));
+  column->addWidget(make_label(value));
+  return box;
+}
+
+}  // namespace
+
+StartPage::StartPage(Store& store, const Account& account, PictureShelf& pictures, const QDateTime& now, QWidget* parent)
+    : QWidget(parent), store_(store), pictures_(pictures) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto course = load_course(store, account.actor());
+  if (!course) {
+    const Told told = tell(course.error());
+    outer->addWidget(new EmptyState(u"warning"_qs, told.what, told.more, {}, Ink::bad));
+    return;
+  }
+  course_ = std::move(*course);
+  const int next = course_.next();
+  if (next >= 0) next_ = course_.rows[static_cast<std::size_t>(next)];
+
+  QVBoxLayout* body = nullptr;
+  outer->addWidget(make_scroll_page(&body));
+  bool due = false;
+  for (const CourseRow& row : course_.rows) due = due || row.due_utc_us.has_value();
+  body->addWidget(new PageHead(due ? tr("Due next") : tr("Your practice"), format_day(now)));
+  columns_ = new QBoxLayout(QBoxLayout::LeftToRight);
+  columns_->setSpacing(px(16));
+  body->addLayout(columns_);
+  body->addStretch();
+
+  auto* main = new QWidget;
+  auto* column = new QVBoxLayout(main);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(16));
+  if (next_) {
+    column->addWidget(make_next(*next_));
+  } else {
+    auto* card = new Card;
+    card->body()->addWidget(new EmptyState(u"list"_qs, tr("No exercise yet"),
+                                           tr("This station has no exercise that can be read. Ask your teacher.")));
+    column->addWidget(card);
+  }
+  if (!course_.rows.empty()) column->addWidget(make_list());
+  if (QWidget* word = make_word(account)) column->addWidget(word);
+  auto* note = new QHBoxLayout;
+  note->setSpacing(px(8));
+  auto* sign = new QLabel;
+  sign->setPixmap(icon_pixmap(u"info"_qs, Ink::text2, 16, devicePixelRatioF()));
+  note->addWidget(sign);
+  note->addWidget(make_label(tr("Every go is kept, also one that broke off."), TextRole::caption, false, "text2"), 1);
+  column->addLayout(note);
+  column->addStretch();
+  columns_->addWidget(main, 1);
+
+  side_ = new QWidget;
+  auto* side = new QVBoxLayout(side_);
+  side->setContentsMargins(0, 0, 0, 0);
+  side->setSpacing(px(16));
+  side->addWidget(make_last(account));
+  side->addWidget(make_chart());
+  side->addStretch();
+  columns_->addWidget(side_);
+  connect(&pictures_, &PictureShelf::ready, this, &StartPage::show_picture);
+  if (start_) setFocusProxy(start_);
+}
+
+QWidget* StartPage::make_next(const CourseRow& row) {
+  const Scenario& s = row.exercise.scenario;
+  auto* card = new Card;
+  card->setAccessibleName(tr("Next exercise"));
+  card->body()->setContentsMargins(1, 1, 1, 1);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(0);
+  card->body()->addLayout(line);
+  picture_ = new QLabel;
+  picture_->setFixedSize(px(kPictureWidth), px(226));
+  picture_->setAccessibleName(tr("The tooth with its target"));
+  line->addWidget(picture_);
+  auto* text = new QVBoxLayout;
+  text->setContentsMargins(px(24), px(16), px(24), px(16));
+  text->setSpacing(px(4));
+  line->addLayout(text, 1);
+  text->addWidget(make_label(tr("Next"), TextRole::caption, false, "text2"));
+  text->addWidget(make_label(local(s.title), TextRole::live, true));
+  QLabel* what = make_label(local(s.briefing), TextRole::body, false, "text2");
+  what->setWordWrap(true);
+  what->setMaximumHeight(px(58));
+  text->addWidget(what);
+  text->addStretch();
+  auto* facts = new QHBoxLayout;
+  facts->setSpacing(px(20));
+  if (row.due_utc_us) facts->addWidget(fact(tr("Due"), format_day(moment(*row.due_utc_us))));
+  facts->addWidget(fact(tr("Goes"), row.goes_allowed ? tr("%1 of %2 used").arg(row.goes).arg(*row.goes_allowed)
+                                                     : format_number(row.goes, 0)));
+  facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
+                                                                       : tr("none yet")));
+  facts->addWidget(fact(tr("Burrs"), burrs_text(s)));
+  facts->addStretch();
+  text->addLayout(facts);
+  text->addStretch();
+  auto* acts = new QHBoxLayout;
+  acts->setSpacing(px(12));
+  start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
+  start_->setMinimumWidth(px(106));
+  QPushButton* briefing = make_large_button(tr("Briefing"), ButtonKind::standard);
+  acts->addWidget(start_);
+  acts->addWidget(briefing);
+  acts->addStretch();
+  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, false, "text3"));
+  text->addLayout(acts);
+  start_->setAutoDefault(true);
+  connect(start_, &QPushButton::clicked, this, [this] { Q_EMIT start_wanted(next_->exercise); });
+  connect(briefing, &QPushButton::clicked, this, [this] { Q_EMIT briefing_wanted(next_->exercise); });
+  show_picture();
+  return card;
+}
+
+QWidget* StartPage::make_list() {
+  auto* card = new Card;
+  card->body()->setContentsMargins(px(8), px(12), px(8), px(8));
+  QLabel* title = make_label(tr("Your exercises"), TextRole::section, true);
+  title->setContentsMargins(px(8), 0, 0, 0);
+  card->body()->addWidget(title);
+  table_ = new Table;
+  table_->setAccessibleName(tr("Your exercises"));
+  auto* model = new CourseModel(course_.rows, this);
+  table_->setModel(model);
+  table_->set_stretch_column(CourseModel::kExercise);
+  bool due = false;
+  for (const CourseRow& row : course_.rows) due = due || row.due_utc_us.has_value();
+  table_->setColumnHidden(CourseModel::kDue, !due);
+  table_->set_rows_shown(8);
+  table_->choose_row(course_.next());
+  card->body()->addWidget(table_);
+  const auto open = [this, model](const QModelIndex& at) { Q_EMIT briefing_wanted(model->row(at.row()).exercise); };
+  connect(table_, &Table::row_opened, this, open);
+  connect(table_, &QTableView::clicked, this, [open](const QModelIndex& at) {
+    if (at.column() == CourseModel::kOpen) open(at);
+  });
+  return card;
+}
+
+QWidget* StartPage::make_last(const Account& account) {
+  const HistoryRow* last = course_.last_graded();
+  if (!last) {
+    auto* card = new Card(tr("Last result"));
+    card->body()->addWidget(new EmptyState(u"chart"_qs, tr("No result yet"),
+                                           tr("After the first go its points and what to do next time stand here.")));
+    return card;
+  }
+  auto* card = new Card(tr("Last result"), format_day(moment(last->started_utc_us)));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(12));
+  row->addWidget(make_label(format_points(*last->score), TextRole::score, true));
+  auto* of = new QVBoxLayout;
+  of->setSpacing(px(2));
+  of->addStretch();
+  of->addWidget(make_label(tr("of 100"), TextRole::body, false, "text2"));
+  of->addWidget(new Chip(result_text(*last), static_cast<Chip::Kind>(result_chip(*last))));
+  of->addStretch();
+  row->addLayout(of);
+  row->addStretch();
+  const auto best = store_.history.best_before(account.actor(), last->session);
+  if (best && *best && (*best)->score) {
+    const double apart = *last->score - *(*best)->score;
+    const QString points = format_points(std::abs(apart));
+    QLabel* against = make_label(apart > 0    ? tr("%1 more than\nyour best before").arg(points)
+                                 : apart == 0 ? tr("the same as\nyour best before")
+                                              : tr("%1 less than\nyour best before").arg(points),
+                                 TextRole::caption, false, "text2");
+    against->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
+    row->addWidget(against);
+  }
+  card->body()->addLayout(row);
+  card->body()->addWidget(make_label(local(last->title), TextRole::caption, false, "text2"));
+  card->body()->addWidget(make_rule());
+  card->body()->addWidget(make_label(tr("What to do next time"), TextRole::body, true));
+  const auto details = store_.history.details(account.actor(), last->session);
+  int shown = 0;
+  if (details && details->grade) {
+    std::vector<const CriterionGrade*> lost;
+    for (const CriterionGrade& c : details->grade->grade.criteria) {
+      if (c.points < c.points_max && !advice_text(c).isEmpty()) lost.push_back(&c);
+    }
+    std::sort(lost.begin(), lost.end(), [](const CriterionGrade* a, const CriterionGrade* b) {
+      return a->points_max - a->points > b->points_max - b->points;
+    });
+    for (const CriterionGrade* c : lost) {
+      if (++shown > 2) break;
+      auto* line = new QHBoxLayout;
+      line->setSpacing(px(8));
+      auto* sign = new QLabel;
+      sign->setPixmap(icon_pixmap(c->id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, 16, devicePixelRatioF()));
+      line->addWidget(sign, 0, Qt::AlignTop);
+      QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(metric_name(c->id).toHtmlEscaped(), advice_text(*c).toHtmlEscaped()));
+      text->setWordWrap(true);
+      line->addWidget(text, 1);
+      card->body()->addLayout(line);
+    }
+  }
+  if (shown == 0) card->body()->addWidget(make_label(tr("Nothing: every criterion has its full points."), TextRole::body, false, "text2"));
+  QPushButton* report = make_button(tr("Open the report"));
+  card->body()->addWidget(report, 0, Qt::AlignLeading);
+  connect(report, &QPushButton::clicked, this, [this, session = last->session] { Q_EMIT report_wanted(session); });
+  return card;
+}
+
+QWidget* StartPage::make_chart() {
+  // One exercise and one device class a chart: those of the last result.
+  const HistoryRow* last = course_.last_graded();
+  std::vector<HistoryRow> goes;
+  if (last) {
+    for (const HistoryRow& go : course_.goes) {
+      if (go.scenario == last->scenario && go.device_class == last->device_class && go.score) goes.push_back(go);
+    }
+  }
+  auto* card = new Card(tr("Time and score"), last ? local(last->title) : QString());
+  if (goes.empty()) {
+    card->body()->addWidget(new EmptyState(u"clock"_qs, tr("Nothing to draw yet"), tr("Each go becomes one point.")));
+    return card;
+  }
+  auto* chart = new Chart;
+  chart->set_data(time_and_score(goes));
+  chart->setFixedHeight(px(200));
+  card->body()->addWidget(chart);
+  QLabel* note = make_label(tr("Time earns no points. %1 only, %n go(es).", nullptr, static_cast<int>(goes.size()))
+                                .arg(device_name(last->device_class)),
+                            TextRole::caption, false, "text2");
+  note->setWordWrap(true);
+  card->body()->addWidget(note);
+  std::reverse(goes.begin(), goes.end());
+  connect(chart, &Chart::point_opened, this, [this, goes](int, int point) {
+    Q_EMIT report_wanted(goes[static_cast<std::size_t>(point)].session);
+  });
+  return card;
+}
+
+QWidget* StartPage::make_word(const Account& account) {
+  for (const HistoryRow& go : course_.goes) {
+    const auto comments = store_.comments.of(go.session);
+    if (!comments || comments->empty()) continue;
+    const Comment& c = comments->back();
+    const auto author = store_.people.find(c.author);
+    auto* card = new Card(tr("From your teacher"), tr("on your go of %1").arg(format_day(moment(go.started_utc_us))));
+    const QString who = author ? QString::fromStdString(author->name) : tr("Teacher");
+    QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));
+    text->setWordWrap(true);
+    card->body()->addWidget(text);
+    return card;
+  }
+  Q_UNUSED(account);
+  return nullptr;
+}
+
+void StartPage::show_picture() {
+  if (!picture_ || !next_) return;
+  show_covering(picture_, pictures_.picture(next_->exercise, {}, PictureShelf::Use::card, tokens().dark), px(7));
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (!columns_) return;
+  const bool narrow = width() < px(kStackBelow);
+  columns_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  side_->setMinimumWidth(narrow ? 0 : px(kSideWidth));
+  side_->setMaximumWidth(narrow ? QWIDGETSIZE_MAX : px(kSideWidth));
+}
+
+}  // namespace cusp

@@ -1,0 +1,56 @@
+/// What a student sees first: the next exercise, the list, the last result with what to do next time, and time against
+/// score. Everything from the records; where nothing is yet it says so.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/student/course.h"
+#include "ui/student/picture_shelf.h"
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace cusp {
+
+class Card;
+class Table;
+
+class StartPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  StartPage(Store& store, const Account& account, PictureShelf& pictures, const QDateTime& now,
+            QWidget* parent = nullptr);
+  QPushButton* start_button() const { return start_; }
+  Table* table() const { return table_; }
+
+ Q_SIGNALS:
+  void start_wanted(const cusp::Exercise& exercise);
+  void briefing_wanted(const cusp::Exercise& exercise);
+  void report_wanted(const cusp::SessionId& session);
+  void exercises_wanted();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QWidget* make_next(const CourseRow& row);
+  QWidget* make_list();
+  QWidget* make_last(const Account& account);
+  QWidget* make_chart();
+  QWidget* make_word(const Account& account);
+  void show_picture();
+
+  Store& store_;
+  PictureShelf& pictures_;
+  Course course_;
+  std::optional<CourseRow> next_;
+  QBoxLayout* columns_ = nullptr;
+  QWidget* side_ = nullptr;
+  QLabel* picture_ = nullptr;
+  QPushButton* start_ = nullptr;
+  Table* table_ = nullptr;
+};
+
+}  // namespace cusp
