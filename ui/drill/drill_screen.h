@@ -5,8 +5,10 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "engine/base/haptic_port.h"
+#include "ui/app/ports.h"
 #include "ui/session/exercise_run.h"
 
 namespace cusp {
@@ -20,12 +22,13 @@ class DrillScreen : public QWidget {
   Q_OBJECT
 
  public:
-  explicit DrillScreen(QWidget* parent = nullptr);
+  explicit DrillScreen(QWidget* parent = nullptr, Ports ports = Ports::of_the_system());
   ~DrillScreen() override;
 
   /// Builds the specimen and starts the go in the background; `port` null: mouse and keys. Pre: no go is running.
   void begin(RunPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
+  class ToothView* view() const;
 
  public Q_SLOTS:
   /// Stops the clock and the force; the same again goes on.
@@ -46,10 +49,16 @@ class DrillScreen : public QWidget {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void look();
+  void opened(std::shared_ptr<void> go, const std::optional<RunFailure>& failure);
+  void finish_now();
+  void graded(const std::shared_ptr<Run<RunResult>>& result);
+  void enable_controls(bool on);
+
   struct Inner;
   std::unique_ptr<Inner> inner_;
 };

@@ -82,6 +82,7 @@ class ToothView::Surface : public QOpenGLWidget {
     view_.draw_start_ = std::chrono::steady_clock::now();
     view_.drawn_ = true;
     view_.asked_.store(false);
+    if (view_.burr_source_) view_.scene_.burr = view_.burr_source_();
     if (all_changed) {
       picture_->clear();
       for (const auto& [brick, patch] : view_.store_.patches()) picture_->put(patch);
@@ -213,16 +214,24 @@ void ToothView::set_target_shown(bool on) {
   repaint_soon();
 }
 
-void ToothView::set_burr(const std::optional<BurrPose>& burr) {
+bool ToothView::moved_visibly(const std::optional<BurrPose>& burr) const {
   const auto& now = scene_.burr;
-  // A burr that moves by less than a tenth of a pixel is where it was.
-  const bool same = burr.has_value() == now.has_value() &&
-                    (!burr || (burr->burr == now->burr && burr->turning == now->turning && burr->axis == now->axis &&
-                               glm::length(burr->pivot_mm - now->pivot_mm) *
-                                       scene_.camera.px_per_mm(std::min(width(), height())) < 0.1));
-  if (same) return;
+  if (burr.has_value() != now.has_value()) return true;
+  if (!burr) return false;
+  // A burr that moves by less than a fifth of a pixel is where it was.
+  return !(burr->burr == now->burr) || burr->turning != now->turning || burr->axis != now->axis ||
+         glm::length(burr->pivot_mm - now->pivot_mm) * scene_.camera.px_per_mm(std::min(width(), height())) > 0.2;
+}
+
+void ToothView::set_burr(const std::optional<BurrPose>& burr) {
+  if (!moved_visibly(burr)) return;
   scene_.burr = burr;
   repaint_soon();
+}
+
+void ToothView::follow_burr(std::chrono::milliseconds pause) {
+  if (!burr_source_ || std::chrono::steady_clock::now() - draw_start_ < pause) return;
+  if (moved_visibly(burr_source_())) repaint_soon();
 }
 
 void ToothView::set_cutaway(std::optional<SectionImage> image) {

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 #include <atomic>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -38,6 +40,11 @@ class ToothView : public QWidget {
   void set_target_shown(bool on);
   bool target_shown() const { return scene_.show_target; }
   void set_burr(const std::optional<BurrPose>& burr);
+  /// Asked at the start of every frame, so that the burr is drawn where it is then; replaces set_burr.
+  void set_burr_source(std::function<std::optional<BurrPose>()> source) { burr_source_ = std::move(source); }
+  /// Asks for a frame when the burr has moved and none came within `pause`, so that a burr alone never doubles the
+  /// frames that the mesh asks for.
+  void follow_burr(std::chrono::milliseconds pause);
   /// Takes away what lies before the image's plane and closes it with the image; nullopt: whole tooth.
   void set_cutaway(std::optional<SectionImage> image);
 
@@ -87,6 +94,7 @@ class ToothView : public QWidget {
   class Surface;  // the QOpenGLWidget
   friend class Surface;
   void repaint_soon();
+  bool moved_visibly(const std::optional<BurrPose>& burr) const;
   void read_theme();
   void frame_ended();
 
@@ -97,6 +105,7 @@ class ToothView : public QWidget {
   std::vector<OverlayLine> lines_;
   std::optional<SectionImage> section_;
   FrameStats* stats_ = nullptr;
+  std::function<std::optional<BurrPose>()> burr_source_;
   TickTimes changes_;                      // shown by the frame being drawn
   std::chrono::steady_clock::time_point draw_start_;
   QPointF last_;

@@ -1,0 +1,127 @@
+#include "ui/drill/burr_tray.h"
+
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+/// One burr: its silhouette to scale, number and diameter.
+class BurrButton : public QAbstractButton {
+ public:
+  BurrButton(const Burr& burr, QWidget* parent) : QAbstractButton(parent), burr_(burr) {
+    setCheckable(true);
+    setFocusPolicy(Qt::TabFocus);
+    number_ = QString::fromStdString(burr.name);
+    //: Kind of burr and its diameter in mm, as "round 1.0".
+    kind_ = BurrTray::tr("round %1").arg(format_number(2 * burr.radius_mm, 1));
+    setAccessibleName(BurrTray::tr("Burr %1, round, %2").arg(number_, format({2 * burr.radius_mm, {}, QStringLiteral("mm"), 1})));
+    setToolTip(accessibleName());
+  }
+  QSize sizeHint() const override {
+    const int text = std::max(QFontMetrics(font_of(TextRole::body, true)).horizontalAdvance(number_),
+                              QFontMetrics(font_of(TextRole::caption)).horizontalAdvance(kind_));
+    return {px(46) + text, px(56)};
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Tokens& t = tokens();
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
+    const bool on = isChecked();
+    p.setPen(QPen(on ? t.accent : t.line, on ? 2 : 1));
+    p.setBrush(on ? t.accent_soft : underMouse() ? t.hover : t.surface);
+    p.drawRoundedRect(box, px(4), px(4));
+    if (hasFocus()) {
+      p.setPen(QPen(t.accent, 2));
+      p.setBrush(Qt::NoBrush);
+      p.drawRoundedRect(box.adjusted(3, 3, -3, -3), px(3), px(3));
+    }
+    // Three pixels a tenth of a millimetre would be to scale and too large: the ball's size is, the lengths are not.
+    const double x = px(17), r = std::clamp(burr_.radius_mm * px(6.5), double(px(2)), double(px(7)));
+    const double neck = std::max(burr_.neck_radius_mm * px(6.5), 1.0), shank = px(3.2);
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.text3);
+    p.drawRect(QRectF(x - shank, px(9), 2 * shank, px(13)));
+    p.setBrush(t.text2);
+    p.drawRect(QRectF(x - neck, px(22), 2 * neck, px(12)));
+    p.drawEllipse(QPointF(x, px(44) - r), r, r);
+    p.drawRect(QRectF(x - neck, px(30), 2 * neck, px(44) - 2 * r - px(30) + 1));
+    p.setPen(t.text);
+    p.setFont(font_of(TextRole::body, true));
+    p.drawText(QRectF(px(34), px(9), width() - px(36), px(20)), Qt::AlignVCenter | Qt::AlignLeft, number_);
+    p.setPen(t.text2);
+    p.setFont(font_of(TextRole::caption));
+    p.drawText(QRectF(px(34), px(28), width() - px(36), px(18)), Qt::AlignVCenter | Qt::AlignLeft, kind_);
+  }
+  void enterEvent(QEnterEvent*) override { update(); }
+  void leaveEvent(QEvent*) override { update(); }
+
+ private:
+  Burr burr_;
+  QString number_, kind_;
+};
+
+}  // namespace
+
+BurrTray::BurrTray(QWidget* parent) : QFrame(parent) {
+  set_kind(this, "bar_bottom");
+  setFixedHeight(px(72));
+  auto* lay = new QHBoxLayout(this);
+  lay->setContentsMargins(px(12), px(8), px(12), px(8));
+  lay->setSpacing(px(8));
+  auto* names = new QVBoxLayout;
+  names->setSpacing(0);
+  names->addStretch();
+  names->addWidget(make_label(tr("Burrs"), TextRole::body, true));
+  names->addWidget(make_label(tr("[ and ]"), TextRole::caption, false, "text2"));
+  names->addStretch();
+  lay->addLayout(names);
+  lay->addSpacing(px(20));
+  row_ = new QHBoxLayout;
+  row_->setSpacing(px(6));
+  lay->addLayout(row_);
+  lay->addStretch();
+  group_ = new QButtonGroup(this);
+  connect(group_, &QButtonGroup::idClicked, this, &BurrTray::burr_chosen);
+}
+
+void BurrTray::set_burrs(const std::vector<Burr>& burrs) {
+  for (QAbstractButton* button : group_->buttons()) {
+    group_->removeButton(button);
+    delete button;
+  }
+  count_ = static_cast<int>(burrs.size());
+  for (int i = 0; i < count_; ++i) {
+    auto* button = new BurrButton(burrs[static_cast<std::size_t>(i)], this);
+    group_->addButton(button, i);
+    row_->addWidget(button);
+  }
+  choose(0);
+}
+
+void BurrTray::choose(int index) {
+  if (QAbstractButton* button = group_->button(index)) button->setChecked(true);
+}
+
+int BurrTray::chosen() const { return group_->checkedId(); }
+
+void BurrTray::step(int by) {
+  const int to = std::clamp(chosen() + by, 0, std::max(count_ - 1, 0));
+  if (to == chosen() || count_ == 0) return;
+  choose(to);
+  Q_EMIT burr_chosen(to);
+}
+
+}  // namespace cusp

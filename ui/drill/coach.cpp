@@ -1,0 +1,34 @@
+#include "ui/drill/coach.h"
+
+#include <algorithm>
+
+namespace cusp {
+namespace {
+
+constexpr double kThinMm = 0.5;          // dentine over the pulp that is worth a word
+constexpr double kReachedMm = 0.1;       // this near the floor it is reached: a tenth is what the gauge shows
+constexpr double kAlmostAllPercent = 97;
+constexpr double kFirstMm3 = 0.01;       // less is a touch, not a cut
+
+}  // namespace
+
+CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double burr_radius_mm) {
+  double removed = 0;
+  for (const double mm3 : live.removed_mm3) removed += mm3;
+  if (live.pulp_exposed) return {Coach::pulp_open, 0};
+  if (removed < kFirstMm3) return {Coach::begin, 0};
+  if (shape.empty()) return {};
+  if (live.over_pulp_mm && *live.over_pulp_mm < kThinMm) return {Coach::over_pulp, *live.over_pulp_mm};
+  const double floor_depth = shape.top_mm() - shape.floor_mm();
+  const double left = floor_depth - live.burr_depth_mm;
+  const Vec3 at = live.output.proxy_mm;
+  const double beside = shape.outline_mm({at.x, at.y}) + burr_radius_mm;  // of the burr's side beyond the wall
+  if (live.output.contact && beside > leeway.side_mm) return {Coach::outside, beside};
+  if (live.output.contact && left < -kReachedMm) return {Coach::too_deep, -left};
+  if (live.target_removed_percent >= kAlmostAllPercent) return {Coach::finish, 0};
+  if (!live.output.contact) return {};
+  if (left > kReachedMm) return {Coach::deeper, left};
+  return {Coach::sideways, 0};
+}
+
+}  // namespace cusp

@@ -1,0 +1,46 @@
+#include "ui/drill/compass.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+
+Compass::Compass(const ToothView& view, QWidget* parent) : QWidget(parent), view_(view) {
+  setFixedSize(px(62), px(62));
+  setAccessibleName(tr("Directions"));
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+void Compass::paintEvent(QPaintEvent*) {
+  const Tokens& t = tokens();
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const QPointF middle(width() / 2.0, height() / 2.0);
+  p.setPen(QPen(t.line, 1));
+  p.setBrush(t.surface);
+  p.drawEllipse(middle, width() / 2.0 - 1, height() / 2.0 - 1);
+  const Vec3 right = view_.camera().right(), up = view_.camera().up();
+  p.setFont(font_of(TextRole::caption, true));
+  const struct {
+    Vec3 way;
+    QString letter;
+  } kWays[] = {{{1, 0, 0}, tr("M", "mesial")},
+               {{-1, 0, 0}, tr("D", "distal")},
+               {{0, 1, 0}, tr("B", "buccal")},
+               {{0, -1, 0}, tr("L", "lingual")}};
+  for (const auto& [way, letter] : kWays) {
+    QPointF to(glm::dot(way, right), -glm::dot(way, up));
+    const double length = std::hypot(to.x(), to.y());
+    if (length < 0.25) continue;  // points at the viewer or away
+    to /= length;
+    p.setPen(QPen(t.border, 1));
+    p.drawLine(middle + to * px(4), middle + to * px(13));
+    p.setPen(t.text);
+    const QPointF at = middle + to * px(21);
+    p.drawText(QRectF(at.x() - px(8), at.y() - px(8), px(16), px(16)), Qt::AlignCenter, letter);
+  }
+}
+
+}  // namespace cusp

@@ -1,0 +1,67 @@
+/// Follows a running go on the mirror's thread: rebuilds the mesh where the tooth changed, draws the section a few
+/// times a second, and notes when voxels changed. What it makes is taken by the window's thread.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "ui/render/patch_feed.h"
+#include "ui/render/section.h"
+#include "ui/render/target_look.h"
+#include "ui/session/observer.h"
+
+namespace cusp {
+
+/// Which section the window wants; the plane goes through the burr.
+struct SectionWish {
+  Vec3 right{0.0, -1.0, 0.0}, up{0.0, 0.0, 1.0};  // unit
+  int width = 271, height = 202;
+  double mm_per_px = 0.045;
+  Vec3 shift_mm{0.0};   // of the picture's middle from the burr's pivot
+  bool with_burr = true;
+};
+
+class DrillFeed : public Observer {
+ public:
+  /// `changed` is called on the mirror's thread when there is something to take.
+  DrillFeed(std::shared_ptr<PatchFeed> patches, TargetLook look, std::function<void()> changed)
+      : patches_(std::move(patches)), look_(std::move(look)), changed_(std::move(changed)) {}
+
+  void on_tick(const StepInput& input, const StepState& after) override;
+  void on_state(const StepState& state, const StateNews& news) override;
+
+  /// Window's thread. One section for the panel, one as the lid of the cutaway; nullopt: not wanted.
+  void want_sections(const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid);
+  /// Window's thread. The newest since the last taking.
+  std::optional<SectionImage> take_panel();
+  std::optional<SectionImage> take_lid();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  /// When the tick happened in the loop: the mirror sees it later.
+  Clock::time_point time_of(std::uint64_t elapsed_us);
+  SectionImage draw(const StepState& state, const SectionWish& wish) const;
+
+  std::shared_ptr<PatchFeed> patches_;
+  TargetLook look_;
+  std::function<void()> changed_;
+
+  // Mirror's thread only.
+  TickTimes changes_;
+  std::uint64_t cutting_ticks_ = 0;
+  std::optional<Clock::duration> least_lead_, least_before_;  // wall clock less session clock: this half second, the last
+  Clock::time_point lead_since_{};
+  Clock::time_point section_at_{};
+  Vec3 section_burr_{1e9};
+  bool section_stale_ = true;
+
+  std::mutex mutex_;  // guards what follows; held for a copy or a move
+  std::optional<SectionWish> panel_wish_, lid_wish_;
+  std::optional<SectionImage> panel_, lid_;
+  bool wishes_changed_ = false;
+};
+
+}  // namespace cusp

@@ -1,0 +1,439 @@
+#include "ui/drill/drill_screen.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QShortcut>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "device/pointer/pointer_port.h"
+#include "ui/drill/burr_tray.h"
+#include "ui/drill/coach.h"
+#include "ui/drill/drill_feed.h"
+#include "ui/drill/drill_stage.h"
+#include "ui/drill/frame_stats.h"
+#include "ui/drill/pointer_input.h"
+#include "ui/drill/score_panel.h"
+#include "ui/drill/tooth_view.h"
+#include "ui/session/scene_builder.h"
+#include "ui/widgets/busy.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kLookMs = 33;           // burr and clock
+constexpr int kTextEvery = 3;         // looks between two of texts and gauges, about ten a second
+constexpr std::chrono::milliseconds kFollow{30};
+constexpr double kUsualPushN = 0.8;   // about what a handpiece is led with
+constexpr double kStartAboveMm = 1.5;
+
+/// What the worker makes before the go starts, and hands to the window.
+struct Opened {
+  std::unique_ptr<HapticPort> port;
+  PointerPort* pointer = nullptr;  // the port, when it is the mouse
+  std::shared_ptr<PatchFeed> patches;
+  std::shared_ptr<DrillFeed> feed;
+  std::vector<OverlayLine> lines;
+  std::shared_ptr<TargetLook> look;
+  Box bounds;
+  bool has_pulp = false;
+  std::unique_ptr<ExerciseRun> run;
+};
+
+/// Place above the target where the burr begins, clear of all tissue.
+Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Burr& burr) {
+  const Grid& grid = specimen.grid();
+  const Vec3 top = grid.centre_mm(grid.size);
+  Vec3 at = 0.5 * (grid.origin_mm + top);
+  if (!look.empty()) {
+    at.x = 0.5 * (look.shape().low().x + look.shape().high().x);
+    at.y = 0.5 * (look.shape().low().y + look.shape().high().y);
+  }
+  at.z = top.z + burr.radius_mm + kStartAboveMm;
+  return at;
+}
+
+}  // namespace
+
+struct DrillScreen::Inner {
+  Ports ports;
+  // Widgets.
+  QLabel *title, *aside, *clock, *device;
+  QPushButton *leave, *pause, *finish;
+  DrillStage* stage;
+  ScorePanel* panel;
+  BurrTray* tray;
+  Busy* busy;
+  QTimer look_timer;
+
+  // The go.
+  std::shared_ptr<Opened> go;
+  std::unique_ptr<PointerInput> input;
+  std::thread worker;
+  FrameStats stats;
+  LiveView live;
+  int looks = 0;
+  bool paused = false, working = false, over = false;
+  LoopPhase shown_phase = LoopPhase::ready;
+};
+
+DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_(std::make_unique<Inner>()) {
+  Inner& in = *inner_;
+  in.ports = std::move(ports);
+  set_kind(this, "page");
+  setFocusPolicy(Qt::StrongFocus);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+
+  auto* bar = new QFrame(this);
+  set_kind(bar, "bar_top");
+  bar->setFixedHeight(px(48));
+  auto* top = new QHBoxLayout(bar);
+  top->setContentsMargins(px(12), 0, px(12), 0);
+  top->setSpacing(px(12));
+  in.leave = make_button(tr("Leave"), ButtonKind::quiet, QStringLiteral("chevron_left"));
+  connect(in.leave, &QPushButton::clicked, this, &DrillScreen::ask_leave);
+  top->addWidget(in.leave);
+  top->addWidget(make_rule(Qt::Vertical));
+  in.title = make_label({}, TextRole::section, true);
+  in.aside = make_label({});
+  set_kind(in.aside, "tag");
+  top->addWidget(in.title);
+  top->addWidget(in.aside);
+  top->addStretch(1);
+  auto* clock_sign = new QLabel(bar);
+  clock_sign->setPixmap(icon_pixmap(QStringLiteral("clock"), Ink::text2, 16, devicePixelRatioF()));
+  in.clock = make_label(format_clock(0), TextRole::live, true);
+  in.clock->setAccessibleName(tr("Time"));
+  in.clock->setMinimumWidth(QFontMetrics(font_of(TextRole::live, true)).horizontalAdvance(QStringLiteral("00:00:00")));
+  top->addWidget(clock_sign);
+  top->addWidget(in.clock);
+  top->addStretch(1);
+  in.device = make_label({}, TextRole::body, false, "text2");
+  top->addWidget(in.device);
+  in.pause = make_button(tr("Pause"), ButtonKind::standard, QStringLiteral("pause"), QKeySequence(Qt::Key_P));
+  connect(in.pause, &QPushButton::clicked, this, &DrillScreen::toggle_pause);
+  top->addWidget(in.pause);
+  in.finish = make_button(tr("Finish"), ButtonKind::primary, QStringLiteral("flag"),
+                          QKeySequence(Qt::CTRL | Qt::Key_Return));
+  connect(in.finish, &QPushButton::clicked, this, &DrillScreen::ask_finish);
+  top->addWidget(in.finish);
+  column->addWidget(bar);
+
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(0);
+  auto* left = new QVBoxLayout;
+  left->setSpacing(0);
+  in.stage = new DrillStage(this);
+  connect(in.stage, &DrillStage::go_on, this, &DrillScreen::toggle_pause);
+  connect(in.stage, &DrillStage::leave, this, &DrillScreen::ask_leave);
+  connect(in.stage, &DrillStage::sections_wanted, this,
+          [this](const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid) {
+            if (inner_->go) inner_->go->feed->want_sections(panel, lid);
+          });
+  left->addWidget(in.stage, 1);
+  in.tray = new BurrTray(this);
+  connect(in.tray, &BurrTray::burr_chosen, this, [this](int index) {
+    if (inner_->go && inner_->go->run) inner_->go->run->change_burr(static_cast<std::size_t>(index));
+    if (inner_->go && inner_->go->pointer) inner_->go->pointer->hand().set_burr(static_cast<std::uint16_t>(index));
+  });
+  left->addWidget(in.tray);
+  middle->addLayout(left, 1);
+  in.panel = new ScorePanel(this);
+  middle->addWidget(in.panel);
+  column->addLayout(middle, 1);
+
+  in.busy = new Busy(in.stage);
+  in.busy->hide();
+  in.stage->set_centre(in.busy);
+  in.stage->view()->set_stats(&in.stats);
+  in.stage->view()->installEventFilter(this);
+
+  in.look_timer.setInterval(kLookMs);
+  connect(&in.look_timer, &QTimer::timeout, this, [this] { look(); });
+  const auto key = [this](const QKeySequence& keys, auto act) {
+    connect(new QShortcut(keys, this), &QShortcut::activated, this, act);
+  };
+  key(QKeySequence(Qt::Key_BracketLeft), [this] { inner_->tray->step(-1); });
+  key(QKeySequence(Qt::Key_BracketRight), [this] { inner_->tray->step(+1); });
+  key(QKeySequence(Qt::CTRL | Qt::Key_P), [this] { inner_->panel->setVisible(!inner_->panel->isVisible()); });
+  key(QKeySequence(Qt::CTRL | Qt::Key_Enter), [this] { ask_finish(); });
+  key(QKeySequence(Qt::CTRL | Qt::Key_Space), [this] { announce(this, inner_->stage->spoken()); });
+  enable_controls(false);
+}
+
+DrillScreen::~DrillScreen() {
+  if (inner_->worker.joinable()) inner_->worker.join();
+  inner_->look_timer.stop();
+  // The view outlives the go by a moment: nothing may be asked of it any more.
+  inner_->stage->view()->set_burr_source({});
+  inner_->stage->view()->set_stats(nullptr);
+  inner_->input.reset();
+  if (inner_->go) inner_->go->run.reset();
+}
+
+bool DrillScreen::running() const { return inner_->go && inner_->go->run && !inner_->over; }
+
+ToothView* DrillScreen::view() const { return inner_->stage->view(); }
+
+void DrillScreen::enable_controls(bool on) {
+  inner_->pause->setEnabled(on);
+  inner_->finish->setEnabled(on);
+  inner_->tray->setEnabled(on);
+  inner_->stage->enable_tools(on);
+}
+
+void DrillScreen::begin(RunPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port) {
+  Inner& in = *inner_;
+  in.title->setText(text.title);
+  in.aside->setText(text.aside);
+  in.aside->setVisible(!text.aside.isEmpty());
+  in.tray->set_burrs(plan.scenario.instruments);
+  in.working = true;
+  in.busy->start(tr("Getting the tooth ready"), false);
+  // Qt's pointer guards the answer: the worker is joined before this screen goes.
+  auto answer = [this](std::shared_ptr<Opened> go, std::optional<RunFailure> failure) {
+    QMetaObject::invokeMethod(
+        this, [this, go = std::move(go), failure = std::move(failure)]() mutable { opened(std::move(go), failure); },
+        Qt::QueuedConnection);
+  };
+  QPointer<ToothView> view = in.stage->view();
+  auto shared_port = std::make_shared<std::unique_ptr<HapticPort>>(std::move(port));
+  in.worker = std::thread([plan = std::move(plan), shared_port, answer, view]() mutable {
+    auto go = std::make_shared<Opened>();
+    auto specimen = plan.specimen ? Run<std::shared_ptr<const Specimen>>(plan.specimen)
+                                  : build_specimen(plan.scenario, plan.scenario_folder);
+    if (!specimen) return answer(nullptr, specimen.error());
+    plan.specimen = *specimen;
+    go->look = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
+    go->patches = std::make_shared<PatchFeed>(go->look->feed());
+    {
+      const Volume whole(*specimen);
+      go->patches->build_all(whole);
+      go->lines = go->look->lines(whole);
+    }
+    const Grid& grid = (*specimen)->grid();
+    go->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
+    for (const ScenarioTissue& t : plan.scenario.tissues) go->has_pulp = go->has_pulp || t.tissue == Tissue::pulp;
+    go->feed = std::make_shared<DrillFeed>(go->patches, *go->look, [view] {
+      if (view) view->feed_changed();
+    });
+    plan.observers.push_back(go->feed.get());
+    if (*shared_port) {
+      go->port = std::move(*shared_port);
+    } else {
+      auto pointer = std::make_unique<PointerPort>(
+          start_place(**specimen, *go->look, plan.scenario.instruments.empty() ? Burr() : plan.scenario.instruments[0]));
+      go->pointer = pointer.get();
+      go->port = std::move(pointer);
+    }
+    auto run = ExerciseRun::start(std::move(plan), *go->port);
+    if (!run) return answer(nullptr, run.error());
+    go->run = std::move(*run);
+    answer(std::move(go), std::nullopt);
+  });
+}
+
+void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFailure>& failure) {
+  Inner& in = *inner_;
+  if (in.worker.joinable()) in.worker.join();
+  in.working = false;
+  in.busy->finish();
+  if (failure) {
+    in.over = true;
+    Q_EMIT failed(*failure);
+    return;
+  }
+  in.go = std::static_pointer_cast<Opened>(opaque);
+  Opened& go = *in.go;
+  const Scenario& scenario = go.run->scenario();
+  const bool is_tooth = scenario.specimen.generator != "block" && scenario.specimen.generator != "paper-block";
+  in.panel->set_exercise(scenario, !go.look->empty(), go.has_pulp, is_tooth);
+  in.panel->set_device(go.run->device());
+  in.stage->set_exercise(scenario, *go.look, go.bounds, go.pointer != nullptr, is_tooth);
+  ToothView* view = in.stage->view();
+  view->set_feed(go.patches);
+  view->set_lines(go.lines);
+  view->set_burr_source([this]() -> std::optional<BurrPose> {
+    if (!running() || inner_->working) return inner_->stage->view()->scene().burr;
+    const Scene& scene = *inner_->go->run->scene();
+    const StepOutput& out = inner_->go->run->view().output;
+    return BurrPose{scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)], out.proxy_mm, scene.tool_axis,
+                    out.cutting};
+  });
+  if (go.pointer) {
+    in.input = std::make_unique<PointerInput>(*view, go.pointer->hand(), go.run->scene()->tool_axis, kUsualPushN, nullptr);
+    connect(in.input.get(), &PointerInput::push_changed, in.stage, &DrillStage::show_wanted_push);
+    in.stage->show_wanted_push(in.input->push_n());
+  }
+  enable_controls(true);
+  in.look_timer.start();
+  setFocus();
+}
+
+void DrillScreen::look() {
+  Inner& in = *inner_;
+  if (!running() || in.working) return;
+  in.live = in.go->run->view();
+  in.stage->view()->follow_burr(kFollow);
+  if (auto image = in.go->feed->take_panel()) in.panel->section()->show_image(*image);
+  if (auto image = in.go->feed->take_lid()) in.stage->show_cutaway(std::move(*image));
+  if (in.looks++ % kTextEvery != 0) return;
+  const QString time = format_clock(in.live.seconds);
+  if (time != in.clock->text()) in.clock->setText(time);
+  in.panel->show_values(in.live);
+  in.tray->choose(in.live.output.burr);
+  in.stage->show_values(in.live);
+  const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
+  if (in.input) in.input->set_enabled(!stopped);
+  if (in.live.phase != in.shown_phase) {
+    in.shown_phase = in.live.phase;
+    in.pause->setText(stopped ? tr("Go on") : tr("Pause"));
+  }
+  // The clock of the exercise has run out, or inputs could not be kept: the go is graded as it stands.
+  const double limit = in.go->run->scenario().time_limit_s;
+  if ((limit > 0 && in.live.seconds >= limit) || in.live.end == LoopEnd::ring_full) finish_now();
+}
+
+void DrillScreen::toggle_pause() {
+  Inner& in = *inner_;
+  if (!running() || in.working) return;
+  if (in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held) {
+    in.go->run->resume();
+    setFocus();
+  } else {
+    if (in.input) in.input->let_go();
+    in.go->run->pause();
+  }
+}
+
+void DrillScreen::ask_finish() {
+  Inner& in = *inner_;
+  if (!running() || in.working) return;
+  if (in.input) in.input->let_go();
+  in.go->run->pause();
+  in.ports.ask(this, {tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")},
+               [self = QPointer(this)](bool yes) {
+                 if (!self || !self->running()) return;
+                 if (yes) {
+                   self->finish_now();
+                 } else {
+                   self->inner_->go->run->resume();
+                   self->setFocus();
+                 }
+               });
+}
+
+void DrillScreen::finish_now() {
+  Inner& in = *inner_;
+  if (!running() || in.working) return;
+  if (in.input) in.input->set_enabled(false);
+  in.working = true;
+  in.look_timer.stop();
+  enable_controls(false);
+  in.leave->setEnabled(false);
+  in.stats.write_where_asked();
+  in.busy->start(tr("Measuring the tooth"), false);
+  in.worker = std::thread([this, run = in.go->run.get()] {
+    auto result = std::make_shared<Run<RunResult>>(run->finish());
+    QMetaObject::invokeMethod(this, [this, result] { graded(result); }, Qt::QueuedConnection);
+  });
+}
+
+void DrillScreen::graded(const std::shared_ptr<Run<RunResult>>& result) {
+  Inner& in = *inner_;
+  if (in.worker.joinable()) in.worker.join();
+  in.working = false;
+  in.busy->finish();
+  in.leave->setEnabled(true);
+  if (!*result && result->error().code == RunError::recording_failed) {
+    // The disk may come back: nothing is lost while this screen stands.
+    in.stage->show_stopped(DrillStage::Stop::record, QString::fromStdString(result->error().where));
+    in.finish->setEnabled(true);
+    return;
+  }
+  in.over = true;
+  in.stage->view()->set_burr_source({});
+  in.go->run.reset();
+  if (*result) {
+    Q_EMIT finished(std::make_shared<const RunResult>(std::move(**result)));
+  } else {
+    Q_EMIT failed(result->error());
+  }
+}
+
+void DrillScreen::ask_leave() {
+  Inner& in = *inner_;
+  if (in.working) return;
+  if (!running()) {
+    Q_EMIT left();
+    return;
+  }
+  const auto leave = [self = QPointer(this)](bool yes) {
+    if (!self || !self->running()) return;
+    Inner& inner = *self->inner_;
+    if (!yes) {
+      inner.go->run->resume();
+      self->setFocus();
+      return;
+    }
+    inner.look_timer.stop();
+    inner.stats.write_where_asked();
+    inner.over = true;
+    inner.stage->view()->set_burr_source({});
+    inner.go->run->abandon();
+    inner.go->run.reset();
+    Q_EMIT self->left();
+  };
+  if (in.input) in.input->let_go();
+  double removed = 0;
+  for (const double mm3 : in.go->run->view().removed_mm3) removed += mm3;
+  if (removed <= 0) return leave(true);
+  in.go->run->pause();
+  in.ports.ask(this,
+               {tr("Leave this go?"),
+                in.live.recording == RecordingState::off ? tr("Nothing of it is kept.")
+                                                         : tr("It stays in your results as interrupted."),
+                tr("Leave"), true},
+               leave);
+}
+
+void DrillScreen::keyPressEvent(QKeyEvent* event) {
+  Inner& in = *inner_;
+  if (event->key() == Qt::Key_Escape) return ask_leave();
+  if (in.input && !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) &&
+      in.input->press_key(event->key(), event->isAutoRepeat()))
+    return;
+  if (event->modifiers() == Qt::NoModifier && in.stage->press_tool(event->key())) return;
+  QWidget::keyPressEvent(event);
+}
+
+void DrillScreen::keyReleaseEvent(QKeyEvent* event) {
+  if (event->isAutoRepeat()) return;
+  if (inner_->input && inner_->input->release_key(event->key())) return;
+  QWidget::keyReleaseEvent(event);
+}
+
+void DrillScreen::hideEvent(QHideEvent* event) {
+  if (inner_->input) inner_->input->let_go();
+  QWidget::hideEvent(event);
+}
+
+bool DrillScreen::eventFilter(QObject* watched, QEvent* event) {
+  // A click on the tooth brings the keys back to drilling.
+  if (event->type() == QEvent::MouseButtonPress) setFocus(Qt::MouseFocusReason);
+  if (event->type() == QEvent::WindowDeactivate && inner_->input) inner_->input->let_go();
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace cusp

@@ -1,0 +1,385 @@
+#include "ui/drill/drill_stage.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/app/sentences.h"
+#include "ui/drill/compass.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/icon.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr std::array<PresetView, 4> kTurns = {PresetView::working, PresetView::buccal, PresetView::distal,
+                                              PresetView::lingual};
+constexpr int kGap = 12;
+
+QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name, int number, bool checkable) {
+  QPushButton* out = make_button(name, ButtonKind::quiet, icon_name);
+  out->setParent(parent);
+  out->setCheckable(checkable);
+  out->setFocusPolicy(Qt::TabFocus);
+  out->setToolTip(QStringLiteral("%1 (%2)").arg(name).arg(number));
+  return out;
+}
+
+/// A sample of a line, as it is drawn on the tooth, before its name.
+class LineSample : public QWidget {
+ public:
+  LineSample(bool dashed, QWidget* parent) : QWidget(parent), dashed_(dashed) { setFixedSize(px(22), px(12)); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    QPen pen(dashed_ ? tokens().line_leeway : tokens().line_target, dashed_ ? 2 : 3);
+    if (dashed_) pen.setDashPattern({3, 2});
+    p.setPen(pen);
+    p.drawLine(0, height() / 2, width(), height() / 2);
+  }
+
+ private:
+  bool dashed_;
+};
+
+QFrame* make_card(QWidget* parent) {
+  auto* out = new QFrame(parent);
+  set_kind(out, "card");
+  return out;
+}
+
+}  // namespace
+
+DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(px(640), px(420));
+  view_ = new ToothView(this);
+
+  tools_ = make_card(this);
+  auto* row = new QHBoxLayout(tools_);
+  row->setContentsMargins(px(3), px(3), px(3), px(3));
+  row->setSpacing(px(2));
+  turn_ = tool(tools_, tr("Turn"), QStringLiteral("turn"), 1, false);
+  mirror_ = tool(tools_, tr("Mirror"), QStringLiteral("mirror"), 2, true);
+  cutaway_ = tool(tools_, tr("Cutaway"), QStringLiteral("cutaway"), 3, true);
+  above_ = tool(tools_, tr("From above"), QStringLiteral("eye"), 4, false);
+  target_ = tool(tools_, tr("Target"), QStringLiteral("target"), 5, true);
+  target_->setChecked(true);
+  int number = 1;
+  for (QPushButton* button : {turn_, mirror_, cutaway_, above_, target_}) {
+    row->addWidget(button);
+    row->addWidget(make_key_cap(QString::number(number++)));
+    row->addSpacing(px(6));
+  }
+  connect(turn_, &QPushButton::clicked, this, [this] {
+    preset_ = (preset_ + 1) % static_cast<int>(kTurns.size());
+    Camera camera = view_->camera();
+    camera.set_preset(kTurns[static_cast<std::size_t>(preset_)]);
+    view_->set_camera(camera);
+  });
+  connect(above_, &QPushButton::clicked, this, [this] {
+    preset_ = static_cast<int>(kTurns.size()) - 1;
+    Camera camera = view_->camera();
+    camera.set_preset(PresetView::occlusal);
+    view_->set_camera(camera);
+  });
+  connect(mirror_, &QPushButton::toggled, this, [this](bool on) {
+    Camera camera = view_->camera();
+    camera.set_mirrored(on);
+    view_->set_camera(camera);
+  });
+  connect(cutaway_, &QPushButton::toggled, this, [this](bool on) {
+    if (!on) view_->set_cutaway(std::nullopt);
+    want_sections();
+  });
+  connect(target_, &QPushButton::toggled, this, [this](bool on) {
+    view_->set_target_shown(on);
+    legend_->setVisible(on && look_ && !look_->empty());
+  });
+
+  depth_ = new Gauge(tr("Depth"), QStringLiteral("mm"), Gauge::Grows::down, this);
+  push_ = new Gauge(tr("Push"), QStringLiteral("N"), Gauge::Grows::up, this);
+  push_->set_range(0, 3, 0.5);
+  push_->set_scale_side(Gauge::ScaleSide::right);
+  wanted_push_ = make_label({}, TextRole::caption, false, "text2");
+  wanted_push_->setParent(this);
+  set_kind(wanted_push_, "tag");
+  wanted_push_->setAlignment(Qt::AlignCenter);
+  wanted_push_->hide();
+
+  coach_card_ = make_card(this);
+  auto* coach_row = new QHBoxLayout(coach_card_);
+  coach_row->setContentsMargins(px(16), px(8), px(16), px(8));
+  coach_row->setSpacing(px(12));
+  auto* sign = new QLabel(coach_card_);
+  sign->setPixmap(icon_pixmap(QStringLiteral("chevron_right"), Ink::good, 18, devicePixelRatioF()));
+  coach_row->addWidget(sign);
+  coach_ = make_label({}, TextRole::live, true);
+  coach_->setAccessibleName(tr("Coach"));
+  coach_row->addWidget(coach_);
+  coach_card_->hide();
+
+  legend_ = make_card(this);
+  auto* legend_row = new QHBoxLayout(legend_);
+  legend_row->setContentsMargins(px(12), px(7), px(12), px(7));
+  legend_row->setSpacing(px(6));
+  legend_row->addWidget(new LineSample(false, legend_));
+  legend_row->addWidget(make_label(tr("Target"), TextRole::caption));
+  legend_row->addSpacing(px(6));
+  legend_row->addWidget(new LineSample(true, legend_));
+  legend_row->addWidget(make_label(tr("Leeway"), TextRole::caption));
+  legend_->hide();
+
+  compass_ = new Compass(*view_, this);
+  compass_->hide();
+
+  stop_card_ = make_card(this);
+  auto* stop_column = new QVBoxLayout(stop_card_);
+  stop_column->setContentsMargins(px(24), px(16), px(24), px(16));
+  stop_column->setSpacing(px(8));
+  stop_title_ = make_label({}, TextRole::live, true);
+  stop_more_ = make_label({}, TextRole::body, false, "text2");
+  stop_more_->setWordWrap(true);
+  stop_column->addWidget(stop_title_);
+  stop_column->addWidget(stop_more_);
+  auto* ways = new QHBoxLayout;
+  stop_leave_ = make_button(tr("Leave"), ButtonKind::standard);
+  stop_go_on_ = make_button(tr("Go on"), ButtonKind::standard, QStringLiteral("play"));
+  connect(stop_leave_, &QPushButton::clicked, this, &DrillStage::leave);
+  connect(stop_go_on_, &QPushButton::clicked, this, &DrillStage::go_on);
+  ways->addStretch();
+  ways->addWidget(stop_leave_);
+  ways->addWidget(stop_go_on_);
+  stop_column->addLayout(ways);
+  stop_card_->hide();
+
+  connect(view_, &ToothView::camera_changed, this, [this] {
+    compass_->update();
+    if (cutaway_->isChecked()) want_sections();
+  });
+}
+
+void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse,
+                              bool is_tooth) {
+  look_ = look;
+  leeway_ = scenario.leeway;
+  burrs_ = scenario.instruments;
+  by_mouse_ = by_mouse;
+  is_tooth_ = is_tooth;
+  const double depth = look.empty() ? 2.0 : look.shape().top_mm() - look.shape().floor_mm();
+  const double most = std::ceil(2 * (depth + leeway_.floor_mm) + 0.5) / 2;
+  depth_->set_range(0, most, most > 4 ? 1.0 : 0.5);
+  if (!look.empty()) {
+    depth_->set_band(depth - leeway_.floor_mm, depth);
+    depth_->set_limit(depth + leeway_.floor_mm);
+  }
+  // Harder than full force cuts no faster.
+  if (scenario.device.full_force_n <= push_->most()) push_->set_limit(scenario.device.full_force_n);
+  depth_->set_value(std::nullopt);
+  push_->set_value(0.0);
+
+  const Vec3 middle = 0.5 * (bounds.low + bounds.high);
+  if (look.empty()) {
+    view_->set_camera(Camera::about(middle, 0.35 * glm::length(bounds.high - bounds.low)));
+  } else {
+    const TargetShape& shape = look.shape();
+    const Vec3 centre(0.5 * (shape.low() + shape.high()), shape.top_mm() - 0.4);
+    // The outline with about two millimetres round it; never closer than a hand can aim.
+    const double radius = std::max(0.5 * glm::length(shape.high() - shape.low()) + 1.6, 3.5);
+    view_->set_camera(Camera::about(centre, radius));
+  }
+  target_->setVisible(!look.empty());
+  legend_->setVisible(!look.empty());
+  compass_->setVisible(is_tooth);
+  coach_card_->show();
+  wanted_push_->setVisible(by_mouse);
+  said_ = {Coach::carry_on, -1};
+  want_sections();
+  place_all();
+}
+
+void DrillStage::want_sections() {
+  SectionWish panel;
+  panel.shift_mm = Vec3(0.0, 0.0, -0.9);
+  std::optional<SectionWish> lid;
+  if (cutaway_->isChecked()) {
+    // Upright, and facing the viewer.
+    SectionWish wish;
+    const Vec3 right = view_->camera().right();
+    wish.right = glm::normalize(Vec3(right.x, right.y, 0.0));
+    wish.width = wish.height = 480;
+    wish.mm_per_px = 0.05;
+    wish.shift_mm = Vec3(0.0, 0.0, -6.0);
+    wish.with_burr = false;
+    lid = wish;
+  }
+  Q_EMIT sections_wanted(panel, lid);
+}
+
+void DrillStage::show_cutaway(SectionImage image) {
+  if (cutaway_->isChecked()) view_->set_cutaway(std::move(image));
+}
+
+void DrillStage::show_wanted_push(double newtons) {
+  wanted_push_->setText(tr("Wheel: %1").arg(format({newtons, {}, QStringLiteral("N"), 1})));
+  wanted_push_->adjustSize();
+  place_all();
+}
+
+QString DrillStage::coach_text(const CoachLine& line) const {
+  const QString mm = format({line.mm, {}, QStringLiteral("mm"), 1});
+  switch (line.what) {
+    case Coach::begin:
+      return by_mouse_ ? tr("Point at the target, hold the left button to drill. The wheel sets the push.")
+                       : tr("Touch the target and hold the button to drill.");
+    case Coach::pulp_open: return tr("The pulp is open");
+    case Coach::over_pulp: return tr("Only %1 left over the pulp").arg(mm);
+    case Coach::too_deep: return tr("%1 too deep here").arg(mm);
+    case Coach::outside: return tr("Back inside the line: %1 outside").arg(mm);
+    case Coach::deeper: return tr("%1 more down").arg(mm);
+    case Coach::sideways: return tr("Deep enough, go sideways");
+    case Coach::finish: return tr("Nearly all is out: smooth it, then finish");
+    case Coach::carry_on: return tr("Go on where the target still stands");
+  }
+  return {};
+}
+
+void DrillStage::show_values(const LiveView& live) {
+  live_ = live;
+  depth_->set_value(live.burr_depth_mm < 0 ? std::nullopt : std::optional(live.burr_depth_mm));
+  push_->set_value(live.output.contact ? live.push_n : 0.0);
+  Stop stop = Stop::none;
+  if (live.recording == RecordingState::failed) {
+    stop = Stop::record;
+  } else if (live.device == Sample::Status::gone) {
+    stop = Stop::device_gone;
+  } else if (live.phase == LoopPhase::held) {
+    stop = Stop::fault;
+  } else if (live.phase == LoopPhase::paused) {
+    stop = Stop::paused;
+  }
+  show_stopped(stop, QString::fromStdString(live.recording_where), live.fault);
+
+  if (!look_) return;
+  const double radius =
+      burrs_.empty() ? 0.0 : burrs_[std::min<std::size_t>(live.output.burr, burrs_.size() - 1)].radius_mm;
+  CoachLine line = coach(live, look_->shape(), leeway_, radius);
+  line.mm = std::round(line.mm * 10) / 10;
+  if (line == said_) return;
+  const bool other = line.what != said_.what;
+  said_ = line;
+  coach_->setText(coach_text(line));
+  place_all();
+  if (other) announce(coach_, coach_->text());
+}
+
+void DrillStage::show_stopped(Stop stop, const QString& where, Fault fault) {
+  if (stop == stop_) return;
+  stop_ = stop;
+  stop_card_->setVisible(stop != Stop::none);
+  if (stop == Stop::none) return;
+  QString title, more;
+  switch (stop) {
+    case Stop::none: break;
+    case Stop::paused:
+      title = tr("Paused");
+      more = tr("The clock stands still. P goes on.");
+      break;
+    case Stop::fault: {
+      const Told told = tell(fault);
+      title = told.what;
+      more = told.more;
+      break;
+    }
+    case Stop::device_gone:
+      title = tr("The device does not answer");
+      more = tr("The force is off and the clock stands still. Plug it in again, then go on.");
+      break;
+    case Stop::record:
+      title = tr("The record cannot be written");
+      more = tr("%1 What you drilled so far is safe; make room on the disk, then go on.").arg(isolate(where));
+      break;
+    case Stop::behind:
+      title = tr("This computer is too slow for the exercise");
+      more = tr("The go ends here and is measured as it stands.");
+      break;
+  }
+  stop_title_->setText(title);
+  stop_more_->setText(more);
+  stop_card_->raise();
+  place_all();
+  announce(stop_card_, title);
+}
+
+void DrillStage::enable_tools(bool on) { tools_->setEnabled(on); }
+
+bool DrillStage::press_tool(int key) {
+  QPushButton* const buttons[] = {turn_, mirror_, cutaway_, above_, target_};
+  const int index = key - Qt::Key_1;
+  if (index < 0 || index >= 5 || !buttons[index]->isEnabled() || !buttons[index]->isVisible()) return false;
+  buttons[index]->click();
+  return true;
+}
+
+QString DrillStage::spoken() const {
+  return tr("Depth %1, push %2, %3 of the target removed. %4")
+      .arg(depth_->value_text(), push_->value_text(),
+           format({live_.target_removed_percent, {}, QStringLiteral("%"), 0}), coach_->text());
+}
+
+void DrillStage::set_centre(QWidget* widget) {
+  centre_ = widget;
+  place_all();
+}
+
+void DrillStage::place_all() {
+  const int gap = px(kGap), w = width(), h = height();
+  view_->setGeometry(rect());
+  const auto place = [](QWidget* widget, int x, int y) {
+    widget->adjustSize();
+    widget->move(x, y);
+  };
+  tools_->adjustSize();
+  tools_->move((w - tools_->width()) / 2, gap);
+  const QSize depth = depth_->sizeHint(), push = push_->sizeHint();
+  const int top = std::max(tools_->geometry().bottom() + gap, (h - depth.height()) / 2 + px(20));
+  depth_->setGeometry(gap, top, depth.width(), std::min(depth.height(), h - top - px(60)));
+  push_->setGeometry(w - push.width() - gap, top, push.width(), std::min(push.height(), h - top - px(110)));
+  wanted_push_->move(w - gap - (push.width() + wanted_push_->width()) / 2, push_->geometry().bottom() + px(6));
+  legend_->adjustSize();
+  place(legend_, gap, h - legend_->height() - px(16));
+  compass_->move(w - compass_->width() - px(18), h - compass_->height() - px(14));
+  coach_->setWordWrap(false);
+  coach_card_->adjustSize();
+  const int room = w - 2 * std::max(legend_->isVisible() ? legend_->width() : 0, px(90)) - 4 * gap;
+  if (coach_card_->width() > room) {
+    coach_->setWordWrap(true);
+    coach_card_->resize(room, coach_card_->layout()->heightForWidth(room));
+  }
+  coach_card_->move((w - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
+  const int stop_width = std::min(px(420), w - 4 * gap);
+  stop_card_->resize(stop_width, std::max(stop_card_->layout()->heightForWidth(stop_width), stop_card_->sizeHint().height()));
+  stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
+  if (centre_ != nullptr) {
+    centre_->adjustSize();
+    centre_->move((w - centre_->width()) / 2, (h - centre_->height()) / 2);
+    centre_->raise();
+  }
+}
+
+void DrillStage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place_all();
+}
+
+}  // namespace cusp

@@ -1,0 +1,78 @@
+/// The view of the drilling screen with what stands on it: tool bar, depth and push, coach, legend, directions, hint,
+/// and the band that stops everything. Opaque child widgets: nothing is blended under software OpenGL. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "scenarios/format/scenario.h"
+#include "ui/drill/coach.h"
+#include "ui/drill/drill_feed.h"
+#include "ui/drill/tooth_view.h"
+#include "ui/session/observer.h"
+
+class QFrame;
+class QLabel;
+class QPushButton;
+
+namespace cusp {
+
+class Compass;
+class Gauge;
+
+class DrillStage : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Stop { none, paused, fault, device_gone, record, behind };
+
+  explicit DrillStage(QWidget* parent = nullptr);
+  ToothView* view() const { return view_; }
+
+  void set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse, bool is_tooth);
+  void show_values(const LiveView& live);
+  /// What the mouse would push with, N.
+  void show_wanted_push(double newtons);
+  void show_cutaway(SectionImage image);
+  void show_stopped(Stop stop, const QString& where = {}, Fault fault = Fault::none);
+  void enable_tools(bool on);
+  /// 1 to 5 of the tool bar; false for other keys.
+  bool press_tool(int key);
+  /// Live values as one sentence, for who asks.
+  QString spoken() const;
+  /// A widget in the middle of the view (loading).
+  void set_centre(QWidget* widget);
+
+ Q_SIGNALS:
+  void go_on();
+  void leave();
+  void sections_wanted(const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void place_all();
+  void want_sections();
+  QString coach_text(const CoachLine& line) const;
+
+  ToothView* view_;
+  QFrame *tools_, *coach_card_, *legend_, *stop_card_;
+  QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_;
+  Gauge *depth_, *push_;
+  QLabel *coach_, *wanted_push_, *stop_title_, *stop_more_;
+  QPushButton *stop_go_on_, *stop_leave_;
+  Compass* compass_;
+  QWidget* centre_ = nullptr;
+  std::optional<TargetLook> look_;
+  Leeway leeway_;
+  std::vector<Burr> burrs_;
+  LiveView live_;
+  CoachLine said_;
+  Stop stop_ = Stop::none;
+  bool by_mouse_ = false, is_tooth_ = false;
+  int preset_ = 0;
+};
+
+}  // namespace cusp

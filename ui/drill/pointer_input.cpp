@@ -1,0 +1,150 @@
+#include "ui/drill/pointer_input.h"
+
+#include <QGuiApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+
+PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, double usual_push_n, QObject* parent)
+    : QObject(parent), view_(view), hand_(hand), axis_(tool_axis), push_n_(usual_push_n) {
+  view_.setMouseTracking(true);
+  view_.set_wheel_taken(true);
+  connect(&view_, &ToothView::camera_changed, this, &PointerInput::show_view);
+  connect(&view_, &ToothView::moved, this, [this](QPointF at, Qt::MouseButtons buttons) {
+    if (!(buttons & (Qt::RightButton | Qt::MiddleButton))) slide(at);
+  });
+  connect(&view_, &ToothView::pressed, this, [this](QPointF at) {
+    if (!enabled_) return;
+    slide(at);
+    button_ = true;
+    hand_over();
+    Q_EMIT drilled();
+  });
+  connect(&view_, &ToothView::released, this, [this](QPointF) {
+    button_ = false;
+    hand_over();
+  });
+  connect(&view_, &ToothView::wheel_turned, this,
+          [this](int delta) { change_push(kPushStepN * std::round(delta / 120.0 + (delta > 0 ? 0.4 : -0.4))); });
+  timer_.setInterval(8);
+  connect(&timer_, &QTimer::timeout, this, &PointerInput::step_keys);
+  show_view();
+}
+
+void PointerInput::show_view() {
+  // Right on the screen, flat across the approach.
+  const Vec3 right = view_.camera().right();
+  hand_.set_view(-axis_, right - glm::dot(right, axis_) * axis_);
+}
+
+void PointerInput::slide(QPointF at) {
+  if (!enabled_) return;
+  const Ray ray = view_.ray(at);
+  if (button_ || space_) {
+    const double down = glm::dot(ray.along, axis_);
+    if (std::abs(down) > 0.05) {
+      const double t = glm::dot(plane_at_ - ray.from_mm, axis_) / down;
+      if (t > 0) hand_.move_to(ray.from_mm + t * ray.along);
+    }
+    return;
+  }
+  if (const auto hit = view_.pick(at)) {
+    plane_at_ = hit->at_mm;
+    hand_.move_to(hit->at_mm);
+  }
+}
+
+void PointerInput::change_push(double by) {
+  push_n_ = std::clamp(std::round((push_n_ + by) / kPushStepN) * kPushStepN, kLeastPushN, PointerHand::kMaxPushN);
+  if (held_push_n_ > 0) held_push_n_ = push_n_;
+  hand_over();
+  Q_EMIT push_changed(push_n_);
+}
+
+void PointerInput::hand_over() {
+  const bool drilling = enabled_ && (button_ || space_);
+  hand_.set_cut(drilling);
+  hand_.set_push(!enabled_ ? 0.0 : drilling ? push_n_ : held_push_n_);
+}
+
+bool PointerInput::press_key(int key, bool repeated) {
+  if (!enabled_) return false;
+  switch (key) {
+    case Qt::Key_Space:
+      if (!repeated) {
+        space_ = true;
+        plane_at_ = hand_.wish().target_mm;
+        hand_over();
+        Q_EMIT drilled();
+      }
+      return true;
+    case Qt::Key_PageDown:
+      if (held_push_n_ <= 0) {
+        held_push_n_ = push_n_;
+        hand_over();
+      } else {
+        change_push(kPushStepN);
+      }
+      return true;
+    case Qt::Key_PageUp:
+      if (push_n_ <= kLeastPushN + 1e-6 || held_push_n_ <= 0) {
+        held_push_n_ = 0;  // lifts off
+        hand_over();
+      } else {
+        change_push(-kPushStepN);
+      }
+      return true;
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+      if (!repeated) {
+        arrows_.insert(key);
+        if (!timer_.isActive()) {
+          since_.start();
+          timer_.start();
+        }
+      }
+      return true;
+    default: return false;
+  }
+}
+
+bool PointerInput::release_key(int key) {
+  if (key == Qt::Key_Space) {
+    space_ = false;
+    hand_over();
+    return true;
+  }
+  if (arrows_.remove(key)) {
+    step_keys();
+    if (arrows_.isEmpty()) timer_.stop();
+    return true;
+  }
+  return false;
+}
+
+void PointerInput::step_keys() {
+  const double seconds = std::min(static_cast<double>(since_.restart()) / 1000.0, 0.1);
+  const bool fine = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
+  const double mm = seconds * (fine ? kSlideMmS / 5 : kSlideMmS);
+  const double right = (arrows_.contains(Qt::Key_Right) ? mm : 0) - (arrows_.contains(Qt::Key_Left) ? mm : 0);
+  const double up = (arrows_.contains(Qt::Key_Up) ? mm : 0) - (arrows_.contains(Qt::Key_Down) ? mm : 0);
+  if (right != 0 || up != 0) hand_.nudge(right, up);
+}
+
+void PointerInput::let_go() {
+  button_ = space_ = false;
+  held_push_n_ = 0;
+  arrows_.clear();
+  timer_.stop();
+  hand_over();
+}
+
+void PointerInput::set_enabled(bool on) {
+  if (!on) let_go();
+  enabled_ = on;
+}
+
+}  // namespace cusp

@@ -1,0 +1,59 @@
+/// Mouse and keys to the pointer device: the burr follows the mouse over the tooth, the left button or Space drills,
+/// the wheel and Page Up and Down say how hard. Thread: GUI.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QSet>
+#include <QTimer>
+
+#include "device/pointer/pointer_hand.h"
+#include "ui/drill/tooth_view.h"
+
+namespace cusp {
+
+class PointerInput : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `hand` outlives this. `tool_axis`: unit, from the burr to the shank.
+  PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, double usual_push_n, QObject* parent);
+
+  /// True when the key is one of drilling's and was taken.
+  bool press_key(int key, bool repeated);
+  bool release_key(int key);
+  /// Lets go of everything: pause, loss of focus, a question.
+  void let_go();
+  void set_enabled(bool on);
+
+  /// What drilling pushes with, N.
+  double push_n() const { return push_n_; }
+
+  static constexpr double kPushStepN = 0.1;  // a notch of the wheel, a press of Page Down
+  static constexpr double kLeastPushN = 0.1;
+  static constexpr double kSlideMmS = 2.5;   // of a held arrow key; with Shift a fifth
+
+ Q_SIGNALS:
+  void push_changed(double newtons);
+  void drilled();  // the cut was switched on
+
+ private:
+  void show_view();
+  void slide(QPointF at);
+  void hand_over();
+  void step_keys();
+  void change_push(double by);
+
+  ToothView& view_;
+  PointerHand& hand_;
+  Vec3 axis_;
+  double push_n_;
+  double held_push_n_ = 0;  // of Page Down: rests on the tooth without drilling
+  bool button_ = false, space_ = false, enabled_ = true;
+  Vec3 plane_at_{0.0};      // the place that was pressed: while drilling the mouse slides over the plane through it
+  QSet<int> arrows_;
+  QTimer timer_;
+  QElapsedTimer since_;
+};
+
+}  // namespace cusp

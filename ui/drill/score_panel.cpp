@@ -1,0 +1,275 @@
+#include "ui/drill/score_panel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/icon.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+Bar::Role role_of(Tissue tissue) {
+  switch (tissue) {
+    case Tissue::enamel: return Bar::Role::enamel;
+    case Tissue::dentine:
+    case Tissue::cementum: return Bar::Role::dentine;
+    case Tissue::carious_dentine:
+    case Tissue::carious_enamel: return Bar::Role::decay;
+    case Tissue::pulp: return Bar::Role::pulp;
+    default: return Bar::Role::plain;
+  }
+}
+
+/// The colour that a tissue has on the tooth, as a small square.
+class Swatch : public QWidget {
+ public:
+  explicit Swatch(const QColor& colour, QWidget* parent = nullptr) : QWidget(parent), colour_(colour) {
+    setFixedSize(px(12), px(12));
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.setPen(QPen(tokens().border, 1));
+    p.setBrush(colour_);
+    p.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+  }
+
+ private:
+  QColor colour_;
+};
+
+QColor on_tooth(Tissue tissue) {
+  const Colour c = tissue_colours()[index_of(tissue) % kTissueCodes];
+  return QColor::fromRgbF(c.r, c.g, c.b);
+}
+
+void set_value(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+QLabel* make_value() {
+  QLabel* out = make_label({}, TextRole::body, true);
+  out->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return out;
+}
+
+}  // namespace
+
+SectionView::SectionView(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Section at the burr"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize SectionView::sizeHint() const { return {px(271), px(202)}; }
+
+void SectionView::set_sides(const QString& left, const QString& right) {
+  left_ = left;
+  right_ = right;
+  update();
+}
+
+void SectionView::show_image(const SectionImage& image) {
+  image_ = QImage(reinterpret_cast<const uchar*>(image.rgba.data()), image.width, image.height, image.width * 4,
+                  QImage::Format_RGBA8888)
+               .copy();
+  update();
+}
+
+void SectionView::paintEvent(QPaintEvent*) {
+  const Tokens& t = tokens();
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setRenderHint(QPainter::SmoothPixmapTransform);
+  const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+  QPainterPath clip;
+  clip.addRoundedRect(box, px(4), px(4));
+  QRadialGradient back(box.center(), box.width() * 0.7);
+  back.setColorAt(0, t.view_middle);
+  back.setColorAt(1, t.view_edge);
+  p.fillPath(clip, back);
+  p.setClipPath(clip);
+  if (!image_.isNull()) {
+    QSizeF size = image_.size();
+    size.scale(box.size(), Qt::KeepAspectRatioByExpanding);
+    p.drawImage(QRectF(box.center() - QPointF(size.width(), size.height()) / 2, size), image_);
+  }
+  p.setFont(font_of(TextRole::caption, true));
+  p.setPen(t.text);
+  p.drawText(box.adjusted(px(8), 0, -px(8), -px(6)), Qt::AlignLeft | Qt::AlignBottom, left_);
+  p.drawText(box.adjusted(px(8), 0, -px(8), -px(6)), Qt::AlignRight | Qt::AlignBottom, right_);
+  p.setClipping(false);
+  p.setPen(QPen(t.line, 1));
+  p.setBrush(Qt::NoBrush);
+  p.drawPath(clip);
+}
+
+QFrame* ScorePanel::add_part(const QString& title, QLabel** aside) {
+  auto* part = new QFrame(this);
+  auto* lay = new QVBoxLayout(part);
+  lay->setContentsMargins(px(16), px(11), px(16), px(11));
+  lay->setSpacing(px(8));
+  auto* head = new QHBoxLayout;
+  head->addWidget(make_label(title, TextRole::section, true));
+  head->addStretch();
+  if (aside != nullptr) {
+    *aside = make_label({}, TextRole::caption, false, "text2");
+    head->addWidget(*aside);
+  }
+  lay->addLayout(head);
+  layout()->addWidget(part);
+  layout()->addWidget(make_rule());
+  return part;
+}
+
+ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
+  set_kind(this, "panel_right");
+  setFixedWidth(px(304));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(1, 0, 0, 0);
+  column->setSpacing(0);
+
+  QFrame* part = add_part(tr("Section at the burr"), &section_aside_);
+  section_ = new SectionView(part);
+  part->layout()->addWidget(section_);
+
+  progress_part_ = part = add_part(tr("Progress"));
+  auto* line = new QHBoxLayout;
+  line->setSpacing(px(8));
+  percent_ = make_label({}, TextRole::page_title, true);
+  percent_->setAccessibleName(tr("Target removed"));
+  line->addWidget(percent_);
+  line->addWidget(make_label(tr("of the target removed"), TextRole::caption, false, "text2"), 1);
+  static_cast<QVBoxLayout*>(part->layout())->addLayout(line);
+  percent_bar_ = new Bar(Bar::Role::target, part);
+  percent_bar_->setAccessibleName(tr("Target removed"));
+  part->layout()->addWidget(percent_bar_);
+  const auto row = [this](QVBoxLayout* to, const QString& icon_name, const QString& name, QLabel** value) {
+    auto* holder = new QWidget(this);
+    auto* lay = new QHBoxLayout(holder);
+    lay->setContentsMargins(0, 0, 0, 0);
+    lay->setSpacing(px(8));
+    auto* sign = new QLabel(holder);
+    sign->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, devicePixelRatioF()));
+    lay->addWidget(sign);
+    lay->addWidget(make_label(name), 1);
+    *value = make_value();
+    (*value)->setAccessibleName(name);
+    lay->addWidget(*value);
+    to->addWidget(holder);
+    return holder;
+  };
+  row(static_cast<QVBoxLayout*>(part->layout()), QStringLiteral("warning"), tr("Cut too far"), &too_far_);
+  over_pulp_row_ = row(static_cast<QVBoxLayout*>(part->layout()), QStringLiteral("shield"),
+                       tr("Least dentine over pulp"), &over_pulp_);
+
+  part = add_part(tr("Removed so far"));
+  tissue_grid_ = new QGridLayout;
+  tissue_grid_->setHorizontalSpacing(px(8));
+  tissue_grid_->setVerticalSpacing(px(8));
+  tissue_grid_->setColumnStretch(2, 1);
+  static_cast<QVBoxLayout*>(part->layout())->addLayout(tissue_grid_);
+
+  part = add_part(tr("Device"));
+  auto* device_line = new QHBoxLayout;
+  device_ = make_label({});
+  device_state_ = make_value();
+  device_line->addWidget(device_, 1);
+  device_line->addWidget(device_state_);
+  static_cast<QVBoxLayout*>(part->layout())->addLayout(device_line);
+
+  column->addStretch();
+  column->addWidget(make_rule());
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(px(16), px(10), px(16), px(10));
+  foot->setSpacing(px(8));
+  recording_icon_ = new QLabel(this);
+  recording_ = make_label({}, TextRole::caption, false, "text2");
+  recording_->setWordWrap(true);
+  foot->addWidget(recording_icon_);
+  foot->addWidget(recording_, 1);
+  column->addLayout(foot);
+}
+
+void ScorePanel::set_exercise(const Scenario& scenario, bool has_target, bool has_pulp, bool is_tooth) {
+  section_aside_->setText(is_tooth ? tr("buccal–lingual") : tr("across"));
+  if (is_tooth) {
+    //: First letters of buccal and lingual, at the two sides of a section.
+    section_->set_sides(tr("B"), tr("L"));
+  }
+  progress_part_->setVisible(has_target);
+  over_pulp_row_->setVisible(has_pulp);
+  int at = 0;
+  for (const ScenarioTissue& t : scenario.tissues) {
+    TissueRow r{t.tissue, new Bar(role_of(t.tissue), this), make_value()};
+    const QString name = tissue_name(t.tissue);
+    r.bar->setAccessibleName(name);
+    r.value->setAccessibleName(name);
+    tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), at, 0);
+    tissue_grid_->addWidget(make_label(name), at, 1);
+    tissue_grid_->addWidget(r.bar, at, 2);
+    tissue_grid_->addWidget(r.value, at, 3);
+    tissues_.push_back(r);
+    ++at;
+  }
+}
+
+void ScorePanel::set_device(const DeviceLimits& limits) { device_->setText(device_name(limits.device_class)); }
+
+void ScorePanel::show_values(const LiveView& live) {
+  const QString mm3 = QStringLiteral("mm3");
+  set_value(percent_, format({live.target_removed_percent, {}, QStringLiteral("%"), 0}));
+  percent_bar_->set_share(live.target_removed_percent / 100, percent_->text());
+  set_value(too_far_, format({live.over_leeway_mm3 + live.over_beyond_mm3, {}, mm3, 1}));
+  set_value(over_pulp_, live.pulp_exposed    ? tr("open")
+                        : live.over_pulp_mm ? format({*live.over_pulp_mm, {}, QStringLiteral("mm"), 1})
+                                            : tr("enough"));
+  double most = 1.0;  // mm³: bars are compared with the largest, and never with less than this
+  for (const TissueRow& r : tissues_) most = std::max(most, live.removed_mm3[index_of(r.tissue)]);
+  for (const TissueRow& r : tissues_) {
+    const double removed = live.removed_mm3[index_of(r.tissue)];
+    set_value(r.value, format({removed, {}, mm3, 2}));
+    r.bar->set_share(removed / most, r.value->text());
+  }
+  QString state;
+  switch (live.device) {
+    case Sample::Status::fresh: state = live.fault == Fault::none ? tr("steady") : tr("stopped"); break;
+    case Sample::Status::late: state = tr("slow"); break;
+    case Sample::Status::gone: state = tr("not connected"); break;
+  }
+  set_value(device_state_, state);
+
+  if (recording_known_ && recording_state_ == live.recording) return;
+  recording_known_ = true;
+  recording_state_ = live.recording;
+  QString icon_name = QStringLiteral("save");
+  Ink ink = Ink::text2;
+  switch (live.recording) {
+    case RecordingState::off: recording_->setText(tr("Nothing is kept")); break;
+    case RecordingState::recording: recording_->setText(tr("Recording, saved every second")); break;
+    case RecordingState::behind:
+      recording_->setText(tr("Recording, the disk is slow"));
+      icon_name = QStringLiteral("warning");
+      ink = Ink::look;
+      break;
+    case RecordingState::failed:
+      recording_->setText(tr("The record cannot be written"));
+      icon_name = QStringLiteral("warning");
+      ink = Ink::bad;
+      break;
+  }
+  recording_icon_->setPixmap(icon_pixmap(icon_name, ink, 16, devicePixelRatioF()));
+  set_ink(recording_, ink == Ink::bad ? "bad" : ink == Ink::look ? "look" : "text2");
+}
+
+}  // namespace cusp

@@ -1,0 +1,68 @@
+/// Right of the tooth: the section at the burr, progress against the target, what was removed by tissue, the device, and
+/// whether the record is safe. Shows what it is given; decides nothing. Thread: GUI.
+#pragma once
+
+#include <QFrame>
+#include <QImage>
+#include <vector>
+
+#include "engine/base/haptic_port.h"
+#include "scenarios/format/scenario.h"
+#include "ui/render/section.h"
+#include "ui/session/observer.h"
+#include "ui/widgets/gauge.h"
+
+class QLabel;
+class QGridLayout;
+
+namespace cusp {
+
+/// The picture of a section on the view's background, with the letters of its two sides.
+class SectionView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SectionView(QWidget* parent = nullptr);
+  void show_image(const SectionImage& image);
+  void set_sides(const QString& left, const QString& right);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QImage image_;
+  QString left_, right_;
+};
+
+class ScorePanel : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit ScorePanel(QWidget* parent = nullptr);
+
+  /// Once: what the exercise has: tissues that are counted, target or not, a pulp or not.
+  void set_exercise(const Scenario& scenario, bool has_target, bool has_pulp, bool is_tooth);
+  void set_device(const DeviceLimits& limits);
+  void show_values(const LiveView& live);
+  SectionView* section() { return section_; }
+
+ private:
+  struct TissueRow {
+    Tissue tissue;
+    Bar* bar;
+    QLabel* value;
+  };
+  QFrame* add_part(const QString& title, QLabel** aside = nullptr);
+
+  SectionView* section_;
+  QLabel *section_aside_, *percent_, *too_far_, *over_pulp_, *device_, *device_state_, *recording_icon_, *recording_;
+  QWidget *progress_part_, *over_pulp_row_;
+  Bar* percent_bar_;
+  QGridLayout* tissue_grid_;
+  std::vector<TissueRow> tissues_;
+  RecordingState recording_state_ = RecordingState::off;
+  bool recording_known_ = false;
+};
+
+}  // namespace cusp
