@@ -113,6 +113,7 @@ Wall::Wall(const ToothTable& table, double min_half_width_mm) {
 }
 
 Wall::Section Wall::section(double z) const noexcept {
+  if (cap_ > 0.0) z = std::max(z, bottom_z_);  // below the apex the profiles cross
   const double t = std::clamp((z - first_z_) / kSectionStepMm, 0.0, static_cast<double>(sections_.size()) - 1.001);
   const auto i = static_cast<std::size_t>(t);
   const double f = t - static_cast<double>(i), e = 1.0 - f;

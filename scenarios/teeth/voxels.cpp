@@ -1,6 +1,7 @@
 #include "scenarios/teeth/voxels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <thread>
@@ -182,6 +183,46 @@ class Maker {
     for (int i = count - 1; i >= 0; --i) settle(i);
   }
 
+  /// Pass 4. A canal that ends near the apex, or a coat one voxel thin, may cut off a few voxels: they join the tissue
+  /// around them, so that each tissue is one piece.
+  void join_strays() {
+    const std::size_t row = static_cast<std::size_t>(field_.size.x), slice = row * static_cast<std::size_t>(field_.size.y);
+    const std::size_t around[6] = {1, std::size_t(0) - 1, row, std::size_t(0) - row, slice, std::size_t(0) - slice};
+    const auto solid = [&](std::size_t i) { return out_.s[i] >= kHalf; };  // never at the rim: that is padding
+    std::vector<std::uint8_t> seen(out_.s.size(), 0);
+    std::array<std::vector<std::size_t>, kTissueCodes> largest;
+    std::vector<std::vector<std::size_t>> strays;
+    for (std::size_t i = 0; i < out_.s.size(); ++i) {
+      if (seen[i] || !solid(i)) continue;
+      const Tissue own = out_.tissue[i];
+      std::vector<std::size_t> piece{i};
+      seen[i] = 1;
+      for (std::size_t k = 0; k < piece.size(); ++k) {
+        for (const std::size_t step : around) {
+          const std::size_t next = piece[k] + step;
+          if (seen[next] || !solid(next) || out_.tissue[next] != own) continue;
+          seen[next] = 1;
+          piece.push_back(next);
+        }
+      }
+      std::vector<std::size_t>& most = largest[index_of(own)];
+      if (piece.size() > most.size()) most.swap(piece);
+      if (!piece.empty()) strays.push_back(std::move(piece));
+    }
+    for (const std::vector<std::size_t>& piece : strays) {
+      std::array<int, kTissueCodes> votes{};
+      const Tissue own = out_.tissue[piece.front()];
+      for (const std::size_t i : piece) {
+        for (const std::size_t step : around) {
+          if (solid(i + step) && out_.tissue[i + step] != own) ++votes[index_of(out_.tissue[i + step])];
+        }
+      }
+      const auto most = std::max_element(votes.begin(), votes.end());
+      if (*most == 0) continue;
+      for (const std::size_t i : piece) out_.tissue[i] = static_cast<Tissue>(most - votes.begin());
+    }
+  }
+
   VoxelVolume take() { return std::move(out_); }
 
  private:
@@ -292,6 +333,7 @@ Result<VoxelVolume, ToothFailure> voxels_of(const ToothShape& shape, double voxe
   in_two(layers, [&](int layer) { maker.fill(layer); }, tell(middle, 1.0), cancel);
   if (cancel != nullptr && cancel->load()) return fail(ToothError::cancelled, "tooth");
   maker.settle();
+  maker.join_strays();
   return maker.take();
 }
 
