@@ -1,0 +1,139 @@
+#include "scenarios/library/library.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+
+#include "engine/volume/specimen.h"
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/validate.h"
+#include "scenarios/format/write.h"
+#include "scenarios/shapes/outline.h"
+#include "scenarios/specimens.h"
+#include "scenarios/teeth/tooth.h"
+
+namespace cusp {
+namespace {
+
+TEST(Library, HoldsTheThreeExercisesThatTheProgramComesWith) {
+  const auto keys = builtin_scenarios();
+  EXPECT_EQ(std::set<std::string_view>(keys.begin(), keys.end()),
+            (std::set<std::string_view>{"paper-block", "channel-1", "class-1-36"}));
+  std::set<ScenarioId> ids;
+  for (const std::string_view key : keys) {
+    const auto scenario = load_builtin(key);
+    ASSERT_TRUE(scenario) << key << ": " << key_of(scenario.error().code) << " " << scenario.error().where;
+    EXPECT_EQ(scenario->key, key);
+    EXPECT_TRUE(ids.insert(scenario->id).second) << key << " has another's id";
+    EXPECT_TRUE(scenario->title.contains("de") && scenario->briefing.contains("de")) << key;
+  }
+}
+
+TEST(Library, KnowsNoOtherKey) {
+  for (const std::string_view key : {"", "class-1-37", "../class-1-36", "Channel-1"}) {
+    const auto scenario = load_builtin(key);
+    ASSERT_FALSE(scenario) << key;
+    EXPECT_EQ(scenario.error().code, FormatError::unknown_builtin);
+    EXPECT_TRUE(builtin_scenario_text(key).empty());
+  }
+}
+
+TEST(Library, WhatIsBuiltInIsTheFileAsTheProgramWritesIt) {
+  for (const std::string_view key : builtin_scenarios()) {
+    std::ifstream file(std::string(CUSP_SOURCE_DIR "/scenarios/library/") + std::string(key) + "/scenario.json", std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    EXPECT_EQ(builtin_scenario_text(key), text) << key;
+    EXPECT_EQ(write_scenario(*load_builtin(key)), text) << key;
+  }
+}
+
+TEST(Library, EveryExerciseFitsItsSpecimenWithoutAFinding) {
+  for (const std::string_view key : builtin_scenarios()) {
+    SCOPED_TRACE(key);
+    const Scenario scenario = *load_builtin(key);
+    const auto volume = make_specimen(scenario.specimen, {});
+    ASSERT_TRUE(volume);
+    const SpecimenFacts facts = facts_of(*volume);
+    for (const Finding& f : validate_text(builtin_scenario_text(key), &facts)) {
+      ADD_FAILURE() << f.path << " " << f.code << " " << f.detail;
+    }
+  }
+}
+
+/// Numbers that are the paper's own (section 4), and the force of its Falcon.
+TEST(Library, ThePapersBlockHasThePapersNumbers) {
+  const Scenario s = *load_builtin("paper-block");
+  EXPECT_EQ(s.method, Method::occupancy);
+  EXPECT_EQ(s.specimen.voxel_mm, 10.0 / 128);
+  EXPECT_EQ(s.device.full_force_n, 8.9);
+  EXPECT_EQ(s.instruments.at(0).radius_mm, 0.25);
+  ASSERT_EQ(s.tissues.size(), 3u);
+  const std::array<double, 3> speeds = {1.2, 0.8, 0.5};
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(s.tissues[i].speed_mm_s, speeds[i]);
+  EXPECT_GT(s.target.depth_mm, 2 * 10.0 / 3) << "the pit ends before the third material";
+}
+
+TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
+  const Scenario s = *load_builtin("class-1-36");
+  const auto tooth = grow_tooth({s.specimen.fdi, s.specimen.seed, s.specimen.voxel_mm});
+  ASSERT_TRUE(tooth);
+  const ToothLandmarks& marks = tooth->landmarks;
+
+  // Every point of the outline lies within 0.1 mm of the bottom of a fissure.
+  for (const auto& path : s.target.paths) {
+    for (const Vec3& point : path) {
+      double nearest = 1e9;
+      for (const SurfaceLine& line : marks.fissures) {
+        for (const Vec3& at : line.points_mm) nearest = std::min(nearest, std::hypot(at.x - point.x, at.y - point.y));
+      }
+      EXPECT_LT(nearest, 0.1) << point.x << " " << point.y;
+    }
+  }
+  const TargetShape shape(s.target);
+  for (const SurfacePlace& pit : marks.pits) {
+    EXPECT_LT(shape.distance_mm(pit.at_mm), 0) << "the " << pit.name << " pit is left standing";
+  }
+
+  // Remaining ridge: from the cavity's end to the tooth's outermost at the ridge's height; at least 1.6 mm (dental.md 2.2).
+  EXPECT_GT(marks.mesial_contact.x - shape.high().x, 1.6);
+  EXPECT_GT(shape.low().x - marks.distal_contact.x, 1.6);
+
+  // Voxels as cubes: the nearest of the pulp to the target; above 1.0 mm is safe (dental.md 2.2, [M]).
+  const VoxelVolume& v = tooth->volume;
+  double to_pulp = 1e9;
+  double deepest_enamel = 1e9;  // under the central pit
+  std::size_t at = 0;
+  for (int z = 0; z < v.grid.size.z; ++z) {
+    for (int y = 0; y < v.grid.size.y; ++y) {
+      for (int x = 0; x < v.grid.size.x; ++x, ++at) {
+        if (v.s[at] < kHalf) continue;
+        const Vec3 centre = v.grid.centre_mm({x, y, z});
+        if (v.tissue[at] == Tissue::pulp) to_pulp = std::min(to_pulp, shape.distance_mm(centre));
+        if (v.tissue[at] == Tissue::enamel && std::hypot(centre.x - marks.central.x, centre.y - marks.central.y) < 0.1) {
+          deepest_enamel = std::min(deepest_enamel, centre.z);
+        }
+      }
+    }
+  }
+  EXPECT_GT(to_pulp, 1.0 + v.grid.voxel_mm);
+  // 0.2 to 0.6 mm into dentine under the pit (dental.md 2.2: at least 0.2 to 0.5).
+  EXPECT_GT(deepest_enamel - shape.floor_mm(), 0.2);
+  EXPECT_LT(deepest_enamel - shape.floor_mm(), 0.6);
+}
+
+TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
+  // A change of any value is a new version: raise `version` in the file and take the new hash from here.
+  const std::pair<std::string_view, std::string_view> hashes[] = {
+      {"channel-1", "a2c613018c7411850333640b96871b531ddc164333e05e2ddbf8ff9f45df61be"},
+      {"class-1-36", "5257ebd8ded9eb3821240517bef67c4a0f3bbd4da537f2a4ab9ee22ea9e37fe2"},
+      {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
+  };
+  for (const auto& [key, hash] : hashes) EXPECT_EQ(content_hash(*load_builtin(key)).hex(), hash) << key;
+}
+
+}  // namespace
+}  // namespace cusp
