@@ -5,6 +5,8 @@
 
 namespace cusp {
 
+/// A steady hand that can do what the scenario's method lets it feel.
+[[nodiscard]] HandStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed);
 [[nodiscard]] Hand expert(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed = 1);
 
 }  // namespace cusp

@@ -1,5 +1,7 @@
-/// A scripted student: follows a plan by what it feels. It asks for a push towards the next place, waits until the burr
-/// gets there (tissue limits it), gives up a stroke that is blocked, and stops after a bounded time.
+/// A scripted student: follows a plan by what it feels. It wants the burr to move along the stroke at a speed; what of
+/// that speed points against the felt force is a push in proportion (the tissue gives way to it), the rest is a movement
+/// along the face that it slides on. So a ball neither climbs over what it is to cut nor digs in. It waits until the burr
+/// gets there, gives up a stroke that is blocked, and stops after a bounded time.
 /// Deterministic by its seed. Thread: the one that plays.
 #pragma once
 
@@ -12,37 +14,54 @@ namespace cusp {
 
 struct HandStyle {
   HandSettings muscles;
-  double push_n = 1.4;             // while cutting; more than the scene's full force cuts no faster
+  double feed = 0.95;              // while cutting, of the speed at which the felt tissue gives way to the full force
+  double correct_per_s = 8.0;      // speed back to the stroke's line, for each mm off it
+  double side_push_n = 1.5;        // hardest push sideways
   double travel_mm_s = 15.0;       // free movement
+  double approach_mm_s = 4.0;      // with the burr turning, nothing touched
   double arrive_mm = 0.01;         // a cutting stroke is done this near to its end
-  double patience_s = 3.0;         // without 0.02 mm of progress: leave the stroke
-  double most_s = 900.0;           // of the whole go
+  double wander_mm = 0.06;         // this far off the line the burr hardly goes on along it
+  double blunt_mm = 0.002;         // a force over less than this has no sure direction
+  double feel_s = 0.004;           // how long it feels for a force's direction
+  double patience_s = 2.0;         // without progress: leave the stroke
+  double most_s = 1200.0;          // of the whole go
 };
 
 class Hand {
  public:
-  /// `softest_n_per_mm`: stiffness to expect before anything is touched.
-  Hand(Plan plan, const HandStyle& style, double softest_n_per_mm);
-  /// The device's next sample, `dt_s` after `last` was answered. 0 < dt_s <= 0.05.
+  /// Takes from the scenario what the tissues feel like and the full force.
+  Hand(Plan plan, const HandStyle& style, const Scenario& scenario);
+  /// The device's next sample, `dt_s` after `last` was answered. 0 < dt_s <= 0.05. Of `last` it feels proxy, force_n,
+  /// contact and stiffness_n_per_mm.
   Sample next(const StepOutput& last, double dt_s);
   /// The plan is through, or the time is.
   bool done() const noexcept { return stroke_ >= plan_.strokes.size() || clock_s_ > style_.most_s; }
   /// Where the device must be before the first step.
   Vec3 start_mm() const noexcept { return plan_.start_mm; }
   std::size_t strokes_left_out() const noexcept { return given_up_; }
+  std::size_t strokes_done() const noexcept { return stroke_; }
   double clock_s() const noexcept { return clock_s_; }
 
  private:
-  void enter(std::size_t stroke, Vec3 from) noexcept;
+  void turn_to(std::size_t stroke, Vec3 from) noexcept;
+  /// Stiffness and speed of the tissue that feels like this.
+  const TissueFeel& feel(double stiffness_n_per_mm) const noexcept;
+  Vec3 wanted(const StepOutput& last, double dt_s) noexcept;
   bool arrived(Vec3 proxy) const noexcept;
+  /// Share of this stroke's speed that the next one goes on with: 1 straight on, 0 round a corner.
+  double carried_on() const noexcept;
 
   Plan plan_;
   HandStyle style_;
   HandModel muscles_;
-  double softest_;
+  std::vector<TissueFeel> feels_;
+  double full_force_n_;
   std::size_t stroke_ = 0, given_up_ = 0;
-  Vec3 from_mm_, intent_mm_;
-  double clock_s_ = 0, stroke_s_ = 0, best_left_mm_ = 0, best_at_s_ = 0;
+  Vec3 from_mm_;
+  Vec3 felt_{0.0};  // direction against the force, about a unit; 0 while nothing is touched
+  double lag_s_;  // of the muscles: by so much what is wanted runs ahead of a free movement
+  double clock_s_ = 0;
+  double least_left_mm_ = 0, since_s_ = 0;
 };
 
 }  // namespace cusp

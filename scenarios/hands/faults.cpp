@@ -1,0 +1,53 @@
+#include "scenarios/hands/faults.h"
+
+#include <algorithm>
+
+#include "scenarios/hands/expert.h"
+
+namespace cusp {
+
+Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
+  PlanErrors errors;
+  HandStyle style = steady_style(scenario, specimen, seed);
+  switch (fault) {
+    case HandFault::novice:
+      errors.deeper_mm = 0.7;
+      errors.wider_mm = 0.35;
+      errors.shift_mm = {0.2, 0.25, 0.0};
+      style.muscles.tremor_mm = 0.15;
+      style.arrive_mm = std::max(style.arrive_mm, 0.08);
+      style.correct_per_s = 4.0;
+      break;
+    case HandFault::too_deep:
+      errors.deeper_mm = 0.8;
+      break;
+    case HandFault::too_shallow:
+      errors.deeper_mm = -std::min(0.8, 0.5 * scenario.target.depth_mm);
+      break;
+    case HandFault::shaky:
+      style.muscles.tremor_mm = 0.3;
+      style.arrive_mm = std::max(style.arrive_mm, 0.1);
+      break;
+    case HandFault::off_outline:
+      errors.shift_mm = {0.0, 0.7, 0.0};
+      break;
+    case HandFault::pulp:
+      errors.drill_to_pulp = true;
+      break;
+  }
+  return Hand(plan_target(scenario, specimen, errors), style, scenario);
+}
+
+std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen,
+                                 std::uint64_t seed) {
+  if (name == "expert") return expert(scenario, specimen, seed);
+  if (name == "novice") return faulty(HandFault::novice, scenario, specimen, seed);
+  if (name == "too_deep") return faulty(HandFault::too_deep, scenario, specimen, seed);
+  if (name == "too_shallow") return faulty(HandFault::too_shallow, scenario, specimen, seed);
+  if (name == "shaky") return faulty(HandFault::shaky, scenario, specimen, seed);
+  if (name == "off_outline") return faulty(HandFault::off_outline, scenario, specimen, seed);
+  if (name == "pulp") return faulty(HandFault::pulp, scenario, specimen, seed);
+  return std::nullopt;
+}
+
+}  // namespace cusp

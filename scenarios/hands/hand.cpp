@@ -1,0 +1,140 @@
+#include "scenarios/hands/hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+
+namespace {
+constexpr double kEasePerS = 8.0;       // speed towards a stroke's end, for each mm left
+constexpr double kLeastSpeedMmS = 0.05; // but no less
+constexpr double kProgressMm = 0.02;    // less than this in the hand's patience is none
+constexpr double kTravelArriveMm = 0.1;
+}  // namespace
+
+Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
+    : plan_(std::move(plan)),
+      style_(style),
+      muscles_(style.muscles, plan_.start_mm),
+      full_force_n_(scenario.device.full_force_n),
+      from_mm_(plan_.start_mm),
+      lag_s_(style.muscles.delay_s +
+             2.0 * style.muscles.damping_ratio *
+                 std::sqrt(style.muscles.mass_kg / (1000.0 * style.muscles.stiffness_n_per_mm))) {
+  for (const ScenarioTissue& t : scenario.tissues) feels_.push_back({t.stiffness_n_per_mm, t.speed_mm_s});
+  if (feels_.empty()) feels_.push_back({});
+  turn_to(0, plan_.start_mm);
+}
+
+void Hand::turn_to(std::size_t stroke, Vec3 from) noexcept {
+  stroke_ = stroke;
+  from_mm_ = from;
+  since_s_ = clock_s_;
+  if (stroke_ < plan_.strokes.size()) least_left_mm_ = glm::length(plan_.strokes[stroke_].to_mm - from);
+}
+
+const TissueFeel& Hand::feel(double stiffness) const noexcept {
+  const TissueFeel* best = &feels_.front();
+  for (const TissueFeel& f : feels_)
+    if (std::fabs(f.stiffness_n_per_mm - stiffness) < std::fabs(best->stiffness_n_per_mm - stiffness)) best = &f;
+  return *best;
+}
+
+Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
+  const Stroke& stroke = plan_.strokes[stroke_];
+  const Vec3 proxy = last.proxy_mm;
+  const Vec3 whole = stroke.to_mm - from_mm_;
+  const double length = glm::length(whole);
+  const Vec3 to_end = stroke.to_mm - proxy;
+  const double left = glm::length(to_end);
+  if (left < 1e-9) return stroke.to_mm;
+  const Vec3 along = length > 1e-6 ? whole / length : to_end / left;
+  const double done = std::clamp(glm::dot(proxy - from_mm_, along), 0.0, length);
+  const Vec3 off = from_mm_ + done * along - proxy;  // back to the line
+  const double away = glm::length(off);
+
+  const bool pressing = stroke.cut && last.contact;
+  const TissueFeel& tissue = feel(last.stiffness_n_per_mm);
+  const double most = pressing ? std::max(style_.feed * tissue.speed_mm_s, kLeastSpeedMmS)
+                      : stroke.cut ? style_.approach_mm_s
+                                   : style_.travel_mm_s;
+  // Eases off towards the end, but for what the next stroke carries on of it.
+  const double to_go = length - done;
+  double speed = to_go > 0.0 ? std::min(most, std::max(kEasePerS * to_go + carried_on() * most, kLeastSpeedMmS)) : 0.0;
+  if (stroke.cut) speed *= std::clamp(1.0 - away / style_.wander_mm, 0.1, 1.0);
+  Vec3 back = style_.correct_per_s * off;
+  const double back_speed = glm::length(back);
+  if (back_speed > most) back *= most / back_speed;
+  const Vec3 velocity = along * speed + back;
+  if (!pressing) {
+    felt_ = Vec3(0.0);
+    return proxy + velocity * lag_s_;
+  }
+
+  // Against the felt force a push in proportion, along the face a movement.
+  const Vec3 spring = last.device_mm - last.proxy_mm;
+  const double depth = glm::length(spring);
+  if (glm::length(felt_) < 0.5) felt_ = along;  // just touched
+  const double share = depth / (depth + style_.blunt_mm) * std::min(1.0, dt_s / style_.feel_s);
+  if (depth > 1e-6) felt_ += (spring / depth - felt_) * share;
+  const double sure = glm::length(felt_);
+  const Vec3 into = sure > 1e-6 ? felt_ / sure : along;
+  const double deeper = std::clamp(glm::dot(velocity, into), 0.0, most);
+  const double stiffness = last.stiffness_n_per_mm > 0.0 ? last.stiffness_n_per_mm : tissue.stiffness_n_per_mm;
+  // Sideways no harder than a hand can stop when the burr breaks through; down, the tissue below holds it.
+  const double down = std::clamp(-into.z, 0.0, 1.0);
+  const double hardest = style_.side_push_n + down * down * std::max(0.0, full_force_n_ - style_.side_push_n);
+  const double push_n = std::min(full_force_n_ * deeper / std::max(tissue.speed_mm_s, kLeastSpeedMmS), hardest);
+  const Vec3 slide = velocity - glm::dot(velocity, into) * into;
+  // A push of F holds the wanted place F (1/K + 1/grip) from the proxy.
+  return proxy + into * (push_n * (1.0 / stiffness + 1.0 / muscles_.stiffness_n_per_mm())) +
+         (slide + into * std::min(glm::dot(velocity, into), 0.0)) * lag_s_;
+}
+
+double Hand::carried_on() const noexcept {
+  if (stroke_ + 1 >= plan_.strokes.size()) return 0.0;
+  const Stroke& now = plan_.strokes[stroke_];
+  const Stroke& next = plan_.strokes[stroke_ + 1];
+  if (!now.cut || !next.cut) return 0.0;
+  const Vec3 a = now.to_mm - from_mm_, b = next.to_mm - now.to_mm;
+  const double size = glm::length(a) * glm::length(b);
+  return size > 1e-12 ? std::max(0.0, glm::dot(a, b) / size) : 0.0;
+}
+
+bool Hand::arrived(Vec3 proxy) const noexcept {
+  const Stroke& now = plan_.strokes[stroke_];
+  const Vec3 to_end = now.to_mm - proxy;
+  const double left = glm::length(to_end);
+  if (!now.cut) return left <= kTravelArriveMm;
+  if (left <= style_.arrive_mm) return true;
+  // Past the end, and near enough for the next stroke to bring it back to its own line.
+  return carried_on() > 0.0 && left <= style_.wander_mm && glm::dot(to_end, now.to_mm - from_mm_) <= 0.0;
+}
+
+Sample Hand::next(const StepOutput& last, double dt_s) {
+  clock_s_ += dt_s;
+  Vec3 goal = muscles_.position_mm();
+  if (!done()) {
+    const Stroke& now = plan_.strokes[stroke_];
+    const double left = glm::length(now.to_mm - last.proxy_mm);
+    if (left < least_left_mm_ - kProgressMm) {
+      least_left_mm_ = left;
+      since_s_ = clock_s_;
+    }
+    const bool blocked = clock_s_ - since_s_ > style_.patience_s;
+    if (arrived(last.proxy_mm) || blocked) {
+      given_up_ += blocked ? 1 : 0;
+      // After a stroke that was left the next line starts where the burr really is.
+      turn_to(stroke_ + 1, blocked ? last.proxy_mm : now.to_mm);
+    }
+    if (!done()) goal = wanted(last, dt_s);
+  }
+  Sample sample;
+  sample.status = Sample::Status::fresh;
+  sample.position_mm = muscles_.advance(goal, last.force_n, dt_s);
+  sample.buttons = !done() && plan_.strokes[stroke_].cut ? StepInput::kCut : std::uint16_t{0};
+  sample.burr = plan_.burr;
+  return sample;
+}
+
+}  // namespace cusp
