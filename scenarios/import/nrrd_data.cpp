@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kPiece = 65536;
 constexpr int kGzip = 15 + 16;  // zlib: the largest window, with a gzip head and tail
-// Of a tooth at 0.1 mm level 4 makes 8 % more bytes than 6 in half the time.
+// Of a tooth at 0.05 mm level 4 makes 3 % more bytes than 6 in three quarters of the time.
 constexpr int kLevel = 4;
 
 }  // namespace

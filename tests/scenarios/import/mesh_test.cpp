@@ -318,7 +318,7 @@ TEST(ImportMesh, ARealToothHasItsVolumeAndItsPulpInside) {
   const double unit3 = 0.043 * 0.043 * 0.043;
   const double pulp = static_cast<double>(count(*volume, Tissue::pulp)) * 1e-3;
   const double dentine = static_cast<double>(count(*volume, Tissue::dentine)) * 1e-3;
-  // Against the divergence theorem on the triangles. Measured 0.5 % for the pulp by whole voxels, whose canals are thin.
+  // Against the divergence theorem on the triangles, by whole voxels: measured 0.46 % for the pulp, 0.04 % for the whole.
   EXPECT_NEAR(pulp / ((*list)[0].volume * unit3), 1.0, 0.01);
   EXPECT_NEAR((pulp + dentine) / ((*list)[1].volume * unit3), 1.0, 0.005);
   // The pulp lies wholly inside: it changes tissues, and the surface by no bit.
