@@ -97,8 +97,8 @@ Wall::Wall(const ToothTable& table, double min_half_width_mm) {
     Section s;
     s.x0 = 0.5 * (zm + zd);
     s.y0 = zl + cy.at(z) * (zb - zl);
-    // The trunk draws in over its last 3.2 mm, so that roots take over without a ledge.
-    const double narrow = has_roots ? 1.0 - 0.36 * smoothstep(bottom_z_ + 3.2, bottom_z_, z) : 1.0;
+    // The trunk draws in over its last 2.4 mm, so that roots take over without a ledge.
+    const double narrow = has_roots ? 1.0 - 0.36 * smoothstep(bottom_z_ + 2.4, bottom_z_, z) : 1.0;
     constexpr double kLeastMm = 0.05;
     s.a = std::max(kLeastMm, 0.5 * (zm - zd) * narrow);
     s.buccal = std::max(kLeastMm, (zb - s.y0) * narrow);

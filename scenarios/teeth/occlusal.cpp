@@ -8,6 +8,7 @@ namespace {
 constexpr double kHalfExtentMm = 7.2;  // beyond the widest crown (BL 11 mm) and a seed's spread
 constexpr double kFanBlurMm = 0.11;    // nearest-point fans leave ribs without it (teeth.md)
 constexpr double kDentineBlurMm = 0.42;
+constexpr double kWanderMm = 0.07, kWanderLengthMm = 0.8;  // below a fissure's half width: by eye
 constexpr double kBumpMm = 0.09, kBumpLengthMm = 2.2;  // a seed's variation of the height
 
 /// A crest line and the slopes to both sides of it.
@@ -48,13 +49,21 @@ Map2 steepness_of(const Map2& height) {
 class Fissures {
  public:
   /// A bottom sharper than half a voxel would ring in the cubic reading of the samples, two voxels to either side.
-  Fissures(const ToothTable& table, double min_half_width_mm) : bottom_(0.3 * min_half_width_mm) {
+  Fissures(const ToothTable& table, std::uint64_t seed, double min_half_width_mm)
+      : bottom_(0.3 * min_half_width_mm),
+        wander_x_(seed * 5 + 11, kWanderLengthMm),
+        wander_y_(seed * 5 + 12, kWanderLengthMm),
+        uneven_(seed * 5 + 13, 2.0 * kWanderLengthMm) {
     for (const GrooveTable& g : table.grooves) {
       lines_.push_back({Line2(smooth_line<Vec2>(g.path, 8)), g.depth_mm, std::max(g.half_width_mm, min_half_width_mm)});
     }
     for (const PitTable& p : table.pits) pits_.push_back({p.at, p.depth_mm, std::max(p.width_mm, min_half_width_mm)});
   }
   double depth(Vec2 p) const {
+    // Fissures wander and are not evenly deep; all by the same field, so that those which meet still meet.
+    const Vec3 at{p.x, p.y, 0.0};
+    const double deeper = 1.0 + 0.15 * uneven_.at(at);
+    p += kWanderMm * Vec2(wander_x_.at(at), wander_y_.at(at));
     double sum4 = 0.0;
     for (const Groove& g : lines_) {
       const double reach = 7.0 * g.width;
@@ -67,7 +76,7 @@ class Fissures {
       const double depth = g.depth * fade * std::exp(-(d / w) * d / (d + bottom_));
       sum4 += depth * depth * depth * depth;
     }
-    double depth = std::sqrt(std::sqrt(sum4));
+    double depth = deeper * std::sqrt(std::sqrt(sum4));
     for (const Pit& pit : pits_) {
       const double r2 = glm::dot(p - pit.at, p - pit.at) / (pit.width * pit.width);
       if (r2 < 12.0) depth += pit.depth * std::exp(-r2);
@@ -87,6 +96,7 @@ class Fissures {
   std::vector<Groove> lines_;
   std::vector<Pit> pits_;
   double bottom_;  // rounding of the V
+  ValueNoise wander_x_, wander_y_, uneven_;
 };
 
 }  // namespace
@@ -119,7 +129,7 @@ Occlusal::Occlusal(const ToothTable& table, std::uint64_t seed, double min_half_
   }
   height_ = bare.blurred(kFanBlurMm);
   soft_ = bare.blurred(kDentineBlurMm);
-  const Fissures fissures(table, min_half_width_mm);
+  const Fissures fissures(table, seed, min_half_width_mm);
   for (int j = 0; j < height_.height(); ++j) {
     for (int i = 0; i < height_.width(); ++i) height_.cell(i, j) -= static_cast<float>(fissures.depth(height_.place(i, j)));
   }

@@ -9,7 +9,7 @@
 namespace cusp {
 namespace {
 
-constexpr int kFine = 3;  // samples a pixel side
+constexpr int kFine = 2;  // samples a pixel side
 constexpr Vec3 kGround{24, 24, 24};
 
 Vec3 colour_of(Tissue tissue) {
