@@ -24,7 +24,8 @@ using Hash256 = std::array<std::uint8_t, 32>;
 /// Lower-case hex, 64 characters.
 std::string hex(const Hash256& hash);
 
-/// BLAKE2b-256, fed in pieces. Each add_* writes a fixed-size or length-prefixed form, so that pieces never run together.
+/// BLAKE2b-256, fed in pieces. Each add_* writes a fixed-size or length-prefixed form, so that pieces never run
+/// together.
 class Blake2b {
  public:
   Blake2b();

@@ -7,15 +7,14 @@ namespace cusp {
 ChainWriter::ChainWriter(StorageContext& context, Transaction& transaction, SessionId session)
     : context_{context}, transaction_{transaction}, session_{session}, link_{chain_start(session.uuid)} {
   if (!context.key) transaction.refuse({StorageError::read_only, context.db.file().string()});
-  const auto head =
-      transaction.first("SELECT links, link FROM session_heads WHERE session = ?1",
-                        [](Row row) { return std::pair{row.u64(0), row.hash(1)}; }, session);
+  const auto head = transaction.first(
+      "SELECT links, link FROM session_heads WHERE session = ?1",
+      [](Row row) { return std::pair{row.u64(0), row.hash(1)}; }, session);
   if (head) std::tie(links_, link_) = *head;
 }
 
 void ChainWriter::add(SessionTable table, std::uint64_t row, std::int64_t second) {
-  const auto content = transaction_.first(
-      select_row(table), [](Row r) { return r.content_hash(); }, session_, row);
+  const auto content = transaction_.first(select_row(table), [](Row r) { return r.content_hash(); }, session_, row);
   if (!content) return transaction_.refuse({StorageError::not_found, std::string(name_of(table))});
   const ChainLink entry{links_, static_cast<std::uint64_t>(table), row, second, *content};
   link_ = chain_link(link_, session_.uuid, entry);
@@ -37,8 +36,9 @@ void ChainWriter::finish() {
 
 std::uint64_t next_row(Transaction& transaction, SessionTable table, SessionId session) {
   return transaction
-      .first("SELECT coalesce(max(row) + 1, 0) FROM " + std::string(name_of(table)) + " WHERE session = ?1",
-             [](Row row) { return row.u64(0); }, session)
+      .first(
+          "SELECT coalesce(max(row) + 1, 0) FROM " + std::string(name_of(table)) + " WHERE session = ?1",
+          [](Row row) { return row.u64(0); }, session)
       .value_or(0);
 }
 

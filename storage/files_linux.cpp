@@ -1,5 +1,3 @@
-#include "storage/files.h"
-
 #include <fcntl.h>
 #include <linux/magic.h>
 #include <sys/stat.h>
@@ -11,6 +9,8 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+
+#include "storage/files.h"
 
 namespace cusp {
 namespace {
@@ -32,15 +32,15 @@ bool network_fuse(const std::filesystem::path& folder) {
     while (words >> dash && dash != "-") continue;
     std::string kind;
     words >> kind;
-    const bool above = path.starts_with(point) &&
-                       (point.size() == path.size() || point.ends_with('/') || path[point.size()] == '/');
+    const bool above =
+        path.starts_with(point) && (point.size() == path.size() || point.ends_with('/') || path[point.size()] == '/');
     if (above && point.size() >= longest) {
       longest = point.size();
       type = kind;
     }
   }
-  constexpr std::array network = {"fuse.sshfs", "fuse.rclone", "fuse.glusterfs", "fuse.davfs", "fuse.s3fs",
-                                  "fuse.gvfsd-fuse", "fuse.smbnetfs", "fuse.curlftpfs"};
+  constexpr std::array network = {"fuse.sshfs", "fuse.rclone",     "fuse.glusterfs", "fuse.davfs",
+                                  "fuse.s3fs",  "fuse.gvfsd-fuse", "fuse.smbnetfs",  "fuse.curlftpfs"};
   for (const char* name : network) {
     if (type == name) return true;
   }
@@ -60,7 +60,7 @@ StorageFailure failure_now(const std::filesystem::path& file) {
 }  // namespace
 
 bool on_network_drive(const std::filesystem::path& folder) {
-  struct statfs about {};
+  struct statfs about{};
   if (statfs(folder.c_str(), &about) != 0) return false;
   const auto type = static_cast<unsigned long>(about.f_type) & 0xFFFFFFFFul;
   switch (type) {
@@ -73,11 +73,16 @@ bool on_network_drive(const std::filesystem::path& folder) {
     case kCifs:
     case kSmb2:
     case kLustre:
-    case kGpfs: return true;
-    case kFuse: return network_fuse(std::filesystem::absolute(folder));
-    default: return false;
+    case kGpfs:
+      return true;
+    case kFuse:
+      return network_fuse(std::filesystem::absolute(folder));
+    default:
+      return false;
   }
 }
+
+bool can_write(const std::filesystem::path& path) { return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0; }
 
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content) {
   std::string fresh = file.string() + ".XXXXXX";

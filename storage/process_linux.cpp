@@ -1,10 +1,10 @@
-#include "storage/process.h"
-
 #include <unistd.h>
 
 #include <charconv>
 #include <fstream>
 #include <sstream>
+
+#include "storage/process.h"
 
 namespace cusp {
 namespace {

@@ -13,8 +13,8 @@ std::optional<Role> role_from_key(std::string_view key) noexcept {
 
 std::string_view key_of(Action action) noexcept {
   constexpr std::array<std::string_view, kActions> keys = {
-      "drill",       "see_own_results", "see_all_results", "export_results", "comment",       "grade_again",
-      "edit_scenarios", "assign",       "manage_cohorts",  "manage_people",  "see_audit_log", "manage_station"};
+      "drill",          "see_own_results", "see_all_results", "export_results", "comment",       "grade_again",
+      "edit_scenarios", "assign",          "manage_cohorts",  "manage_people",  "see_audit_log", "manage_station"};
   return keys[static_cast<std::size_t>(action)];
 }
 

@@ -21,24 +21,25 @@ constexpr std::string_view key_of(Role role) noexcept {
 std::optional<Role> role_from_key(std::string_view key) noexcept;
 
 enum class Action : std::uint8_t {
-  drill,              // start a session
-  see_own_results,    // own history, reports and replays
-  see_all_results,    // everybody's history, reports and replays
-  export_results,     // performance history as a file
-  comment,            // write a comment on a session
-  grade_again,        // grade somebody's session by hand or with another rubric
-  edit_scenarios,     // drafts, try-outs, publishing versions
-  assign,             // assignments: version, cohort, dates
-  manage_cohorts,     // make cohorts, add and remove students
-  manage_people,      // create, disable, change role, number, name, password
+  drill,            // start a session
+  see_own_results,  // own history, reports and replays
+  see_all_results,  // everybody's history, reports and replays
+  export_results,   // performance history as a file
+  comment,          // write a comment on a session
+  grade_again,      // grade somebody's session by hand or with another rubric
+  edit_scenarios,   // drafts, try-outs, publishing versions
+  assign,           // assignments: version, cohort, dates
+  manage_cohorts,   // make cohorts, add and remove students
+  manage_people,    // create, disable, change role, number, name, password
   see_audit_log,
-  manage_station,     // backup, retention, keys
+  manage_station,  // backup, retention, keys
 };
 inline constexpr std::size_t kActions = 12;
 
 /// The table of storage/README.md.
 constexpr bool may(Role role, Action action) noexcept {
-  //                                             drill own  all  export comment grade edit assign cohorts people audit station
+  //                                             drill own  all  export comment grade edit assign cohorts people audit
+  //                                             station
   constexpr std::array<std::array<bool, kActions>, 3> table = {{
       {true, true, false, false, false, false, false, false, false, false, false, false},  // student
       {true, true, true, true, true, true, true, true, true, false, false, false},         // instructor

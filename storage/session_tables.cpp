@@ -17,11 +17,14 @@ constexpr Columns of(SessionTable table) noexcept {
       return {"session_events", "session, row, kind, at, sequence, tick, reason, process"};
     case SessionTable::trace_chunks:
       return {"trace_chunks", "session, row, first_tick, inputs, elapsed_us, state_hash, trace"};
-    case SessionTable::key_states: return {"key_states", "session, row, tick, state"};
+    case SessionTable::key_states:
+      return {"key_states", "session, row, tick, state"};
     case SessionTable::metrics:
       return {"metrics", "session, row, elapsed_us, force_peak_n, force_mean_n, contact_ticks, cutting_ticks"};
-    case SessionTable::removed_tissues: return {"removed_tissues", "session, row, chunk, tissue, voxels, mm3"};
-    case SessionTable::final_volumes: return {"final_volumes", "session, row, tick, volume_hash, cuts"};
+    case SessionTable::removed_tissues:
+      return {"removed_tissues", "session, row, chunk, tissue, voxels, mm3"};
+    case SessionTable::final_volumes:
+      return {"final_volumes", "session, row, tick, volume_hash, cuts"};
     case SessionTable::grades:
       return {"grades",
               "session, row, at, sequence, grader, score, score_max, pass_mark, passed, critical, rubric_hash, "

@@ -22,9 +22,9 @@ enum class SessionTable : std::uint64_t {
   criteria = 9,
 };
 inline constexpr std::array kSessionTables = {
-    SessionTable::sessions,        SessionTable::session_events, SessionTable::trace_chunks,
-    SessionTable::key_states,      SessionTable::metrics,        SessionTable::removed_tissues,
-    SessionTable::final_volumes,   SessionTable::grades,         SessionTable::criteria,
+    SessionTable::sessions,      SessionTable::session_events, SessionTable::trace_chunks,
+    SessionTable::key_states,    SessionTable::metrics,        SessionTable::removed_tissues,
+    SessionTable::final_volumes, SessionTable::grades,         SessionTable::criteria,
 };
 
 std::string_view name_of(SessionTable table) noexcept;

@@ -93,8 +93,7 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
     context.station = station->value_or(Uuid{});
     return store;
   }
-  const auto key_file =
-      options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
+  const auto key_file = options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
   if (auto ready = ready_station(context, key_file); !ready) return std::unexpected(ready.error());
   if (options.mark_interrupted) {
     if (auto marked = store->sessions.mark_interrupted(); !marked) return std::unexpected(marked.error());

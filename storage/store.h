@@ -26,7 +26,7 @@ struct StoreOptions {
   UtcClock clock = system_utc_us;
   PasswordCost cost = PasswordCost::interactive();
   std::filesystem::path key_file{};  // of the station's secret key; empty = the database's name with ".key" added
-  bool mark_interrupted = true;    // sessions whose process is gone get their event on opening
+  bool mark_interrupted = true;      // sessions whose process is gone get their event on opening
 };
 
 class Store {

@@ -13,11 +13,11 @@
 namespace cusp {
 namespace {
 
-constexpr std::size_t kSeal = 16;          // bytes of BLAKE2b in front
-constexpr std::byte kFormat{1};            // after the seal
+constexpr std::size_t kSeal = 16;  // bytes of BLAKE2b in front
+constexpr std::byte kFormat{1};    // after the seal
 constexpr int kFields = 12;
-constexpr int kLevel = 9;                  // 1 s in under a millisecond, a tenth smaller than the library's default
-constexpr std::size_t kMostVarint = 10;    // bytes of 64 bits in groups of 7
+constexpr int kLevel = 9;                // 1 s in under a millisecond, a tenth smaller than the library's default
+constexpr std::size_t kMostVarint = 10;  // bytes of 64 bits in groups of 7
 
 using Columns = std::array<std::int64_t, kFields>;
 
@@ -143,8 +143,9 @@ Stored<std::vector<StepInput>> decode_trace(std::span<const std::byte> bytes) {
     std::int64_t last = 0, slope = 0;
     for (Columns& row : rows) {
       // Unsigned, so that no forged difference can overflow.
-      const auto value = static_cast<std::int64_t>(static_cast<std::uint64_t>(last) + static_cast<std::uint64_t>(slope) +
-                                                   static_cast<std::uint64_t>(unzigzag(cursor.varint())));
+      const auto value =
+          static_cast<std::int64_t>(static_cast<std::uint64_t>(last) + static_cast<std::uint64_t>(slope) +
+                                    static_cast<std::uint64_t>(unzigzag(cursor.varint())));
       if (!cursor.good || value > INT64_C(0xFFFFFFFF) || value < INT32_MIN) return bad("value");
       if (straight_line(field)) slope = value - last;
       last = value;

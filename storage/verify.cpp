@@ -63,18 +63,18 @@ class Follower {
 /// Key and signature of a head.
 void check_head(Database& db, const Uuid& owner, const Head& head, const char* table,
                 std::vector<ChainFinding>& findings) {
-  const auto key = db.first("SELECT public_key FROM station_keys WHERE id = ?1", [](Row row) { return row.hash(0); },
-                            head.key);
+  const auto key =
+      db.first("SELECT public_key FROM station_keys WHERE id = ?1", [](Row row) { return row.hash(0); }, head.key);
   if (!key) return findings.push_back({FindingCode::unreadable, "station_keys"});
   if (!*key || key_id(**key) != head.key) {
     // Was the head's name of the key changed, or the key? Another key under which the signature holds tells.
-    const auto keys = db.all("SELECT id, public_key FROM station_keys",
-                             [](Row row) { return std::pair{row.hash(0), row.hash(1)}; });
+    const auto keys =
+        db.all("SELECT id, public_key FROM station_keys", [](Row row) { return std::pair{row.hash(0), row.hash(1)}; });
     bool head_is_wrong = false;
     if (keys) {
       for (const auto& [id, other] : *keys) {
-        head_is_wrong = head_is_wrong ||
-                        (key_id(other) == id && head_signature_holds(other, owner, head.links, head.link, head.signature));
+        head_is_wrong = head_is_wrong || (key_id(other) == id &&
+                                          head_signature_holds(other, owner, head.links, head.link, head.signature));
       }
     }
     return findings.push_back(head_is_wrong ? ChainFinding{FindingCode::head_broken, table}
@@ -91,9 +91,9 @@ class SessionVerifier {
 
   Stored<Verification> run() {
     read_chain();
+    check_heads();
     for (const SessionTable table : kSessionTables) compare(table);
     if (!anything_) return fail(StorageError::not_found, "sessions", session_.text());
-    check_heads();
     check_trace();
     check_what_it_names();
     return std::move(out_);
@@ -106,7 +106,8 @@ class SessionVerifier {
 
   void read_chain() {
     const auto links = db_.all(
-        "SELECT position, table_number, row, second, content, link FROM session_chain WHERE session = ?1 ORDER BY position",
+        "SELECT position, table_number, row, second, content, link FROM session_chain WHERE session = ?1 ORDER BY "
+        "position",
         [](Row row) {
           return StoredLink{{row.u64(0), row.u64(1), row.u64(2), row.integer(3), row.hash(4)}, row.hash(5)};
         },
@@ -133,16 +134,16 @@ class SessionVerifier {
   void compare(SessionTable table) {
     const auto number = static_cast<std::uint64_t>(table);
     std::set<std::uint64_t> seen;
-    const auto rows = db_.all(select_rows(table),
-                              [](Row row) { return std::pair{row.u64(0), row.content_hash(1)}; }, session_);
+    const auto rows =
+        db_.all(select_rows(table), [](Row row) { return std::pair{row.u64(0), row.content_hash(1)}; }, session_);
     if (!rows) return find(FindingCode::unreadable, name_of(table));
     anything_ = anything_ || !rows->empty();
     for (const auto& [row, content] : *rows) {
       seen.insert(row);
       const auto entry = entries_.find({number, row});
       if (entry == entries_.end()) {
-        // With a broken chain the entry may be what was changed.
-        if (whole_ && out_.findings.empty()) find(FindingCode::row_added, name_of(table), static_cast<std::int64_t>(row));
+        // With a broken chain its entry may be what was changed.
+        if (out_.findings.empty()) find(FindingCode::row_added, name_of(table), static_cast<std::int64_t>(row));
       } else if (entry->second.trusted && entry->second.link.content != content) {
         find(FindingCode::row_changed, name_of(table), static_cast<std::int64_t>(row), entry->second.link.second);
       }
@@ -160,9 +161,17 @@ class SessionVerifier {
         [](Row row) { return Head{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))}; }, session_);
     if (!head) return find(FindingCode::unreadable, "session_heads");
     if (!*head) return find(FindingCode::row_missing, "session_heads");
+    anything_ = true;
+    const bool chain_holds = out_.findings.empty();
     check_head(db_, session_.uuid, **head, "session_heads", out_.findings);
-    const bool ends = (*head)->links == out_.links && follower_.ends_in((*head)->link);
-    if (!ends && out_.findings.empty()) find(FindingCode::head_broken, "session_heads");
+    if (!chain_holds || !out_.findings.empty()) return;
+    if ((*head)->links > out_.links) {
+      find(FindingCode::row_missing, "session_chain", static_cast<std::int64_t>(out_.links));  // a tail was cut off
+    } else if ((*head)->links < out_.links) {
+      find(FindingCode::row_added, "session_chain", static_cast<std::int64_t>((*head)->links));
+    } else if (!follower_.ends_in((*head)->link)) {
+      find(FindingCode::head_broken, "session_heads");
+    }
   }
 
   /// Beyond hashes: that the chunks unfold, hold what they say and follow each other, and that the blobs unfold.
@@ -204,8 +213,8 @@ class SessionVerifier {
   }
 
   void check_unfolds(const char* sql, const char* table) {
-    const auto rows = db_.all(sql, [](Row row) { return std::pair{row.integer(0), unpack(row.bytes(1)).has_value()}; },
-                              session_);
+    const auto rows =
+        db_.all(sql, [](Row row) { return std::pair{row.integer(0), unpack(row.bytes(1)).has_value()}; }, session_);
     if (!rows || !out_.findings.empty()) return;
     for (const auto& [row, good] : *rows) {
       if (!good) find(FindingCode::unreadable, table, row);
@@ -268,9 +277,7 @@ Stored<Verification> verify_audit_log(StorageContext& context) {
   Verification out;
   const auto rows = context.db.all(
       "SELECT link, number, at, sequence, actor, action, subject, detail FROM audit_log ORDER BY number",
-      [](Row row) {
-        return StoredLink{{row.u64(1), 0, row.u64(1), -1, row.content_hash(1)}, row.hash(0)};
-      });
+      [](Row row) { return StoredLink{{row.u64(1), 0, row.u64(1), -1, row.content_hash(1)}, row.hash(0)}; });
   if (!rows) return std::unexpected(rows.error());
   Follower follower(context.station);
   std::uint64_t expected = 0;
@@ -284,9 +291,9 @@ Stored<Verification> verify_audit_log(StorageContext& context) {
     if (!follower.follows(entry) && !gap) out.findings.push_back({FindingCode::row_changed, "audit_log", number});
   }
   out.links = rows->size();
-  const auto head = context.db.first(
-      "SELECT entries, link, key, signature FROM audit_head",
-      [](Row row) { return Head{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))}; });
+  const auto head = context.db.first("SELECT entries, link, key, signature FROM audit_head", [](Row row) {
+    return Head{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))};
+  });
   if (!head) return std::unexpected(head.error());
   if (!*head) {
     if (!rows->empty()) out.findings.push_back({FindingCode::row_missing, "audit_head"});
@@ -300,7 +307,8 @@ Stored<Verification> verify_audit_log(StorageContext& context) {
 }
 
 Stored<std::vector<SessionId>> sessions_to_verify(StorageContext& context) {
-  std::string sql = "SELECT id FROM sessions UNION SELECT session FROM session_chain UNION SELECT session FROM session_heads";
+  std::string sql =
+      "SELECT id FROM sessions UNION SELECT session FROM session_chain UNION SELECT session FROM session_heads";
   for (const SessionTable table : kSessionTables) {
     if (table != SessionTable::sessions) sql.append(" UNION SELECT session FROM ").append(name_of(table));
   }

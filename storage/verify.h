@@ -1,6 +1,6 @@
-/// Proves that what is stored of a session is what was recorded: every row's hash, the order of the chain, the signature
-/// over its head, counts and ticks, and the scenario version and specimen it names. One byte changed anywhere is found
-/// and named.
+/// Proves that what is stored of a session is what was recorded: every row's hash, the order of the chain, the
+/// signature over its head, counts and ticks, and the scenario version and specimen it names. One byte changed anywhere
+/// is found and named.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 namespace cusp {
 
 enum class FindingCode : std::uint8_t {
-  row_changed,      // its content is not what the chain says
-  row_missing,      // the chain has it, the table has not
-  row_added,        // the table has it, the chain has not
-  link_broken,      // an entry of the chain itself was changed
-  head_broken,      // count, link or signature of the head do not hold: changed, or a tail was cut off
-  key_changed,      // the public key that the head names is not there or is another
-  unreadable,       // SQLite cannot read the table, or a blob cannot be unfolded
-  count_wrong,      // ticks do not follow each other, or a chunk holds another number of inputs than it says
+  row_changed,  // its content is not what the chain says
+  row_missing,  // the chain has it, the table has not
+  row_added,    // the table has it, the chain has not
+  link_broken,  // an entry of the chain itself was changed
+  head_broken,  // count, link or signature of the head do not hold: changed, or a tail was cut off
+  key_changed,  // the public key that the head names is not there or is another
+  unreadable,   // SQLite cannot read the table, or a blob cannot be unfolded
+  count_wrong,  // ticks do not follow each other, or a chunk holds another number of inputs than it says
 };
 std::string_view key_of(FindingCode code) noexcept;
 

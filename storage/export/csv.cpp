@@ -80,9 +80,10 @@ std::string csv_number(double value) {
 }
 
 std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options) {
-  std::string out = begin(options,
-                          "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,"
-                          "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical");
+  std::string out =
+      begin(options,
+            "session,started_utc,student_number,student_name,exercise,exercise_key,version,kind,hand,device,"
+            "device_class,go,duration_s,state,score,score_max,pass_mark,passed,critical");
   for (const HistoryRow& r : rows) {
     Line(out)
         .text(r.session.text())
@@ -113,7 +114,8 @@ Stored<std::string> export_history(StorageContext& context, const Actor& actor, 
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   const auto rows = History(context).list(actor, filter);
   if (!rows) return std::unexpected(rows.error());
-  if (auto noted = note(context, actor, "history_exported", rows->size()); !noted) return std::unexpected(noted.error());
+  if (auto noted = note(context, actor, "history_exported", rows->size()); !noted)
+    return std::unexpected(noted.error());
   return history_csv(*rows, options);
 }
 
@@ -122,9 +124,10 @@ Stored<std::string> export_criteria(StorageContext& context, const Actor& actor,
   if (auto allowed = require(actor, Action::export_results); !allowed) return std::unexpected(allowed.error());
   const auto rows = History(context).list(actor, filter);
   if (!rows) return std::unexpected(rows.error());
-  std::string out = begin(options,
-                          "session,started_utc,student_number,exercise_key,criterion,measured,value,uncertainty,unit,band,"
-                          "points,points_max,reason_code");
+  std::string out =
+      begin(options,
+            "session,started_utc,student_number,exercise_key,criterion,measured,value,uncertainty,unit,band,"
+            "points,points_max,reason_code");
   std::size_t lines = 0;
   for (const HistoryRow& r : *rows) {
     const auto grade = Grades(context).newest(r.session);

@@ -23,7 +23,8 @@ Assignment assignment_of(Row row) {
 
 Stored<Assignment> Assignments::create(const Actor& actor, Assignment a) {
   if (auto allowed = require(actor, Action::assign); !allowed) return std::unexpected(allowed.error());
-  if (a.kind != SessionKind::practice && a.kind != SessionKind::assessment) return fail(StorageError::bad_value, "kind");
+  if (a.kind != SessionKind::practice && a.kind != SessionKind::assessment)
+    return fail(StorageError::bad_value, "kind");
   if (a.opens_utc_us && a.due_utc_us && *a.opens_utc_us >= *a.due_utc_us) return fail(StorageError::bad_value, "due");
   a.id = AssignmentId::make();
   a.author = actor.id;

@@ -12,12 +12,12 @@
 namespace cusp {
 
 struct Assignment {
-  AssignmentId id;
+  AssignmentId id{};
   VersionId version{};
-  CohortId cohort;
+  CohortId cohort{};
   SessionKind kind = SessionKind::practice;  // or assessment
-  std::optional<std::int64_t> opens_utc_us, due_utc_us;
-  std::optional<int> goes_allowed{};           // none = as many as one likes
+  std::optional<std::int64_t> opens_utc_us{}, due_utc_us{};
+  std::optional<int> goes_allowed{};  // none = as many as one likes
   UserId author{};
   std::int64_t created_utc_us = 0;
 };

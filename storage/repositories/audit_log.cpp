@@ -41,8 +41,8 @@ Stored<std::vector<AuditEntry>> AuditLog::list(const Actor& actor, int limit, st
       "SELECT number, at, sequence, actor, action, subject, detail FROM audit_log WHERE number < ?1 "
       "ORDER BY number DESC LIMIT ?2",
       [](Row row) {
-        return AuditEntry{row.integer(0),    row.integer(1), row.integer(2), row.id<UserId>(3),
-                          row.text(4),       row.uuid(5),    row.text(6)};
+        return AuditEntry{row.integer(0), row.integer(1), row.integer(2), row.id<UserId>(3),
+                          row.text(4),    row.uuid(5),    row.text(6)};
       },
       before_number, limit);
 }

@@ -25,8 +25,8 @@ class AuditLog {
  public:
   explicit AuditLog(StorageContext& context) : c_{context} {}
   /// Within the transaction that does the thing.
-  static void add(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action, Uuid subject,
-                  std::string_view detail = {});
+  static void add(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action,
+                  Uuid subject, std::string_view detail = {});
   /// In a transaction of its own.
   Stored<void> add(UserId actor, std::string_view action, Uuid subject, std::string_view detail = {});
   /// Needs see_audit_log. Newest first.

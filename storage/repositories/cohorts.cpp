@@ -18,7 +18,8 @@ Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
 Stored<void> Cohorts::add(const Actor& actor, CohortId cohort, UserId student) {
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return allowed;
   Transaction transaction(c_.db);
-  transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort, student);
+  transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort,
+                  student);
   AuditLog::add(c_, transaction, actor.id, "cohort_joined", student.uuid, cohort.text());
   return transaction.commit();
 }
@@ -39,13 +40,13 @@ Stored<std::vector<Cohort>> Cohorts::list() {
 }
 
 Stored<std::vector<UserId>> Cohorts::students(CohortId cohort) {
-  return c_.db.all("SELECT student FROM cohort_students WHERE cohort = ?1",
-                   [](Row row) { return row.id<UserId>(0); }, cohort);
+  return c_.db.all(
+      "SELECT student FROM cohort_students WHERE cohort = ?1", [](Row row) { return row.id<UserId>(0); }, cohort);
 }
 
 Stored<std::vector<CohortId>> Cohorts::cohorts_of(UserId student) {
-  return c_.db.all("SELECT cohort FROM cohort_students WHERE student = ?1",
-                   [](Row row) { return row.id<CohortId>(0); }, student);
+  return c_.db.all(
+      "SELECT cohort FROM cohort_students WHERE student = ?1", [](Row row) { return row.id<CohortId>(0); }, student);
 }
 
 }  // namespace cusp

@@ -23,7 +23,7 @@ class Cohorts {
   Stored<void> add(const Actor& actor, CohortId cohort, UserId student);
   Stored<void> remove(const Actor& actor, CohortId cohort, UserId student);
 
-  Stored<std::vector<Cohort>> list();                         // by name
+  Stored<std::vector<Cohort>> list();  // by name
   Stored<std::vector<UserId>> students(CohortId cohort);
   Stored<std::vector<CohortId>> cohorts_of(UserId student);
 

@@ -23,7 +23,8 @@ Stored<std::vector<Comment>> Comments::of(SessionId session) {
   return c_.db.all(
       "SELECT id, session, author, at, tick, text FROM comments WHERE session = ?1 ORDER BY at, sequence",
       [](Row row) {
-        Comment comment{row.uuid(0), row.id<SessionId>(1), row.id<UserId>(2), row.integer(3), std::nullopt, row.text(5)};
+        Comment comment{row.uuid(0),    row.id<SessionId>(1), row.id<UserId>(2),
+                        row.integer(3), std::nullopt,         row.text(5)};
         if (!row.is_null(4)) comment.tick = row.u64(4);
         return comment;
       },

@@ -24,7 +24,8 @@ class Comments {
  public:
   explicit Comments(StorageContext& context) : c_{context} {}
   /// Needs comment. bad_value for an empty text.
-  Stored<Comment> add(const Actor& actor, SessionId session, std::optional<std::uint64_t> tick, const std::string& text);
+  Stored<Comment> add(const Actor& actor, SessionId session, std::optional<std::uint64_t> tick,
+                      const std::string& text);
   Stored<std::vector<Comment>> of(SessionId session);  // oldest first
 
  private:

@@ -69,7 +69,11 @@ CriterionGrade criterion_of(Row row) {
 
 }  // namespace
 
-Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Hash256& rubric_hash, UserId grader) {
+Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Hash256& rubric_hash,
+                                 const std::optional<Actor>& grader) {
+  if (grader) {
+    if (auto allowed = require(*grader, Action::grade_again); !allowed) return std::unexpected(allowed.error());
+  }
   Transaction transaction(c_.db);
   require_state(transaction, session, Need::not_running);
   const TraceEnd end = trace_end(transaction, session);
@@ -81,8 +85,8 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
       "rubric_hash, evaluator, engine_version, device_class, calibration) "
       "SELECT ?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, engine_version, device_class, "
       "coalesce(json_extract(header, '$.calibration'), '') FROM sessions WHERE id = ?1",
-      session, number, c_.clock(), sequence, grader, grade.score, grade.score_max, grade.pass_mark, grade.passed,
-      dump(json(grade.critical)), rubric_hash, grade.evaluator);
+      session, number, c_.clock(), sequence, grader ? grader->id : UserId{}, grade.score, grade.score_max,
+      grade.pass_mark, grade.passed, dump(json(grade.critical)), rubric_hash, grade.evaluator);
   chain.add(SessionTable::grades, number, -1);
   std::uint64_t row = next_row(transaction, SessionTable::criteria, session);
   for (const CriterionGrade& c : grade.criteria) {

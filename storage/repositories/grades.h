@@ -13,19 +13,21 @@ namespace cusp {
 
 struct StoredGrade {
   Grade grade;
-  Hash256 rubric_hash{};         // of the rubric's canonical JSON
-  int engine_version = 0;        // that made the volume
-  UserId grader;                 // nil = the program
+  Hash256 rubric_hash{};   // of the rubric's canonical JSON
+  int engine_version = 0;  // that made the volume
+  UserId grader;           // nil = the program
   std::int64_t graded_utc_us = 0;
-  int number = 0;                // 0 = the first grade of this session
+  int number = 0;  // 0 = the first grade of this session
 };
 
 class Grades {
  public:
   explicit Grades(StorageContext& context) : c_{context} {}
   /// Grade, criteria and graded event in one transaction. For a finished or interrupted session (or graded or closed:
-  /// then it is graded again); wrong_state while running. `grader` nil: by the program.
-  Stored<StoredGrade> save(SessionId session, const Grade& grade, const Hash256& rubric_hash, UserId grader = {});
+  /// then it is graded again); wrong_state while running. Without `grader` it is the program's; else a person's, who
+  /// needs grade_again.
+  Stored<StoredGrade> save(SessionId session, const Grade& grade, const Hash256& rubric_hash,
+                           const std::optional<Actor>& grader = std::nullopt);
   /// The newest; nullopt when it was never graded.
   Stored<std::optional<StoredGrade>> newest(SessionId session);
   Stored<std::vector<StoredGrade>> all(SessionId session);  // oldest first

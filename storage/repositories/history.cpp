@@ -1,8 +1,7 @@
 #include "storage/repositories/history.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "storage/repositories/session_state.h"
 #include "storage/repositories/title.h"
@@ -134,8 +133,8 @@ Stored<SessionDetails> History::details(const Actor& actor, SessionId id) {
   if (!removed) return std::unexpected(removed.error());
   auto comments = Comments(c_).of(id);
   if (!comments) return std::unexpected(comments.error());
-  return SessionDetails{*row,          std::move(*session), std::move(*events),
-                        std::move(*grade), std::move(*removed), std::move(*comments)};
+  return SessionDetails{
+      *row, std::move(*session), std::move(*events), std::move(*grade), std::move(*removed), std::move(*comments)};
 }
 
 Stored<std::optional<HistoryRow>> History::best_before(const Actor& actor, SessionId session) {

@@ -23,17 +23,17 @@ struct HistoryRow {
   ScenarioId scenario;
   VersionId version{};
   int version_number = 1;
-  std::string scenario_key{};               // built-in id, else empty
+  std::string scenario_key{};  // built-in id, else empty
   LocalText title;
   SessionKind kind = SessionKind::practice;
   std::string hand{};
   std::string device, device_class;
   std::int64_t started_utc_us = 0;
-  std::uint64_t elapsed_us = 0;           // drilled, as stored
+  std::uint64_t elapsed_us = 0;  // drilled, as stored
   SessionState state = SessionState::running;
-  int go = 1;                             // the student's how-manieth at this scenario
+  int go = 1;  // the student's how-manieth at this scenario
   std::optional<double> score, score_max, pass_mark;
-  std::optional<bool> passed{};             // none = not graded
+  std::optional<bool> passed{};  // none = not graded
   std::vector<std::string> critical{};
 };
 
@@ -42,18 +42,18 @@ struct HistoryFilter {
   std::optional<ScenarioId> scenario{};
   std::optional<CohortId> cohort{};
   std::optional<std::string> device_class{};
-  std::optional<std::int64_t> from_utc_us, to_utc_us;  // started at or after, before
-  std::optional<bool> passed{};                          // graded only
-  std::string search{};                                  // part of the student's name or number
-  std::optional<bool> scripted{};                        // only by a script, or only by persons
-  int limit = -1;                                      // -1 = all
+  std::optional<std::int64_t> from_utc_us{}, to_utc_us{};  // started at or after, before
+  std::optional<bool> passed{};                            // graded only
+  std::string search{};                                    // part of the student's name or number
+  std::optional<bool> scripted{};                          // only by a script, or only by persons
+  int limit = -1;                                          // -1 = all
 };
 
 struct SessionDetails {
   HistoryRow row;
   Session session;
   std::vector<SessionEvent> events{};
-  std::optional<StoredGrade> grade{};       // newest
+  std::optional<StoredGrade> grade{};  // newest
   std::vector<RemovedTissue> removed{};
   std::vector<Comment> comments{};
 };
@@ -62,7 +62,7 @@ struct SessionDetails {
 struct Standing {
   ScenarioId scenario;
   int goes = 0;
-  std::optional<HistoryRow> best, last;   // graded ones; best by score, the earlier of two alike
+  std::optional<HistoryRow> best, last;  // graded ones; best by score, the earlier of two alike
 };
 
 class History {

@@ -19,9 +19,7 @@ Stored<std::vector<MetricsRow>> Metrics::over_time(SessionId session) {
   };
   const auto changes = c_.db.all(
       "SELECT chunk, tissue, voxels, mm3 FROM removed_tissues WHERE session = ?1 ORDER BY row",
-      [](Row row) {
-        return Change{row.u64(0), {static_cast<Tissue>(row.integer(1)), row.u64(2), row.real(3)}};
-      },
+      [](Row row) { return Change{row.u64(0), {static_cast<Tissue>(row.integer(1)), row.u64(2), row.real(3)}}; },
       session);
   if (!changes) return std::unexpected(changes.error());
   std::map<Tissue, RemovedTissue> totals;

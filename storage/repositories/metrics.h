@@ -19,8 +19,8 @@ struct RemovedTissue {
 /// Of one second.
 struct SecondMetrics {
   std::vector<RemovedTissue> removed{};  // totals so far; tissues without removal may be left out
-  double force_peak_n = 0;             // before the guard
-  double force_mean_n = 0;             // over the ticks in contact; 0 without contact
+  double force_peak_n = 0;               // before the guard
+  double force_mean_n = 0;               // over the ticks in contact; 0 without contact
   std::uint64_t contact_ticks = 0;
   std::uint64_t cutting_ticks = 0;
 };
@@ -28,7 +28,7 @@ struct SecondMetrics {
 struct MetricsRow {
   std::uint64_t chunk = 0;
   std::uint64_t elapsed_us = 0;  // at the chunk's end
-  SecondMetrics metrics{};         // removed holds every tissue's total so far
+  SecondMetrics metrics{};       // removed holds every tissue's total so far
 };
 
 class Metrics {

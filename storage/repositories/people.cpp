@@ -73,8 +73,8 @@ Stored<Account> committed(Transaction& transaction, std::optional<Account> accou
 
 /// The last one who may manage people must stay.
 void keep_an_administrator(Transaction& transaction) {
-  const auto left = transaction.first(
-      "SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0", [](Row row) { return row.integer(0); });
+  const auto left = transaction.first("SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0",
+                                      [](Row row) { return row.integer(0); });
   if (left && *left == 0) transaction.refuse({StorageError::last_administrator, "people"});
 }
 
@@ -107,10 +107,11 @@ Stored<Account> People::create_first_administrator(const NewAccount& account) {
 Stored<Account> People::demo_student() {
   if (auto there = find_number("demo"); there || there.error().code != StorageError::not_found) return there;
   Transaction transaction(c_.db);
-  const auto others = transaction.first("SELECT count(*) FROM people WHERE guest = 0", [](Row row) { return row.integer(0); });
+  const auto others =
+      transaction.first("SELECT count(*) FROM people WHERE guest = 0", [](Row row) { return row.integer(0); });
   if (others.value_or(0) > 0) transaction.refuse({StorageError::not_allowed, "demo"});
-  auto made = transaction.ok() ? insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"}, false)
-                               : std::nullopt;
+  auto made =
+      transaction.ok() ? insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"}, false) : std::nullopt;
   return committed(transaction, std::move(made));
 }
 
@@ -150,8 +151,8 @@ Stored<void> People::rename(const Actor& actor, UserId user, const std::string& 
 Stored<void> People::set_role(const Actor& actor, UserId user, Role role) {
   if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
   Transaction transaction(c_.db);
-  const auto has_password = transaction.first("SELECT password <> '' FROM people WHERE id = ?1 AND guest = 0",
-                                              [](Row row) { return row.flag(0); }, user);
+  const auto has_password = transaction.first(
+      "SELECT password <> '' FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.flag(0); }, user);
   if (!has_password) transaction.refuse({StorageError::not_found, "people"});
   if (role != Role::student && has_password && !*has_password) {
     transaction.refuse({StorageError::weak_password, "password"});  // staff never do without one
@@ -177,8 +178,8 @@ Stored<void> People::set_password(const Actor& actor, UserId user, std::string_v
   if (actor.id != user) {
     if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
   }
-  const auto stored = c_.db.first("SELECT password FROM people WHERE id = ?1 AND guest = 0",
-                                  [](Row row) { return row.text(0); }, user);
+  const auto stored =
+      c_.db.first("SELECT password FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.text(0); }, user);
   if (!stored) return std::unexpected(stored.error());
   if (!*stored) return fail(StorageError::not_found, "people");
   const bool none_yet = (*stored)->empty() && old.empty();
@@ -243,8 +244,9 @@ Stored<Account> People::sign_in_by(std::string_view number, std::string_view giv
     AuditLog::add(c_, transaction, s.account.id, "signed_in", s.account.id.uuid);
     return committed(transaction, s.account);
   }
-  const auto tries = transaction.first("UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
-                                       [](Row row) { return row.integer(0); }, s.account.id);
+  const auto tries = transaction.first(
+      "UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
+      [](Row row) { return row.integer(0); }, s.account.id);
   if (const auto lock = lock_us(tries.value_or(0)); lock > 0) {
     transaction.run("UPDATE people SET locked_until = ?2 WHERE id = ?1", s.account.id, now + lock);
   }

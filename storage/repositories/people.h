@@ -18,7 +18,7 @@ struct Account {
   std::string name{};
   Role role = Role::student;
   bool disabled = false;
-  bool guest = false;         // "Try it": never in lists, histories or figures
+  bool guest = false;  // "Try it": never in lists, histories or figures
   bool has_password = false;
   bool has_pin = false;
   std::int64_t created_utc_us = 0;
@@ -26,8 +26,8 @@ struct Account {
 };
 
 struct NewAccount {
-  std::string number{};    // 1 to 64 bytes
-  std::string name{};      // 1 to 200 bytes
+  std::string number{};  // 1 to 64 bytes
+  std::string name{};    // 1 to 200 bytes
   Role role = Role::student;
   std::string password{};  // students may do without; staff may not
   std::string pin{};       // students only: six digits, or empty
@@ -41,8 +41,8 @@ class People {
   Stored<bool> has_administrator();
   /// Without anybody's leave, once: not_allowed when there is an administrator already.
   Stored<Account> create_first_administrator(const NewAccount& account);
-  /// The student "demo", without password, for `play` in a database without accounts; the one there is, if there is one.
-  /// not_allowed when the database has other accounts and no "demo".
+  /// The student "demo", without password, for `play` in a database without accounts; the one there is, if there is
+  /// one. not_allowed when the database has other accounts and no "demo".
   Stored<Account> demo_student();
   /// The account behind "Try it"; made at first use.
   Stored<Account> guest();
@@ -62,8 +62,8 @@ class People {
   Stored<Account> sign_in(std::string_view number, std::string_view password);
   Stored<Account> sign_in_with_pin(std::string_view number, std::string_view pin);
 
-  Stored<Account> find(UserId user);                      // not_found
-  Stored<Account> find_number(std::string_view number);   // not_found
+  Stored<Account> find(UserId user);                     // not_found
+  Stored<Account> find_number(std::string_view number);  // not_found
   /// By name; guests left out. Needs manage_people, manage_cohorts or see_all_results.
   Stored<std::vector<Account>> list(const Actor& actor);
 

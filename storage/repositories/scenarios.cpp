@@ -26,8 +26,9 @@ ScenarioVersion version_of(Row row) {
 }
 
 Stored<void> add_files(Database& db, ScenarioVersion& version) {
-  const auto files = db.all("SELECT name, blob FROM version_files WHERE version = ?1",
-                            [](Row row) { return std::pair{row.text(0), row.hash(1)}; }, version.id);
+  const auto files = db.all(
+      "SELECT name, blob FROM version_files WHERE version = ?1",
+      [](Row row) { return std::pair{row.text(0), row.hash(1)}; }, version.id);
   if (!files) return std::unexpected(files.error());
   version.files.insert(files->begin(), files->end());
   return {};
@@ -76,9 +77,9 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
 
 Stored<ScenarioVersion> Scenarios::ensure(const Scenario& scenario, const std::string& json,
                                           const Hash256& content_hash, const std::map<std::string, Hash256>& files) {
-  const auto there =
-      c_.db.first("SELECT id FROM scenario_versions WHERE scenario = ?1 AND content_hash = ?2 ORDER BY number LIMIT 1",
-                  [](Row row) { return row.id<VersionId>(0); }, scenario.id, content_hash);
+  const auto there = c_.db.first(
+      "SELECT id FROM scenario_versions WHERE scenario = ?1 AND content_hash = ?2 ORDER BY number LIMIT 1",
+      [](Row row) { return row.id<VersionId>(0); }, scenario.id, content_hash);
   if (!there) return std::unexpected(there.error());
   if (*there) return version(**there);
   return insert(UserId{}, scenario, json, content_hash, files);
@@ -104,10 +105,10 @@ Stored<std::vector<ScenarioVersion>> Scenarios::versions(ScenarioId scenario) {
 }
 
 Stored<std::vector<ScenarioVersion>> Scenarios::library() {
-  return with_files(c_.db, c_.db.all(std::string(kColumns) +
-                                         "AS v WHERE number = (SELECT max(number) FROM scenario_versions "
-                                         "WHERE scenario = v.scenario) ORDER BY scenario",
-                                     version_of));
+  return with_files(c_.db,
+                    c_.db.all(std::string(kColumns) + "AS v WHERE number = (SELECT max(number) FROM scenario_versions "
+                                                      "WHERE scenario = v.scenario) ORDER BY scenario",
+                              version_of));
 }
 
 Stored<void> Scenarios::save_draft(const Actor& actor, ScenarioId scenario, const std::string& json) {
@@ -121,9 +122,7 @@ Stored<void> Scenarios::save_draft(const Actor& actor, ScenarioId scenario, cons
 }
 
 namespace {
-ScenarioDraft draft_of(Row row) {
-  return {row.id<ScenarioId>(0), row.id<UserId>(1), row.text(2), row.integer(3)};
-}
+ScenarioDraft draft_of(Row row) { return {row.id<ScenarioId>(0), row.id<UserId>(1), row.text(2), row.integer(3)}; }
 }  // namespace
 
 Stored<std::optional<ScenarioDraft>> Scenarios::draft(const Actor& actor, ScenarioId scenario) {

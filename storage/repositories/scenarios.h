@@ -18,13 +18,13 @@ namespace cusp {
 struct ScenarioVersion {
   VersionId id;
   ScenarioId scenario;
-  int number = 1;               // rises by one with each version of the scenario
-  std::string key;              // built-in id, else empty
+  int number = 1;   // rises by one with each version of the scenario
+  std::string key;  // built-in id, else empty
   LocalText title;
-  std::string json;             // canonical
-  Hash256 content_hash{};       // of the whole scenario with its files
+  std::string json;                      // canonical
+  Hash256 content_hash{};                // of the whole scenario with its files
   std::map<std::string, Hash256> files;  // file name to blob (Blobs::get)
-  UserId author;                // nil for built-in ones
+  UserId author;                         // nil for built-in ones
   std::int64_t published_utc_us = 0;
 };
 
@@ -48,8 +48,8 @@ class Scenarios {
   Stored<ScenarioVersion> publish(const Actor& actor, const Scenario& scenario, const std::string& json,
                                   const Hash256& content_hash, const std::map<std::string, Hash256>& files = {});
 
-  Stored<ScenarioVersion> version(VersionId id);                        // not_found
-  Stored<std::vector<ScenarioVersion>> versions(ScenarioId scenario);   // oldest first
+  Stored<ScenarioVersion> version(VersionId id);                       // not_found
+  Stored<std::vector<ScenarioVersion>> versions(ScenarioId scenario);  // oldest first
   /// The newest version of every scenario, oldest scenario first.
   Stored<std::vector<ScenarioVersion>> library();
 

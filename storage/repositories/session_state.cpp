@@ -17,7 +17,8 @@ std::string_view key_of(SessionState state) noexcept {
   return keys[static_cast<std::size_t>(state)];
 }
 std::string_view key_of(EventKind kind) noexcept {
-  constexpr std::array<std::string_view, 6> keys = {"started", "interrupted", "resumed", "finished", "graded", "closed"};
+  constexpr std::array<std::string_view, 6> keys = {"started",  "interrupted", "resumed",
+                                                    "finished", "graded",      "closed"};
   return keys[static_cast<std::size_t>(kind)];
 }
 
@@ -40,10 +41,18 @@ SessionState state_after(const std::vector<SessionEvent>& events) noexcept {
   for (const SessionEvent& event : events) {
     switch (event.kind) {
       case EventKind::started:
-      case EventKind::resumed: state = SessionState::running; break;
-      case EventKind::interrupted: state = SessionState::interrupted; break;
-      case EventKind::finished: state = SessionState::finished; break;
-      case EventKind::graded: state = SessionState::graded; break;
+      case EventKind::resumed:
+        state = SessionState::running;
+        break;
+      case EventKind::interrupted:
+        state = SessionState::interrupted;
+        break;
+      case EventKind::finished:
+        state = SessionState::finished;
+        break;
+      case EventKind::graded:
+        state = SessionState::graded;
+        break;
       case EventKind::closed:
         if (state != SessionState::graded) state = SessionState::closed;
         break;
@@ -53,8 +62,9 @@ SessionState state_after(const std::vector<SessionEvent>& events) noexcept {
 }
 
 void require_state(Transaction& transaction, SessionId session, Need need) {
-  const auto last = transaction.first("SELECT kind FROM session_events WHERE session = ?1 ORDER BY row DESC LIMIT 1",
-                                      [](Row row) { return event_kind_from_key(row.text(0)); }, session);
+  const auto last = transaction.first(
+      "SELECT kind FROM session_events WHERE session = ?1 ORDER BY row DESC LIMIT 1",
+      [](Row row) { return event_kind_from_key(row.text(0)); }, session);
   if (!last) return transaction.refuse({StorageError::not_found, "sessions", session.text()});
   const bool running = *last == EventKind::started || *last == EventKind::resumed;
   const bool good = need == Need::running       ? running
@@ -65,9 +75,10 @@ void require_state(Transaction& transaction, SessionId session, Need need) {
 
 TraceEnd trace_end(Transaction& transaction, SessionId session) {
   return transaction
-      .first("SELECT row + 1, first_tick + inputs - 1, elapsed_us FROM trace_chunks WHERE session = ?1 "
-             "ORDER BY row DESC LIMIT 1",
-             [](Row row) { return TraceEnd{row.u64(0), row.u64(1), row.u64(2)}; }, session)
+      .first(
+          "SELECT row + 1, first_tick + inputs - 1, elapsed_us FROM trace_chunks WHERE session = ?1 "
+          "ORDER BY row DESC LIMIT 1",
+          [](Row row) { return TraceEnd{row.u64(0), row.u64(1), row.u64(2)}; }, session)
       .value_or(TraceEnd{});
 }
 
@@ -84,8 +95,8 @@ std::uint64_t insert_event(StorageContext& context, Transaction& transaction, Se
 }
 
 void insert_final_volume(Transaction& transaction, SessionId session, const FinalVolume& volume) {
-  transaction.run("INSERT INTO final_volumes (session, row, tick, volume_hash, cuts) VALUES (?1, 0, ?2, ?3, ?4)", session,
-                  volume.tick, volume.hash, pack(volume.cuts));
+  transaction.run("INSERT INTO final_volumes (session, row, tick, volume_hash, cuts) VALUES (?1, 0, ?2, ?3, ?4)",
+                  session, volume.tick, volume.hash, pack(volume.cuts));
 }
 
 }  // namespace cusp

@@ -13,8 +13,8 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (wanted.student != actor.id) return fail(StorageError::not_allowed, std::string(key_of(Action::drill)));
   const SessionId id = SessionId::make();
   Transaction transaction(c_.db);
-  const auto guest = transaction.first("SELECT guest FROM people WHERE id = ?1 AND disabled = 0",
-                                       [](Row row) { return row.flag(0); }, wanted.student);
+  const auto guest = transaction.first(
+      "SELECT guest FROM people WHERE id = ?1 AND disabled = 0", [](Row row) { return row.flag(0); }, wanted.student);
   if (!guest) transaction.refuse({StorageError::not_found, "people", wanted.student.text()});
   const auto hashes = transaction.first(
       "SELECT content_hash, json FROM scenario_versions WHERE id = ?1",
@@ -30,8 +30,8 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
       "device_class, engine_version, specimen_blob, header, started_at, sequence) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
       id, c_.station, wanted.student, wanted.version, hashes->first, hashes->second, key_of(kind), wanted.assignment,
-      wanted.hand, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header_to_json(h), c_.clock(),
-      sequence);
+      wanted.hand, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header_to_json(h),
+      c_.clock(), sequence);
   const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.hand, {});
   ChainWriter chain(c_, transaction, id);
   chain.add(SessionTable::sessions, 0, -1);
@@ -97,7 +97,8 @@ Stored<Session> Sessions::find(SessionId id) {
     std::optional<SessionHeader> header;
   };
   const auto found = c_.db.first(
-      "SELECT id, student, version, version_hash, kind, assignment, hand, started_at, header FROM sessions WHERE id = ?1",
+      "SELECT id, student, version, version_hash, kind, assignment, hand, started_at, header FROM sessions WHERE id = "
+      "?1",
       [](Row row) {
         Found f;
         f.session.id = row.id<SessionId>(0);
@@ -126,8 +127,8 @@ Stored<std::vector<SessionEvent>> Sessions::events(SessionId session) {
       "SELECT kind, at, sequence, tick, reason FROM session_events WHERE session = ?1 ORDER BY row",
       [](Row row) {
         // A kind that the schema does not admit is damage; the verifier names it, and here it stops the session.
-        return SessionEvent{event_kind_from_key(row.text(0)).value_or(EventKind::closed), row.integer(1), row.integer(2),
-                            row.u64(3), row.text(4)};
+        return SessionEvent{event_kind_from_key(row.text(0)).value_or(EventKind::closed), row.integer(1),
+                            row.integer(2), row.u64(3), row.text(4)};
       },
       session);
 }

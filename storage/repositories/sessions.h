@@ -40,13 +40,13 @@ std::string_view key_of(EventKind kind) noexcept;
 /// What a replay needs besides the scenario and the inputs. Stored as JSON with exact numbers.
 struct SessionHeader {
   int engine_version = kEngineVersion;
-  std::string build{};                // version and commit of the program
+  std::string build{};  // version and commit of the program
   DeviceLimits device{};
-  std::string calibration{};          // the device's, as it names it; empty = none
-  GuardSettings guard{};              // as used: already cut to the device
+  std::string calibration{};        // the device's, as it names it; empty = none
+  GuardSettings guard{};            // as used: already cut to the device
   std::uint64_t specimen_hash = 0;  // Specimen::hash() at start
   Hash256 specimen_blob{};          // of the voxels in Blobs; zeros when none were kept
-  std::string scene{};                // the caller's own account of the scene (JSON); kept as given
+  std::string scene{};              // the caller's own account of the scene (JSON); kept as given
 };
 
 struct NewSession {
@@ -54,7 +54,7 @@ struct NewSession {
   VersionId version{};
   SessionKind kind = SessionKind::practice;
   std::optional<AssignmentId> assignment{};
-  std::string hand = "person";      // "person", or the scripted hand: "expert", "novice", a file's name
+  std::string hand = "person";  // "person", or the scripted hand: "expert", "novice", a file's name
   SessionHeader header{};
 };
 
@@ -62,7 +62,7 @@ struct Session {
   SessionId id{};
   UserId student{};
   VersionId version{};
-  Hash256 version_hash{};           // content hash of the version
+  Hash256 version_hash{};  // content hash of the version
   SessionKind kind = SessionKind::practice;
   std::optional<AssignmentId> assignment{};
   std::string hand{};
@@ -73,16 +73,16 @@ struct Session {
 struct SessionEvent {
   EventKind kind = EventKind::started;
   std::int64_t at_utc_us = 0;
-  std::int64_t sequence = 0;        // the station's
-  std::uint64_t tick = 0;           // last tick stored when it happened
-  std::string reason{};               // code: "student", "time_limit", "script", "process_gone", "recorder_full", ...
+  std::int64_t sequence = 0;  // the station's
+  std::uint64_t tick = 0;     // last tick stored when it happened
+  std::string reason{};       // code: "student", "time_limit", "script", "process_gone", "recorder_full", ...
 };
 
 /// What is left of the specimen: Volume::save_cuts() and Volume::hash().
 struct FinalVolume {
   std::vector<std::byte> cuts{};
   std::uint64_t hash = 0;
-  std::uint64_t tick = 0;           // after this many ticks
+  std::uint64_t tick = 0;  // after this many ticks
 };
 
 class Sessions {

@@ -48,8 +48,9 @@ Stored<void> Traces::append(SessionId session, const RecordedSecond& second) {
         "SELECT voxels, mm3 FROM removed_tissues WHERE session = ?1 AND tissue = ?2 ORDER BY row DESC LIMIT 1",
         [](Row r) { return std::pair{r.u64(0), r.real(1)}; }, session, std::uint64_t{index_of(removed.tissue)});
     if (before.value_or(std::pair{std::uint64_t{0}, 0.0}) == std::pair{removed.voxels, removed.mm3}) continue;
-    transaction.run("INSERT INTO removed_tissues (session, row, chunk, tissue, voxels, mm3) VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
-                    session, row, chunk, std::uint64_t{index_of(removed.tissue)}, removed.voxels, removed.mm3);
+    transaction.run(
+        "INSERT INTO removed_tissues (session, row, chunk, tissue, voxels, mm3) VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
+        session, row, chunk, std::uint64_t{index_of(removed.tissue)}, removed.voxels, removed.mm3);
     chain.add(SessionTable::removed_tissues, row++, at);
   }
 
@@ -96,8 +97,9 @@ Stored<std::vector<StepInput>> decoded(std::span<const std::byte> bytes, std::ui
 }  // namespace
 
 Stored<std::vector<StepInput>> Traces::inputs(SessionId session) {
-  auto parts = c_.db.all("SELECT row, trace FROM trace_chunks WHERE session = ?1 ORDER BY row",
-                         [](Row row) { return decoded(row.bytes(1), row.u64(0)); }, session);
+  auto parts = c_.db.all(
+      "SELECT row, trace FROM trace_chunks WHERE session = ?1 ORDER BY row",
+      [](Row row) { return decoded(row.bytes(1), row.u64(0)); }, session);
   if (!parts) return std::unexpected(parts.error());
   std::vector<StepInput> out;
   for (auto& part : *parts) {
@@ -108,16 +110,17 @@ Stored<std::vector<StepInput>> Traces::inputs(SessionId session) {
 }
 
 Stored<std::vector<StepInput>> Traces::inputs(SessionId session, std::uint64_t chunk) {
-  const auto part = c_.db.first("SELECT trace FROM trace_chunks WHERE session = ?1 AND row = ?2",
-                                [chunk](Row row) { return decoded(row.bytes(0), chunk); }, session, chunk);
+  const auto part = c_.db.first(
+      "SELECT trace FROM trace_chunks WHERE session = ?1 AND row = ?2",
+      [chunk](Row row) { return decoded(row.bytes(0), chunk); }, session, chunk);
   if (!part) return std::unexpected(part.error());
   if (!*part) return fail(StorageError::not_found, "trace_chunks", std::to_string(chunk));
   return std::move(**part);
 }
 
 Stored<std::vector<std::uint64_t>> Traces::key_state_ticks(SessionId session) {
-  return c_.db.all("SELECT tick FROM key_states WHERE session = ?1 ORDER BY row", [](Row row) { return row.u64(0); },
-                   session);
+  return c_.db.all(
+      "SELECT tick FROM key_states WHERE session = ?1 ORDER BY row", [](Row row) { return row.u64(0); }, session);
 }
 
 Stored<std::optional<KeyState>> Traces::key_state_before(SessionId session, std::uint64_t tick) {

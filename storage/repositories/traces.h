@@ -23,15 +23,15 @@ struct KeyState {
 
 /// One second (or the rest of one, at the end) as the recorder hands it over.
 struct RecordedSecond {
-  std::uint64_t first_tick = 1;                // tick that inputs[0] makes; 1 is a session's first
-  std::vector<StepInput> inputs{};               // 1 to kMostInputsPerChunk
-  std::optional<std::uint64_t> state_hash{};     // StepState::hash() after the last of them
-  std::optional<KeyState> key_state{};           // every 5 s
+  std::uint64_t first_tick = 1;               // tick that inputs[0] makes; 1 is a session's first
+  std::vector<StepInput> inputs{};            // 1 to kMostInputsPerChunk
+  std::optional<std::uint64_t> state_hash{};  // StepState::hash() after the last of them
+  std::optional<KeyState> key_state{};        // every 5 s
   SecondMetrics metrics{};
 };
 
 struct ChunkInfo {
-  std::uint64_t number = 0;      // 0, 1, 2 ...
+  std::uint64_t number = 0;  // 0, 1, 2 ...
   std::uint64_t first_tick = 1;
   std::uint64_t count = 0;       // inputs
   std::uint64_t elapsed_us = 0;  // of the whole session up to the chunk's end
@@ -49,8 +49,8 @@ class Traces {
   Stored<void> save_final_volume(SessionId session, const FinalVolume& volume);
 
   Stored<std::vector<ChunkInfo>> chunks(SessionId session);
-  Stored<std::vector<StepInput>> inputs(SessionId session);                         // all of them, in order
-  Stored<std::vector<StepInput>> inputs(SessionId session, std::uint64_t chunk);    // of one chunk
+  Stored<std::vector<StepInput>> inputs(SessionId session);                       // all of them, in order
+  Stored<std::vector<StepInput>> inputs(SessionId session, std::uint64_t chunk);  // of one chunk
   /// Ticks at which key states are kept, rising.
   Stored<std::vector<std::uint64_t>> key_state_ticks(SessionId session);
   /// The last one at or before `tick`; nullopt when the replay has to begin at the start.

@@ -33,9 +33,9 @@ std::string immutable_uri(const fs::path& file) {
   return uri + "?immutable=1";
 }
 
-/// What the file's first hundred bytes say where nothing waits in a log: most files that are refused are then never even
-/// opened. Offsets: SQLite's file format, 1.3.
-Stored<void> check_header(const fs::path& file) {
+/// What the file's first hundred bytes say where nothing waits in a log: most files that are refused are then never
+/// even opened. Offsets: SQLite's file format, 1.3.
+Stored<void> check_header(const fs::path& file, std::size_t newest) {
   std::error_code ignored;
   const auto size = fs::file_size(file, ignored);
   if (ignored || size == 0) return {};
@@ -58,7 +58,7 @@ Stored<void> check_header(const fs::path& file) {
   };
   const std::uint32_t application = number(68), version = number(60), pages = number(28);
   if (application == static_cast<std::uint32_t>(kApplicationId)) {
-    if (version > built_in_migrations().size()) {
+    if (version > newest) {
       return fail(StorageError::newer_schema, file.string(), std::to_string(version));
     }
   } else if (application != 0 || version != 0 || pages > 1) {
@@ -70,7 +70,7 @@ Stored<void> check_header(const fs::path& file) {
 /// Whose file this is. new_file: empty as SQLite sees it.
 enum class Owner { cusp, new_file };
 
-Stored<Owner> owner_of(Database& database) {
+Stored<Owner> owner_of(Database& database, std::size_t newest) {
   const auto number = [](Row row) { return row.integer(0); };
   const auto application = database.first("PRAGMA application_id", number);
   if (!application) return std::unexpected(application.error());
@@ -79,7 +79,7 @@ Stored<Owner> owner_of(Database& database) {
   const auto tables = database.first("SELECT count(*) FROM sqlite_schema", number);
   if (!tables) return std::unexpected(tables.error());
   if (application->value_or(0) == kApplicationId) {
-    if (version->value_or(0) > static_cast<std::int64_t>(built_in_migrations().size())) {
+    if (version->value_or(0) > static_cast<std::int64_t>(newest)) {
       return fail(StorageError::newer_schema, database.file().string(), std::to_string(version->value_or(0)));
     }
     return Owner::cusp;
@@ -93,6 +93,7 @@ Stored<Owner> owner_of(Database& database) {
 Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& options) {
   std::error_code ignored;
   const bool existed = fs::exists(file, ignored);
+  if (ignored == std::errc::permission_denied) return fail(StorageError::read_only, file.string());
   const bool reading = options.access == Access::read_only;
   if (!existed && options.access != Access::create) return fail(StorageError::not_found, file.string());
   if (existed && !fs::is_regular_file(file, ignored)) return fail(StorageError::not_a_database, file.string());
@@ -104,8 +105,9 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
   }
 
   if (existed) {
-    if (auto good = check_header(file); !good) return std::unexpected(good.error());
+    if (auto good = check_header(file, options.migrations.size()); !good) return std::unexpected(good.error());
   }
+  const std::size_t newest = options.migrations.size();
   const char* vfs = options.vfs.empty() ? nullptr : options.vfs.c_str();
   const auto connect = [&](const std::string& name, int flags) -> Stored<Database> {
     sqlite3* handle = nullptr;
@@ -124,43 +126,44 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
   if (reading) {
     auto database = connect(file.string(), SQLITE_OPEN_READONLY);
     if (!database) return database;
-    auto owner = owner_of(*database);
+    auto owner = owner_of(*database, newest);
     const bool no_log = !fs::exists(file.string() + "-wal", ignored);
     if (!owner && owner.error().code != StorageError::not_a_database &&
         owner.error().code != StorageError::newer_schema && no_log) {
       // A folder that cannot be written has no place for the log's index: then nobody else can be writing either.
       auto still = connect(immutable_uri(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
       if (!still) return still;
-      owner = owner_of(*still);
+      owner = owner_of(*still, newest);
       if (!owner) return std::unexpected(owner.error());
       if (*owner == Owner::cusp) return still;
     }
     if (!owner) return std::unexpected(owner.error());
     if (*owner == Owner::new_file) return fail(StorageError::not_a_database, file.string());
     // An older file would have to be migrated first, and may not be.
-    if (database->schema_version() != static_cast<int>(built_in_migrations().size())) {
+    if (database->schema_version() != static_cast<int>(newest)) {
       return fail(StorageError::read_only, file.string(), "older schema");
     }
     return database;
   }
 
   const auto prepare_for_writing = [&](Database& database) -> Stored<void> {
-    const auto owner = owner_of(database);
+    if (sqlite3_db_readonly(database.handle_, "main") == 1) return fail(StorageError::read_only, file.string());
+    const auto owner = owner_of(database, newest);
     if (!owner) return std::unexpected(owner.error());
     if (*owner == Owner::new_file && options.access == Access::existing) {
       return fail(StorageError::not_a_database, file.string());
     }
-    if (sqlite3_db_readonly(database.handle_, "main") == 1) return fail(StorageError::read_only, file.string());
     if (*owner == Owner::new_file) {
       if (auto done = database.run("PRAGMA page_size = 8192"); !done) return done;
     }
     const auto mode = database.first("PRAGMA journal_mode = WAL", [](Row row) { return row.text(0); });
     if (!mode) return std::unexpected(mode.error());
     if (mode->value_or("") != "wal") return fail(StorageError::network_drive, folder.string(), mode->value_or(""));
-    for (const char* setting : {"PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON", "PRAGMA cell_size_check = ON"}) {
+    for (const char* setting :
+         {"PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON", "PRAGMA cell_size_check = ON"}) {
       if (auto done = database.run(setting); !done) return done;
     }
-    if (auto done = migrate(database); !done) return done;
+    if (auto done = migrate(database, options.migrations); !done) return done;
     sqlite3_db_config(database.handle_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
     return {};
   };
@@ -177,6 +180,9 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
   }
   // Nothing half written: what this call alone has made, and never got a page, goes again.
   if (!existed && fs::exists(file, ignored) && fs::file_size(file, ignored) == 0) fs::remove(file, ignored);
+  // SQLite only says "cannot open" where its log finds no place.
+  const bool vague = ready.error().code == StorageError::not_found || ready.error().code == StorageError::io;
+  if (vague && (!can_write(folder) || (existed && !can_write(file)))) ready.error().code = StorageError::read_only;
   return std::unexpected(ready.error());
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -17,6 +18,9 @@
 
 namespace cusp {
 
+/// In order: the first brings user_version from 0 to 1 (storage/sqlite/migrate.h).
+std::span<const std::string_view> built_in_migrations() noexcept;
+
 /// "Cusp" in ASCII, in the file's header.
 inline constexpr std::int32_t kApplicationId = 0x43757370;
 
@@ -24,19 +28,20 @@ struct DatabaseOptions {
   enum class Access : std::uint8_t {
     create,     // open, or make a new one
     existing,   // not_found when there is none
-    read_only,  // writes nothing, makes no file; works on read-only media
+    read_only,  // changes nothing; works on read-only media
   };
   Access access = Access::create;
   int busy_timeout_ms = 5000;
-  std::string vfs{};                                                  // SQLite's name of one; empty = the system's
+  std::span<const std::string_view> migrations = built_in_migrations();  // fewer: a file of an older schema, for tests
+  std::string vfs{};                                                     // SQLite's name of one; empty = the system's
   std::function<bool(const std::filesystem::path&)> on_network_drive{};  // empty = ask the system
 };
 
 class Database {
  public:
   /// Checks that the file is Cusp's and not newer, sets WAL, synchronous=FULL and foreign keys, migrates.
-  /// Fails with not_found, not_a_database, newer_schema, network_drive, read_only, disk_full, io, busy or corrupt; a file
-  /// that was refused is unchanged.
+  /// Fails with not_found, not_a_database, newer_schema, network_drive, read_only, disk_full, io, busy or corrupt; a
+  /// file that was refused is unchanged.
   static Stored<Database> open(const std::filesystem::path& file, const DatabaseOptions& options = {});
   ~Database();
   Database(Database&& other) noexcept;

@@ -1,5 +1,5 @@
-/// Schema versions: numbered SQL files of storage/sqlite/migrations, embedded at build time. Each runs in one transaction
-/// that also sets user_version. One that has landed is never edited.
+/// Schema versions: numbered SQL files of storage/sqlite/migrations, embedded at build time. Each runs in one
+/// transaction that also sets user_version. One that has landed is never edited.
 #pragma once
 
 #include <span>
@@ -10,11 +10,8 @@
 
 namespace cusp {
 
-/// In order: the first brings user_version from 0 to 1.
-std::span<const std::string_view> built_in_migrations() noexcept;
-
-/// Brings the file up to `migrations.size()`. newer_schema when it is past that; where a migration fails, the file stays
-/// at the version before it.
+/// Brings the file up to `migrations.size()`. newer_schema when it is past that; where a migration fails, the file
+/// stays at the version before it.
 Stored<void> migrate(Database& database, std::span<const std::string_view> migrations = built_in_migrations());
 
 }  // namespace cusp

@@ -36,7 +36,8 @@ namespace {
 template <std::size_t N>
 std::array<std::uint8_t, N> fixed(std::span<const std::byte> from) noexcept {
   std::array<std::uint8_t, N> out{};
-  if (from.size() == N) std::ranges::transform(from, out.begin(), [](std::byte b) { return std::to_integer<std::uint8_t>(b); });
+  if (from.size() == N)
+    std::ranges::transform(from, out.begin(), [](std::byte b) { return std::to_integer<std::uint8_t>(b); });
   return out;
 }
 }  // namespace
@@ -50,10 +51,17 @@ Hash256 Row::content_hash(int first) const {
     const int type = sqlite3_column_type(statement_, i);
     hash.add_u64(static_cast<std::uint64_t>(type));
     switch (type) {
-      case SQLITE_INTEGER: hash.add_u64(static_cast<std::uint64_t>(integer(i))); break;
-      case SQLITE_FLOAT: hash.add_u64(std::bit_cast<std::uint64_t>(sqlite3_column_double(statement_, i))); break;
-      case SQLITE_NULL: break;
-      default: hash.add_bytes(bytes(i)); break;
+      case SQLITE_INTEGER:
+        hash.add_u64(static_cast<std::uint64_t>(integer(i)));
+        break;
+      case SQLITE_FLOAT:
+        hash.add_u64(std::bit_cast<std::uint64_t>(sqlite3_column_double(statement_, i)));
+        break;
+      case SQLITE_NULL:
+        break;
+      default:
+        hash.add_bytes(bytes(i));
+        break;
     }
   }
   return hash.finish();
@@ -124,26 +132,39 @@ StorageFailure failure_of(sqlite3* database, int status, std::string where) {
   StorageError code = StorageError::io;
   switch (status & 0xff) {
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: code = StorageError::busy; break;
-    case SQLITE_FULL: code = StorageError::disk_full; break;
+    case SQLITE_LOCKED:
+      code = StorageError::busy;
+      break;
+    case SQLITE_FULL:
+      code = StorageError::disk_full;
+      break;
     case SQLITE_READONLY:
-    case SQLITE_PERM: code = StorageError::read_only; break;
-    case SQLITE_NOTADB: code = StorageError::not_a_database; break;
-    case SQLITE_CORRUPT: code = StorageError::corrupt; break;
+    case SQLITE_PERM:
+      code = StorageError::read_only;
+      break;
+    case SQLITE_NOTADB:
+      code = StorageError::not_a_database;
+      break;
+    case SQLITE_CORRUPT:
+      code = StorageError::corrupt;
+      break;
     case SQLITE_CONSTRAINT:
       code = extended == SQLITE_CONSTRAINT_UNIQUE || extended == SQLITE_CONSTRAINT_PRIMARYKEY ? StorageError::duplicate
-             : extended == SQLITE_CONSTRAINT_FOREIGNKEY                                     ? StorageError::not_found
-                                                                                            : StorageError::bad_value;
+             : extended == SQLITE_CONSTRAINT_FOREIGNKEY                                       ? StorageError::not_found
+                                                                                              : StorageError::bad_value;
       break;
     case SQLITE_MISMATCH:
-    case SQLITE_TOOBIG: code = StorageError::bad_value; break;
+    case SQLITE_TOOBIG:
+      code = StorageError::bad_value;
+      break;
     case SQLITE_CANTOPEN:
     case SQLITE_IOERR:
       if (system == ENOSPC || system == EDQUOT) code = StorageError::disk_full;
       if (system == EROFS || system == EACCES || system == EPERM) code = StorageError::read_only;
       if (system == ENOENT || system == ENOTDIR) code = StorageError::not_found;
       break;
-    default: break;
+    default:
+      break;
   }
   return {code, std::move(where), std::move(detail)};
 }

@@ -32,8 +32,8 @@ class Row {
   std::string text(int column) const;
   std::span<const std::byte> bytes(int column) const noexcept;
   std::vector<std::byte> blob(int column) const;
-  Uuid uuid(int column) const noexcept;    // nil unless 16 bytes
-  Hash256 hash(int column) const noexcept; // zeros unless 32 bytes
+  Uuid uuid(int column) const noexcept;     // nil unless 16 bytes
+  Hash256 hash(int column) const noexcept;  // zeros unless 32 bytes
   template <class I>
   I id(int column) const noexcept {
     return I{uuid(column)};
