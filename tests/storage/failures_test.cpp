@@ -1,0 +1,146 @@
+/// A disk that fills up or fails at every single write of a second's transaction: nothing half-written, a clear code.
+#include <gtest/gtest.h>
+
+#include "tests/storage/failing_vfs.h"
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cusp::testing;
+
+void copy_database(const fs::path& from, const fs::path& to) {
+  for (const char* part : {"", "-wal", "-shm", ".key"}) {
+    fs::remove(to.string() + part);
+    if (fs::exists(from.string() + part)) fs::copy_file(from.string() + part, to.string() + part);
+  }
+}
+
+class FailuresTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto store = open(folder / "start.db");
+    const Account student = make_student(*store);
+    session = must(store->sessions.start(student.actor(), new_session(student, keep(*store)))).id;
+    must(store->traces.append(session, second_from(1)));
+  }
+  void TearDown() override { fail_from(Failing::nothing, 0); }
+
+  /// A second that needs several pages.
+  static RecordedSecond large_second() {
+    RecordedSecond second = second_from(13);
+    std::vector<std::byte> noise(60'000);
+    std::uint32_t state = 1;
+    for (std::byte& byte : noise) byte = static_cast<std::byte>((state = state * 1664525u + 1013904223u) >> 24);
+    second.key_state = KeyState{24, noise};
+    return second;
+  }
+
+  /// Appends while the n-th operation fails; what the file then holds is one second or two, whole, and nothing else.
+  /// The code, or nullopt when it went through.
+  std::optional<StorageError> append_failing_at(Failing how, int n) {
+    const fs::path file = folder / "try.db";
+    copy_database(folder / "start.db", file);
+    std::optional<StorageError> code;
+    {
+      StoreOptions options = quick();
+      options.database.vfs = failing_vfs();
+      fail_from(Failing::nothing, 0);
+      const auto store = open(file, options);
+      fail_from(how, n);
+      if (const auto done = store->traces.append(session, large_second()); !done) code = done.error().code;
+      operations = operations_seen();
+      fail_from(Failing::nothing, 0);
+    }
+    const auto store = open(file);
+    EXPECT_EQ(must(store->database().integrity_check()), "") << n;
+    EXPECT_TRUE(must(verify_session(store->context(), session)).intact()) << n;
+    const auto chunks = must(store->traces.chunks(session)).size();
+    EXPECT_EQ(must(store->metrics.over_time(session)).size(), chunks) << n;
+    EXPECT_EQ(must(store->traces.key_state_ticks(session)).size(), chunks - 1) << n;
+    if (!code) {
+      EXPECT_EQ(chunks, 2u) << n;
+    } else if (how == Failing::disk_full) {
+      EXPECT_EQ(chunks, 1u) << n;
+    }
+    // And it goes on from there, once there is room again.
+    if (chunks == 1) must(store->traces.append(session, large_second()));
+    EXPECT_TRUE(must(verify_session(store->context(), session)).intact()) << n;
+    return code;
+  }
+
+  Folder folder;
+  SessionId session;
+  int operations = 0;
+};
+
+TEST_F(FailuresTest, a_disk_that_is_full_at_any_write_leaves_the_second_before_whole) {
+  ASSERT_FALSE(append_failing_at(Failing::nothing, 0));
+  const int all = operations;
+  ASSERT_GT(all, 8);
+  int refused = 0;
+  for (int n = 1; n <= all; ++n) {
+    const auto code = append_failing_at(Failing::disk_full, n);
+    if (code) {
+      EXPECT_EQ(*code, StorageError::disk_full) << n;
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 8);
+}
+
+TEST_F(FailuresTest, a_disk_that_fails_at_any_write_or_sync_leaves_no_half) {
+  ASSERT_FALSE(append_failing_at(Failing::nothing, 0));
+  const int all = operations;
+  for (const Failing how : {Failing::io_error, Failing::once}) {
+    int refused = 0;
+    for (int n = 1; n <= all; ++n) {
+      const auto code = append_failing_at(how, n);
+      if (code) {
+        EXPECT_EQ(*code, StorageError::io) << n;
+        ++refused;
+      }
+    }
+    EXPECT_GT(refused, 8);
+  }
+}
+
+TEST_F(FailuresTest, a_new_file_on_a_failing_disk_is_whole_or_not_there_and_can_be_made_again) {
+  const auto attempt = [&](Failing how, int n) {
+    const fs::path file = folder / "new.db";
+    for (const char* part : {"", "-wal", "-shm", "-journal", ".key"}) fs::remove(file.string() + part);
+    StoreOptions options = quick();
+    options.database.vfs = failing_vfs();
+    fail_from(how, n);
+    const bool made = Store::open(file, options).has_value();
+    operations = operations_seen();
+    fail_from(Failing::nothing, 0);
+    const auto store = open(file);
+    EXPECT_EQ(must(store->database().integrity_check()), "") << n;
+    EXPECT_TRUE(must(verify_audit_log(store->context())).intact()) << n;
+    EXPECT_EQ(must(store->database().first("PRAGMA page_size", [](Row row) { return row.integer(0); })), 8192) << n;
+    return made;
+  };
+  ASSERT_TRUE(attempt(Failing::nothing, 0));
+  const int all = operations;
+  for (const Failing how : {Failing::disk_full, Failing::io_error}) {
+    EXPECT_FALSE(attempt(how, 1));
+    for (int n = 2; n <= all; n += 7) attempt(how, n);
+  }
+}
+
+TEST_F(FailuresTest, a_file_that_another_holds_is_busy_and_nothing_is_lost) {
+  StoreOptions options = quick();
+  options.database.busy_timeout_ms = 1;
+  const auto one = open(folder / "start.db", options);
+  const auto two = open(folder / "start.db", options);
+  {
+    Transaction holds(one->database());
+    EXPECT_EQ(code_of(two->traces.append(session, second_from(13))), StorageError::busy);
+  }
+  must(two->traces.append(session, second_from(13)));
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,160 @@
+#include <gtest/gtest.h>
+
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+using namespace cusp::testing;
+
+class HistoryTest : public ::testing::Test {
+ protected:
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  Actor instructor = make_instructor(*store).actor();
+  Account lena = make_student(*store);
+  Account noah = make_student(*store, "20260001", "Noah Adler");
+  ScenarioVersion version = keep(*store);
+
+  SessionId go(const Account& student, double score, bool passed = true) {
+    *now += 60'000'000;
+    return complete_session(*store, student, version, score, passed);
+  }
+};
+
+TEST_F(HistoryTest, a_students_list_is_newest_first_with_goes_counted) {
+  go(lena, 60, false);
+  go(noah, 90);
+  const SessionId last = go(lena, 78);
+  const auto rows = must(store->history.list(lena.actor()));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].session, last);
+  EXPECT_EQ(rows[0].go, 2);
+  EXPECT_EQ(rows[0].score, 78.0);
+  EXPECT_EQ(rows[0].passed, true);
+  EXPECT_EQ(rows[0].pass_mark, 70.0);
+  EXPECT_EQ(rows[0].elapsed_us, 36u * 83'334u);
+  EXPECT_EQ(rows[0].device_class, "pointer");
+  EXPECT_EQ(rows[0].title.at("en"), "Straight channel");
+  EXPECT_EQ(rows[0].state, SessionState::graded);
+  EXPECT_EQ(rows[1].go, 1);
+  EXPECT_EQ(rows[1].critical, std::vector<std::string>{"pulp_exposure"});
+}
+
+TEST_F(HistoryTest, a_student_cannot_ask_for_another) {
+  go(noah, 90);
+  HistoryFilter filter;
+  filter.student = noah.id;
+  EXPECT_EQ(code_of(store->history.list(lena.actor(), filter)), StorageError::not_allowed);
+  const SessionId others = go(noah, 91);
+  EXPECT_EQ(code_of(store->history.details(lena.actor(), others)), StorageError::not_allowed);
+  EXPECT_EQ(code_of(store->history.best_before(lena.actor(), others)), StorageError::not_allowed);
+  EXPECT_TRUE(must(store->history.list(lena.actor())).empty());
+}
+
+TEST_F(HistoryTest, filters_narrow_and_leave_the_goes_as_they_were) {
+  go(lena, 60, false);
+  const SessionId second = go(lena, 78);
+  go(noah, 90);
+  const Cohort cohort = must(store->cohorts.create(instructor, "A"));
+  must(store->cohorts.add(instructor, cohort.id, noah.id));
+  const auto count = [&](const HistoryFilter& filter) { return must(store->history.list(instructor, filter)).size(); };
+
+  EXPECT_EQ(count({}), 3u);
+  EXPECT_EQ(count({.student = lena.id}), 2u);
+  EXPECT_EQ(count({.scenario = version.scenario}), 3u);
+  EXPECT_EQ(count({.scenario = ScenarioId::make()}), 0u);
+  EXPECT_EQ(count({.cohort = cohort.id}), 1u);
+  EXPECT_EQ(count({.device_class = "falcon"}), 0u);
+  EXPECT_EQ(count({.from_utc_us = kNow + 120'000'000}), 2u);
+  EXPECT_EQ(count({.to_utc_us = kNow + 120'000'000}), 1u);
+  EXPECT_EQ(count({.passed = false}), 1u);
+  EXPECT_EQ(count({.search = "BRANDT"}), 2u);
+  EXPECT_EQ(count({.search = "2026000"}), 1u);
+  EXPECT_EQ(count({.search = "%"}), 0u);
+  EXPECT_EQ(count({.scripted = true}), 0u);
+  EXPECT_EQ(count({.scripted = false}), 3u);
+  EXPECT_EQ(count({.limit = 2}), 2u);
+  const auto passed = must(store->history.list(instructor, {.student = lena.id, .passed = true}));
+  ASSERT_EQ(passed.size(), 1u);
+  EXPECT_EQ(passed[0].session, second);
+  EXPECT_EQ(passed[0].go, 2);
+}
+
+TEST_F(HistoryTest, sessions_of_one_moment_keep_their_order) {
+  const SessionId first = complete_session(*store, lena, version, 1);
+  const SessionId second = complete_session(*store, lena, version, 2);
+  const auto rows = must(store->history.list(lena.actor()));
+  EXPECT_EQ(rows[0].session, second);
+  EXPECT_EQ(rows[1].session, first);
+  EXPECT_EQ(rows[0].go, 2);
+}
+
+TEST_F(HistoryTest, guests_and_try_outs_are_in_no_list_but_show_their_own_details) {
+  const Account guest = must(store->people.guest());
+  const SessionId tried = complete_session(*store, guest, version);
+  NewSession out = new_session(Account{.id = instructor.id}, version);
+  out.kind = SessionKind::try_out;
+  must(store->sessions.start(instructor, out));
+  EXPECT_TRUE(must(store->history.list(instructor)).empty());
+  const auto details = must(store->history.details(guest.actor(), tried));
+  EXPECT_EQ(details.session.kind, SessionKind::try_it);
+  EXPECT_EQ(details.grade->grade.score, 81.5);
+  EXPECT_EQ(details.row.go, 1);
+}
+
+TEST_F(HistoryTest, details_hold_all_of_a_session) {
+  const SessionId id = go(lena, 81.5);
+  must(store->comments.add(instructor, id, std::nullopt, "Good."));
+  const auto details = must(store->history.details(lena.actor(), id));
+  EXPECT_EQ(details.row.session, id);
+  EXPECT_EQ(details.session.header.guard.limit_n, 3.3);
+  EXPECT_EQ(details.events.size(), 3u);
+  EXPECT_EQ(details.grade->grade.criteria.size(), 2u);
+  ASSERT_EQ(details.removed.size(), 1u);
+  EXPECT_EQ(details.removed[0].voxels, 250u);
+  EXPECT_EQ(details.comments.size(), 1u);
+  EXPECT_EQ(code_of(store->history.details(lena.actor(), SessionId::make())), StorageError::not_found);
+}
+
+TEST_F(HistoryTest, the_best_before_is_the_earlier_of_two_alike_and_never_a_later_one) {
+  const SessionId first = go(lena, 60);
+  const SessionId best = go(lena, 78);
+  go(lena, 78);
+  const SessionId now_one = go(lena, 70);
+  go(lena, 99);
+  go(noah, 100);
+  EXPECT_EQ(must(store->history.best_before(lena.actor(), now_one))->session, best);
+  EXPECT_FALSE(must(store->history.best_before(lena.actor(), first)));
+  EXPECT_EQ(must(store->history.goes(lena.actor(), lena.id, version.scenario)), 5);
+}
+
+TEST_F(HistoryTest, standings_tell_goes_best_and_last) {
+  const SessionId best = go(lena, 78);
+  const SessionId last = go(lena, 60);
+  must(store->sessions.start(lena.actor(), new_session(lena, version)));  // not graded
+  const auto standings = must(store->history.standings(lena.actor(), lena.id));
+  ASSERT_EQ(standings.size(), 1u);
+  EXPECT_EQ(standings[0].goes, 3);
+  EXPECT_EQ(standings[0].best->session, best);
+  EXPECT_EQ(standings[0].last->session, last);
+}
+
+TEST_F(HistoryTest, a_thousand_sessions_are_listed) {
+  // A thousand rows of sessions and events, without the traces that the list does not read.
+  const SessionId one = go(lena, 80);
+  must(store->database().run("PRAGMA foreign_keys = OFF"));
+  must(
+      store->database().run("WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000) "
+                            "INSERT INTO sessions SELECT randomblob(16), station, student, version, version_hash, "
+                            "json_hash, kind, assignment, "
+                            "hand, device, device_class, engine_version, specimen_blob, header, started_at + i, "
+                            "sequence + i FROM sessions, n "
+                            "WHERE id = ?1",
+                            one));
+  EXPECT_EQ(must(store->history.list(instructor)).size(), 1001u);
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,80 @@
+/// A recorder that is killed at many moments: the file opens, is sound, and the session shows as interrupted.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <random>
+
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cusp::testing;
+
+/// In a process of its own: records seconds until it is killed, telling each one that it holds as stored.
+[[noreturn]] void record(const fs::path& file, int tell) {
+  const auto store = open(file);
+  const Account student = must(store->people.find_number("20267314"));
+  const SessionId id = must(store->sessions.start(student.actor(), new_session(student, keep(*store)))).id;
+  for (std::uint64_t tick = 1;; tick += 12) {
+    RecordedSecond second = second_from(tick);
+    second.key_state = KeyState{tick + 11, std::vector<std::byte>(20'000, static_cast<std::byte>(tick))};
+    if (!store->traces.append(id, second)) _exit(1);
+    const char byte = 1;
+    if (write(tell, &byte, 1) != 1) _exit(2);
+  }
+}
+
+TEST(Killing, at_any_moment_leaves_every_second_that_was_told_as_stored) {
+  const Folder folder;
+  const fs::path file = folder / "a.db";
+  make_student(*open(file));
+  const unsigned seed = 20261120;
+  RecordProperty("seed", static_cast<int>(seed));
+  std::mt19937 random(seed);
+  for (int run = 0; run < 20; ++run) {
+    int pipe_ends[2];
+    ASSERT_EQ(pipe(pipe_ends), 0);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      close(pipe_ends[0]);
+      record(file, pipe_ends[1]);
+    }
+    close(pipe_ends[1]);
+    // Waits for progress, then for a part of the next second's work.
+    const std::size_t wanted = 1 + random() % 5;
+    std::size_t told = 0;
+    char byte = 0;
+    while (told < wanted && read(pipe_ends[0], &byte, 1) == 1) ++told;
+    ASSERT_EQ(told, wanted);
+    usleep(random() % 3000);
+    kill(child, SIGKILL);
+    while (read(pipe_ends[0], &byte, 1) == 1) ++told;
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "the recorder failed by itself, run " << run;
+    close(pipe_ends[0]);
+
+    const auto store = open(file);
+    EXPECT_EQ(must(store->database().integrity_check()), "");
+    const Account student = must(store->people.find_number("20267314"));
+    const HistoryRow newest = must(store->history.list(student.actor())).at(0);
+    EXPECT_EQ(newest.state, SessionState::interrupted) << run;
+    const auto events = must(store->sessions.events(newest.session));
+    EXPECT_EQ(events.back().reason, "process_gone");
+    const auto chunks = must(store->traces.chunks(newest.session)).size();
+    EXPECT_GE(chunks, told) << run;      // nothing that was told is lost
+    EXPECT_LE(chunks, told + 1) << run;  // and at most one was stored untold
+    EXPECT_TRUE(must(verify_session(store->context(), newest.session)).intact()) << run;
+    must(store->traces.save_final_volume(newest.session, volume_after(chunks * 12)));
+    must(store->grades.save(newest.session, small_grade(), {}));
+    EXPECT_EQ(must(store->sessions.state(newest.session)), SessionState::graded);
+  }
+}
+
+}  // namespace
+}  // namespace cusp

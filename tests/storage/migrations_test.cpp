@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "storage/sqlite/migrate.h"
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cusp::testing;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  EXPECT_TRUE(in) << file;
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+TEST(Migrations, the_numbered_files_are_all_embedded_as_they_stand) {
+  const fs::path folder = fs::path(CUSP_SOURCE_DIR) / "storage/sqlite/migrations";
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) files += entry.path().extension() == ".sql";
+  ASSERT_EQ(built_in_migrations().size(), files);
+  for (std::size_t i = 0; i < files; ++i) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%04zu.sql", i + 1);
+    EXPECT_EQ(std::string(built_in_migrations()[i]), text_of(folder / name));
+  }
+}
+
+TEST(Migrations, one_that_has_landed_is_never_edited) {
+  // b2sum -l 256 storage/sqlite/migrations/NNNN.sql; a new file gets a new line here.
+  const std::vector<std::string> landed = {
+      "5bc9b29552351ccadbf5db0df66e71ce5641bfdff7d464e0fa6a0f107f679bb8",
+  };
+  ASSERT_EQ(built_in_migrations().size(), landed.size());
+  for (std::size_t i = 0; i < landed.size(); ++i)
+    EXPECT_EQ(hex(blake2b_256(built_in_migrations()[i])), landed[i]) << i + 1;
+}
+
+TEST(Migrations, one_that_fails_half_way_changes_nothing) {
+  const Folder folder;
+  auto db = must(Database::open(folder / "a.db"));
+  const int before = db.schema_version();
+  std::vector<std::string_view> more(built_in_migrations().begin(), built_in_migrations().end());
+  more.push_back("CREATE TABLE half (a INTEGER) STRICT; INSERT INTO half VALUES (1); INSERT INTO nowhere VALUES (1);");
+  EXPECT_FALSE(migrate(db, more));
+  EXPECT_EQ(db.schema_version(), before);
+  EXPECT_EQ(
+      *must(db.first("SELECT count(*) FROM sqlite_schema WHERE name = 'half'", [](Row row) { return row.integer(0); })),
+      0);
+  EXPECT_FALSE(db.in_transaction());
+}
+
+TEST(Migrations, a_further_one_is_run_once) {
+  const Folder folder;
+  auto db = must(Database::open(folder / "a.db"));
+  std::vector<std::string_view> more(built_in_migrations().begin(), built_in_migrations().end());
+  more.push_back("CREATE TABLE added (a INTEGER) STRICT;");
+  must(migrate(db, more));
+  must(migrate(db, more));
+  EXPECT_EQ(db.schema_version(), static_cast<int>(more.size()));
+  EXPECT_EQ(code_of(migrate(db)), StorageError::newer_schema);
+}
+
+/// What a program of schema 1 had written, row by row: later schemas must still read it.
+TEST(Migrations, a_file_of_schema_1_opens_and_holds_what_it_held) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "a.db", {.migrations = built_in_migrations().first(1)}));
+    must(db.script(text_of(fs::path(CUSP_SOURCE_DIR) / "tests/storage/fixtures/schema-0001.sql")));
+  }
+  const auto store = open(folder / "a.db");
+  EXPECT_EQ(store->database().schema_version(), static_cast<int>(built_in_migrations().size()));
+  EXPECT_EQ(must(store->database().integrity_check()), "");
+
+  const Account student = must(store->people.sign_in_with_pin("20267314", "314159"));
+  EXPECT_EQ(student.name, "Lena Brandt");
+  const auto rows = must(store->history.list(student.actor()));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].title.at("de"), "Gerader Kanal");
+  EXPECT_EQ(rows[0].started_utc_us, kNow);
+  EXPECT_EQ(rows[0].score, 81.5);
+  EXPECT_EQ(rows[0].state, SessionState::graded);
+  const SessionId session = rows[0].session;
+  EXPECT_EQ(must(store->traces.inputs(session)).size(), 36u);
+  EXPECT_EQ(must(store->traces.inputs(session, 0)), second_from(1).inputs);
+  EXPECT_EQ(must(store->traces.final_volume(session))->cuts, volume_after(36).cuts);
+  EXPECT_EQ(must(store->grades.newest(session))->grade.criteria.at(1).reason_args.at("limit"), 2.0);
+  EXPECT_TRUE(must(verify_session(store->context(), session)).intact());
+  EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,246 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "storage/process.h"
+#include "storage/sqlite/migrate.h"
+#include "tests/storage/failing_vfs.h"
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cusp::testing;
+using Access = DatabaseOptions::Access;
+
+std::string content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+void write(const fs::path& file, const std::string& content) { std::ofstream(file, std::ios::binary) << content; }
+
+std::string pragma(Database& db, const char* name) {
+  return must(db.first(std::string("PRAGMA ") + name, [](Row row) { return row.text(0); })).value_or("");
+}
+
+TEST(Opening, a_new_file_has_the_settings_that_keep_it_safe) {
+  const Folder folder;
+  auto db = must(Database::open(folder / "new.db"));
+  EXPECT_EQ(pragma(db, "application_id"), std::to_string(kApplicationId));
+  EXPECT_EQ(pragma(db, "page_size"), "8192");
+  EXPECT_EQ(pragma(db, "journal_mode"), "wal");
+  EXPECT_EQ(pragma(db, "synchronous"), "2");  // FULL
+  EXPECT_EQ(pragma(db, "foreign_keys"), "1");
+  EXPECT_EQ(db.schema_version(), static_cast<int>(built_in_migrations().size()));
+  EXPECT_EQ(must(db.integrity_check()), "");
+}
+
+TEST(Opening, every_table_is_strict) {
+  const Folder folder;
+  auto db = must(Database::open(folder / "new.db"));
+  const auto loose =
+      must(db.all("SELECT name FROM pragma_table_list WHERE schema = 'main' AND NOT strict AND name <> 'sqlite_schema'",
+                  [](Row row) { return row.text(0); }));
+  EXPECT_TRUE(loose.empty()) << loose.front();
+}
+
+TEST(Opening, what_was_written_is_there_again) {
+  const Folder folder;
+  SessionId session;
+  {
+    const auto store = open(folder / "a.db");
+    session = complete_session(*store, make_student(*store), keep(*store));
+  }
+  const auto store = open(folder / "a.db");
+  EXPECT_TRUE(must(verify_session(store->context(), session)).intact());
+}
+
+TEST(Opening, a_file_of_a_newer_schema_is_refused_and_left_alone) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "a.db"));
+    must(db.run("PRAGMA user_version = 900"));
+  }
+  const std::string before = content_of(folder / "a.db");
+  EXPECT_EQ(code_of(Database::open(folder / "a.db")), StorageError::newer_schema);
+  EXPECT_EQ(content_of(folder / "a.db"), before);
+  EXPECT_FALSE(fs::exists((folder / "a.db").string() + "-wal"));
+}
+
+TEST(Opening, a_newer_schema_that_stands_only_in_the_log_is_refused_too) {
+  const Folder folder;
+  auto open_elsewhere = must(Database::open(folder / "a.db"));
+  must(open_elsewhere.run("PRAGMA user_version = 900"));
+  EXPECT_EQ(code_of(Database::open(folder / "a.db")), StorageError::newer_schema);
+}
+
+TEST(Opening, files_that_are_not_a_database_are_refused_and_left_alone) {
+  const Folder folder;
+  for (const std::string& content :
+       {std::string("hello"), std::string(5000, 'x'), std::string("SQLite format 3\0", 16)}) {
+    write(folder / "letter.txt", content);
+    EXPECT_EQ(code_of(Database::open(folder / "letter.txt")), StorageError::not_a_database) << content.size();
+    EXPECT_EQ(content_of(folder / "letter.txt"), content);
+  }
+  fs::create_directory(folder / "folder");
+  EXPECT_EQ(code_of(Database::open(folder / "folder")), StorageError::not_a_database);
+}
+
+TEST(Opening, the_database_of_another_program_is_refused_and_left_alone) {
+  const Folder folder;
+  {
+    auto db = must(Database::open(folder / "other.db"));
+    must(db.run("PRAGMA application_id = 252006673"));  // GeoPackage's
+  }
+  const std::string before = content_of(folder / "other.db");
+  EXPECT_EQ(code_of(Database::open(folder / "other.db")), StorageError::not_a_database);
+  EXPECT_EQ(code_of(Database::open(folder / "other.db", {.access = Access::read_only})), StorageError::not_a_database);
+  EXPECT_EQ(content_of(folder / "other.db"), before);
+}
+
+TEST(Opening, an_empty_file_becomes_a_database) {
+  const Folder folder;
+  write(folder / "empty.db", "");
+  EXPECT_TRUE(Database::open(folder / "empty.db"));
+}
+
+TEST(Opening, what_is_not_there_is_not_found) {
+  const Folder folder;
+  EXPECT_EQ(code_of(Database::open(folder / "none.db", {.access = Access::existing})), StorageError::not_found);
+  EXPECT_EQ(code_of(Database::open(folder / "none.db", {.access = Access::read_only})), StorageError::not_found);
+  EXPECT_EQ(code_of(Database::open(folder / "none" / "a.db")), StorageError::not_found);
+  EXPECT_FALSE(fs::exists(folder / "none.db"));
+}
+
+TEST(Opening, a_network_drive_is_refused_before_anything_is_made) {
+  const Folder folder;
+  DatabaseOptions options;
+  options.on_network_drive = [](const fs::path&) { return true; };
+  EXPECT_EQ(code_of(Database::open(folder / "a.db", options)), StorageError::network_drive);
+  EXPECT_FALSE(fs::exists(folder / "a.db"));
+}
+
+TEST(Opening, a_read_only_disk_is_told_from_a_full_one) {
+  const Folder folder;
+  {
+    must(Database::open(folder / "a.db"));
+  }
+  DatabaseOptions options;
+  options.vfs = failing_vfs();
+  fail_from(Failing::read_only, 0);
+  EXPECT_EQ(code_of(Database::open(folder / "a.db", options)), StorageError::read_only);
+  fail_from(Failing::disk_full, 1);
+  EXPECT_EQ(code_of(Database::open(folder / "new.db", options)), StorageError::disk_full);
+  EXPECT_FALSE(fs::exists(folder / "new.db"));
+  fail_from(Failing::nothing, 0);
+}
+
+/// Gives up root's leave to write anywhere, where the test has it.
+class AsNobody {
+ public:
+  AsNobody() : root_{geteuid() == 0} {
+    if (root_ && seteuid(65534) != 0) root_ = false;
+  }
+  ~AsNobody() {
+    if (root_ && seteuid(0) != 0) std::abort();
+  }
+
+ private:
+  bool root_;
+};
+
+TEST(Opening, a_read_only_file_or_folder_is_refused_for_writing_and_read_all_the_same) {
+  const Folder folder;
+  SessionId session;
+  {
+    const auto store = open(folder / "a.db");
+    session = complete_session(*store, make_student(*store), keep(*store));
+  }
+  const fs::path path = (folder / "a.db").parent_path();
+  fs::permissions(folder / "a.db", fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read);
+  // The group's too: nobody is still of root's group.
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::group_read | fs::perms::group_exec |
+                            fs::perms::others_read | fs::perms::others_exec);
+  {
+    const AsNobody nobody;
+    EXPECT_EQ(code_of(Store::open(folder / "a.db", quick())), StorageError::read_only);
+    EXPECT_EQ(code_of(Store::open(folder / "new.db", quick())), StorageError::read_only);
+    StoreOptions reading = quick();
+    reading.database.access = Access::read_only;
+    const auto store = open(folder / "a.db", reading);
+    EXPECT_TRUE(must(verify_session(store->context(), session)).intact());
+    EXPECT_EQ(code_of(store->sessions.close(session, "")), StorageError::read_only);
+  }
+  fs::permissions(path, fs::perms::owner_all);
+}
+
+TEST(Opening, two_may_stand_on_one_file_and_see_each_others_work) {
+  const Folder folder;
+  const auto one = open(folder / "a.db");
+  const auto two = open(folder / "a.db");
+  const Account student = make_student(*one);
+  EXPECT_EQ(must(two->people.find(student.id)).number, student.number);
+  EXPECT_EQ(one->context().station, two->context().station);
+  EXPECT_EQ(one->context().key->public_key, two->context().key->public_key);
+}
+
+TEST(StationKeys, the_secret_half_is_readable_by_its_owner_alone_and_not_in_the_database) {
+  const Folder folder;
+  std::string secret;
+  {
+    const auto store = open(folder / "a.db");
+    const auto& key = store->context().key->secret_key;
+    secret.assign(key.begin(), key.begin() + 32);  // the seed; the second half is the public key
+  }
+  const auto mode = fs::status(folder / "a.db.key").permissions();
+  EXPECT_EQ(mode & (fs::perms::group_all | fs::perms::others_all), fs::perms::none);
+  EXPECT_EQ(content_of(folder / "a.db").find(secret), std::string::npos);
+}
+
+TEST(StationKeys, where_the_key_is_lost_a_new_one_is_made_and_old_signatures_still_hold) {
+  const Folder folder;
+  SessionId old, fresh;
+  {
+    const auto store = open(folder / "a.db");
+    old = complete_session(*store, make_student(*store), keep(*store));
+  }
+  fs::remove(folder / "a.db.key");
+  const auto store = open(folder / "a.db");
+  fresh = complete_session(*store, must(store->people.find_number("20267314")), keep(*store));
+  EXPECT_TRUE(must(verify_session(store->context(), old)).intact());
+  EXPECT_TRUE(must(verify_session(store->context(), fresh)).intact());
+  EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
+}
+
+TEST(StationKeys, a_damaged_key_file_is_told_and_not_replaced) {
+  const Folder folder;
+  {
+    open(folder / "a.db");
+  }
+  std::string key = content_of(folder / "a.db.key");
+  key[3] = static_cast<char>(key[3] ^ 1);
+  write(folder / "a.db.key", key);
+  EXPECT_EQ(code_of(Store::open(folder / "a.db", quick())), StorageError::corrupt);
+  write(folder / "a.db.key", "short");
+  EXPECT_EQ(code_of(Store::open(folder / "a.db", quick())), StorageError::corrupt);
+  EXPECT_EQ(content_of(folder / "a.db.key"), "short");
+}
+
+TEST(Processes, this_one_runs_and_one_that_never_was_does_not) {
+  const std::string mine = this_process();
+  EXPECT_TRUE(process_runs(mine));
+  EXPECT_FALSE(process_runs(mine + "0"));        // the same number, started at another time
+  EXPECT_FALSE(process_runs("another" + mine));  // before the machine was started anew
+  for (const char* nonsense : {"", ":", "::", "a:b:c", "x:-1:1"}) EXPECT_FALSE(process_runs(nonsense)) << nonsense;
+}
+
+TEST(Clocks, a_time_is_written_as_iso_8601) {
+  // date -u -d @1795166043 +%FT%TZ
+  EXPECT_EQ(iso_utc(kNow), "2026-11-20T09:14:03Z");
+  EXPECT_EQ(iso_utc(-1), "1969-12-31T23:59:59Z");
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+using namespace cusp::testing;
+
+class PeopleTest : public ::testing::Test {
+ protected:
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  People& people = store->people;
+};
+
+TEST_F(PeopleTest, the_first_start_has_no_administrator_and_makes_exactly_one) {
+  EXPECT_FALSE(must(people.has_administrator()));
+  make_administrator(*store);
+  EXPECT_TRUE(must(people.has_administrator()));
+  EXPECT_EQ(code_of(people.create_first_administrator({.number = "b", .name = "b", .password = "correct horse"})),
+            StorageError::not_allowed);
+}
+
+TEST_F(PeopleTest, the_right_password_signs_in_and_a_wrong_one_does_not) {
+  const Account admin = make_administrator(*store);
+  EXPECT_EQ(must(people.sign_in("admin", "correct horse")).id, admin.id);
+  EXPECT_EQ(must(people.sign_in("ADMIN", "correct horse")).id, admin.id);
+  EXPECT_EQ(code_of(people.sign_in("admin", "correct horsf")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(people.sign_in("admin", "")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(people.sign_in_with_pin("admin", "")), StorageError::wrong_password);
+}
+
+TEST_F(PeopleTest, an_unknown_number_cannot_be_told_from_a_wrong_password) {
+  make_administrator(*store);
+  const auto unknown = people.sign_in("nobody", "correct horse");
+  const auto wrong = people.sign_in("admin", "nonsense");
+  ASSERT_FALSE(unknown);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(unknown.error().code, wrong.error().code);
+  EXPECT_EQ(unknown.error().where, wrong.error().where);
+  EXPECT_EQ(unknown.error().detail, wrong.error().detail);
+}
+
+TEST_F(PeopleTest, a_student_signs_in_with_a_pin) {
+  const Account student = make_student(*store);
+  EXPECT_EQ(must(people.sign_in_with_pin("20267314", "314159")).id, student.id);
+  EXPECT_EQ(code_of(people.sign_in_with_pin("20267314", "314150")), StorageError::wrong_password);
+  EXPECT_EQ(must(people.sign_in("20267314", "battery staple")).id, student.id);
+}
+
+TEST_F(PeopleTest, staff_have_no_pin_and_never_do_without_a_password) {
+  const Actor admin = make_administrator(*store).actor();
+  EXPECT_EQ(
+      code_of(people.create(
+          admin, {.number = "i", .name = "I", .role = Role::instructor, .password = "long enough", .pin = "123456"})),
+      StorageError::bad_value);
+  EXPECT_EQ(code_of(people.create(admin, {.number = "i", .name = "I", .role = Role::instructor})),
+            StorageError::weak_password);
+  const Account open_student = must(people.create(admin, {.number = "s", .name = "S"}));
+  EXPECT_EQ(code_of(people.set_role(admin, open_student.id, Role::administrator)), StorageError::weak_password);
+  EXPECT_EQ(code_of(people.set_pin(admin, admin.id, "123456")), StorageError::not_found);
+}
+
+TEST_F(PeopleTest, five_wrong_tries_lock_for_half_a_minute_and_each_further_one_twice_as_long) {
+  make_student(*store);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(people.sign_in("20267314", "guess")), StorageError::wrong_password);
+  const auto locked = people.sign_in("20267314", "battery staple");  // the right one, too early
+  ASSERT_FALSE(locked);
+  EXPECT_EQ(locked.error().code, StorageError::locked);
+  EXPECT_EQ(locked.error().detail, std::to_string(kNow + 30'000'000));
+  *now += 30'000'000;
+  EXPECT_EQ(code_of(people.sign_in_with_pin("20267314", "000000")), StorageError::wrong_password);
+  *now += 59'999'999;
+  EXPECT_EQ(code_of(people.sign_in("20267314", "battery staple")), StorageError::locked);
+  *now += 1;
+  EXPECT_TRUE(people.sign_in("20267314", "battery staple"));
+  EXPECT_EQ(code_of(people.sign_in("20267314", "guess")), StorageError::wrong_password);
+  EXPECT_TRUE(people.sign_in("20267314", "battery staple"));  // counting began anew
+}
+
+TEST_F(PeopleTest, a_disabled_account_is_told_so_only_with_the_right_password) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account student = make_student(*store);
+  must(people.set_disabled(admin, student.id, true));
+  EXPECT_EQ(code_of(people.sign_in("20267314", "battery staple")), StorageError::disabled);
+  EXPECT_EQ(code_of(people.sign_in("20267314", "wrong")), StorageError::wrong_password);
+  must(people.set_disabled(admin, student.id, false));
+  EXPECT_TRUE(people.sign_in("20267314", "battery staple"));
+}
+
+TEST_F(PeopleTest, the_last_administrator_stays) {
+  const Account admin = make_administrator(*store);
+  EXPECT_EQ(code_of(people.set_disabled(admin.actor(), admin.id, true)), StorageError::last_administrator);
+  EXPECT_EQ(code_of(people.set_role(admin.actor(), admin.id, Role::student)), StorageError::last_administrator);
+  const Account second = must(people.create(
+      admin.actor(), {.number = "b", .name = "B", .role = Role::administrator, .password = "correct horse"}));
+  must(people.set_disabled(second.actor(), admin.id, true));
+}
+
+TEST_F(PeopleTest, only_an_administrator_manages_people) {
+  const Actor student = make_student(*store).actor();
+  const Actor instructor = make_instructor(*store).actor();
+  for (const Actor& actor : {student, instructor}) {
+    EXPECT_EQ(code_of(people.create(actor, {.number = "x", .name = "x"})), StorageError::not_allowed);
+    EXPECT_EQ(code_of(people.set_role(actor, actor.id, Role::administrator)), StorageError::not_allowed);
+    EXPECT_EQ(code_of(people.set_disabled(actor, student.id, true)), StorageError::not_allowed);
+    EXPECT_EQ(code_of(people.rename(actor, student.id, "a", "a")), StorageError::not_allowed);
+    EXPECT_EQ(code_of(people.set_pin(actor, student.id, "000000")), StorageError::not_allowed);
+  }
+  EXPECT_EQ(code_of(people.list(student)), StorageError::not_allowed);
+  EXPECT_EQ(must(people.list(instructor)).size(), 2u);
+}
+
+TEST_F(PeopleTest, one_changes_ones_own_password_with_the_old_one_only) {
+  const Account student = make_student(*store);
+  EXPECT_EQ(code_of(people.set_password(student.actor(), student.id, "wrong", "new password")),
+            StorageError::wrong_password);
+  EXPECT_EQ(code_of(people.set_password(student.actor(), student.id, "battery staple", "short")),
+            StorageError::weak_password);
+  must(people.set_password(student.actor(), student.id, "battery staple", "new password"));
+  EXPECT_TRUE(people.sign_in("20267314", "new password"));
+  const Account other = make_student(*store, "2", "B");
+  EXPECT_EQ(code_of(people.set_password(student.actor(), other.id, "battery staple", "new password")),
+            StorageError::not_allowed);
+  must(people.set_password(make_administrator(*store).actor(), other.id, "", "given by the office"));
+  EXPECT_TRUE(people.sign_in("2", "given by the office"));
+}
+
+TEST_F(PeopleTest, a_number_is_given_once_upper_and_lower_case_alike) {
+  const Actor admin = make_administrator(*store).actor();
+  EXPECT_EQ(code_of(people.create(admin, {.number = "Admin", .name = "x"})), StorageError::duplicate);
+  EXPECT_EQ(code_of(people.create(admin, {.number = "", .name = "x"})), StorageError::bad_value);
+  EXPECT_EQ(code_of(people.create(admin, {.number = "x", .name = ""})), StorageError::bad_value);
+  EXPECT_EQ(code_of(people.create(admin, {.number = "x", .name = "x", .pin = "12345"})), StorageError::weak_password);
+  EXPECT_EQ(must(people.list(admin)).size(), 1u);
+}
+
+TEST_F(PeopleTest, the_guest_is_one_in_no_list_and_cannot_sign_in) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account guest = must(people.guest());
+  EXPECT_TRUE(guest.guest);
+  EXPECT_EQ(must(people.guest()).id, guest.id);
+  EXPECT_EQ(must(people.list(admin)).size(), 1u);
+  EXPECT_EQ(code_of(people.sign_in(guest.number, "")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(people.set_password(admin, guest.id, "", "long enough")), StorageError::not_found);
+}
+
+TEST_F(PeopleTest, demo_is_made_only_in_a_database_without_accounts) {
+  const Account demo = must(people.demo_student());
+  EXPECT_EQ(demo.role, Role::student);
+  EXPECT_FALSE(must(people.has_administrator()));
+  EXPECT_EQ(must(people.demo_student()).id, demo.id);
+  EXPECT_EQ(must(people.sign_in("demo", "")).id, demo.id);
+  EXPECT_EQ(code_of(people.sign_in("demo", "x")), StorageError::wrong_password);
+  const Folder other;
+  const auto school = open(other / "b.db");
+  make_administrator(*school);
+  EXPECT_EQ(code_of(school->people.demo_student()), StorageError::not_allowed);
+}
+
+TEST_F(PeopleTest, what_is_done_to_accounts_stands_in_the_audit_log_without_names) {
+  const Account admin = make_administrator(*store);
+  const Account student = make_student(*store);
+  must(people.set_disabled(admin.actor(), student.id, true));
+  EXPECT_EQ(code_of(store->audit.list(student.actor(), 10)), StorageError::not_allowed);
+  const auto entries = must(store->audit.list(admin.actor(), 100));
+  ASSERT_EQ(entries.size(), 4u);  // key, two accounts, disabled
+  EXPECT_EQ(entries[0].action, "account_disabled");
+  EXPECT_EQ(entries[0].actor, admin.id);
+  EXPECT_EQ(entries[0].subject, student.id.uuid);
+  for (const AuditEntry& entry : entries) {
+    EXPECT_EQ(entry.detail.find("Lena"), std::string::npos);
+    EXPECT_EQ(entry.detail.find("20267314"), std::string::npos);
+  }
+  EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
+}
+
+TEST_F(PeopleTest, cohorts_hold_students) {
+  const Actor instructor = make_instructor(*store).actor();
+  const Account student = make_student(*store);
+  const Cohort cohort = must(store->cohorts.create(instructor, "Year 2, group A"));
+  EXPECT_EQ(code_of(store->cohorts.create(instructor, "year 2, group a")), StorageError::duplicate);
+  must(store->cohorts.add(instructor, cohort.id, student.id));
+  must(store->cohorts.add(instructor, cohort.id, student.id));
+  EXPECT_EQ(must(store->cohorts.list()).at(0).students, 1);
+  EXPECT_EQ(must(store->cohorts.cohorts_of(student.id)), std::vector{cohort.id});
+  EXPECT_EQ(code_of(store->cohorts.add(instructor, cohort.id, UserId::make())), StorageError::not_found);
+  EXPECT_EQ(code_of(store->cohorts.add(student.actor(), cohort.id, student.id)), StorageError::not_allowed);
+  must(store->cohorts.remove(instructor, cohort.id, student.id));
+  EXPECT_TRUE(must(store->cohorts.students(cohort.id)).empty());
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,135 @@
+#include "tests/storage/sample.h"
+
+#include <cstdlib>
+
+namespace cusp::testing {
+
+namespace fs = std::filesystem;
+
+Folder::Folder() {
+  path_ = fs::temp_directory_path() / ("cusp-storage-" + Uuid::v7().text());
+  fs::create_directories(path_);
+}
+Folder::~Folder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+StoreOptions quick(const std::shared_ptr<std::int64_t>& now) {
+  StoreOptions options;
+  options.clock = [now] { return *now; };
+  options.cost = PasswordCost::least();
+  return options;
+}
+
+std::unique_ptr<Store> open(const fs::path& file, const StoreOptions& options) {
+  return must(Store::open(file, options));
+}
+
+Account make_administrator(Store& store) {
+  return must(store.people.create_first_administrator(
+      {.number = "admin", .name = "Maya Okafor", .role = Role::administrator, .password = "correct horse"}));
+}
+Account make_student(Store& store, const std::string& number, const std::string& name) {
+  const Actor program{UserId{}, Role::administrator};
+  return must(
+      store.people.create(program, {.number = number, .name = name, .password = "battery staple", .pin = "314159"}));
+}
+Account make_instructor(Store& store, const std::string& number) {
+  const Actor program{UserId{}, Role::administrator};
+  return must(store.people.create(
+      program, {.number = number, .name = "Dr Okafor", .role = Role::instructor, .password = "battery staple"}));
+}
+
+Scenario small_scenario() {
+  Scenario scenario;
+  scenario.id = *ScenarioId::parse("018f0000-0000-7000-8000-000000000001");
+  scenario.version = 1;
+  scenario.key = "channel-1";
+  scenario.title = {{"en", "Straight channel"}, {"de", "Gerader Kanal"}};
+  return scenario;
+}
+
+ScenarioVersion keep(Store& store, const Scenario& scenario, const std::string& json) {
+  return must(store.scenarios.ensure(scenario, json, blake2b_256(json)));
+}
+
+NewSession new_session(const Account& student, const ScenarioVersion& version) {
+  NewSession session{.student = student.id, .version = version.id};
+  session.header.build = "0.1.0 test";
+  session.header.device.name = "Mouse and keys";
+  session.header.device.device_class = "pointer";
+  session.header.guard.limit_n = 3.3;
+  session.header.specimen_hash = 0xF00DF00DF00DF00Dull;
+  session.header.scene = "{}";
+  return session;
+}
+
+RecordedSecond second_from(std::uint64_t first_tick, std::size_t count) {
+  RecordedSecond second;
+  second.first_tick = first_tick;
+  for (std::size_t i = 0; i < count; ++i) {
+    StepInput input;
+    const auto tick = static_cast<std::int32_t>(first_tick + i);
+    input.x = 10'000 + tick % 7;
+    input.z = 50'000 - 3 * tick;
+    input.buttons = tick % 5 == 0 ? 0 : StepInput::kCut;
+    // So that a few inputs make a second, and a small session has several.
+    input.elapsed_us = static_cast<std::uint32_t>(1'000'000 / count + 1);
+    second.inputs.push_back(input);
+  }
+  second.state_hash = 0x9E3779B97F4A7C15ull * first_tick;
+  second.metrics.removed = {{Tissue::enamel, 10 * first_tick, 0.125 * static_cast<double>(first_tick)}};
+  second.metrics.force_peak_n = 2.1;
+  second.metrics.force_mean_n = 0.8;
+  second.metrics.contact_ticks = count;
+  second.metrics.cutting_ticks = count - 1;
+  return second;
+}
+
+FinalVolume volume_after(std::uint64_t tick) {
+  FinalVolume volume;
+  for (int i = 0; i < 40; ++i) volume.cuts.push_back(static_cast<std::byte>(i * i));
+  volume.hash = 0xC0FFEE00C0FFEE00ull;
+  volume.tick = tick;
+  return volume;
+}
+
+Grade small_grade(double score, bool passed) {
+  Grade grade;
+  grade.score = score;
+  grade.passed = passed;
+  grade.critical = passed ? std::vector<std::string>{} : std::vector<std::string>{"pulp_exposure"};
+  CriterionGrade removed;
+  removed.id = "target_removed";
+  removed.measure = {"target_removed", true, 96.8, 0.4, "%", std::nullopt};
+  removed.band = "ideal";
+  removed.points = 18;
+  removed.points_max = 20;
+  removed.reason_code = "full";
+  CriterionGrade depth;
+  depth.id = "floor_depth_max";
+  depth.measure = {"floor_depth_max", true, 2.41, 0.03, "mm", Vec3(1.5, -0.25, 3.0)};
+  depth.band = "fail";
+  depth.points = 4;
+  depth.points_max = 10;
+  depth.reason_code = "too_deep";
+  depth.reason_args = {{"limit", 2.0}, {"lost", 6.0}, {"value", 2.41}};
+  grade.criteria = {removed, depth};
+  return grade;
+}
+
+SessionId complete_session(Store& store, const Account& student, const ScenarioVersion& version, double score,
+                           bool passed) {
+  const SessionId id = must(store.sessions.start(student.actor(), new_session(student, version))).id;
+  must(store.traces.append(id, second_from(1)));
+  RecordedSecond second = second_from(13);
+  second.key_state = KeyState{24, std::vector<std::byte>(30, std::byte{7})};
+  must(store.traces.append(id, second));
+  must(store.traces.append(id, second_from(25)));
+  must(store.sessions.finish(id, volume_after(36), "student"));
+  must(store.grades.save(id, small_grade(score, passed), blake2b_256(std::string_view{"rubric"})));
+  return id;
+}
+
+}  // namespace cusp::testing

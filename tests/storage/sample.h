@@ -1,0 +1,71 @@
+/// A folder of one's own, a clock that stands still, and a small but complete session to try things on.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "storage/store.h"
+#include "storage/verify.h"
+
+namespace cusp::testing {
+
+/// Gone when it leaves scope.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// 20 November 2026, 09:14:03 UTC.
+inline constexpr std::int64_t kNow = 1'795'166'043'000'000;
+
+/// Cheapest passwords, a clock at *now.
+StoreOptions quick(const std::shared_ptr<std::int64_t>& now = std::make_shared<std::int64_t>(kNow));
+std::unique_ptr<Store> open(const std::filesystem::path& file, const StoreOptions& options = quick());
+
+Account make_administrator(Store& store);
+Account make_student(Store& store, const std::string& number = "20267314", const std::string& name = "Lena Brandt");
+Account make_instructor(Store& store, const std::string& number = "okafor");
+
+Scenario small_scenario();
+ScenarioVersion keep(Store& store, const Scenario& scenario = small_scenario(), const std::string& json = "{\"id\":1}");
+
+NewSession new_session(const Account& student, const ScenarioVersion& version);
+/// `count` inputs of a hand that moves down; the same for the same first tick.
+RecordedSecond second_from(std::uint64_t first_tick, std::size_t count = 12);
+FinalVolume volume_after(std::uint64_t tick);
+Grade small_grade(double score = 81.5, bool passed = true);
+
+/// Started, three seconds of trace with a key state, finished and graded.
+SessionId complete_session(Store& store, const Account& student, const ScenarioVersion& version, double score = 81.5,
+                           bool passed = true);
+
+/// The value, or a test failure that tells the code.
+template <class T>
+T must(Stored<T> result) {
+  if (!result) {
+    ADD_FAILURE() << "code " << static_cast<int>(result.error().code) << " where " << result.error().where << ": "
+                  << result.error().detail;
+    throw std::runtime_error("storage failed");
+  }
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+/// The code of a failure; fails the test when there is none.
+template <class T>
+StorageError code_of(const Stored<T>& result) {
+  if (result) {
+    ADD_FAILURE() << "succeeded";
+    throw std::runtime_error("no failure");
+  }
+  return result.error().code;
+}
+
+}  // namespace cusp::testing

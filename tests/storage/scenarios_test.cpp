@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+using namespace cusp::testing;
+
+class ScenariosTest : public ::testing::Test {
+ protected:
+  Folder folder;
+  std::unique_ptr<Store> store = open(folder / "a.db");
+  Scenarios& scenarios = store->scenarios;
+  Actor instructor = make_instructor(*store).actor();
+};
+
+TEST_F(ScenariosTest, a_scenario_from_the_library_is_kept_once) {
+  const auto first = keep(*store);
+  EXPECT_EQ(keep(*store).id, first.id);
+  EXPECT_EQ(first.number, 1);
+  EXPECT_EQ(first.key, "channel-1");
+  EXPECT_EQ(first.title, small_scenario().title);
+  EXPECT_EQ(first.json, "{\"id\":1}");
+  EXPECT_TRUE(first.author.is_nil());
+}
+
+TEST_F(ScenariosTest, a_file_that_changed_under_the_same_number_becomes_the_next_version) {
+  keep(*store);
+  const auto changed = keep(*store, small_scenario(), "{\"id\":2}");
+  EXPECT_EQ(changed.number, 2);
+  EXPECT_EQ(must(scenarios.versions(small_scenario().id)).size(), 2u);
+  EXPECT_EQ(must(scenarios.library()).size(), 1u);
+  EXPECT_EQ(must(scenarios.library())[0].id, changed.id);
+}
+
+TEST_F(ScenariosTest, publishing_makes_the_next_version_and_drops_the_draft) {
+  const auto first = keep(*store);
+  must(scenarios.save_draft(instructor, first.scenario, "{\"draft\":1}"));
+  must(scenarios.save_draft(instructor, first.scenario, "{\"draft\":2}"));
+  EXPECT_EQ(must(scenarios.draft(instructor, first.scenario))->json, "{\"draft\":2}");
+  EXPECT_EQ(must(scenarios.drafts(instructor)).size(), 1u);
+  const auto second =
+      must(scenarios.publish(instructor, small_scenario(), "{\"id\":3}", blake2b_256(std::string_view{"3"})));
+  EXPECT_EQ(second.number, 2);
+  EXPECT_EQ(second.author, instructor.id);
+  EXPECT_FALSE(must(scenarios.draft(instructor, first.scenario)));
+  EXPECT_EQ(code_of(scenarios.publish(instructor, small_scenario(), "{\"id\":3}", blake2b_256(std::string_view{"3"}))),
+            StorageError::duplicate);
+  EXPECT_EQ(must(scenarios.version(first.id)).json, "{\"id\":1}");
+}
+
+TEST_F(ScenariosTest, a_student_publishes_nothing) {
+  const Actor student = make_student(*store).actor();
+  EXPECT_EQ(code_of(scenarios.publish(student, small_scenario(), "{}", {})), StorageError::not_allowed);
+  EXPECT_EQ(code_of(scenarios.save_draft(student, small_scenario().id, "{}")), StorageError::not_allowed);
+  EXPECT_EQ(code_of(scenarios.drafts(student)), StorageError::not_allowed);
+}
+
+TEST_F(ScenariosTest, a_versions_files_are_kept_by_content) {
+  const std::vector<std::byte> voxels(100'000, std::byte{3});
+  const Hash256 hash = must(store->blobs.put(voxels));
+  EXPECT_EQ(must(store->blobs.put(voxels)), hash);
+  EXPECT_EQ(hash, blake2b_256(voxels));
+  const auto version = must(scenarios.ensure(small_scenario(), "{}", hash, {{"tooth.nrrd", hash}}));
+  EXPECT_EQ(must(store->blobs.get(version.files.at("tooth.nrrd"))), voxels);
+  EXPECT_EQ(code_of(store->blobs.get(Hash256{})), StorageError::not_found);
+  EXPECT_EQ(code_of(scenarios.ensure(small_scenario(), "{}", Hash256{1}, {{"x", Hash256{}}})), StorageError::not_found);
+  EXPECT_EQ(must(scenarios.versions(small_scenario().id)).size(), 1u);
+}
+
+TEST_F(ScenariosTest, a_damaged_blob_is_told) {
+  const Hash256 hash = must(store->blobs.put(std::vector<std::byte>(1000, std::byte{3})));
+  must(store->database().run("UPDATE blobs SET packed = zeroblob(20) WHERE hash = ?1", hash));
+  EXPECT_EQ(code_of(store->blobs.get(hash)), StorageError::corrupt);
+}
+
+TEST_F(ScenariosTest, assignments_reach_the_cohorts_students) {
+  const Account student = make_student(*store);
+  const Cohort cohort = must(store->cohorts.create(instructor, "A"));
+  must(store->cohorts.add(instructor, cohort.id, student.id));
+  const auto version = keep(*store);
+  Assignment wanted{.version = version.id, .cohort = cohort.id, .kind = SessionKind::assessment};
+  const Assignment later = must(store->assignments.create(instructor, wanted));
+  wanted.due_utc_us = kNow + 1;
+  wanted.goes_allowed = 10;
+  const Assignment due = must(store->assignments.create(instructor, wanted));
+  const auto mine = must(store->assignments.for_student(student.id));
+  ASSERT_EQ(mine.size(), 2u);
+  EXPECT_EQ(mine[0].id, due.id);
+  EXPECT_EQ(mine[0].goes_allowed, 10);
+  EXPECT_EQ(mine[1].id, later.id);
+  EXPECT_EQ(mine[1].kind, SessionKind::assessment);
+  EXPECT_EQ(must(store->assignments.for_cohort(cohort.id)).size(), 2u);
+  wanted.opens_utc_us = kNow + 1;
+  EXPECT_EQ(code_of(store->assignments.create(instructor, wanted)), StorageError::bad_value);
+  wanted.opens_utc_us.reset();
+  wanted.kind = SessionKind::try_it;
+  EXPECT_EQ(code_of(store->assignments.create(instructor, wanted)), StorageError::bad_value);
+  EXPECT_EQ(code_of(store->assignments.create(student.actor(), wanted)), StorageError::not_allowed);
+}
+
+}  // namespace
+}  // namespace cusp
