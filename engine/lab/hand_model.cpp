@@ -15,7 +15,7 @@ constexpr double kMostStepS = 0.001;
 
 HandModel::HandModel(const HandSettings& settings, Vec3 start_mm)
     : settings_(settings), position_mm_(start_mm), random_(settings.seed) {
-  const auto places = static_cast<std::size_t>(std::max(1.0, std::round(settings.delay_s / kLineStepS)));
+  const auto places = static_cast<std::size_t>(std::max(0.0, std::round(settings.delay_s / kLineStepS))) + 1;
   late_.assign(places, start_mm);
 }
 

@@ -12,10 +12,14 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
   switch (fault) {
     case HandFault::novice:
       errors.deeper_mm = 0.7;
-      errors.wider_mm = 0.35;
-      errors.shift_mm = {0.2, 0.25, 0.0};
-      style.muscles.tremor_mm = 0.15;
+      errors.shift_mm = {0.25, 0.35, 0.0};
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
+      if (scenario.method == Method::surface) {
+        errors.wider_mm = 0.3;
+        style.muscles.tremor_mm = 0.12;
+      } else {
+        style.muscles.tremor_mm = 0.05;
+      }
       style.correct_per_s = 4.0;
       break;
     case HandFault::too_deep:

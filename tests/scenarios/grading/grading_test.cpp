@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/grading/bands.h"
+#include "scenarios/grading/grader.h"
+#include "scenarios/grading/report_json.h"
+
+namespace cusp {
+namespace {
+
+// fail 1.0, acceptable 1.4, ideal 1.8 to 2.2, acceptable 2.6, fail 3.0
+const Bands kDepth{1.0, 1.4, 1.8, 2.2, 2.6, 3.0};
+const Bands kRemoved{80, 90, 97, 100, 100, 100};
+const Bands kOver{0, 0, 0, 1, 2, 4};
+
+Measure value(std::string metric, double v, double uncertainty = 0.0) { return {metric, true, v, uncertainty, "mm", {}}; }
+Measure missing(std::string metric) { return {metric, false, 0.0, 0.0, "mm", {}}; }
+
+Scenario scenario() {
+  Scenario s;
+  s.rubric.pass = 70;
+  s.rubric.criteria = {{"target_removed", 30, kRemoved}, {"depth_mean", 20, kDepth}, {"overcut_beyond_side", 10, kOver}};
+  s.rubric.critical = {"pulp_exposure"};
+  return s;
+}
+
+TEST(Bands, PointsRunStraightFromFullToHalfToNone) {
+  EXPECT_EQ(share_of_points(kDepth, 1.8), 1.0);
+  EXPECT_EQ(share_of_points(kDepth, 2.2), 1.0);
+  EXPECT_DOUBLE_EQ(share_of_points(kDepth, 1.6), 0.75);
+  EXPECT_DOUBLE_EQ(share_of_points(kDepth, 1.4), 0.5);
+  EXPECT_DOUBLE_EQ(share_of_points(kDepth, 1.2), 0.25);
+  EXPECT_EQ(share_of_points(kDepth, 1.0), 0.0);
+  EXPECT_EQ(share_of_points(kDepth, -5.0), 0.0);
+  EXPECT_DOUBLE_EQ(share_of_points(kDepth, 2.4), 0.75);
+  EXPECT_NEAR(share_of_points(kDepth, 2.8), 0.25, 1e-15);
+  EXPECT_EQ(share_of_points(kDepth, 3.0), 0.0);
+}
+
+TEST(Bands, ANaturalEndIsFullPointsAtTheEndItself) {
+  EXPECT_EQ(share_of_points(kRemoved, 100.0), 1.0);
+  EXPECT_EQ(share_of_points(kOver, 0.0), 1.0);
+}
+
+TEST(Bands, AValueThatIsNoNumberHasNoPoints) {
+  EXPECT_EQ(share_of_points(kDepth, std::numeric_limits<double>::quiet_NaN()), 0.0);
+  EXPECT_EQ(share_of_points(kOver, std::numeric_limits<double>::infinity()), 0.0);
+}
+
+TEST(Bands, PointsNeverRiseAwayFromTheIdeal) {
+  for (const Bands& b : {kDepth, kRemoved, kOver}) {
+    double last = 1.0;
+    for (double v = b.ideal_hi; v < b.fail_hi + 1; v += 0.01) {
+      EXPECT_LE(share_of_points(b, v), last);
+      last = share_of_points(b, v);
+    }
+  }
+}
+
+TEST(Bands, ABandWhoseEdgeIsNearerThanTheUncertaintyIsBorderline) {
+  EXPECT_EQ(band_of(kDepth, 2.0, 0.05), "ideal");
+  EXPECT_EQ(band_of(kDepth, 2.17, 0.05), "borderline");
+  EXPECT_EQ(band_of(kDepth, 2.4, 0.05), "acceptable");
+  EXPECT_EQ(band_of(kDepth, 2.63, 0.05), "borderline");
+  EXPECT_EQ(band_of(kDepth, 2.8, 0.05), "fail");
+  EXPECT_EQ(band_of(kDepth, 2.2, 0.0), "ideal");
+}
+
+TEST(Bands, ANaturalEndIsNotAnEdge) {
+  EXPECT_EQ(band_of(kRemoved, 99.9, 0.5), "ideal");
+  EXPECT_EQ(band_of(kOver, 0.0, 0.5), "ideal");
+}
+
+TEST(Grade, IsTheWeightedSumOfPoints) {
+  // By hand: 30 · 1 + 20 · 0.75 + 10 · 0.5 = 50 of 60.
+  const Grade g = grade(scenario(), {value("target_removed", 98), value("depth_mean", 2.4), value("overcut_beyond_side", 2)});
+  EXPECT_NEAR(g.score, 100.0 * 50.0 / 60.0, 1e-12);
+  EXPECT_TRUE(g.passed);
+  ASSERT_EQ(g.criteria.size(), 3u);
+  EXPECT_EQ(g.criteria[0].reason_code, "full");
+  EXPECT_EQ(g.criteria[1].reason_code, "too_deep");
+  EXPECT_DOUBLE_EQ(g.criteria[1].reason_args.at("limit"), 2.2);
+  EXPECT_DOUBLE_EQ(g.criteria[1].reason_args.at("lost"), 5.0);
+  EXPECT_EQ(g.criteria[2].reason_code, "too_much");
+}
+
+TEST(Grade, TooLittleAndTooShallowAreSaidAsSuch) {
+  const Grade g = grade(scenario(), {value("target_removed", 85), value("depth_mean", 1.2), value("overcut_beyond_side", 0)});
+  EXPECT_EQ(g.criteria[0].reason_code, "too_little");
+  EXPECT_EQ(g.criteria[1].reason_code, "too_shallow");
+}
+
+TEST(Grade, WhatWasNotMeasuredIsLeftOutOfTheMaximumAndSaid) {
+  const Grade g = grade(scenario(), {value("target_removed", 98), missing("depth_mean")});
+  EXPECT_EQ(g.score, 100.0);
+  EXPECT_EQ(g.criteria[1].band, "not_measured");
+  EXPECT_EQ(g.criteria[1].points_max, 0.0);
+  EXPECT_EQ(g.criteria[2].reason_code, "not_measured");  // no such measure at all
+}
+
+TEST(Grade, WithNothingMeasuredNobodyPasses) {
+  const Grade g = grade(scenario(), {});
+  EXPECT_EQ(g.score, 0.0);
+  EXPECT_FALSE(g.passed);
+}
+
+TEST(Grade, ACriticalEventFailsTheGoAndTheScoreStands) {
+  const std::vector<Measure> good = {value("target_removed", 98), value("depth_mean", 2.0), value("overcut_beyond_side", 0)};
+  std::vector<Measure> exposed = good;
+  exposed.push_back(value("pulp_exposure", 1));
+  const Grade g = grade(scenario(), exposed);
+  EXPECT_EQ(g.score, 100.0);
+  EXPECT_FALSE(g.passed);
+  EXPECT_EQ(g.critical, std::vector<std::string>{"pulp_exposure"});
+  exposed.back().value = 0;
+  EXPECT_TRUE(grade(scenario(), exposed).passed);
+  exposed.back() = missing("pulp_exposure");
+  EXPECT_TRUE(grade(scenario(), exposed).passed);
+}
+
+TEST(Grade, DoesNotDependOnTheOrderOfTheMeasures) {
+  std::vector<Measure> m = {value("target_removed", 91), value("depth_mean", 2.5), value("overcut_beyond_side", 1.5)};
+  const double score = grade(scenario(), m).score;
+  std::reverse(m.begin(), m.end());
+  EXPECT_EQ(grade(scenario(), m).score, score);
+}
+
+TEST(ReportJson, HasTheFieldsOfTheDesignInItsOrder) {
+  std::vector<Measure> m = {value("target_removed", 98.25, 0.5), missing("depth_mean"), value("overcut_beyond_side", 0)};
+  m[0].where_mm = Vec3(1, 2, 3);
+  ReportHead head;
+  head.session = "019a9f3c-0000-7000-8000-000000000001";
+  head.student = "demo";
+  head.hand = "expert";
+  const auto json = nlohmann::ordered_json::parse(report_json(head, grade(scenario(), m)));
+  std::vector<std::string> keys;
+  for (const auto& [key, _] : json.items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"session", "scenario", "student", "hand", "engine", "device", "duration_s", "state",
+                                            "score", "score_max", "passed", "critical", "volume_hash", "criteria"}));
+  keys.clear();
+  for (const auto& [key, _] : json["criteria"][0].items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"id", "label", "value", "unit", "uncertainty", "measured", "band", "points",
+                                            "points_max", "reason_code", "reason", "where"}));
+  EXPECT_EQ(json["criteria"][0]["value"].get<double>(), 98.25);
+  EXPECT_EQ(json["criteria"][0]["where"]["mm"][2].get<double>(), 3.0);
+  EXPECT_TRUE(json["criteria"][1]["value"].is_null());
+  EXPECT_FALSE(json["criteria"][1]["measured"].get<bool>());
+}
+
+TEST(ReportJson, TakesItsWordsFromOutsideAndSurvivesBadUtf8) {
+  ReportWords words;
+  words.label = [](const CriterionGrade& c) { return "label of " + c.id; };
+  words.reason = [](const CriterionGrade&) { return std::string("\xFF broken"); };
+  const auto json = nlohmann::json::parse(report_json({}, grade(scenario(), {value("target_removed", 98)}), words));
+  EXPECT_EQ(json["criteria"][0]["label"], "label of target_removed");
+}
+
+}  // namespace
+}  // namespace cusp
