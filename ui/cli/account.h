@@ -1,0 +1,27 @@
+/// The database of a verb, and the account that it acts as.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <expected>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "storage/store.h"
+#include "ui/app/sentences.h"
+
+namespace cusp {
+
+struct AccountOption {
+  std::string number;  // empty: the student "demo"
+  void add_to(CLI::App& verb);
+};
+
+/// Opens a database that is there; read-only where it cannot be written.
+std::expected<std::unique_ptr<Store>, Told> open_records(const std::filesystem::path& file);
+
+/// Signs in with the password of CUSP_PASSWORD or one line of stdin. Without a number: "demo", made where there are no
+/// accounts yet and `may_make`.
+std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, bool may_make);
+
+}  // namespace cusp

@@ -1,0 +1,197 @@
+// cusp history DB list|show|verify
+
+#include <nlohmann/json.hpp>
+
+#include "storage/clock.h"
+#include "storage/verify.h"
+#include "ui/cli/account.h"
+#include "ui/cli/verb.h"
+#include "ui/cli/words.h"
+
+namespace cusp {
+
+namespace {
+
+struct HistoryOptions {
+  std::string db, session, student;
+  int limit = -1;
+  AccountOption account;
+  JsonOption json;
+};
+
+nlohmann::ordered_json row_json(const HistoryRow& row) {
+  nlohmann::ordered_json json;
+  json["session"] = row.session.text();
+  json["student"] = row.student_number;
+  json["scenario"] = row.scenario.text();
+  json["scenario_key"] = row.scenario_key;
+  json["version"] = row.version_number;
+  json["kind"] = std::string(key_of(row.kind));
+  json["hand"] = row.hand == "person" ? std::string() : row.hand;
+  json["device"] = row.device;
+  json["device_class"] = row.device_class;
+  json["started"] = iso_utc(row.started_utc_us);
+  json["duration_s"] = static_cast<double>(row.elapsed_us) * 1e-6;
+  json["state"] = std::string(key_of(row.state));
+  json["go"] = row.go;
+  json["score"] = row.score ? nlohmann::ordered_json(*row.score) : nullptr;
+  json["score_max"] = row.score_max ? nlohmann::ordered_json(*row.score_max) : nullptr;
+  json["pass_mark"] = row.pass_mark ? nlohmann::ordered_json(*row.pass_mark) : nullptr;
+  json["passed"] = row.passed ? nlohmann::ordered_json(*row.passed) : nullptr;
+  json["critical"] = row.critical;
+  return json;
+}
+
+std::string row_line(const HistoryRow& row) {
+  const QString score = row.score ? QStringLiteral("%1").arg(*row.score, 5, 'f', 1) : QStringLiteral("    –");
+  const QString result = !row.passed ? state_name(row.state) : *row.passed ? CliWords::tr("passed") : CliWords::tr("not passed");
+  return plain(QString::fromStdString(row.session.text()) + QStringLiteral("  ") +
+               QString::fromStdString(iso_utc(row.started_utc_us)) + QStringLiteral("  ") +
+               QString::fromStdString(row.student_number) + QStringLiteral("  ") + local(row.title) + QStringLiteral("  ") +
+               score + QStringLiteral("  ") + result);
+}
+
+int list(const HistoryOptions& o) {
+  auto store = open_records(o.db);
+  if (!store) return failed(store.error());
+  auto account = sign_in(**store, o.account, false);
+  if (!account) return failed(account.error());
+  HistoryFilter filter;
+  filter.limit = o.limit;
+  filter.search = o.student;
+  auto rows = (*store)->history.list(account->actor(), filter);
+  if (!rows) return failed(tell(rows.error()));
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const HistoryRow& row : *rows) {
+    json.push_back(row_json(row));
+    if (!o.json.on_stdout()) say(row_line(row));
+  }
+  return o.json.write(json) ? kDone : kFailed;
+}
+
+int show(const HistoryOptions& o) {
+  const auto id = SessionId::parse(o.session);
+  if (!id) return wrong_usage(CliWords::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
+  auto store = open_records(o.db);
+  if (!store) return failed(store.error());
+  auto account = sign_in(**store, o.account, false);
+  if (!account) return failed(account.error());
+  auto details = (*store)->history.details(account->actor(), *id);
+  if (!details) return failed(tell(details.error()));
+
+  nlohmann::ordered_json json = row_json(details->row);
+  json["engine"] = details->session.header.engine_version;
+  json["events"] = nlohmann::ordered_json::array();
+  for (const SessionEvent& e : details->events) {
+    json["events"].push_back({{"kind", std::string(key_of(e.kind))},
+                              {"at", iso_utc(e.at_utc_us)},
+                              {"tick", e.tick},
+                              {"reason", e.reason}});
+  }
+  json["removed"] = nlohmann::ordered_json::array();
+  for (const RemovedTissue& r : details->removed) {
+    const auto code = index_of(r.tissue);
+    json["removed"].push_back({{"tissue", code < kTissueKeys.size() ? std::string(kTissueKeys[code]) : std::to_string(code)},
+                               {"voxels", r.voxels},
+                               {"mm3", r.mm3}});
+  }
+  json["criteria"] = nlohmann::ordered_json::array();
+  if (details->grade) {
+    for (const CriterionGrade& c : details->grade->grade.criteria) {
+      json["criteria"].push_back({{"id", c.id},
+                                  {"value", c.measure.measured ? nlohmann::ordered_json(c.measure.value) : nullptr},
+                                  {"unit", c.measure.unit},
+                                  {"band", c.band},
+                                  {"points", c.points},
+                                  {"points_max", c.points_max},
+                                  {"reason_code", c.reason_code}});
+    }
+  }
+  if (!o.json.write(json)) return kFailed;
+  if (o.json.on_stdout()) return kDone;
+  say(row_line(details->row));
+  for (const SessionEvent& e : details->events) {
+    say("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + e.reason));
+  }
+  for (const RemovedTissue& r : details->removed) {
+    say(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue)).arg(r.mm3, 0, 'f', 2)));
+  }
+  if (details->grade) {
+    for (const CriterionGrade& c : details->grade->grade.criteria) {
+      say(plain(QStringLiteral("  %1/%2  %3: %4")
+                    .arg(c.points, 5, 'f', 1)
+                    .arg(c.points_max, 0, 'f', 0)
+                    .arg(metric_name(c.id), reason_text(c))));
+    }
+  }
+  return kDone;
+}
+
+int verify(const HistoryOptions& o) {
+  auto store = open_records(o.db);
+  if (!store) return failed(store.error());
+  auto account = sign_in(**store, o.account, false);
+  if (!account) return failed(account.error());
+  auto sound = (*store)->database().integrity_check();
+  if (!sound) return failed(tell(sound.error()));
+  if (!sound->empty()) return failed(tell(StorageFailure{StorageError::corrupt, o.db, *sound}));
+  auto sessions = sessions_to_verify((*store)->context());
+  if (!sessions) return failed(tell(sessions.error()));
+
+  nlohmann::ordered_json json;
+  json["sessions"] = sessions->size();
+  json["findings"] = nlohmann::ordered_json::array();
+  std::optional<QString> first;
+  const auto take = [&](const std::string& owner, const Verification& verification) {
+    for (const ChainFinding& f : verification.findings) {
+      json["findings"].push_back({{"session", owner},
+                                  {"code", std::string(key_of(f.code))},
+                                  {"table", f.table},
+                                  {"row", f.row},
+                                  {"second", f.second}});
+      if (!first) first = owner.empty() ? finding_text(f) : QString::fromStdString(owner) + QStringLiteral(": ") + finding_text(f);
+    }
+  };
+  for (const SessionId id : *sessions) {
+    auto found = verify_session((*store)->context(), id);
+    if (!found) return failed(tell(found.error()));
+    take(id.text(), *found);
+  }
+  auto log = verify_audit_log((*store)->context());
+  if (!log) return failed(tell(log.error()));
+  take({}, *log);
+  json["intact"] = !first.has_value();
+  if (!o.json.write(json)) return kFailed;
+  if (first) return failed(*first);
+  if (!o.json.on_stdout()) {
+    say(plain(CliWords::tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(sessions->size()))));
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_history(CLI::App& program, Job& job) {
+  auto o = std::make_shared<HistoryOptions>();
+  CLI::App* verb = program.add_subcommand("history", help(CliWords::tr("What is kept: sessions, one of them, or proof of all")));
+  verb->add_option("DB", o->db, help(CliWords::tr("Database")))->required();
+  verb->require_subcommand(1);
+  o->account.add_to(*verb);
+  o->json.add_to(*verb);
+  verb->fallthrough();
+
+  CLI::App* list_of = verb->add_subcommand("list", help(CliWords::tr("Sessions, newest first")));
+  list_of->add_option("--student", o->student, help(CliWords::tr("Part of a name or number")))->type_name("TEXT");
+  list_of->add_option("--limit", o->limit, help(CliWords::tr("At most so many")))->type_name("N");
+  CLI::App* show_one = verb->add_subcommand("show", help(CliWords::tr("One session: events, removed tissue, grade")));
+  show_one->add_option("SESSION", o->session, help(CliWords::tr("The session's id")))->required();
+  CLI::App* verify_all = verb->add_subcommand("verify", help(CliWords::tr("The file, each session's chain, and the audit log")));
+  list_of->fallthrough();
+  show_one->fallthrough();
+  verify_all->fallthrough();
+  list_of->callback([&job, o] { job = [o] { return list(*o); }; });
+  show_one->callback([&job, o] { job = [o] { return show(*o); }; });
+  verify_all->callback([&job, o] { job = [o] { return verify(*o); }; });
+}
+
+}  // namespace cusp

@@ -1,0 +1,20 @@
+#include "ui/cli/load_scenario.h"
+
+#include "scenarios/format/read.h"
+#include "scenarios/library/library.h"
+
+namespace cusp {
+
+std::expected<LoadedScenario, Told> load_scenario(const std::string& what) {
+  const bool built_in = !builtin_scenario_text(what).empty();
+  auto scenario = built_in ? load_builtin(what) : read_scenario_file(what);
+  if (!scenario) return std::unexpected(tell(scenario.error()));
+  LoadedScenario out{std::move(*scenario), {}};
+  if (!built_in) {
+    const std::filesystem::path path(what);
+    out.folder = std::filesystem::is_directory(path) ? path : path.parent_path();
+  }
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,20 @@
+/// SCENARIO of the command line: a path, or the key of a built-in one.
+#pragma once
+
+#include <expected>
+#include <filesystem>
+#include <string>
+
+#include "scenarios/format/scenario.h"
+#include "ui/app/sentences.h"
+
+namespace cusp {
+
+struct LoadedScenario {
+  Scenario scenario;
+  std::filesystem::path folder;  // where a volume that it names lies; empty for a built-in one
+};
+
+std::expected<LoadedScenario, Told> load_scenario(const std::string& what);
+
+}  // namespace cusp

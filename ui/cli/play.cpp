@@ -1,0 +1,109 @@
+// cusp play SCENARIO --script expert|novice|FILE [--db DB] [--as NAME] --out DIR
+
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "device/scripted/csv_port.h"
+#include "scenarios/hands/faults.h"
+#include "scenarios/hands/hand_port.h"
+#include "ui/cli/account.h"
+#include "ui/cli/load_scenario.h"
+#include "ui/cli/report_files.h"
+#include "ui/cli/verb.h"
+#include "ui/cli/words.h"
+#include "ui/session/play_through.h"
+#include "ui/session/scene_builder.h"
+
+namespace cusp {
+
+namespace {
+
+struct PlayOptions {
+  std::string scenario, script = "expert", out, db;
+  std::uint64_t seed = 1;
+  bool progress = false;
+  AccountOption account;
+  JsonOption json;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
+
+int play(const PlayOptions& o) {
+  auto loaded = load_scenario(o.scenario);
+  if (!loaded) return failed(loaded.error());
+  const std::filesystem::path folder(o.out);
+  if (!writable_folder(folder)) return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
+
+  RunPlan plan;
+  plan.scenario = std::move(loaded->scenario);
+  plan.scenario_folder = loaded->folder;
+  plan.database = o.db.empty() ? folder / "cusp.db" : std::filesystem::path(o.db);
+  auto specimen = build_specimen(plan.scenario, plan.scenario_folder);
+  if (!specimen) return failed(tell(specimen.error()));
+  plan.specimen = std::move(*specimen);
+
+  PlaySettings settings;
+  std::unique_ptr<HapticPort> port;
+  if (auto hand = hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+    port = std::make_unique<HandPort>(std::move(*hand));
+    plan.hand = o.script;
+  } else {
+    const std::filesystem::path file(o.script);
+    auto trace = std::make_unique<CsvPort>(file, Pacing::at_once);
+    // Each row brings its own length; the loop asks once a sample, in order.
+    settings.elapsed_us = [rows = trace.get(), next = std::size_t{0}]() mutable { return rows->rows()[next++].elapsed_us; };
+    // Known to be good before a session begins.
+    if (auto opened = trace->open(); !opened) return failed(tell(opened.error()));
+    trace->close();
+    port = std::move(trace);
+    plan.hand = file.filename().string();
+  }
+
+  auto store = Store::open(plan.database);
+  if (!store) return failed(tell(store.error()));
+  auto account = sign_in(**store, o.account, true);
+  if (!account) return failed(account.error());
+  plan.student = account->actor();
+
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  settings.go_on = [&o](std::uint64_t elapsed_us) {
+    if (o.progress) std::fprintf(stderr, "%.3f\n", static_cast<double>(elapsed_us) * 1e-6);
+    return interrupted == 0;
+  };
+  auto result = play_through(std::move(plan), *port, settings);
+  if (!result) return failed(tell(result.error()));
+
+  if (auto written = write_report_files(folder, *result, **store, *account); !written) return failed(written.error());
+  if (!o.json.write(nlohmann::ordered_json::parse(report_text(*result, **store, *account)))) return kFailed;
+  if (!o.json.on_stdout()) say(result->session.text());
+  return kDone;
+}
+
+}  // namespace
+
+void add_play(CLI::App& program, Job& job) {
+  auto o = std::make_shared<PlayOptions>();
+  CLI::App* verb = program.add_subcommand(
+      "play", help(CliWords::tr("Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf "
+                                "and tooth.png; prints the session's id")));
+  verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one: paper-block, "
+                                                              "channel-1, class-1-36")))
+      ->required();
+  verb->add_option("--script", o->script,
+                   help(CliWords::tr("expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, or a CSV file of inputs")))
+      ->type_name("HAND")
+      ->capture_default_str();
+  verb->add_option("--seed", o->seed, help(CliWords::tr("Of the hand's tremor")))->capture_default_str();
+  verb->add_flag("--progress", o->progress, help(CliWords::tr("Print each second of the session to stderr as it is played")));
+  verb->add_option("--db", o->db, help(CliWords::tr("Database; made when it is not there. Without it: cusp.db in DIR")))
+      ->type_name("DB");
+  verb->add_option("--out", o->out, help(CliWords::tr("Folder for the report")))->type_name("DIR")->required();
+  o->account.add_to(*verb);
+  o->json.add_to(*verb);
+  verb->callback([&job, o] { job = [o] { return play(*o); }; });
+}
+
+}  // namespace cusp

@@ -1,0 +1,117 @@
+// cusp replay [--verify] DB SESSION
+
+#include "ui/session/replay.h"
+
+#include <nlohmann/json.hpp>
+
+#include "scenarios/import/nrrd.h"
+#include "ui/cli/account.h"
+#include "ui/cli/verb.h"
+#include "ui/cli/words.h"
+
+namespace cusp {
+
+namespace {
+
+struct ReplayOptions {
+  std::string db, session, volume;
+  bool verify = false;
+  AccountOption account;
+  JsonOption json;
+};
+
+std::string hex16(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+int verify(const ReplayOptions& o, Store& store, SessionId id) {
+  auto proof = prove_session(store, id);
+  if (!proof) return failed(tell(proof.error()));
+  nlohmann::ordered_json json;
+  json["session"] = id.text();
+  json["holds"] = proof->holds();
+  json["chain_intact"] = proof->chain.intact();
+  json["links"] = proof->chain.links;
+  json["findings"] = nlohmann::ordered_json::array();
+  for (const ChainFinding& f : proof->chain.findings) {
+    json["findings"].push_back(
+        {{"code", std::string(key_of(f.code))}, {"table", f.table}, {"row", f.row}, {"second", f.second}});
+  }
+  json["engine"] = proof->engine_version;
+  json["same_engine"] = proof->same_engine;
+  json["ticks"] = proof->ticks;
+  json["seconds_compared"] = proof->seconds_compared;
+  json["differs_at_tick"] = proof->differs_at_tick ? nlohmann::ordered_json(*proof->differs_at_tick) : nullptr;
+  json["volume_equal"] = proof->has_final_volume ? nlohmann::ordered_json(proof->volume_equal) : nullptr;
+  json["grade_equal"] = proof->has_grade ? nlohmann::ordered_json(proof->grade_equal) : nullptr;
+  json["grade_differs"] = proof->grade_differs;
+  json["volume_hash"] = hex16(proof->volume_hash);
+  if (!o.json.write(json)) return kFailed;
+  if (!proof->holds()) return failed(proof_text(*proof));
+  if (o.json.on_stdout()) return kDone;
+  if (!proof->same_engine) {
+    say(plain(CliWords::tr("The record is whole. It was made by engine %1 and is not computed again by engine %2.")
+                  .arg(proof->engine_version)
+                  .arg(kEngineVersion)));
+  } else {
+    say(plain(CliWords::tr("The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.", nullptr,
+                           static_cast<int>(proof->ticks))));
+  }
+  return kDone;
+}
+
+int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
+  auto opened = open_session(store, id);
+  if (!opened) return failed(tell(opened.error()));
+  auto run = Replay::open(store, std::move(*opened));
+  if (!run) return failed(tell(run.error()));
+  if (auto done = run->to(UINT64_MAX, true); !done) return failed(tell(done.error()));
+  const StepState& state = run->state();
+  if (!o.volume.empty()) {
+    if (auto written = write_nrrd(state.volume().dense(), o.volume); !written) return failed(tell(written.error()));
+  }
+  nlohmann::ordered_json json;
+  json["session"] = id.text();
+  json["engine"] = kEngineVersion;
+  json["ticks"] = state.last().tick;
+  json["duration_s"] = static_cast<double>(state.last().elapsed_us) * 1e-6;
+  json["volume_hash"] = hex16(state.volume().hash());
+  if (!o.json.write(json)) return kFailed;
+  if (!o.json.on_stdout()) say(hex16(state.volume().hash()));
+  return kDone;
+}
+
+int replay(const ReplayOptions& o) {
+  const auto id = SessionId::parse(o.session);
+  if (!id) return wrong_usage(CliWords::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
+  auto store = open_records(o.db);
+  if (!store) return failed(store.error());
+  auto account = sign_in(**store, o.account, false);
+  if (!account) return failed(account.error());
+  // A record so damaged that its session cannot be found is still to be proved.
+  if (const auto session = (*store)->sessions.find(*id)) {
+    if (auto may = require_reading(account->actor(), session->student); !may) return failed(tell(may.error()));
+  }
+  return o.verify ? verify(o, **store, *id) : rebuild(o, **store, *id);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& program, Job& job) {
+  auto o = std::make_shared<ReplayOptions>();
+  CLI::App* verb = program.add_subcommand(
+      "replay", help(CliWords::tr("Run a stored session again and print the hash of its tooth")));
+  verb->add_flag("--verify", o->verify,
+                 help(CliWords::tr("Prove it: the record's chain, then tooth and grade bit for bit")));
+  verb->add_option("DB", o->db, help(CliWords::tr("Database")))->required();
+  verb->add_option("SESSION", o->session, help(CliWords::tr("The session's id")))->required();
+  verb->add_option("--volume", o->volume, help(CliWords::tr("Write the tooth as it is after the last tick (NRRD)")))
+      ->type_name("FILE");
+  o->account.add_to(*verb);
+  o->json.add_to(*verb);
+  verb->callback([&job, o] { job = [o] { return replay(*o); }; });
+}
+
+}  // namespace cusp

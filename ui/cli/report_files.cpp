@@ -1,0 +1,75 @@
+#include "ui/cli/report_files.h"
+
+#include <QBuffer>
+#include <QImage>
+
+#include "scenarios/grading/report_json.h"
+#include "ui/cli/verb.h"
+#include "ui/cli/words.h"
+#include "ui/report/report_data.h"
+#include "ui/report/report_pdf.h"
+
+namespace cusp {
+
+namespace {
+
+constexpr int kPictureSidePx = 1200;
+
+std::string hex(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+Told cannot_write(const std::filesystem::path& file) {
+  return {CliWords::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())), {}};
+}
+
+}  // namespace
+
+std::string report_text(const RunResult& result, Store& store, const Account& student) {
+  ReportHead head;
+  head.session = result.session.text();
+  head.scenario_id = result.scenario.id.text();
+  head.scenario_version = result.scenario.version;
+  if (const auto session = store.sessions.find(result.session)) {
+    head.scenario_hash = hex(session->version_hash);
+    if (const auto version = store.scenarios.version(session->version)) head.scenario_version = version->number;
+  }
+  head.student = student.number;
+  head.hand = result.hand == "person" ? std::string() : result.hand;
+  head.engine = result.engine_version;
+  head.device = result.device.name;
+  head.duration_s = result.seconds;
+  head.state = result.interrupted ? "interrupted" : "finished";
+  head.volume_hash = hex(result.volume_hash);
+  ReportWords words;
+  words.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
+  words.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
+  return report_json(head, result.grade, words);
+}
+
+std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,
+                                             const Account& student) {
+  if (!write_whole(folder / "report.json", report_text(result, store, student))) {
+    return std::unexpected(cannot_write(folder / "report.json"));
+  }
+  const QImage tooth = draw_report_tooth(result, kPictureSidePx);
+  const Actor reader = student.actor();
+  const ReportData data = gather_report(result, &store, &reader);
+  const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth);
+  if (!pdf) return std::unexpected(cannot_write(folder / "report.pdf"));
+  if (tooth.isNull()) {
+    return std::unexpected(Told{CliWords::tr("The picture of the tooth cannot be drawn: there is no OpenGL."),
+                                CliWords::tr("The record and the report are kept.")});
+  }
+  QByteArray png;
+  QBuffer buffer(&png);
+  buffer.open(QIODevice::WriteOnly);
+  if (!tooth.save(&buffer, "PNG") || !write_whole(folder / "tooth.png", png.toStdString())) {
+    return std::unexpected(cannot_write(folder / "tooth.png"));
+  }
+  return {};
+}
+
+}  // namespace cusp

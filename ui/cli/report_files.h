@@ -1,0 +1,21 @@
+/// report.json, report.pdf and tooth.png of a go.
+#pragma once
+
+#include <expected>
+#include <filesystem>
+#include <string>
+
+#include "storage/store.h"
+#include "ui/app/sentences.h"
+#include "ui/session/exercise_run.h"
+
+namespace cusp {
+
+/// The text of report.json: fields of design.md, words in the installed language.
+std::string report_text(const RunResult& result, Store& store, const Account& student);
+
+/// Each file whole or not at all. Needs a QGuiApplication for the page.
+std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,
+                                             const Account& student);
+
+}  // namespace cusp

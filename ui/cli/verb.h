@@ -1,0 +1,55 @@
+/// What the verbs share: how one joins the command line, how it fails, and where its JSON goes.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "ui/app/sentences.h"
+
+namespace cusp {
+
+/// Exit statuses of every verb.
+inline constexpr int kDone = 0, kFailed = 1, kWrongUsage = 2;
+
+/// What was chosen on the command line; run after all of it has been read.
+using Job = std::function<int()>;
+
+// Each adds its verb to the program.
+void add_play(CLI::App& program, Job& job);
+void add_replay(CLI::App& program, Job& job);
+void add_grade(CLI::App& program, Job& job);
+void add_validate(CLI::App& program, Job& job);
+void add_import(CLI::App& program, Job& job);
+void add_specimen(CLI::App& program, Job& job);
+void add_history(CLI::App& program, Job& job);
+
+/// One line on stderr, "cusp: …", and kFailed.
+int failed(const Told& told);
+int failed(const QString& what);
+/// One line on stderr and kWrongUsage.
+int wrong_usage(const QString& what);
+/// One line on stdout.
+void say(const std::string& line);
+/// A sentence for a terminal: one line, without the marks that hold right-to-left text together on a screen.
+std::string plain(const QString& text);
+
+/// --json FILE, or - for stdout. The same in every language.
+struct JsonOption {
+  std::string file;
+  void add_to(CLI::App& verb);
+  bool wanted() const { return !file.empty(); }
+  bool on_stdout() const { return file == "-"; }
+  /// The old file or the whole new one; nothing when it was not asked for. False: could not be written, and was said.
+  bool write(const nlohmann::ordered_json& value) const;
+};
+
+/// Writes beside the name and renames over it. False: nothing is left.
+bool write_whole(const std::filesystem::path& file, const std::string& bytes);
+/// Makes the folder at need; false when nothing can be written there.
+bool writable_folder(const std::filesystem::path& folder);
+
+}  // namespace cusp

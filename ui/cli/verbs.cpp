@@ -1,0 +1,76 @@
+#include "ui/cli/verbs.h"
+
+#include <QGuiApplication>
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <exception>
+
+#ifdef CUSP_HAS_IMPORT
+#include "scenarios/import/worker.h"
+#endif
+#include "ui/app/language.h"
+#include "ui/cli/verb.h"
+#include "ui/cli/words.h"
+#include "ui/session/build_info.h"
+
+namespace cusp {
+
+namespace {
+
+constexpr std::array<std::string_view, 8> kVerbs = {"play",   "replay",   "grade",   "validate",
+                                                    "import", "specimen", "history", "import-child"};
+
+int run(int argc, char** argv) {
+  CLI::App program(help(CliWords::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
+  program.set_version_flag("--version", build_info());
+  program.require_subcommand(1);
+  Job job;
+  add_play(program, job);
+  add_replay(program, job);
+  add_grade(program, job);
+  add_validate(program, job);
+#ifdef CUSP_HAS_IMPORT
+  add_import(program, job);
+#endif
+  add_specimen(program, job);
+  add_history(program, job);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return program.exit(asked);
+  } catch (const CLI::ParseError& wrong) {
+    return wrong_usage(CliWords::tr("%1 (cusp VERB --help says more)").arg(QString::fromUtf8(wrong.what())));
+  }
+  try {
+    return job();
+  } catch (const std::bad_alloc&) {
+    return failed(CliWords::tr("There is not enough memory."));
+  } catch (const std::exception& unexpected) {
+    return failed(CliWords::tr("Something unexpected happened (%1). What was recorded before is kept.")
+                      .arg(QString::fromUtf8(unexpected.what())));
+  }
+}
+
+}  // namespace
+
+bool is_verb(int argc, char** argv) {
+  if (argc < 2) return false;
+  const std::string_view first = argv[1];
+  return std::ranges::find(kVerbs, first) != kVerbs.end() || first == "--help" || first == "-h" || first == "--version" ||
+         (!first.empty() && first.front() != '-');
+}
+
+int run_verb(int argc, char** argv) {
+#ifdef CUSP_HAS_IMPORT
+  if (const auto status = import_child_main(argc, argv)) return *status;
+#endif
+  // The page of a report needs fonts, not a display.
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  int own_argc = 1;  // a verb's options are not Qt's
+  QGuiApplication app(own_argc, argv);
+  install_language(app, {});
+  return run(argc, argv);
+}
+
+}  // namespace cusp

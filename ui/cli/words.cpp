@@ -1,0 +1,99 @@
+#include "ui/cli/words.h"
+
+#include <optional>
+
+#include "ui/app/sentences.h"
+
+namespace cusp {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QString number(const std::map<std::string, double>& args, const char* key) {
+  const auto it = args.find(key);
+  return it == args.end() ? QString() : QString::number(it->second, 'g', 6);
+}
+
+std::optional<FormatError> format_error(const std::string& code) {
+  for (int i = 0; i <= static_cast<int>(FormatError::unknown_builtin); ++i) {
+    if (key_of(static_cast<FormatError>(i)) == code) return static_cast<FormatError>(i);
+  }
+  return std::nullopt;
+}
+
+QString reason(const Finding& f) {
+  const std::string& c = f.code;
+  if (c == "no_instrument") return CliWords::tr("it has no instrument");
+  if (c == "no_target") return CliWords::tr("it has no target");
+  if (c == "path_count" || c == "point_count") return CliWords::tr("the target’s path does not fit its shape");
+  if (c == "empty_target") return CliWords::tr("the target is empty");
+  if (c == "no_criteria") return CliWords::tr("the rubric has no criterion");
+  if (c == "weight_zero" || c == "weights_zero") return CliWords::tr("no criterion brings points");
+  if (c == "bands_not_ordered") return CliWords::tr("the bands are not in rising order");
+  if (c == "pass_unreachable") return CliWords::tr("the pass mark cannot be reached");
+  if (c == "protected_missing") return CliWords::tr("a protected tissue is missing (%1)").arg(text(f.detail));
+  if (c == "tissue_missing") return CliWords::tr("the specimen holds a tissue that is not described (%1)").arg(text(f.detail));
+  if (c == "tissue_unused") return CliWords::tr("a tissue does not occur in the specimen (%1)").arg(text(f.detail));
+  if (c == "target_outside") return CliWords::tr("the target lies outside the specimen");
+  if (c == "voxel_mismatch") return CliWords::tr("the volume’s voxels are not of the size that is stated");
+  if (c == "feature_thin") return CliWords::tr("a feature is thinner than 2.5 voxels and cannot be judged");
+  if (c == "burr_small") return CliWords::tr("a burr’s radius is below 3 voxels");
+  if (c == "neck_wider_than_ball") return CliWords::tr("a burr’s neck is wider than its ball");
+  if (c == "burr_wider_than_target") return CliWords::tr("no burr fits into the target");
+  if (c == "corner_below_burr") return CliWords::tr("the target’s corners are sharper than the smallest burr");
+  if (c == "leeway_below_voxel") return CliWords::tr("the leeway is thinner than a voxel");
+  if (c == "point_off_floor") return CliWords::tr("points of the path do not lie on the floor");
+  if (c == "target_scores_less") return CliWords::tr("a go that meets the target loses points");
+  if (c == "language_missing") return CliWords::tr("a text is missing in a language (%1)").arg(text(f.detail));
+  if (c == "nothing_can_be_cut") return CliWords::tr("nothing can be cut");
+  if (c == "schema") return text(f.detail);
+  return text(c);
+}
+
+}  // namespace
+
+QString finding_text(const Finding& f) {
+  if (const auto code = format_error(f.code)) {
+    return tell(FormatFailure{*code, f.path, f.detail}).line();
+  }
+  QString out = f.path.empty() ? reason(f) : text(f.path) + QStringLiteral(": ") + reason(f);
+  const QString value = number(f.args, "value");
+  const QString limit = number(f.args, "limit");
+  if (!value.isEmpty() && !limit.isEmpty()) return CliWords::tr("%1 (%2, limit %3).").arg(out, value, limit);
+  return out + u'.';
+}
+
+QString finding_text(const ChainFinding& f) {
+  const QString where = f.row >= 0 ? CliWords::tr("%1, row %2").arg(text(f.table)).arg(f.row) : text(f.table);
+  const QString when = f.second >= 0 ? CliWords::tr(", second %1 of the session").arg(f.second) : QString();
+  switch (f.code) {
+    case FindingCode::row_changed: return CliWords::tr("The record was changed: %1%2.").arg(where, when);
+    case FindingCode::row_missing: return CliWords::tr("A part of the record is missing: %1%2.").arg(where, when);
+    case FindingCode::row_added: return CliWords::tr("Something was added to the record: %1%2.").arg(where, when);
+    case FindingCode::link_broken: return CliWords::tr("The record’s chain is broken: %1%2.").arg(where, when);
+    case FindingCode::head_broken:
+      return CliWords::tr("The signature over the record does not hold: %1%2.").arg(where, when);
+    case FindingCode::key_changed:
+      return CliWords::tr("The station’s key is not the one that signed: %1%2.").arg(where, when);
+    case FindingCode::unreadable: return CliWords::tr("The record cannot be read: %1%2.").arg(where, when);
+    case FindingCode::count_wrong: return CliWords::tr("The record does not add up: %1%2.").arg(where, when);
+  }
+  return where;
+}
+
+QString proof_text(const ReplayProof& proof) {
+  if (!proof.chain.intact()) return finding_text(proof.chain.findings.front());
+  if (proof.differs_at_tick) {
+    return CliWords::tr("The replay comes to another state at tick %1.").arg(*proof.differs_at_tick);
+  }
+  if (proof.has_final_volume && !proof.volume_equal) {
+    return CliWords::tr("The replay comes to another tooth than the one that is stored.");
+  }
+  if (proof.has_grade && !proof.grade_equal) {
+    return CliWords::tr("The replay comes to another grade than the one that is stored (%1).").arg(text(proof.grade_differs));
+  }
+  return {};
+}
+
+}  // namespace cusp

@@ -1,0 +1,26 @@
+/// Sentences that only the verbs say; what other rooms' codes mean stands in ui/app/sentences.h.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <string>
+
+#include "scenarios/format/validate.h"
+#include "ui/session/replay.h"
+
+namespace cusp {
+
+struct CliWords {
+  Q_DECLARE_TR_FUNCTIONS(cusp::Cli)
+};
+/// Descriptions of options are given to CLI11 as text.
+inline std::string help(const QString& text) { return text.toStdString(); }
+
+/// What is wrong with a record, and where: "Trace of second 12 was changed (trace_chunks, row 11)."
+QString finding_text(const ChainFinding& finding);
+/// What is wrong with a scenario, with its place.
+QString finding_text(const Finding& finding);
+/// Why a proof does not hold.
+QString proof_text(const ReplayProof& proof);
+
+}  // namespace cusp
