@@ -19,7 +19,9 @@ Vec3 shortened(Vec3 v, double most) noexcept {
 bool finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// From `from` towards `to`, at most `up` higher or `down` lower.
-double towards(double from, double to, double up, double down) noexcept { return std::clamp(to, from - down, from + up); }
+double towards(double from, double to, double up, double down) noexcept {
+  return std::clamp(to, from - down, from + up);
+}
 
 }  // namespace
 
@@ -44,8 +46,8 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   if (!pushing) {
     push_n_ = 0;
     // Off first what is touched, then to the height of hovering.
-    next_depth = touches ? std::min(depth, proxy_depth) - rise
-                         : towards(depth, shown_depth - tuning_.hover_mm, sink, rise);
+    next_depth =
+        touches ? std::min(depth, proxy_depth) - rise : towards(depth, shown_depth - tuning_.hover_mm, sink, rise);
   } else if (touches) {
     push_n_ = std::min(wish.push_n, push_n_ + tuning_.push_rise_n_s * dt);
     // The contact may be a wall's: then nothing holds the burr, and it sinks no faster than through the air.

@@ -4,7 +4,8 @@
 
 namespace cusp {
 
-PointerPort::PointerPort(Vec3 start_mm, const PointerTuning& tuning) : hand_(start_mm), motion_(hand_.wish().target_mm, tuning) {
+PointerPort::PointerPort(Vec3 start_mm, const PointerTuning& tuning)
+    : hand_(start_mm), motion_(hand_.wish().target_mm, tuning) {
   feedback_.proxy_mm = motion_.device_mm();
 }
 

@@ -19,7 +19,8 @@ Result<void, PortFailure> CsvPort::open() {
     if (file.bad()) return fail(PortError::io, file_.string());
     auto rows = parse_trace(text);
     if (!rows) {
-      return fail(PortError::bad_file, file_.string() + ":" + rows.error().where, std::string(key_of(rows.error().code)));
+      return fail(PortError::bad_file, file_.string() + ":" + rows.error().where,
+                  std::string(key_of(rows.error().code)));
     }
     rows_ = std::move(*rows);
   }

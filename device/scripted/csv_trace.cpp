@@ -97,12 +97,18 @@ bool is_rotation(const TraceRow& row) {
 
 std::string_view key_of(TraceError code) noexcept {
   switch (code) {
-    case TraceError::empty: return "empty";
-    case TraceError::bad_header: return "bad_header";
-    case TraceError::wrong_columns: return "wrong_columns";
-    case TraceError::not_a_number: return "not_a_number";
-    case TraceError::out_of_range: return "out_of_range";
-    case TraceError::not_a_rotation: return "not_a_rotation";
+    case TraceError::empty:
+      return "empty";
+    case TraceError::bad_header:
+      return "bad_header";
+    case TraceError::wrong_columns:
+      return "wrong_columns";
+    case TraceError::not_a_number:
+      return "not_a_number";
+    case TraceError::out_of_range:
+      return "out_of_range";
+    case TraceError::not_a_rotation:
+      return "not_a_rotation";
   }
   return "empty";
 }
@@ -120,13 +126,15 @@ Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text) {
       break;
     }
     if (lines.number() == 1 && !line.empty() && ((line.front() >= 'a' && line.front() <= 'z') || line.front() == '"')) {
-      if (line != kHeader && line != kHeaderWithBurr) return fail(TraceError::bad_header, place(1, 1), std::string(line));
+      if (line != kHeader && line != kHeaderWithBurr)
+        return fail(TraceError::bad_header, place(1, 1), std::string(line));
       columns = line == kHeader ? kColumns : kMostColumns;
       continue;
     }
     const Cells cells = split(line);
     if (columns == 0 && (cells.count == kColumns || cells.count == kMostColumns)) columns = cells.count;
-    if (cells.count != columns) return fail(TraceError::wrong_columns, place(lines.number(), std::min(cells.count, kMostColumns)));
+    if (cells.count != columns)
+      return fail(TraceError::wrong_columns, place(lines.number(), std::min(cells.count, kMostColumns)));
     TraceRow row;
     RowReader reader;
     reader.read(cells.cell[0], row.elapsed_us);
@@ -141,7 +149,8 @@ Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text) {
     reader.read(cells.cell[9], row.pedal);
     if (columns == kMostColumns) reader.read(cells.cell[10], row.burr);
     if (reader.bad_column() != 0) {
-      return fail(reader.code(), place(lines.number(), reader.bad_column()), std::string(cells.cell[reader.bad_column() - 1]));
+      return fail(reader.code(), place(lines.number(), reader.bad_column()),
+                  std::string(cells.cell[reader.bad_column() - 1]));
     }
     if (!is_rotation(row)) return fail(TraceError::not_a_rotation, place(lines.number(), 5));
     rows.push_back(row);
@@ -155,8 +164,8 @@ std::string write_trace(const std::vector<TraceRow>& rows) {
   std::string out(burrs ? kHeaderWithBurr : kHeader);
   out += '\n';
   for (const TraceRow& row : rows) {
-    const std::array<std::int64_t, kMostColumns> cells = {row.elapsed_us, row.x,  row.y,       row.z,     row.qx,  row.qy,
-                                                          row.qz,         row.qw, row.buttons, row.pedal, row.burr};
+    const std::array<std::int64_t, kMostColumns> cells = {
+        row.elapsed_us, row.x, row.y, row.z, row.qx, row.qy, row.qz, row.qw, row.buttons, row.pedal, row.burr};
     const std::size_t count = burrs ? kMostColumns : kColumns;
     for (std::size_t i = 0; i < count; ++i) {
       if (i > 0) out += ',';

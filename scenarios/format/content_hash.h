@@ -1,5 +1,5 @@
-/// Identity of a scenario's content: BLAKE2b-256 over lines "<hash of bytes>  <path>\n", sorted by path, scenario.json in
-/// canonical form. Equal hashes mean equal exercises, however the file was laid out or zipped.
+/// Identity of a scenario's content: BLAKE2b-256 over lines "<hash of bytes>  <path>\n", sorted by path, scenario.json
+/// in canonical form. Equal hashes mean equal exercises, however the file was laid out or zipped.
 #pragma once
 
 #include <array>

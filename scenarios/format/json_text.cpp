@@ -37,15 +37,16 @@ bool is_not_finite_word(std::string_view text, std::size_t byte) {
   std::size_t end = begin;
   while (end < text.size() && letter(text[end])) ++end;
   std::string word(text.substr(begin, end - begin));
-  std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
 /// An object or array that is being parsed.
 struct Level {
   bool object = false;
-  std::string key{};            // last one seen
-  std::size_t items = 0;        // values begun
+  std::string key{};      // last one seen
+  std::size_t items = 0;  // values begun
   std::set<std::string> keys{};
 };
 
@@ -74,7 +75,8 @@ Result<nlohmann::json, FormatFailure> parse(std::string_view text) {
       levels.pop_back();
     } else if (event == Event::key) {
       levels.back().key = parsed.get_ref<const std::string&>();
-      if (!levels.back().keys.insert(levels.back().key).second) throw Refused{FormatError::duplicate_key, pointer_of(levels)};
+      if (!levels.back().keys.insert(levels.back().key).second)
+        throw Refused{FormatError::duplicate_key, pointer_of(levels)};
     } else {
       if (!levels.empty()) ++levels.back().items;
       if (event == Event::value) return true;

@@ -53,7 +53,8 @@ class Value;
 /// An object being read: each key is asked for once; what was not asked for is unknown.
 class Object {
  public:
-  Object(const json& node, std::string where, Problems& problems) : node_(node), where_(std::move(where)), problems_(problems) {
+  Object(const json& node, std::string where, Problems& problems)
+      : node_(node), where_(std::move(where)), problems_(problems) {
     if (!node.is_object()) problems_.add(FormatError::wrong_type, where_, "object");
   }
   Object(const Object&) = delete;
@@ -67,7 +68,8 @@ class Object {
   void nothing_else() {
     if (!node_.is_object()) return;
     for (auto it = node_.begin(); it != node_.end(); ++it) {
-      if (!asked_.contains(it.key())) problems_.add(FormatError::unknown_key, where_ + json_text::pointer_step(it.key()));
+      if (!asked_.contains(it.key()))
+        problems_.add(FormatError::unknown_key, where_ + json_text::pointer_step(it.key()));
     }
   }
   const std::string& where() const noexcept { return where_; }
@@ -81,7 +83,8 @@ class Object {
 
 class Value {
  public:
-  Value(const json& node, std::string where, Problems& problems) : node_(node), where_(std::move(where)), problems_(problems) {}
+  Value(const json& node, std::string where, Problems& problems)
+      : node_(node), where_(std::move(where)), problems_(problems) {}
 
   double number(const Range& range) const {
     if (!node_.is_number()) return wrong<double>("number");
@@ -227,14 +230,14 @@ bool is_plain_file_name(std::string_view name) {
 }
 
 bool is_key(std::string_view key) {
-  return !key.empty() && key.size() <= 64 && std::ranges::all_of(key, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-  });
+  return !key.empty() && key.size() <= 64 &&
+         std::ranges::all_of(key, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
 }
 
 Tissue read_tissue(const Value& value) {
   const Tissue tissue = value.word(FormatError::unknown_tissue, scenario_tissue_from_key);
-  if (tissue == Tissue::empty && value.node().is_string() && value.node() == "empty") value.refuse(FormatError::unknown_tissue, "empty");
+  if (tissue == Tissue::empty && value.node().is_string() && value.node() == "empty")
+    value.refuse(FormatError::unknown_tissue, "empty");
   return tissue;
 }
 
@@ -361,7 +364,8 @@ Scenario read_document(const json& document, Problems& problems) {
   root.need("tissues").list(0, kTissueCodes, [&](const Value& v) {
     const ScenarioTissue tissue = read_scenario_tissue(v);
     for (const ScenarioTissue& other : out.tissues) {
-      if (other.tissue == tissue.tissue) v.refuse(FormatError::duplicate_value, std::string(key_of_scenario_tissue(tissue.tissue)));
+      if (other.tissue == tissue.tissue)
+        v.refuse(FormatError::duplicate_value, std::string(key_of_scenario_tissue(tissue.tissue)));
     }
     out.tissues.push_back(tissue);
   });

@@ -23,7 +23,7 @@ struct SpecimenSource {
   int fdi = 0;             // tooth: FDI number, 11..48
   std::uint64_t seed = 0;  // tooth: natural variation, below 2^53; 0 = the average
   double voxel_mm = 0.1;
-  std::string volume;      // file name beside scenario.json (NRRD), when generator is empty
+  std::string volume;  // file name beside scenario.json (NRRD), when generator is empty
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;
 };
 
@@ -40,12 +40,13 @@ struct Target {
   /// "channel": a straight slot between two points; "outline": the union of slots along `path` polylines
   /// (a class I follows the fissures); "box": an axis-aligned box.
   std::string shape = "channel";
-  std::vector<std::vector<Vec3>> paths;  // mm; each polyline runs along the middle of the floor (channel: 1 of 2 points)
-  double width_mm = 1.2;                 // of the slot, wall to wall
-  double depth_mm = 2.0;                 // from `top_mm` down to the floor
-  double top_mm = 0.0;                   // height of the reference plane (block: its face; tooth: the central pit)
-  double corner_radius_mm = 0.5;         // rounding between wall and floor (the burr's radius)
-  Vec3 box_size_mm{0.0};                 // shape "box": x, y extents about paths[0][0]; z ignored
+  std::vector<std::vector<Vec3>>
+      paths;                      // mm; each polyline runs along the middle of the floor (channel: 1 of 2 points)
+  double width_mm = 1.2;          // of the slot, wall to wall
+  double depth_mm = 2.0;          // from `top_mm` down to the floor
+  double top_mm = 0.0;            // height of the reference plane (block: its face; tooth: the central pit)
+  double corner_radius_mm = 0.5;  // rounding between wall and floor (the burr's radius)
+  Vec3 box_size_mm{0.0};          // shape "box": x, y extents about paths[0][0]; z ignored
   friend bool operator==(const Target&, const Target&) = default;
 };
 
@@ -62,14 +63,14 @@ struct Bands {
 };
 
 struct Criterion {
-  std::string metric;   // key of scenarios/format/keys.h ("target_removed", "depth_mean", "removed_enamel", ...)
-  double weight = 10;   // share of the score, > 0; weights need not sum to 100
+  std::string metric;  // key of scenarios/format/keys.h ("target_removed", "depth_mean", "removed_enamel", ...)
+  double weight = 10;  // share of the score, > 0; weights need not sum to 100
   Bands bands;
   friend bool operator==(const Criterion&, const Criterion&) = default;
 };
 
 struct Rubric {
-  double pass = 70;                   // of 100
+  double pass = 70;  // of 100
   std::vector<Criterion> criteria;
   std::vector<std::string> critical;  // "pulp_exposure", ...: fails the go, the score still stands
   friend bool operator==(const Rubric&, const Rubric&) = default;
@@ -86,21 +87,21 @@ struct Scenario {
   int format = 1;
   ScenarioId id;
   int version = 1;
-  std::string key;                          // built-in id ("paper-block"), else empty
+  std::string key;  // built-in id ("paper-block"), else empty
   LocalText title, briefing;
   SpecimenSource specimen;
   std::vector<ScenarioTissue> tissues;
   std::vector<Burr> instruments;
   DeviceNeeds device;
   Method method = Method::surface;
-  std::vector<std::string> phenomena;       // "friction", ...
+  std::vector<std::string> phenomena;  // "friction", ...
   Target target;
   Leeway leeway;
-  std::vector<Tissue> protected_tissues;    // touching one is recorded, removing it is critical where the rubric says
-  double time_limit_s = 0;                  // 0 = none
-  double tool_tilt_deg = 0;                 // of the fixed tool axis, from vertical towards buccal
+  std::vector<Tissue> protected_tissues;  // touching one is recorded, removing it is critical where the rubric says
+  double time_limit_s = 0;                // 0 = none
+  double tool_tilt_deg = 0;               // of the fixed tool axis, from vertical towards buccal
   Rubric rubric;
-  double tolerance_points = 2;              // what an audit may change the grade by
+  double tolerance_points = 2;  // what an audit may change the grade by
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 

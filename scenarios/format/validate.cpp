@@ -64,7 +64,8 @@ class Checks {
   void tissues() {
     for (std::size_t i = 0; i < s_.protected_tissues.size(); ++i) {
       if (!has_tissue(s_.protected_tissues[i])) {
-        error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
+        error(at("/protected", i), "protected_missing", {},
+              std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
       }
     }
     const bool cuttable = std::ranges::any_of(s_.tissues, [](const ScenarioTissue& t) { return t.speed_mm_s > 0; });
@@ -81,7 +82,8 @@ class Checks {
       const Burr& burr = s_.instruments[i];
       const double least = kLeastRadiusVoxels * s_.specimen.voxel_mm;
       if (below(burr.radius_mm, least)) {
-        warn(at("/instruments", i, "/radius_mm"), "burr_small", {{"value", burr.radius_mm}, {"limit", least}}, burr.name);
+        warn(at("/instruments", i, "/radius_mm"), "burr_small", {{"value", burr.radius_mm}, {"limit", least}},
+             burr.name);
       }
       if (burr.neck_radius_mm > burr.radius_mm) {
         warn(at("/instruments", i, "/neck_radius_mm"), "neck_wider_than_ball",
@@ -121,14 +123,17 @@ class Checks {
     const double narrow = box ? std::min(t.box_size_mm.x, t.box_size_mm.y) : t.width_mm;
     const char* narrow_path = box ? "/target/box_size_mm" : "/target/width_mm";
     const double resolved = kLeastFeatureVoxels * s_.specimen.voxel_mm;
-    if (narrow > 0 && below(narrow, resolved)) warn(narrow_path, "feature_thin", {{"value", narrow}, {"limit", resolved}});
-    if (below(t.depth_mm, resolved)) warn("/target/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
+    if (narrow > 0 && below(narrow, resolved))
+      warn(narrow_path, "feature_thin", {{"value", narrow}, {"limit", resolved}});
+    if (below(t.depth_mm, resolved))
+      warn("/target/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
 
     if (!s_.instruments.empty()) {
       const auto by_radius = [](const Burr& a, const Burr& b) { return a.radius_mm < b.radius_mm; };
       const Burr& smallest = *std::ranges::min_element(s_.instruments, by_radius);
       if (narrow > 0 && below(narrow, 2 * smallest.radius_mm)) {
-        warn(narrow_path, "burr_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}}, smallest.name);
+        warn(narrow_path, "burr_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}},
+             smallest.name);
       }
       if (below(t.corner_radius_mm, smallest.radius_mm)) {
         warn("/target/corner_radius_mm", "corner_below_burr",
@@ -214,7 +219,8 @@ class Checks {
     const auto occurs = [&](Tissue t) { return std::ranges::find(f.tissues, t) != f.tissues.end(); };
     for (std::size_t i = 0; i < s_.protected_tissues.size(); ++i) {
       if (has_tissue(s_.protected_tissues[i]) && !occurs(s_.protected_tissues[i])) {
-        error(at("/protected", i), "protected_missing", {}, std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
+        error(at("/protected", i), "protected_missing", {},
+              std::string(key_of_scenario_tissue(s_.protected_tissues[i])));
       }
     }
     for (std::size_t i = 0; i < s_.tissues.size(); ++i) {
@@ -224,7 +230,8 @@ class Checks {
     }
     const Target& t = s_.target;
     const double floor = t.top_mm - t.depth_mm;
-    if (below(floor, f.low_mm.z)) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.low_mm.z}});
+    if (below(floor, f.low_mm.z))
+      error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.low_mm.z}});
     if (floor >= f.high_mm.z) error("/target/depth_mm", "target_outside", {{"value", floor}, {"limit", f.high_mm.z}});
     const bool box = t.shape == "box";
     const Vec3 half = box ? Vec3(t.box_size_mm.x / 2, t.box_size_mm.y / 2, 0) : Vec3(t.width_mm / 2, t.width_mm / 2, 0);

@@ -27,19 +27,20 @@ struct Finding {
 struct SpecimenFacts {
   Vec3 low_mm{0.0}, high_mm{0.0};  // box of the tissue, specimen frame
   double voxel_mm = 0.1;
-  std::vector<Tissue> tissues;     // that occur in it
+  std::vector<Tissue> tissues;  // that occur in it
 };
 
 /// Facts of a dense volume; one pass over it.
 SpecimenFacts facts_of(const VoxelVolume& volume);
 
 /// Errors first, then warnings; empty when all is well. Codes besides those of FormatError and "schema":
-/// errors: no_instrument, no_target, path_count, point_count, empty_target, no_criteria, weight_zero, bands_not_ordered,
-///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of the
-///   exercise and occur in the specimen); with a specimen: tissue_missing, target_outside, voxel_mismatch;
+/// errors: no_instrument, no_target, path_count, point_count, empty_target, no_criteria, weight_zero,
+/// bands_not_ordered,
+///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of
+///   the exercise and occur in the specimen); with a specimen: tissue_missing, target_outside, voxel_mismatch;
 /// warnings: feature_thin (below 2.5 voxels), burr_small (radius below 3 voxels), neck_wider_than_ball,
-///   burr_wider_than_target, corner_below_burr, leeway_below_voxel, point_off_floor, target_scores_less (a go that meets
-///   the target loses points), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
+///   burr_wider_than_target, corner_below_burr, leeway_below_voxel, point_off_floor, target_scores_less (a go that
+///   meets the target loses points), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 
 /// Schema first, then read, then validate(scenario). A text that does not read yields its reasons and stops there.

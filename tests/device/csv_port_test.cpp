@@ -25,8 +25,8 @@ TraceError error_of(const std::string& text, std::string* where = nullptr) {
 }
 
 std::filesystem::path file_with(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("cusp-trace-" + std::to_string(std::random_device{}()) + ".csv");
+  const auto path =
+      std::filesystem::temp_directory_path() / ("cusp-trace-" + std::to_string(std::random_device{}()) + ".csv");
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
@@ -106,7 +106,8 @@ TEST(CsvTrace, NoTextBreaksTheReader) {
   const unsigned seed = 11;
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
-  const std::string good = std::string(kHeader) + "1000,-5,6,7,0,0,0,32767,1,65535\r\n1000,-5,6,8,0,0,0,32767,1,65535\n";
+  const std::string good =
+      std::string(kHeader) + "1000,-5,6,7,0,0,0,32767,1,65535\r\n1000,-5,6,8,0,0,0,32767,1,65535\n";
   for (int round = 0; round < 20000; ++round) {
     std::string text = good;
     for (int change = 0; change < 3; ++change) {
@@ -124,7 +125,8 @@ TEST(CsvTrace, NoTextBreaksTheReader) {
 }
 
 TEST(CsvPort, PlaysEachRowOnceAndIsGoneAtTheEnd) {
-  const auto path = file_with(std::string(kHeader) + "1000,10000,0,0,0,0,0,32767,0,0\n1000,20000,0,0,0,0,0,32767,1,0\n");
+  const auto path =
+      file_with(std::string(kHeader) + "1000,10000,0,0,0,0,0,32767,0,0\n1000,20000,0,0,0,0,0,32767,1,0\n");
   CsvPort port(path, Pacing::at_once);
   ASSERT_TRUE(port.open());
   EXPECT_EQ(port.wait({}).position_mm.x, 1);

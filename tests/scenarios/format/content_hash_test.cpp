@@ -58,8 +58,9 @@ TEST(ContentHash, ChangesWithEveryValueAndWithNothingElse) {
 }
 
 TEST(CanonicalJson, IsSortedWithoutBlanksAndShortest) {
-  EXPECT_EQ(*canonical_json(R"( {"b" : [1.0, 0.10, 1e2, -0.0, 1E-7, 18446744073709551615], "a": {"ü": "\u00fc\n\/"}} )"),
-            R"({"a":{"ü":"ü\n/"},"b":[1,0.1,100,0,1e-07,18446744073709551615]})");
+  EXPECT_EQ(
+      *canonical_json(R"( {"b" : [1.0, 0.10, 1e2, -0.0, 1E-7, 18446744073709551615], "a": {"ü": "\u00fc\n\/"}} )"),
+      R"({"a":{"ü":"ü\n/"},"b":[1,0.1,100,0,1e-07,18446744073709551615]})");
   EXPECT_EQ(*canonical_json("[]"), "[]");
   EXPECT_EQ(canonical_json("{").error().code, FormatError::broken_json);
 }

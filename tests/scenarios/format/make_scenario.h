@@ -25,7 +25,8 @@ class ScenarioMaker {
       if (pick(4) == 0) s.tissues.push_back({static_cast<Tissue>(code), above(0, 20), between(0, 100)});
     }
     for (int i = pick(4); i > 0; --i) {
-      s.instruments.push_back({std::to_string(i) + text(), above(0, 10), above(0, 10), between(0, 50), above(0, 10), between(0, 100)});
+      s.instruments.push_back(
+          {std::to_string(i) + text(), above(0, 10), above(0, 10), between(0, 50), above(0, 10), between(0, 100)});
     }
     s.device.needs_dof = 3 + pick(4);
     if (coin()) s.device.admitted = {"pointer", "falcon"};
@@ -73,7 +74,8 @@ class ScenarioMaker {
     return {between(-100, 100), between(-1e6, 1e6), between(0, 1e-6), between(0, 1), between(0, 1e6), between(-1, 1)};
   }
   std::string text() {
-    static const std::string parts[] = {"a", "Ü", "\"", "\\", "\n", "/", "<b>", "\xe4\xb8\xad", "\xf0\x9f\xa6\xb7", " ", "~", "\x01"};
+    static const std::string parts[] = {"a", "Ü", "\"",  "\\", "\n", "/", "<b>", "\xe4\xb8\xad", "\xf0\x9f\xa6\xb7",
+                                        " ", "~", "\x01"};
     std::string out;
     for (int i = 1 + pick(8); i > 0; --i) out += parts[pick(12)];
     return out;
@@ -88,9 +90,15 @@ class ScenarioMaker {
     SpecimenSource out;
     out.voxel_mm = std::uniform_real_distribution<double>(0.04, 1)(random_);
     switch (pick(4)) {
-      case 0: out.generator = "paper-block"; break;
-      case 1: out.generator = "block"; break;
-      case 2: out.volume = "tooth.nrrd"; break;
+      case 0:
+        out.generator = "paper-block";
+        break;
+      case 1:
+        out.generator = "block";
+        break;
+      case 2:
+        out.volume = "tooth.nrrd";
+        break;
       default:
         out.generator = "tooth";
         out.fdi = 10 * (1 + pick(4)) + 1 + pick(8);
@@ -114,7 +122,8 @@ inline Scenario sound_scenario() {
   s.target.paths = {{Vec3(-4, 0, -2), Vec3(4, 0, -2)}};
   s.target.width_mm = 1.6;
   s.target.corner_radius_mm = 0.7;
-  s.rubric.criteria = {{"target_removed", 60, {80, 90, 97, 100, 100, 100}}, {"depth_mean", 40, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
+  s.rubric.criteria = {{"target_removed", 60, {80, 90, 97, 100, 100, 100}},
+                       {"depth_mean", 40, {1, 1.5, 1.8, 2.2, 2.5, 3}}};
   return s;
 }
 

@@ -99,7 +99,8 @@ TEST(ScenarioFile, NumbersThatAreNoneAreNamed) {
     out.replace(out.find(from), from.size(), "\"depth_mm\": " + by);
     return out;
   };
-  const auto line = std::to_string(std::count(text.begin(), text.begin() + static_cast<long>(text.find("\"depth_mm\"")), '\n') + 1);
+  const auto line =
+      std::to_string(std::count(text.begin(), text.begin() + static_cast<long>(text.find("\"depth_mm\"")), '\n') + 1);
   for (const std::string word : {"NaN", "Infinity", "-Infinity", "nan", "1e999", "-1e400"}) {
     SCOPED_TRACE(word);
     const FormatFailure failure = failure_of(replaced(word));
@@ -162,11 +163,28 @@ TEST(ScenarioFile, AKeyThatStandsTwiceIsRefused) {
 
 TEST(ScenarioFile, MissingKeysAreNamed) {
   const std::pair<const char*, const char*> places[] = {
-      {"", "id"}, {"", "version"}, {"", "title"}, {"", "briefing"}, {"", "specimen"}, {"", "tissues"},
-      {"", "instruments"}, {"", "device"}, {"", "method"}, {"", "target"}, {"", "leeway"}, {"", "rubric"},
-      {"/specimen", "generator"}, {"/tissues/0", "speed_mm_s"}, {"/instruments/0", "radius_mm"},
-      {"/device", "full_force_n"}, {"/target", "paths"}, {"/leeway", "side_mm"}, {"/rubric", "pass"},
-      {"/rubric/criteria/1", "bands"}, {"/rubric/criteria/1/bands", "fail_hi"}, {"/tolerance", "points"},
+      {"", "id"},
+      {"", "version"},
+      {"", "title"},
+      {"", "briefing"},
+      {"", "specimen"},
+      {"", "tissues"},
+      {"", "instruments"},
+      {"", "device"},
+      {"", "method"},
+      {"", "target"},
+      {"", "leeway"},
+      {"", "rubric"},
+      {"/specimen", "generator"},
+      {"/tissues/0", "speed_mm_s"},
+      {"/instruments/0", "radius_mm"},
+      {"/device", "full_force_n"},
+      {"/target", "paths"},
+      {"/leeway", "side_mm"},
+      {"/rubric", "pass"},
+      {"/rubric/criteria/1", "bands"},
+      {"/rubric/criteria/1/bands", "fail_hi"},
+      {"/tolerance", "points"},
   };
   for (const auto& [parent, key] : places) {
     const FormatFailure failure = without(parent, key);
@@ -342,9 +360,14 @@ TEST(ScenarioFile, NoTextBreaksTheReader) {
     for (int change = 1 + static_cast<int>(random() % 3); change > 0; --change) {
       const std::size_t at = random() % text.size();
       switch (random() % 3) {
-        case 0: text.erase(at, 1 + random() % 40); break;
-        case 1: text[at] = static_cast<char>(random()); break;
-        default: text.insert(at, good.substr(random() % good.size(), random() % 40));
+        case 0:
+          text.erase(at, 1 + random() % 40);
+          break;
+        case 1:
+          text[at] = static_cast<char>(random());
+          break;
+        default:
+          text.insert(at, good.substr(random() % good.size(), random() % 40));
       }
       if (text.empty()) text = "{";
     }
@@ -359,7 +382,8 @@ TEST(ScenarioFile, NoTextBreaksTheReader) {
 }
 
 TEST(ScenarioFile, AFileIsNamedBeforeThePlace) {
-  const auto folder = std::filesystem::temp_directory_path() / ("cusp-format-" + std::to_string(std::random_device{}()));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("cusp-format-" + std::to_string(std::random_device{}()));
   std::filesystem::create_directories(folder);
   EXPECT_EQ(read_scenario_file(folder).error().code, FormatError::unreadable);
   std::ofstream(folder / "scenario.json") << write_scenario(sound_scenario());

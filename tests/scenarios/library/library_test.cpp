@@ -44,7 +44,8 @@ TEST(Library, KnowsNoOtherKey) {
 
 TEST(Library, WhatIsBuiltInIsTheFileAsTheProgramWritesIt) {
   for (const std::string_view key : builtin_scenarios()) {
-    std::ifstream file(std::string(CUSP_SOURCE_DIR "/scenarios/library/") + std::string(key) + "/scenario.json", std::ios::binary);
+    std::ifstream file(std::string(CUSP_SOURCE_DIR "/scenarios/library/") + std::string(key) + "/scenario.json",
+                       std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     EXPECT_EQ(builtin_scenario_text(key), text) << key;
     EXPECT_EQ(write_scenario(*load_builtin(key)), text) << key;
@@ -98,7 +99,8 @@ TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
     EXPECT_LT(shape.distance_mm(pit.at_mm), 0) << "the " << pit.name << " pit is left standing";
   }
 
-  // Remaining ridge: from the cavity's end to the tooth's outermost at the ridge's height; at least 1.6 mm (dental.md 2.2).
+  // Remaining ridge: from the cavity's end to the tooth's outermost at the ridge's height; at least 1.6 mm
+  // (dental.md 2.2).
   EXPECT_GT(marks.mesial_contact.x - shape.high().x, 1.6);
   EXPECT_GT(shape.low().x - marks.distal_contact.x, 1.6);
 
@@ -113,7 +115,8 @@ TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
         if (v.s[at] < kHalf) continue;
         const Vec3 centre = v.grid.centre_mm({x, y, z});
         if (v.tissue[at] == Tissue::pulp) to_pulp = std::min(to_pulp, shape.distance_mm(centre));
-        if (v.tissue[at] == Tissue::enamel && std::hypot(centre.x - marks.central.x, centre.y - marks.central.y) < 0.1) {
+        if (v.tissue[at] == Tissue::enamel &&
+            std::hypot(centre.x - marks.central.x, centre.y - marks.central.y) < 0.1) {
           deepest_enamel = std::min(deepest_enamel, centre.z);
         }
       }
