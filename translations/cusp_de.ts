@@ -1,943 +1,3009 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en_US">
-<context>
-    <name>cusp::Busy</name>
-    <message>
-        <location filename="../ui/widgets/busy.cpp" line="+21"/>
-        <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>cusp::Chart</name>
-    <message>
-        <location filename="../ui/widgets/chart.cpp" line="+315"/>
-        <source>Which</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>cusp::Sentences</name>
-    <message>
-        <location filename="../ui/app/sentences.cpp" line="+38"/>
-        <source>The record is not there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>%1 was not found. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This file is not a Cusp database.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 was left as it is. Choose another file with --db.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This database was written by a newer version of Cusp.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 was left as it is. Install the newer version to open it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The database lies on a network drive.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 would not be safe there. Move it to this computer’s own disk.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The database cannot be written.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 or its folder is read-only. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The disk is full.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Nothing of the last step was written to %1; all before it is kept. Free some space and try again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+4"/>
-        <source>The disk failed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Nothing of the last step was written to %1; all before it is kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Another program holds the database.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 stayed as it was. Close the other program and try again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The database is damaged.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 cannot be read whole. Nothing was changed; restore it from a backup.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Number and password do not match.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>Check both and try again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <location line="+2"/>
-        <source>Too many wrong tries.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="-2"/>
-        <source>Wait a little and try again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <source>Signing in is open again at %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <source>This account is switched off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>Ask an administrator to switch it on again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Your role may not do this.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <location line="+13"/>
-        <location line="+10"/>
-        <location line="+35"/>
-        <location line="+74"/>
-        <source>Nothing was changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="-130"/>
-        <source>This password is too short.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>A password has at least 8 characters, a PIN exactly six digits. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This is the last administrator.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Somebody has to manage people. Make another administrator first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This is there already.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>%1 is taken. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>A value is missing or outside its range.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Look at %1. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This go is not in a state that allows it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The recording cannot be read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is damaged; the grade and all other goes are kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The database failed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+6"/>
-        <source>This exercise cannot be read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <source>The file %1 cannot be opened.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is larger than any exercise.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The text breaks off or is malformed at %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 stands there twice.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>%1 was written by a newer version of Cusp (format %2).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is not known.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is missing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 has to be: %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 has to lie in %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is not a number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is not an identity.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 names no language, or English is missing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 leads out of the exercise’s folder.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is named twice.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+8"/>
-        <source>%1 names something that is not known.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 names something that is not known: %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>No exercise called %1 comes with the program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+8"/>
-        <source>This file cannot be read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <source>There is no file %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This file cannot be read or written.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1: %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is of a kind that is not read here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Its head is wrong at %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>It uses %1, which is not read here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The sizes at %1 make no volume.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>At %1 its cells are not cubes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The axes at %1 are oblique or not known.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 names no tissue.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 ends too early. Copy it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is damaged. Copy it again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 is larger than the limits allow.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 holds nothing solid.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 holds no surface.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>There is no part called %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The part %1 encloses nothing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The surface is open at %1. Close it there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The surface is turned inside out at %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The part %1 cuts itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>An option does not fit.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Reading %1 broke off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Reading %1 took longer than allowed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Reading %1 wanted more memory than allowed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Reading was cancelled.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Reading could not be started.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Specimens of the kind %1 are not known.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+9"/>
-        <source>The device was not found.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>%1 is not connected. Check cable and power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This user may not open the device.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>%1 refused.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Another program holds the device.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>Close it and try %1 again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The script cannot be read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>Look at %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The device does not answer.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>%1: check cable and power.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The device failed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+7"/>
-        <source>The tooth of this exercise cannot be made.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <location line="+2"/>
-        <source>Look at %1. No go was started.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>This exercise cannot be played.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The device does not fit or did not open.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <location line="+2"/>
-        <source>%1. No go was started.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>This exercise does not admit this device.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The database refused the go.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <source>%1. Goes before it are kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The go could not be recorded any further.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>It is kept up to the last second before %1 failed.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Two computations of this go differ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>It was stopped and is not graded; the recording is kept (%1).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>This go is over already.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The tooth could not be measured.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The go is kept and can be graded later (%1).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The go could not be played.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+7"/>
-        <source>The device jumped.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+0"/>
-        <location line="+3"/>
-        <location line="+6"/>
-        <source>The force is off and the clock stands still. Your work is kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="-7"/>
-        <source>The device answered too late.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <source>The device went quiet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>The force is off and the clock stands still. Check the cable; your work is kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>The device sent a position that is none.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+8"/>
-        <source>Student</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Teacher</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Administrator</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+7"/>
-        <source>Running</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Interrupted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Not graded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Graded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Closed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+7"/>
-        <source>Practice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Assessment</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Try it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Try-out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+6"/>
-        <source>Mouse and keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <source>Scripted hand</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+6"/>
-        <source>Nothing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Enamel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Dentine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Decay</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Cementum</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Pulp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Bone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Gingiva</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Ligament</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Amalgam</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Composite</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Plastic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Decayed enamel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Material %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+4"/>
-        <source>Target removed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Floor too deep, within leeway</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Walls too wide, within leeway</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Floor cut too far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Walls cut too far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Left standing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Floor depth, shallowest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Floor depth, mean</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Floor depth, deepest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Dentine over pulp</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Peak push</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Mean push</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Pulp opened</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+3"/>
-        <location line="+3"/>
-        <source>%1 removed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+15"/>
-        <source>The pulp was opened</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+26"/>
-        <source>up to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1 or more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+12"/>
-        <source>Full points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Could not be measured</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1, %2 deeper than %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1, %2 short of %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1, %2 above %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>%1, %2 below %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+7"/>
-        <source>Turn the view and look for what still stands inside the target line.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Lift off and read the depth before you go deeper.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Keep the burr’s edge inside the target line; push less near the walls.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Turn the view and clear the corners along the walls.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Stop pushing before the wanted depth and move sideways.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Go on to the wanted depth over the whole floor.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+2"/>
-        <source>Keep away from the pulp: stay above the wanted floor.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Push less; let the burr do the work.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Plan the way of the burr before the first cut.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Take away less of it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location line="+1"/>
-        <source>Take away more of it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
+    <context>
+        <name>CliWords</name>
+        <message>
+            <source>passed</source>
+            <translation>bestanden</translation>
+        </message>
+        <message>
+            <source>not passed</source>
+            <translation>nicht bestanden</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::AgainstBefore</name>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>Against your best before</source>
+            <translation>Gegen Ihren besten Durchgang davor</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Briefing</name>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <translation>, </translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Zurück</translation>
+        </message>
+        <message>
+            <source>The tooth with its target</source>
+            <translation>Der Zahn mit seinem Ziel</translation>
+        </message>
+        <message>
+            <source>Burrs</source>
+            <translation>Bohrer</translation>
+        </message>
+        <message>
+            <source>Wanted depth</source>
+            <translation>Gewünschte Tiefe</translation>
+        </message>
+        <message>
+            <source>Leeway</source>
+            <translation>Spielraum</translation>
+        </message>
+        <message>
+            <source>%1 at the floor, %2 at the sides</source>
+            <translation>%1 am Boden, %2 an den Seiten</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>%1 at most</source>
+            <translation>höchstens %1</translation>
+        </message>
+        <message>
+            <source>as much as you need; time earns no points</source>
+            <translation>so viel Sie brauchen; Zeit bringt keine Punkte</translation>
+        </message>
+        <message>
+            <source>Pass mark</source>
+            <translation>Bestehensgrenze</translation>
+        </message>
+        <message>
+            <source>%1 of 100</source>
+            <translation>%1 von 100</translation>
+        </message>
+        <message>
+            <source>Fails the go</source>
+            <translation>Führt zum Nichtbestehen</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Enter starts</source>
+            <translation>Eingabetaste startet</translation>
+        </message>
+        <message>
+            <source>What earns points</source>
+            <translation>Was Punkte bringt</translation>
+        </message>
+        <message>
+            <source>Full points</source>
+            <translation>Volle Punktzahl</translation>
+        </message>
+        <message>
+            <source>Criterion</source>
+            <translation>Kriterium</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>With mouse and keys</source>
+            <translation>Mit Maus und Tasten</translation>
+        </message>
+        <message>
+            <source>Move the mouse, or the arrow keys, to slide the burr over the tooth. Push with the wheel or with Page Down, let up with Page Up. Hold Space, or the left button, to cut.</source>
+            <translation>Mit der Maus oder den Pfeiltasten gleitet der Bohrer über den Zahn. Drücken Sie mit dem Mausrad oder Bild ab, geben Sie mit Bild auf nach. Zum Abtragen die Leertaste oder die linke Maustaste halten.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::BurrTray</name>
+        <message>
+            <source>round %1</source>
+            <extracomment>Kind of burr and its diameter in mm, as "round 1.0".</extracomment>
+            <translation>rund %1</translation>
+        </message>
+        <message>
+            <source>Burr %1, round, %2</source>
+            <translation>Bohrer %1, rund, %2</translation>
+        </message>
+        <message>
+            <source>Burrs</source>
+            <translation>Bohrer</translation>
+        </message>
+        <message>
+            <source>[ and ]</source>
+            <translation>[ und ]</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Busy</name>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Chart</name>
+        <message>
+            <source>Which</source>
+            <translation>Welcher</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Cli</name>
+        <message>
+            <source>Number of the account to act as; its password comes from CUSP_PASSWORD or stdin. Without it: the student demo</source>
+            <translation>Nummer des Kontos, das handelt; sein Passwort kommt aus CUSP_PASSWORD oder stdin. Ohne Angabe: demo</translation>
+        </message>
+        <message>
+            <source>This database has accounts: say with --as which one to act as.</source>
+            <translation>Diese Datenbank hat Konten: mit --as angeben, welches handelt.</translation>
+        </message>
+        <message>
+            <source>Password: </source>
+            <translation>Passwort: </translation>
+        </message>
+        <message>
+            <source>%1 is not a session’s id.</source>
+            <translation>%1 ist keine Kennung eines Durchgangs.</translation>
+        </message>
+        <message>
+            <source>Nothing can be written to %1.</source>
+            <translation>In %1 kann nichts geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points: %3</source>
+            <translation>%1 von %2 Punkten: %3</translation>
+        </message>
+        <message>
+            <source>passed</source>
+            <translation>bestanden</translation>
+        </message>
+        <message>
+            <source>not passed</source>
+            <translation>nicht bestanden</translation>
+        </message>
+        <message>
+            <source>Run a stored session again and grade it as it stands; an interrupted one keeps that grade</source>
+            <translation>Einen gespeicherten Durchgang erneut rechnen und bewerten, wie er ist; ein unterbrochener behält diese Bewertung</translation>
+        </message>
+        <message>
+            <source>Database</source>
+            <translation>Datenbank</translation>
+        </message>
+        <message>
+            <source>The session's id</source>
+            <translation>Kennung des Durchgangs</translation>
+        </message>
+        <message>
+            <source>Another rubric: a scenario.json or its rubric alone. Shown, not stored</source>
+            <translation>Anderer Bewertungsschlüssel: eine scenario.json oder nur deren Schlüssel. Wird gezeigt, nicht gespeichert</translation>
+        </message>
+        <message>
+            <source>Folder for the report</source>
+            <translation>Ordner für den Bericht</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n session(s) and the audit log are whole.</source>
+            <translation>
+                <numerusform>%n Durchgang und das Protokoll sind vollständig.</numerusform>
+                <numerusform>%n Durchgänge und das Protokoll sind vollständig.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>What is kept: sessions, one of them, or proof of all</source>
+            <translation>Was aufbewahrt ist: Durchgänge, einer davon oder der Nachweis für alle</translation>
+        </message>
+        <message>
+            <source>Sessions, newest first</source>
+            <translation>Durchgänge, neueste zuerst</translation>
+        </message>
+        <message>
+            <source>Part of a name or number</source>
+            <translation>Teil eines Namens oder einer Nummer</translation>
+        </message>
+        <message>
+            <source>At most so many</source>
+            <translation>Höchstens so viele</translation>
+        </message>
+        <message>
+            <source>One session: events, removed tissue, grade</source>
+            <translation>Ein Durchgang: Ereignisse, abgetragenes Gewebe, Bewertung</translation>
+        </message>
+        <message>
+            <source>The file, each session's chain, and the audit log</source>
+            <translation>Die Datei, die Kette jedes Durchgangs und das Protokoll</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n triangle(s), %2</source>
+            <translation>
+                <numerusform>%1: %n Dreieck, %2</numerusform>
+                <numerusform>%1: %n Dreiecke, %2</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>closed</source>
+            <translation>geschlossen</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>offen</translation>
+        </message>
+        <message>
+            <source>Say with -o where the volume is to be written.</source>
+            <translation>Mit -o angeben, wohin das Volumen geschrieben wird.</translation>
+        </message>
+        <message>
+            <source>%1 is no axis: x, y, z, -x, -y or -z.</source>
+            <translation>%1 ist keine Achse: x, y, z, -x, -y oder -z.</translation>
+        </message>
+        <message>
+            <source>%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.</source>
+            <translation>%1 ist nicht NETZ=GEWEBE mit einem Gewebe wie enamel, dentine oder pulp.</translation>
+        </message>
+        <message>
+            <source>Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes.</source>
+            <translation>Mit --tissue NETZ=GEWEBE angeben, woraus jedes Netz besteht; --list nennt die Netze.</translation>
+        </message>
+        <message>
+            <source>Make a specimen volume of closed meshes or of a label volume</source>
+            <translation>Ein Präparat aus geschlossenen Netzen oder einem Etikettenvolumen machen</translation>
+        </message>
+        <message>
+            <source>OBJ, STL, PLY … or NRRD</source>
+            <translation>OBJ, STL, PLY … oder NRRD</translation>
+        </message>
+        <message>
+            <source>Volume to write (NRRD)</source>
+            <translation>Zu schreibendes Volumen (NRRD)</translation>
+        </message>
+        <message>
+            <source>What a mesh is made of; once for each mesh to be taken</source>
+            <translation>Woraus ein Netz besteht; einmal für jedes Netz, das genommen wird</translation>
+        </message>
+        <message>
+            <source>Length of one unit of the file in millimetres</source>
+            <translation>Länge einer Einheit der Datei in Millimetern</translation>
+        </message>
+        <message>
+            <source>Edge of a voxel in millimetres</source>
+            <translation>Kantenlänge eines Voxels in Millimetern</translation>
+        </message>
+        <message>
+            <source>The file's axis towards the chewing surface</source>
+            <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
+        </message>
+        <message>
+            <source>Only name the meshes of the file</source>
+            <translation>Nur die Netze der Datei nennen</translation>
+        </message>
+        <message>
+            <source>Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session's id</source>
+            <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
+        </message>
+        <message>
+            <source>A scenario.json, its folder, or a built-in one: paper-block, channel-1, class-1-36</source>
+            <translation>Eine scenario.json, ihr Ordner oder eine mitgelieferte: paper-block, channel-1, class-1-36</translation>
+        </message>
+        <message>
+            <source>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, or a CSV file of inputs</source>
+            <translation>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp oder eine CSV-Datei mit Eingaben</translation>
+        </message>
+        <message>
+            <source>Of the hand's tremor</source>
+            <translation>Des Zitterns der Hand</translation>
+        </message>
+        <message>
+            <source>Print each second of the session to stderr as it is played</source>
+            <translation>Jede Sekunde des Durchgangs auf stderr ausgeben, während er läuft</translation>
+        </message>
+        <message>
+            <source>Database; made when it is not there. Without it: cusp.db in DIR</source>
+            <translation>Datenbank; wird angelegt, wenn sie fehlt. Ohne Angabe: cusp.db in DIR</translation>
+        </message>
+        <message>
+            <source>The record is whole. It was made by engine %1 and is not computed again by engine %2.</source>
+            <translation>Die Aufzeichnung ist vollständig. Sie stammt von Rechenkern %1 und wird von Rechenkern %2 nicht neu berechnet.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
+            <translation>
+                <numerusform>Die Aufzeichnung ist vollständig; %n Takt ergibt denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
+                <numerusform>Die Aufzeichnung ist vollständig; %n Takte ergeben denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Run a stored session again and print the hash of its tooth</source>
+            <translation>Einen gespeicherten Durchgang erneut rechnen und die Prüfsumme seines Zahns ausgeben</translation>
+        </message>
+        <message>
+            <source>Prove it: the record's chain, then tooth and grade bit for bit</source>
+            <translation>Nachweisen: die Kette der Aufzeichnung, dann Zahn und Bewertung Bit für Bit</translation>
+        </message>
+        <message>
+            <source>Write the tooth as it is after the last tick (NRRD)</source>
+            <translation>Den Zahn schreiben, wie er nach dem letzten Takt ist (NRRD)</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation>%1 kann nicht geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>The picture of the tooth cannot be drawn: there is no OpenGL.</source>
+            <translation>Das Bild des Zahns kann nicht gezeichnet werden: OpenGL fehlt.</translation>
+        </message>
+        <message>
+            <source>The record and the report are kept.</source>
+            <translation>Aufzeichnung und Bericht sind aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>Grow a specimen and write its volume</source>
+            <translation>Ein Präparat erzeugen und sein Volumen schreiben</translation>
+        </message>
+        <message>
+            <source>tooth, block or paper-block</source>
+            <translation>tooth, block oder paper-block</translation>
+        </message>
+        <message>
+            <source>Tooth number, 11 to 48</source>
+            <translation>Zahnnummer, 11 bis 48</translation>
+        </message>
+        <message>
+            <source>Natural variation; 0 = the average tooth</source>
+            <translation>Natürliche Schwankung; 0 = der Durchschnittszahn</translation>
+        </message>
+        <message>
+            <source>Error: %1</source>
+            <translation>Fehler: %1</translation>
+        </message>
+        <message>
+            <source>Warning: %1</source>
+            <translation>Warnung: %1</translation>
+        </message>
+        <message>
+            <source>%1 cannot be used: %2</source>
+            <translation>%1 ist nicht verwendbar: %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 cannot be used: %2 (and %n more)</source>
+            <translation>
+                <numerusform>%1 ist nicht verwendbar: %2 (und %n weiterer Grund)</numerusform>
+                <numerusform>%1 ist nicht verwendbar: %2 (und %n weitere Gründe)</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 can be used.</source>
+            <translation>%1 ist verwendbar.</translation>
+        </message>
+        <message>
+            <source>Check a scenario: its form, its values, and its specimen</source>
+            <translation>Eine Übung prüfen: Form, Werte und Präparat</translation>
+        </message>
+        <message>
+            <source>A scenario.json, its folder, or a built-in one</source>
+            <translation>Eine scenario.json, ihr Ordner oder eine mitgelieferte</translation>
+        </message>
+        <message>
+            <source>Leave the specimen out</source>
+            <translation>Das Präparat auslassen</translation>
+        </message>
+        <message>
+            <source>Write the result as JSON to FILE, or to stdout for -</source>
+            <translation>Das Ergebnis als JSON in FILE schreiben, bei - auf stdout</translation>
+        </message>
+        <message>
+            <source>Cusp: cavity preparation with a grade. Without a verb it opens the desktop.</source>
+            <translation>Cusp: Kavitätenpräparation mit Bewertung. Ohne Befehl öffnet sich die Oberfläche.</translation>
+        </message>
+        <message>
+            <source>%1 (cusp VERB --help says more)</source>
+            <translation>%1 (mehr sagt cusp BEFEHL --help)</translation>
+        </message>
+        <message>
+            <source>There is not enough memory.</source>
+            <translation>Der Speicher reicht nicht.</translation>
+        </message>
+        <message>
+            <source>Something unexpected happened (%1). What was recorded before is kept.</source>
+            <translation>Etwas Unerwartetes ist geschehen (%1). Was vorher aufgezeichnet war, ist aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>it has no instrument</source>
+            <translation>es gibt kein Instrument</translation>
+        </message>
+        <message>
+            <source>it has no target</source>
+            <translation>es gibt kein Ziel</translation>
+        </message>
+        <message>
+            <source>the target’s path does not fit its shape</source>
+            <translation>der Pfad des Ziels passt nicht zu seiner Form</translation>
+        </message>
+        <message>
+            <source>the target is empty</source>
+            <translation>das Ziel ist leer</translation>
+        </message>
+        <message>
+            <source>the rubric has no criterion</source>
+            <translation>der Bewertungsschlüssel hat kein Kriterium</translation>
+        </message>
+        <message>
+            <source>no criterion brings points</source>
+            <translation>kein Kriterium bringt Punkte</translation>
+        </message>
+        <message>
+            <source>the bands are not in rising order</source>
+            <translation>die Stufen steigen nicht an</translation>
+        </message>
+        <message>
+            <source>the pass mark cannot be reached</source>
+            <translation>die Bestehensgrenze ist nicht erreichbar</translation>
+        </message>
+        <message>
+            <source>a protected tissue is missing (%1)</source>
+            <translation>ein geschütztes Gewebe fehlt (%1)</translation>
+        </message>
+        <message>
+            <source>the specimen holds a tissue that is not described (%1)</source>
+            <translation>das Präparat enthält ein Gewebe, das nicht beschrieben ist (%1)</translation>
+        </message>
+        <message>
+            <source>a tissue does not occur in the specimen (%1)</source>
+            <translation>ein Gewebe kommt im Präparat nicht vor (%1)</translation>
+        </message>
+        <message>
+            <source>the target lies outside the specimen</source>
+            <translation>das Ziel liegt außerhalb des Präparats</translation>
+        </message>
+        <message>
+            <source>the volume’s voxels are not of the size that is stated</source>
+            <translation>die Voxel des Volumens haben nicht die angegebene Größe</translation>
+        </message>
+        <message>
+            <source>a feature is thinner than 2.5 voxels and cannot be judged</source>
+            <translation>eine Einzelheit ist dünner als 2,5 Voxel und nicht beurteilbar</translation>
+        </message>
+        <message>
+            <source>a burr’s radius is below 3 voxels</source>
+            <translation>der Radius eines Bohrers liegt unter 3 Voxeln</translation>
+        </message>
+        <message>
+            <source>a burr’s neck is wider than its ball</source>
+            <translation>der Hals eines Bohrers ist breiter als seine Kugel</translation>
+        </message>
+        <message>
+            <source>no burr fits into the target</source>
+            <translation>kein Bohrer passt in das Ziel</translation>
+        </message>
+        <message>
+            <source>the target’s corners are sharper than the smallest burr</source>
+            <translation>die Ecken des Ziels sind schärfer als der kleinste Bohrer</translation>
+        </message>
+        <message>
+            <source>the leeway is thinner than a voxel</source>
+            <translation>der Spielraum ist dünner als ein Voxel</translation>
+        </message>
+        <message>
+            <source>points of the path do not lie on the floor</source>
+            <translation>Punkte des Pfads liegen nicht auf dem Boden</translation>
+        </message>
+        <message>
+            <source>a go that meets the target loses points</source>
+            <translation>ein Durchgang, der das Ziel trifft, verliert Punkte</translation>
+        </message>
+        <message>
+            <source>a text is missing in a language (%1)</source>
+            <translation>ein Text fehlt in einer Sprache (%1)</translation>
+        </message>
+        <message>
+            <source>nothing can be cut</source>
+            <translation>nichts lässt sich abtragen</translation>
+        </message>
+        <message>
+            <source>%1 (%2, limit %3).</source>
+            <translation>%1 (%2, Grenze %3).</translation>
+        </message>
+        <message>
+            <source>%1, row %2</source>
+            <translation>%1, Zeile %2</translation>
+        </message>
+        <message>
+            <source>, second %1 of the session</source>
+            <translation>, Sekunde %1 des Durchgangs</translation>
+        </message>
+        <message>
+            <source>The record was changed: %1%2.</source>
+            <translation>Die Aufzeichnung wurde verändert: %1%2.</translation>
+        </message>
+        <message>
+            <source>A part of the record is missing: %1%2.</source>
+            <translation>Ein Teil der Aufzeichnung fehlt: %1%2.</translation>
+        </message>
+        <message>
+            <source>Something was added to the record: %1%2.</source>
+            <translation>Der Aufzeichnung wurde etwas hinzugefügt: %1%2.</translation>
+        </message>
+        <message>
+            <source>The record’s chain is broken: %1%2.</source>
+            <translation>Die Kette der Aufzeichnung ist unterbrochen: %1%2.</translation>
+        </message>
+        <message>
+            <source>The signature over the record does not hold: %1%2.</source>
+            <translation>Die Signatur der Aufzeichnung stimmt nicht: %1%2.</translation>
+        </message>
+        <message>
+            <source>The station’s key is not the one that signed: %1%2.</source>
+            <translation>Der Schlüssel der Station ist nicht der, mit dem signiert wurde: %1%2.</translation>
+        </message>
+        <message>
+            <source>The record cannot be read: %1%2.</source>
+            <translation>Die Aufzeichnung kann nicht gelesen werden: %1%2.</translation>
+        </message>
+        <message>
+            <source>The record does not add up: %1%2.</source>
+            <translation>Die Aufzeichnung geht nicht auf: %1%2.</translation>
+        </message>
+        <message>
+            <source>The replay comes to another state at tick %1.</source>
+            <translation>Die Wiederholung kommt bei Takt %1 zu einem anderen Zustand.</translation>
+        </message>
+        <message>
+            <source>The replay comes to another tooth than the one that is stored.</source>
+            <translation>Die Wiederholung kommt zu einem anderen Zahn als dem gespeicherten.</translation>
+        </message>
+        <message>
+            <source>The replay comes to another grade than the one that is stored (%1).</source>
+            <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Compass</name>
+        <message>
+            <source>Directions</source>
+            <translation>Richtungen</translation>
+        </message>
+        <message>
+            <source>M</source>
+            <comment>mesial</comment>
+            <translation>M</translation>
+        </message>
+        <message>
+            <source>D</source>
+            <comment>distal</comment>
+            <translation>D</translation>
+        </message>
+        <message>
+            <source>B</source>
+            <comment>buccal</comment>
+            <translation>B</translation>
+        </message>
+        <message>
+            <source>L</source>
+            <comment>lingual</comment>
+            <translation>L</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::CourseModel</name>
+        <message>
+            <source>Briefing</source>
+            <translation>Aufgabe</translation>
+        </message>
+        <message>
+            <source>Practice</source>
+            <translation>Training</translation>
+        </message>
+        <message>
+            <source>always open</source>
+            <translation>immer offen</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 von %2</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>noch keine</translation>
+        </message>
+        <message>
+            <source>Exercise</source>
+            <translation>Übung</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <source>Due</source>
+            <translation>Fällig</translation>
+        </message>
+        <message>
+            <source>Goes</source>
+            <translation>Durchgänge</translation>
+        </message>
+        <message>
+            <source>Best</source>
+            <translation>Bestwert</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::CriteriaModel</name>
+        <message>
+            <source>An edge of the marking is nearer than the figure is known.</source>
+            <translation>Eine Grenze der Bewertung liegt näher, als der Wert bekannt ist.</translation>
+        </message>
+        <message>
+            <source>not marked</source>
+            <translation>nicht bewertet</translation>
+        </message>
+        <message>
+            <source>full points</source>
+            <translation>volle Punktzahl</translation>
+        </message>
+        <message>
+            <source>points lost</source>
+            <translation>Punkte verloren</translation>
+        </message>
+        <message>
+            <source>shows its place on the tooth</source>
+            <translation>zeigt die Stelle am Zahn</translation>
+        </message>
+        <message>
+            <source>not measured</source>
+            <translation>nicht gemessen</translation>
+        </message>
+        <message>
+            <source>no points</source>
+            <translation>keine Punkte</translation>
+        </message>
+        <message>
+            <source>Criterion</source>
+            <translation>Kriterium</translation>
+        </message>
+        <message>
+            <source>Yours</source>
+            <translation>Ihr Wert</translation>
+        </message>
+        <message>
+            <source>Full points</source>
+            <translation>Volle Punktzahl</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Desktop</name>
+        <message>
+            <source>Try again</source>
+            <translation>Noch einmal versuchen</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Exercises</source>
+            <translation>Übungen</translation>
+        </message>
+        <message>
+            <source>My results</source>
+            <translation>Meine Ergebnisse</translation>
+        </message>
+        <message>
+            <source>People</source>
+            <translation>Personen</translation>
+        </message>
+        <message>
+            <source>Performance</source>
+            <translation>Leistungen</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Hilfe</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Zurück</translation>
+        </message>
+        <message>
+            <source>page</source>
+            <translation>Seite</translation>
+        </message>
+        <message>
+            <source>exercise</source>
+            <translation>Übung</translation>
+        </message>
+        <message>
+            <source>Try it: nothing is kept</source>
+            <translation>Ausprobieren: nichts wird aufbewahrt</translation>
+        </message>
+        <message>
+            <source>Practice, go %1</source>
+            <translation>Training, Durchgang %1</translation>
+        </message>
+        <message>
+            <source>Opening the report</source>
+            <translation>Bericht wird geöffnet</translation>
+        </message>
+        <message>
+            <source>Sign in</source>
+            <translation>Anmelden</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::DeviationLegend</name>
+        <message>
+            <source>Colours: left standing, on target, cut too far; from -0.5 to +0.5 mm</source>
+            <translation>Farben: stehen gelassen, auf dem Ziel, zu weit abgetragen; von -0,5 bis +0,5 mm</translation>
+        </message>
+        <message>
+            <source>Left standing</source>
+            <translation>Stehen gelassen</translation>
+        </message>
+        <message>
+            <source>Cut too far</source>
+            <translation>Zu weit abgetragen</translation>
+        </message>
+        <message>
+            <source>on target</source>
+            <translation>auf dem Ziel</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::DrillScreen</name>
+        <message>
+            <source>Leave</source>
+            <translation>Verlassen</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>Finish</source>
+            <translation>Beenden</translation>
+        </message>
+        <message>
+            <source>Getting the tooth ready</source>
+            <translation>Der Zahn wird vorbereitet</translation>
+        </message>
+        <message>
+            <source>Go on</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>Finish and see the result?</source>
+            <translation>Beenden und das Ergebnis sehen?</translation>
+        </message>
+        <message>
+            <source>The tooth is measured as it is now.</source>
+            <translation>Der Zahn wird vermessen, wie er jetzt ist.</translation>
+        </message>
+        <message>
+            <source>Measuring the tooth</source>
+            <translation>Der Zahn wird vermessen</translation>
+        </message>
+        <message>
+            <source>Leave this go?</source>
+            <translation>Diesen Durchgang verlassen?</translation>
+        </message>
+        <message>
+            <source>Nothing of it is kept.</source>
+            <translation>Nichts davon wird aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>It stays in your results as interrupted.</source>
+            <translation>Er bleibt als unterbrochen in Ihren Ergebnissen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::DrillStage</name>
+        <message>
+            <source>Turn</source>
+            <translation>Drehen</translation>
+        </message>
+        <message>
+            <source>Mirror</source>
+            <translation>Spiegel</translation>
+        </message>
+        <message>
+            <source>Cutaway</source>
+            <translation>Aufschnitt</translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation>Von oben</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
+            <source>Push</source>
+            <translation>Druck</translation>
+        </message>
+        <message>
+            <source>Coach</source>
+            <translation>Hinweis</translation>
+        </message>
+        <message>
+            <source>Leeway</source>
+            <translation>Spielraum</translation>
+        </message>
+        <message>
+            <source>Leave</source>
+            <translation>Verlassen</translation>
+        </message>
+        <message>
+            <source>Go on</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>Wheel: %1</source>
+            <translation>Rad: %1</translation>
+        </message>
+        <message>
+            <source>Hold the left button on the target to drill</source>
+            <translation>Zum Bohren die linke Maustaste auf dem Ziel halten</translation>
+        </message>
+        <message>
+            <source>Touch the target and hold the button to drill.</source>
+            <translation>Das Ziel berühren und zum Bohren die Taste halten.</translation>
+        </message>
+        <message>
+            <source>The pulp is open</source>
+            <translation>Die Pulpa ist eröffnet</translation>
+        </message>
+        <message>
+            <source>Only %1 left over the pulp</source>
+            <translation>Nur noch %1 über der Pulpa</translation>
+        </message>
+        <message>
+            <source>%1 too deep here</source>
+            <translation>Hier %1 zu tief</translation>
+        </message>
+        <message>
+            <source>Back inside the line: %1 outside</source>
+            <translation>Zurück in die Linie: %1 außerhalb</translation>
+        </message>
+        <message>
+            <source>%1 more down</source>
+            <translation>Noch %1 tiefer</translation>
+        </message>
+        <message>
+            <source>Deep enough, go sideways</source>
+            <translation>Tief genug, jetzt seitwärts</translation>
+        </message>
+        <message>
+            <source>Nearly all is out: smooth it, then finish</source>
+            <translation>Fast alles ist heraus: glätten, dann beenden</translation>
+        </message>
+        <message>
+            <source>Go on where the target still stands</source>
+            <translation>Dort weiter, wo das Ziel noch steht</translation>
+        </message>
+        <message>
+            <source>Paused</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>The clock stands still. P goes on.</source>
+            <translation>Die Uhr steht. P macht weiter.</translation>
+        </message>
+        <message>
+            <source>The device does not answer</source>
+            <translation>Das Gerät antwortet nicht</translation>
+        </message>
+        <message>
+            <source>The force is off and the clock stands still. Plug it in again, then go on.</source>
+            <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann weiter.</translation>
+        </message>
+        <message>
+            <source>The record cannot be written</source>
+            <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
+        </message>
+        <message>
+            <source>%1 What you drilled so far is safe; make room on the disk, then go on.</source>
+            <translation>%1 Was bisher gebohrt wurde, ist sicher; auf dem Datenträger Platz schaffen, dann weiter.</translation>
+        </message>
+        <message>
+            <source>This computer is too slow for the exercise</source>
+            <translation>Dieser Rechner ist zu langsam für die Übung</translation>
+        </message>
+        <message>
+            <source>The go ends here and is measured as it stands.</source>
+            <translation>Der Durchgang endet hier und wird vermessen, wie er ist.</translation>
+        </message>
+        <message>
+            <source>Depth %1, push %2, %3 of the target removed. %4</source>
+            <translation>Tiefe %1, Druck %2, %3 des Ziels abgetragen. %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ExercisesPage</name>
+        <message>
+            <source>Exercises</source>
+            <translation>Übungen</translation>
+        </message>
+        <message>
+            <source>Enter opens the briefing</source>
+            <translation>Eingabetaste öffnet die Aufgabe</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n exercise(s) cannot be read.</source>
+            <translation>
+                <numerusform>%n Übung kann nicht gelesen werden.</numerusform>
+                <numerusform>%n Übungen können nicht gelesen werden.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The others are below. Publish them again from the editor.</source>
+            <translation>Die anderen stehen unten. Veröffentlichen Sie sie im Editor erneut.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::GoAnywhere</name>
+        <message>
+            <source>Go to</source>
+            <translation>Gehe zu</translation>
+        </message>
+        <message>
+            <source>Page or exercise</source>
+            <translation>Seite oder Übung</translation>
+        </message>
+        <message>
+            <source>Where to</source>
+            <translation>Wohin</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::GoesModel</name>
+        <message>
+            <source>Passed</source>
+            <translation>Bestanden</translation>
+        </message>
+        <message>
+            <source>Not passed</source>
+            <translation>Nicht bestanden</translation>
+        </message>
+        <message>
+            <source>Report</source>
+            <translation>Bericht</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Datum</translation>
+        </message>
+        <message>
+            <source>Student</source>
+            <translation>Studierende</translation>
+        </message>
+        <message>
+            <source>Exercise</source>
+            <translation>Übung</translation>
+        </message>
+        <message>
+            <source>Go</source>
+            <translation>Durchgang</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>Ergebnis</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Gerät</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::HelpPage</name>
+        <message>
+            <source>Help</source>
+            <translation>Hilfe</translation>
+        </message>
+        <message>
+            <source>A go, from start to report</source>
+            <translation>Ein Durchgang, vom Start bis zum Bericht</translation>
+        </message>
+        <message>
+            <source>1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points.</source>
+            <translation>1. Übung wählen und die Aufgabe lesen: Sie sagt, was abzutragen ist, wie tief, und was Punkte bringt.</translation>
+        </message>
+        <message>
+            <source>2. Slide the burr over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
+            <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt den Druck, der Balken links die Tiefe.</translation>
+        </message>
+        <message>
+            <source>3. Hold Space or the left button to cut. The target is the solid line, the leeway round it the dashed one.</source>
+            <translation>3. Zum Abtragen die Leertaste oder die linke Maustaste halten. Die durchgezogene Linie ist das Ziel, die gestrichelte darum der Spielraum.</translation>
+        </message>
+        <message>
+            <source>4. Finish ends the go and grades it. The report says what was measured, how well it is known, and what to do next time.</source>
+            <translation>4. Beenden schließt den Durchgang ab und bewertet ihn. Der Bericht sagt, was gemessen wurde, wie genau es bekannt ist und was beim nächsten Mal zu tun ist.</translation>
+        </message>
+        <message>
+            <source>5. Every go stays under My results. A go that broke off is kept up to its last second.</source>
+            <translation>5. Jeder Durchgang bleibt unter Meine Ergebnisse. Ein abgebrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>Keys everywhere</source>
+            <translation>Tasten überall</translation>
+        </message>
+        <message>
+            <source>this page</source>
+            <translation>diese Seite</translation>
+        </message>
+        <message>
+            <source>next pane</source>
+            <translation>nächster Bereich</translation>
+        </message>
+        <message>
+            <source>go to any page or exercise</source>
+            <translation>zu jeder Seite oder Übung gehen</translation>
+        </message>
+        <message>
+            <source>back</source>
+            <translation>zurück</translation>
+        </message>
+        <message>
+            <source>out of what is open</source>
+            <translation>aus dem, was offen ist</translation>
+        </message>
+        <message>
+            <source>a chart as its table, and back</source>
+            <translation>ein Diagramm als Tabelle, und zurück</translation>
+        </message>
+        <message>
+            <source>opens the chosen row</source>
+            <translation>öffnet die gewählte Zeile</translation>
+        </message>
+        <message>
+            <source>Keys while drilling</source>
+            <translation>Tasten beim Bohren</translation>
+        </message>
+        <message>
+            <source>slide the burr</source>
+            <translation>den Bohrer führen</translation>
+        </message>
+        <message>
+            <source>push less, push more</source>
+            <translation>weniger drücken, mehr drücken</translation>
+        </message>
+        <message>
+            <source>cut while held</source>
+            <translation>trägt ab, solange gehalten</translation>
+        </message>
+        <message>
+            <source>views of the tooth</source>
+            <translation>Ansichten des Zahns</translation>
+        </message>
+        <message>
+            <source>burr before, burr after</source>
+            <translation>Bohrer davor, Bohrer danach</translation>
+        </message>
+        <message>
+            <source>pause and go on</source>
+            <translation>Pause und weiter</translation>
+        </message>
+        <message>
+            <source>finish (asks)</source>
+            <translation>beenden (fragt nach)</translation>
+        </message>
+        <message>
+            <source>How it is marked</source>
+            <translation>Wie bewertet wird</translation>
+        </message>
+        <message>
+            <source>Target removed: how much of the wanted cavity is gone. Left standing: what of it is still there.</source>
+            <translation>Ziel abgetragen: wie viel der gewünschten Kavität fort ist. Stehen gelassen: was davon noch da ist.</translation>
+        </message>
+        <message>
+            <source>Cut too far: what is gone outside the target. Within the leeway it costs little, beyond it much.</source>
+            <translation>Zu weit abgetragen: was außerhalb des Ziels fort ist. Im Spielraum kostet es wenig, jenseits davon viel.</translation>
+        </message>
+        <message>
+            <source>± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so.</source>
+            <translation>± sagt, wie genau ein Wert bekannt ist. Liegt eine Grenze der Bewertung näher, so sagt es der Bericht.</translation>
+        </message>
+        <message>
+            <source>Time earns no points.</source>
+            <translation>Zeit bringt keine Punkte.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::HistoryCharts</name>
+        <message>
+            <source>points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>pass %1</source>
+            <translation>Grenze %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n go(es), the last with %1 points.</source>
+            <translation>
+                <numerusform>%n Durchgang mit %1 Punkten.</numerusform>
+                <numerusform>%n Durchgänge, der letzte mit %1 Punkten.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Time and score</source>
+            <translation>Zeit und Punkte</translation>
+        </message>
+        <message>
+            <source>seconds</source>
+            <translation>Sekunden</translation>
+        </message>
+        <message>
+            <source>minutes</source>
+            <translation>Minuten</translation>
+        </message>
+        <message>
+            <source>You</source>
+            <translation>Sie</translation>
+        </message>
+        <message>
+            <source>Points by go</source>
+            <translation>Punkte je Durchgang</translation>
+        </message>
+        <message>
+            <source>go</source>
+            <translation>Durchgang</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::OwnHistory</name>
+        <message>
+            <source>My results</source>
+            <translation>Meine Ergebnisse</translation>
+        </message>
+        <message>
+            <source>No go yet</source>
+            <translation>Noch kein Durchgang</translation>
+        </message>
+        <message>
+            <source>Each go you finish stays here, with its report.</source>
+            <translation>Jeder beendete Durchgang bleibt hier, mit seinem Bericht.</translation>
+        </message>
+        <message>
+            <source>Choose an exercise</source>
+            <translation>Übung wählen</translation>
+        </message>
+        <message>
+            <source>Exercise</source>
+            <translation>Übung</translation>
+        </message>
+        <message>
+            <source>All exercises</source>
+            <translation>Alle Übungen</translation>
+        </message>
+        <message>
+            <source>Points by go</source>
+            <translation>Punkte je Durchgang</translation>
+        </message>
+        <message>
+            <source>Time and score</source>
+            <translation>Zeit und Punkte</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::PasswordDialog</name>
+        <message>
+            <source>Change password</source>
+            <translation>Passwort ändern</translation>
+        </message>
+        <message>
+            <source>Password until now</source>
+            <translation>Bisheriges Passwort</translation>
+        </message>
+        <message>
+            <source>New password, at least 8 characters</source>
+            <translation>Neues Passwort, mindestens 8 Zeichen</translation>
+        </message>
+        <message>
+            <source>New password again</source>
+            <translation>Neues Passwort noch einmal</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>The two new passwords differ.</source>
+            <translation>Die beiden neuen Passwörter sind verschieden.</translation>
+        </message>
+        <message>
+            <source>Type them again.</source>
+            <translation>Geben Sie sie noch einmal ein.</translation>
+        </message>
+        <message>
+            <source>The password until now is another one.</source>
+            <translation>Das bisherige Passwort ist ein anderes.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>Nichts wurde geändert.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::PeopleModel</name>
+        <message>
+            <source>PIN or password</source>
+            <translation>PIN oder Passwort</translation>
+        </message>
+        <message>
+            <source>PIN</source>
+            <translation>PIN</translation>
+        </message>
+        <message>
+            <source>Password</source>
+            <translation>Passwort</translation>
+        </message>
+        <message>
+            <source>number alone</source>
+            <translation>nur der Nummer</translation>
+        </message>
+        <message>
+            <source>Switched off</source>
+            <translation>Ausgeschaltet</translation>
+        </message>
+        <message>
+            <source>Active</source>
+            <translation>Aktiv</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Number or user name</source>
+            <translation>Nummer oder Benutzername</translation>
+        </message>
+        <message>
+            <source>Role</source>
+            <translation>Rolle</translation>
+        </message>
+        <message>
+            <source>Signs in with</source>
+            <translation>Meldet sich an mit</translation>
+        </message>
+        <message>
+            <source>Account</source>
+            <translation>Konto</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::PeoplePage</name>
+        <message>
+            <source>People</source>
+            <translation>Personen</translation>
+        </message>
+        <message>
+            <source>Find somebody</source>
+            <translation>Jemanden finden</translation>
+        </message>
+        <message>
+            <source>Add a person</source>
+            <translation>Person hinzufügen</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Name</translation>
+        </message>
+        <message>
+            <source>Number or user name</source>
+            <translation>Nummer oder Benutzername</translation>
+        </message>
+        <message>
+            <source>Role</source>
+            <translation>Rolle</translation>
+        </message>
+        <message>
+            <source>PIN, six digits</source>
+            <translation>PIN, sechs Ziffern</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Switch account off</source>
+            <translation>Konto ausschalten</translation>
+        </message>
+        <message>
+            <source>New PIN, six digits</source>
+            <translation>Neue PIN, sechs Ziffern</translation>
+        </message>
+        <message>
+            <source>New password, at least 8 characters</source>
+            <translation>Neues Passwort, mindestens 8 Zeichen</translation>
+        </message>
+        <message>
+            <source>Password, at least 8 characters</source>
+            <translation>Passwort, mindestens 8 Zeichen</translation>
+        </message>
+        <message>
+            <source>Leave it empty to keep the one there is.</source>
+            <translation>Leer lassen, um es beizubehalten.</translation>
+        </message>
+        <message>
+            <source>Without a PIN the number alone signs in.</source>
+            <translation>Ohne PIN genügt zum Anmelden die Nummer.</translation>
+        </message>
+        <message>
+            <source>Staff change it themselves under their name at the top.</source>
+            <translation>Personal ändert es selbst, oben unter dem eigenen Namen.</translation>
+        </message>
+        <message>
+            <source>Save changes</source>
+            <translation>Änderungen speichern</translation>
+        </message>
+        <message>
+            <source>Switch account on</source>
+            <translation>Konto einschalten</translation>
+        </message>
+        <message>
+            <source>Name and number are needed.</source>
+            <translation>Name und Nummer fehlen.</translation>
+        </message>
+        <message>
+            <source>%1 is added.</source>
+            <translation>%1 ist hinzugefügt.</translation>
+        </message>
+        <message>
+            <source>%1 is saved.</source>
+            <translation>%1 ist gespeichert.</translation>
+        </message>
+        <message>
+            <source>%1 can no longer sign in.</source>
+            <translation>%1 kann sich nicht mehr anmelden.</translation>
+        </message>
+        <message>
+            <source>%1 can sign in again.</source>
+            <translation>%1 kann sich wieder anmelden.</translation>
+        </message>
+        <message>
+            <source>All results are kept.</source>
+            <translation>Alle Ergebnisse bleiben aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>Switch off the account of %1?</source>
+            <translation>Das Konto von %1 ausschalten?</translation>
+        </message>
+        <message>
+            <source>They can no longer sign in. All results are kept, and you can switch it on again.</source>
+            <translation>Eine Anmeldung ist dann nicht mehr möglich. Alle Ergebnisse bleiben aufbewahrt, und Sie können das Konto wieder einschalten.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Performance</name>
+        <message>
+            <source>Performance</source>
+            <translation>Leistungen</translation>
+        </message>
+        <message>
+            <source>Export CSV</source>
+            <translation>CSV exportieren</translation>
+        </message>
+        <message>
+            <source>How scores spread</source>
+            <translation>Verteilung der Punkte</translation>
+        </message>
+        <message>
+            <source>goes, five points a bar</source>
+            <translation>Durchgänge, fünf Punkte je Balken</translation>
+        </message>
+        <message>
+            <source>Learning</source>
+            <translation>Lernverlauf</translation>
+        </message>
+        <message>
+            <source>points by go</source>
+            <translation>Punkte je Durchgang</translation>
+        </message>
+        <message>
+            <source>Goes</source>
+            <translation>Durchgänge</translation>
+        </message>
+        <message>
+            <source>No go fits</source>
+            <translation>Kein Durchgang passt</translation>
+        </message>
+        <message>
+            <source>Nobody has a go that fits these filters, or none is finished yet.</source>
+            <translation>Niemand hat einen Durchgang, der zu diesen Filtern passt, oder noch keiner ist beendet.</translation>
+        </message>
+        <message>
+            <source>Show all goes</source>
+            <translation>Alle Durchgänge zeigen</translation>
+        </message>
+        <message>
+            <source>Exercise</source>
+            <translation>Übung</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>Ergebnis</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Gerät</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>Von</translation>
+        </message>
+        <message>
+            <source>All results</source>
+            <translation>Alle Ergebnisse</translation>
+        </message>
+        <message>
+            <source>Passed</source>
+            <translation>Bestanden</translation>
+        </message>
+        <message>
+            <source>Not passed</source>
+            <translation>Nicht bestanden</translation>
+        </message>
+        <message>
+            <source>All dates</source>
+            <translation>Alle Tage</translation>
+        </message>
+        <message numerus="yes">
+            <source>Last %n day(s)</source>
+            <translation>
+                <numerusform>Letzter Tag</numerusform>
+                <numerusform>Letzte %n Tage</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Find a student</source>
+            <translation>Studierende finden</translation>
+        </message>
+        <message>
+            <source>All exercises</source>
+            <translation>Alle Übungen</translation>
+        </message>
+        <message>
+            <source>All devices</source>
+            <translation>Alle Geräte</translation>
+        </message>
+        <message>
+            <source>Goes counted</source>
+            <translation>Gezählte Durchgänge</translation>
+        </message>
+        <message>
+            <source>Median score</source>
+            <translation>Median der Punkte</translation>
+        </message>
+        <message>
+            <source>Median time</source>
+            <translation>Median der Zeit</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n student(s)</source>
+            <translation>
+                <numerusform>%n Person</numerusform>
+                <numerusform>%n Personen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>half lie in %1 to %2</source>
+            <translation>die Hälfte liegt in %1 bis %2</translation>
+        </message>
+        <message>
+            <source>95 % interval %1 to %2</source>
+            <translation>95-%-Intervall %1 bis %2</translation>
+        </message>
+        <message>
+            <source>minutes and seconds</source>
+            <translation>Minuten und Sekunden</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>goes</source>
+            <translation>Durchgänge</translation>
+        </message>
+        <message>
+            <source>below %1</source>
+            <translation>unter %1</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 bis %2</translation>
+        </message>
+        <message>
+            <source>pass %1</source>
+            <translation>Grenze %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n go(es).</source>
+            <translation>
+                <numerusform>%n Durchgang.</numerusform>
+                <numerusform>%n Durchgänge.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>go</source>
+            <translation>Durchgang</translation>
+        </message>
+        <message>
+            <source>Each dot is one go: medians need three students.</source>
+            <translation>Jeder Punkt ist ein Durchgang: Mediane brauchen drei Studierende.</translation>
+        </message>
+        <message>
+            <source>Median</source>
+            <translation>Median</translation>
+        </message>
+        <message>
+            <source>Middle half</source>
+            <translation>Mittlere Hälfte</translation>
+        </message>
+        <message numerus="yes">
+            <source>Median over %n go(es).</source>
+            <translation>
+                <numerusform>Median über %n Durchgang.</numerusform>
+                <numerusform>Median über %n Durchgänge.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>CSV (*.csv)</source>
+            <translation>CSV (*.csv)</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n go(es) exported.</source>
+            <translation>
+                <numerusform>%n Durchgang exportiert.</numerusform>
+                <numerusform>%n Durchgänge exportiert.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The file was not written.</source>
+            <translation>Die Datei wurde nicht geschrieben.</translation>
+        </message>
+        <message>
+            <source>%1: %2. What was there before is unchanged.</source>
+            <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::PinBoxes</name>
+        <message>
+            <source>PIN, digit %1 of %2</source>
+            <translation>PIN, Ziffer %1 von %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::PinnedTooth</name>
+        <message>
+            <source>The tooth after this go</source>
+            <translation>Der Zahn nach diesem Durchgang</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Report</name>
+        <message>
+            <source>Nothing of this go is kept</source>
+            <translation>Von diesem Durchgang wird nichts aufbewahrt</translation>
+        </message>
+        <message>
+            <source>%1 · %2, go %3</source>
+            <translation>%1 · %2, Durchgang %3</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+        <message>
+            <source>peak push %1</source>
+            <translation>höchster Druck %1</translation>
+        </message>
+        <message>
+            <source>Passed</source>
+            <translation>Bestanden</translation>
+        </message>
+        <message>
+            <source>Not passed</source>
+            <translation>Nicht bestanden</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points, pass mark %3</source>
+            <translation>%1 von %2 Punkten, Bestehensgrenze %3</translation>
+        </message>
+        <message>
+            <source>%1: this fails the go, whatever its points.</source>
+            <translation>%1: damit ist der Durchgang nicht bestanden, unabhängig von den Punkten.</translation>
+        </message>
+        <message>
+            <source>No picture: this computer has no OpenGL.</source>
+            <translation>Kein Bild: dieser Rechner hat kein OpenGL.</translation>
+        </message>
+        <message>
+            <source>Next time</source>
+            <translation>Beim nächsten Mal</translation>
+        </message>
+        <message>
+            <source>%1: %2 points lost. %3. %4</source>
+            <translation>%1: %2 Punkte verloren. %3. %4</translation>
+        </message>
+        <message>
+            <source>Every criterion has its full points.</source>
+            <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
+        </message>
+        <message>
+            <source>Best before: %1 points on %2; today %3.</source>
+            <translation>Bester davor: %1 Punkte am %2; heute %3.</translation>
+        </message>
+        <message>
+            <source>0.5 mm and more left standing</source>
+            <translation>0,5 mm und mehr stehen gelassen</translation>
+        </message>
+        <message>
+            <source>0.3 mm left standing</source>
+            <translation>0,3 mm stehen gelassen</translation>
+        </message>
+        <message>
+            <source>on target, within 0.1 mm</source>
+            <translation>auf dem Ziel, innerhalb 0,1 mm</translation>
+        </message>
+        <message>
+            <source>0.3 mm cut too far</source>
+            <translation>0,3 mm zu weit abgetragen</translation>
+        </message>
+        <message>
+            <source>0.5 mm and more cut too far</source>
+            <translation>0,5 mm und mehr zu weit abgetragen</translation>
+        </message>
+        <message>
+            <source>Engine %1, marking %2</source>
+            <translation>Rechenkern %1, Bewertung %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ReportPage</name>
+        <message>
+            <source>Report</source>
+            <translation>Bericht</translation>
+        </message>
+        <message>
+            <source>This fails the go, whatever its points; the points still stand.</source>
+            <translation>Damit ist der Durchgang nicht bestanden, unabhängig von den Punkten; die Punkte bleiben stehen.</translation>
+        </message>
+        <message>
+            <source>This go broke off.</source>
+            <translation>Dieser Durchgang brach ab.</translation>
+        </message>
+        <message>
+            <source>It is marked as it stands.</source>
+            <translation>Er ist bewertet, wie er ist.</translation>
+        </message>
+        <message>
+            <source>Print</source>
+            <translation>Drucken</translation>
+        </message>
+        <message>
+            <source>Save as PDF</source>
+            <translation>Als PDF speichern</translation>
+        </message>
+        <message>
+            <source>Go again</source>
+            <translation>Noch einmal</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>Abweichung</translation>
+        </message>
+        <message>
+            <source>As drilled</source>
+            <translation>Wie gebohrt</translation>
+        </message>
+        <message>
+            <source>Turn back to the view from above</source>
+            <translation>Zurück zur Ansicht von oben</translation>
+        </message>
+        <message>
+            <source>Passed</source>
+            <translation>Bestanden</translation>
+        </message>
+        <message>
+            <source>Not passed</source>
+            <translation>Nicht bestanden</translation>
+        </message>
+        <message>
+            <source>of %1 points, pass mark %2</source>
+            <translation>von %1 Punkten, Bestehensgrenze %2</translation>
+        </message>
+        <message>
+            <source>Best before</source>
+            <translation>Bester davor</translation>
+        </message>
+        <message>
+            <source>Criteria</source>
+            <translation>Kriterien</translation>
+        </message>
+        <message>
+            <source>not measured</source>
+            <translation>nicht gemessen</translation>
+        </message>
+        <message>
+            <source>Next time</source>
+            <translation>Beim nächsten Mal</translation>
+        </message>
+        <message>
+            <source>%1: %2 points lost</source>
+            <translation>%1: %2 Punkte verloren</translation>
+        </message>
+        <message>
+            <source>Every criterion has its full points.</source>
+            <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
+        </message>
+        <message>
+            <source>Against your best before</source>
+            <translation>Gegen Ihren besten Durchgang davor</translation>
+        </message>
+        <message>
+            <source>No go with this device came before. From the next one on this compares the two.</source>
+            <translation>Davor gab es keinen Durchgang mit diesem Gerät. Ab dem nächsten werden hier beide verglichen.</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>this go, %1</source>
+            <translation>dieser Durchgang, %1</translation>
+        </message>
+        <message>
+            <source>Save the report</source>
+            <translation>Bericht speichern</translation>
+        </message>
+        <message>
+            <source>PDF (*.pdf)</source>
+            <translation>PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>The report is saved.</source>
+            <translation>Der Bericht ist gespeichert.</translation>
+        </message>
+        <message>
+            <source>The report was not saved.</source>
+            <translation>Der Bericht wurde nicht gespeichert.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written. The go and its grade are kept.</source>
+            <translation>%1 kann nicht geschrieben werden. Durchgang und Bewertung sind aufbewahrt.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ScorePanel</name>
+        <message>
+            <source>Section at the burr</source>
+            <translation>Schnitt am Bohrer</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>Fortschritt</translation>
+        </message>
+        <message>
+            <source>Target removed</source>
+            <translation>Ziel abgetragen</translation>
+        </message>
+        <message>
+            <source>of the target removed</source>
+            <translation>des Ziels abgetragen</translation>
+        </message>
+        <message>
+            <source>Cut too far</source>
+            <translation>Zu weit abgetragen</translation>
+        </message>
+        <message>
+            <source>Least dentine over pulp</source>
+            <translation>Dünnstes Dentin über der Pulpa</translation>
+        </message>
+        <message>
+            <source>Removed so far</source>
+            <translation>Bisher abgetragen</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Gerät</translation>
+        </message>
+        <message>
+            <source>buccal–lingual</source>
+            <translation>bukkal–lingual</translation>
+        </message>
+        <message>
+            <source>across</source>
+            <translation>quer</translation>
+        </message>
+        <message>
+            <source>B</source>
+            <extracomment>First letters of buccal and lingual, at the two sides of a section.</extracomment>
+            <translation>B</translation>
+        </message>
+        <message>
+            <source>L</source>
+            <translation>L</translation>
+        </message>
+        <message>
+            <source>open</source>
+            <translation>offen</translation>
+        </message>
+        <message>
+            <source>enough</source>
+            <translation>genug</translation>
+        </message>
+        <message>
+            <source>steady</source>
+            <translation>stetig</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>angehalten</translation>
+        </message>
+        <message>
+            <source>slow</source>
+            <translation>langsam</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>nicht verbunden</translation>
+        </message>
+        <message>
+            <source>Nothing is kept</source>
+            <translation>Nichts wird aufbewahrt</translation>
+        </message>
+        <message>
+            <source>Recording, saved every second</source>
+            <translation>Aufzeichnung, jede Sekunde gesichert</translation>
+        </message>
+        <message>
+            <source>Recording, the disk is slow</source>
+            <translation>Aufzeichnung, der Datenträger ist langsam</translation>
+        </message>
+        <message>
+            <source>The record cannot be written</source>
+            <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::SectionView</name>
+        <message>
+            <source>Section at the burr</source>
+            <translation>Schnitt am Bohrer</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Sentences</name>
+        <message>
+            <source>The record is not there.</source>
+            <translation>Der Eintrag ist nicht da.</translation>
+        </message>
+        <message>
+            <source>%1 was not found. Nothing was changed.</source>
+            <translation>%1 wurde nicht gefunden. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>This file is not a Cusp database.</source>
+            <translation>Diese Datei ist keine Cusp-Datenbank.</translation>
+        </message>
+        <message>
+            <source>%1 was left as it is. Choose another file with --db.</source>
+            <translation>%1 blieb, wie sie ist. Wählen Sie mit --db eine andere Datei.</translation>
+        </message>
+        <message>
+            <source>This database was written by a newer version of Cusp.</source>
+            <translation>Diese Datenbank stammt von einer neueren Cusp-Version.</translation>
+        </message>
+        <message>
+            <source>%1 was left as it is. Install the newer version to open it.</source>
+            <translation>%1 blieb, wie sie ist. Zum Öffnen die neuere Version installieren.</translation>
+        </message>
+        <message>
+            <source>The database lies on a network drive.</source>
+            <translation>Die Datenbank liegt auf einem Netzlaufwerk.</translation>
+        </message>
+        <message>
+            <source>%1 would not be safe there. Move it to this computer’s own disk.</source>
+            <translation>%1 wäre dort nicht sicher. Verschieben Sie sie auf den Datenträger dieses Rechners.</translation>
+        </message>
+        <message>
+            <source>The database cannot be written.</source>
+            <translation>In die Datenbank kann nicht geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>%1 or its folder is read-only. Nothing was changed.</source>
+            <translation>%1 oder ihr Ordner ist schreibgeschützt. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>The disk is full.</source>
+            <translation>Der Datenträger ist voll.</translation>
+        </message>
+        <message>
+            <source>Nothing of the last step was written to %1; all before it is kept. Free some space and try again.</source>
+            <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt. Schaffen Sie Platz und versuchen Sie es noch einmal.</translation>
+        </message>
+        <message>
+            <source>The disk failed.</source>
+            <translation>Der Datenträger hat versagt.</translation>
+        </message>
+        <message>
+            <source>Nothing of the last step was written to %1; all before it is kept.</source>
+            <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>Another program holds the database.</source>
+            <translation>Ein anderes Programm hält die Datenbank.</translation>
+        </message>
+        <message>
+            <source>%1 stayed as it was. Close the other program and try again.</source>
+            <translation>%1 blieb, wie sie war. Schließen Sie das andere Programm und versuchen Sie es noch einmal.</translation>
+        </message>
+        <message>
+            <source>The database is damaged.</source>
+            <translation>Die Datenbank ist beschädigt.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be read whole. Nothing was changed; restore it from a backup.</source>
+            <translation>%1 kann nicht ganz gelesen werden. Nichts wurde geändert; stellen Sie sie aus einer Sicherung wieder her.</translation>
+        </message>
+        <message>
+            <source>Number and password do not match.</source>
+            <translation>Nummer und Passwort passen nicht zusammen.</translation>
+        </message>
+        <message>
+            <source>Check both and try again.</source>
+            <translation>Prüfen Sie beides und versuchen Sie es noch einmal.</translation>
+        </message>
+        <message>
+            <source>Too many wrong tries.</source>
+            <translation>Zu viele falsche Versuche.</translation>
+        </message>
+        <message>
+            <source>Wait a little and try again.</source>
+            <translation>Warten Sie etwas und versuchen Sie es noch einmal.</translation>
+        </message>
+        <message>
+            <source>Signing in is open again at %1.</source>
+            <translation>Die Anmeldung ist um %1 wieder offen.</translation>
+        </message>
+        <message>
+            <source>This account is switched off.</source>
+            <translation>Dieses Konto ist ausgeschaltet.</translation>
+        </message>
+        <message>
+            <source>Ask an administrator to switch it on again.</source>
+            <translation>Bitten Sie die Verwaltung, es wieder einzuschalten.</translation>
+        </message>
+        <message>
+            <source>Your role may not do this.</source>
+            <translation>Ihre Rolle darf das nicht.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>This password is too short.</source>
+            <translation>Dieses Passwort ist zu kurz.</translation>
+        </message>
+        <message>
+            <source>A password has at least 8 characters, a PIN exactly six digits. Nothing was changed.</source>
+            <translation>Ein Passwort hat mindestens 8 Zeichen, eine PIN genau sechs Ziffern. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>This is the last administrator.</source>
+            <translation>Das ist die letzte Person mit Verwaltungsrechten.</translation>
+        </message>
+        <message>
+            <source>Somebody has to manage people. Make another administrator first.</source>
+            <translation>Jemand muss die Personen verwalten. Geben Sie zuerst einer anderen diese Rolle.</translation>
+        </message>
+        <message>
+            <source>This is there already.</source>
+            <translation>Das gibt es schon.</translation>
+        </message>
+        <message>
+            <source>%1 is taken. Nothing was changed.</source>
+            <translation>%1 ist vergeben. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>A value is missing or outside its range.</source>
+            <translation>Ein Wert fehlt oder liegt außerhalb seines Bereichs.</translation>
+        </message>
+        <message>
+            <source>Look at %1. Nothing was changed.</source>
+            <translation>Sehen Sie bei %1 nach. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>This go is not in a state that allows it.</source>
+            <translation>Der Zustand dieses Durchgangs lässt das nicht zu.</translation>
+        </message>
+        <message>
+            <source>The recording cannot be read.</source>
+            <translation>Die Aufzeichnung kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>%1 is damaged; the grade and all other goes are kept.</source>
+            <translation>%1 ist beschädigt; die Bewertung und alle anderen Durchgänge sind aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>The database failed.</source>
+            <translation>Die Datenbank hat versagt.</translation>
+        </message>
+        <message>
+            <source>This exercise cannot be read.</source>
+            <translation>Diese Übung kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>The file %1 cannot be opened.</source>
+            <translation>Die Datei %1 lässt sich nicht öffnen.</translation>
+        </message>
+        <message>
+            <source>%1 is larger than any exercise.</source>
+            <translation>%1 ist größer als jede Übung.</translation>
+        </message>
+        <message>
+            <source>The text breaks off or is malformed at %1.</source>
+            <translation>Der Text bricht bei %1 ab oder ist dort fehlerhaft.</translation>
+        </message>
+        <message>
+            <source>%1 stands there twice.</source>
+            <translation>%1 steht zweimal da.</translation>
+        </message>
+        <message>
+            <source>%1 was written by a newer version of Cusp (format %2).</source>
+            <translation>%1 stammt von einer neueren Cusp-Version (Format %2).</translation>
+        </message>
+        <message>
+            <source>%1 is not known.</source>
+            <translation>%1 ist nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>%1 is missing.</source>
+            <translation>%1 fehlt.</translation>
+        </message>
+        <message>
+            <source>%1 has to be: %2.</source>
+            <translation>%1 muss sein: %2.</translation>
+        </message>
+        <message>
+            <source>%1 has to lie in %2.</source>
+            <translation>%1 muss in %2 liegen.</translation>
+        </message>
+        <message>
+            <source>%1 is not a number.</source>
+            <translation>%1 ist keine Zahl.</translation>
+        </message>
+        <message>
+            <source>%1 is not an identity.</source>
+            <translation>%1 ist keine Kennung.</translation>
+        </message>
+        <message>
+            <source>%1 names no language, or English is missing.</source>
+            <translation>%1 nennt keine Sprache, oder Englisch fehlt.</translation>
+        </message>
+        <message>
+            <source>%1 leads out of the exercise’s folder.</source>
+            <translation>%1 führt aus dem Ordner der Übung hinaus.</translation>
+        </message>
+        <message>
+            <source>%1 is named twice.</source>
+            <translation>%1 ist zweimal genannt.</translation>
+        </message>
+        <message>
+            <source>%1 names something that is not known.</source>
+            <translation>%1 nennt etwas, das nicht bekannt ist.</translation>
+        </message>
+        <message>
+            <source>%1 names something that is not known: %2.</source>
+            <translation>%1 nennt etwas, das nicht bekannt ist: %2.</translation>
+        </message>
+        <message>
+            <source>No exercise called %1 comes with the program.</source>
+            <translation>Eine Übung namens %1 liegt dem Programm nicht bei.</translation>
+        </message>
+        <message>
+            <source>This file cannot be read.</source>
+            <translation>Diese Datei kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>There is no file %1.</source>
+            <translation>Es gibt keine Datei %1.</translation>
+        </message>
+        <message>
+            <source>This file cannot be read or written.</source>
+            <translation>Diese Datei kann nicht gelesen oder geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>%1: %2.</source>
+            <translation>%1: %2.</translation>
+        </message>
+        <message>
+            <source>%1 is of a kind that is not read here.</source>
+            <translation>%1 ist von einer Art, die hier nicht gelesen wird.</translation>
+        </message>
+        <message>
+            <source>Its head is wrong at %1.</source>
+            <translation>Ihr Kopf ist bei %1 falsch.</translation>
+        </message>
+        <message>
+            <source>It uses %1, which is not read here.</source>
+            <translation>Sie verwendet %1, das hier nicht gelesen wird.</translation>
+        </message>
+        <message>
+            <source>The sizes at %1 make no volume.</source>
+            <translation>Die Größen bei %1 ergeben kein Volumen.</translation>
+        </message>
+        <message>
+            <source>At %1 its cells are not cubes.</source>
+            <translation>Bei %1 sind ihre Zellen keine Würfel.</translation>
+        </message>
+        <message>
+            <source>The axes at %1 are oblique or not known.</source>
+            <translation>Die Achsen bei %1 sind schief oder nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>%1 names no tissue.</source>
+            <translation>%1 nennt kein Gewebe.</translation>
+        </message>
+        <message>
+            <source>%1 ends too early. Copy it again.</source>
+            <translation>%1 endet zu früh. Kopieren Sie sie noch einmal.</translation>
+        </message>
+        <message>
+            <source>%1 is damaged. Copy it again.</source>
+            <translation>%1 ist beschädigt. Kopieren Sie sie noch einmal.</translation>
+        </message>
+        <message>
+            <source>%1 is larger than the limits allow.</source>
+            <translation>%1 ist größer, als die Grenzen erlauben.</translation>
+        </message>
+        <message>
+            <source>%1 holds nothing solid.</source>
+            <translation>%1 enthält nichts Festes.</translation>
+        </message>
+        <message>
+            <source>%1 holds no surface.</source>
+            <translation>%1 enthält keine Oberfläche.</translation>
+        </message>
+        <message>
+            <source>There is no part called %1.</source>
+            <translation>Es gibt keinen Teil namens %1.</translation>
+        </message>
+        <message>
+            <source>The part %1 encloses nothing.</source>
+            <translation>Der Teil %1 umschließt nichts.</translation>
+        </message>
+        <message>
+            <source>The surface is open at %1. Close it there.</source>
+            <translation>Die Oberfläche ist bei %1 offen. Schließen Sie sie dort.</translation>
+        </message>
+        <message>
+            <source>The surface is turned inside out at %1.</source>
+            <translation>Die Oberfläche ist bei %1 nach innen gewendet.</translation>
+        </message>
+        <message>
+            <source>The part %1 cuts itself.</source>
+            <translation>Der Teil %1 schneidet sich selbst.</translation>
+        </message>
+        <message>
+            <source>An option does not fit.</source>
+            <translation>Eine Angabe passt nicht.</translation>
+        </message>
+        <message>
+            <source>Reading %1 broke off.</source>
+            <translation>Das Lesen von %1 brach ab.</translation>
+        </message>
+        <message>
+            <source>Reading %1 took longer than allowed.</source>
+            <translation>Das Lesen von %1 dauerte länger als erlaubt.</translation>
+        </message>
+        <message>
+            <source>Reading %1 wanted more memory than allowed.</source>
+            <translation>Das Lesen von %1 brauchte mehr Speicher als erlaubt.</translation>
+        </message>
+        <message>
+            <source>Reading was cancelled.</source>
+            <translation>Das Lesen wurde abgebrochen.</translation>
+        </message>
+        <message>
+            <source>Reading could not be started.</source>
+            <translation>Das Lesen konnte nicht begonnen werden.</translation>
+        </message>
+        <message>
+            <source>Specimens of the kind %1 are not known.</source>
+            <translation>Präparate der Art %1 sind nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>The device was not found.</source>
+            <translation>Das Gerät wurde nicht gefunden.</translation>
+        </message>
+        <message>
+            <source>%1 is not connected. Check cable and power.</source>
+            <translation>%1 ist nicht verbunden. Prüfen Sie Kabel und Strom.</translation>
+        </message>
+        <message>
+            <source>This user may not open the device.</source>
+            <translation>Dieser Benutzer darf das Gerät nicht öffnen.</translation>
+        </message>
+        <message>
+            <source>%1 refused.</source>
+            <translation>%1 lehnte ab.</translation>
+        </message>
+        <message>
+            <source>Another program holds the device.</source>
+            <translation>Ein anderes Programm hält das Gerät.</translation>
+        </message>
+        <message>
+            <source>Close it and try %1 again.</source>
+            <translation>Schließen Sie es und versuchen Sie %1 noch einmal.</translation>
+        </message>
+        <message>
+            <source>The script cannot be read.</source>
+            <translation>Das Skript kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Look at %1.</source>
+            <translation>Sehen Sie bei %1 nach.</translation>
+        </message>
+        <message>
+            <source>The device does not answer.</source>
+            <translation>Das Gerät antwortet nicht.</translation>
+        </message>
+        <message>
+            <source>%1: check cable and power.</source>
+            <translation>%1: Kabel und Strom prüfen.</translation>
+        </message>
+        <message>
+            <source>The device failed.</source>
+            <translation>Das Gerät hat versagt.</translation>
+        </message>
+        <message>
+            <source>The tooth of this exercise cannot be made.</source>
+            <translation>Der Zahn dieser Übung kann nicht erzeugt werden.</translation>
+        </message>
+        <message>
+            <source>Look at %1. No go was started.</source>
+            <translation>Sehen Sie bei %1 nach. Kein Durchgang wurde begonnen.</translation>
+        </message>
+        <message>
+            <source>This exercise cannot be played.</source>
+            <translation>Diese Übung kann nicht gespielt werden.</translation>
+        </message>
+        <message>
+            <source>This exercise does not admit this device.</source>
+            <translation>Diese Übung lässt dieses Gerät nicht zu.</translation>
+        </message>
+        <message>
+            <source>The go could not be recorded any further.</source>
+            <translation>Der Durchgang konnte nicht weiter aufgezeichnet werden.</translation>
+        </message>
+        <message>
+            <source>It is kept up to the last second before %1 failed.</source>
+            <translation>Er ist aufbewahrt bis zur letzten Sekunde, bevor %1 versagte.</translation>
+        </message>
+        <message>
+            <source>Two computations of this go differ.</source>
+            <translation>Zwei Berechnungen dieses Durchgangs weichen voneinander ab.</translation>
+        </message>
+        <message>
+            <source>The go could not be played.</source>
+            <translation>Der Durchgang konnte nicht gespielt werden.</translation>
+        </message>
+        <message>
+            <source>The device jumped.</source>
+            <translation>Das Gerät ist gesprungen.</translation>
+        </message>
+        <message>
+            <source>The force is off and the clock stands still. Your work is kept.</source>
+            <translation>Die Kraft ist aus und die Uhr steht. Ihre Arbeit ist aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>The device answered too late.</source>
+            <translation>Das Gerät antwortete zu spät.</translation>
+        </message>
+        <message>
+            <source>The device went quiet.</source>
+            <translation>Das Gerät ist verstummt.</translation>
+        </message>
+        <message>
+            <source>The force is off and the clock stands still. Check the cable; your work is kept.</source>
+            <translation>Die Kraft ist aus und die Uhr steht. Prüfen Sie das Kabel; Ihre Arbeit ist aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>The device sent a position that is none.</source>
+            <translation>Das Gerät sandte eine Position, die keine ist.</translation>
+        </message>
+        <message>
+            <source>Student</source>
+            <translation>Studierende</translation>
+        </message>
+        <message>
+            <source>Teacher</source>
+            <translation>Lehrende</translation>
+        </message>
+        <message>
+            <source>Administrator</source>
+            <translation>Verwaltung</translation>
+        </message>
+        <message>
+            <source>Running</source>
+            <translation>Läuft</translation>
+        </message>
+        <message>
+            <source>Interrupted</source>
+            <translation>Unterbrochen</translation>
+        </message>
+        <message>
+            <source>Not graded</source>
+            <translation>Nicht bewertet</translation>
+        </message>
+        <message>
+            <source>Graded</source>
+            <translation>Bewertet</translation>
+        </message>
+        <message>
+            <source>Closed</source>
+            <translation>Abgeschlossen</translation>
+        </message>
+        <message>
+            <source>Practice</source>
+            <translation>Training</translation>
+        </message>
+        <message>
+            <source>Assessment</source>
+            <translation>Prüfung</translation>
+        </message>
+        <message>
+            <source>Try it</source>
+            <translation>Ausprobieren</translation>
+        </message>
+        <message>
+            <source>Try-out</source>
+            <translation>Probelauf</translation>
+        </message>
+        <message>
+            <source>Mouse and keys</source>
+            <translation>Maus und Tasten</translation>
+        </message>
+        <message>
+            <source>Scripted hand</source>
+            <translation>Automatische Hand</translation>
+        </message>
+        <message>
+            <source>Nothing</source>
+            <translation>Nichts</translation>
+        </message>
+        <message>
+            <source>Enamel</source>
+            <translation>Schmelz</translation>
+        </message>
+        <message>
+            <source>Dentine</source>
+            <translation>Dentin</translation>
+        </message>
+        <message>
+            <source>Decay</source>
+            <translation>Karies</translation>
+        </message>
+        <message>
+            <source>Cementum</source>
+            <translation>Wurzelzement</translation>
+        </message>
+        <message>
+            <source>Pulp</source>
+            <translation>Pulpa</translation>
+        </message>
+        <message>
+            <source>Bone</source>
+            <translation>Knochen</translation>
+        </message>
+        <message>
+            <source>Gingiva</source>
+            <translation>Gingiva</translation>
+        </message>
+        <message>
+            <source>Ligament</source>
+            <translation>Desmodont</translation>
+        </message>
+        <message>
+            <source>Amalgam</source>
+            <translation>Amalgam</translation>
+        </message>
+        <message>
+            <source>Composite</source>
+            <translation>Komposit</translation>
+        </message>
+        <message>
+            <source>Plastic</source>
+            <translation>Kunststoff</translation>
+        </message>
+        <message>
+            <source>Decayed enamel</source>
+            <translation>Schmelzkaries</translation>
+        </message>
+        <message>
+            <source>Material %1</source>
+            <translation>Material %1</translation>
+        </message>
+        <message>
+            <source>Target removed</source>
+            <translation>Ziel abgetragen</translation>
+        </message>
+        <message>
+            <source>Floor too deep, within leeway</source>
+            <translation>Boden zu tief, im Spielraum</translation>
+        </message>
+        <message>
+            <source>Walls too wide, within leeway</source>
+            <translation>Wände zu weit, im Spielraum</translation>
+        </message>
+        <message>
+            <source>Floor cut too far</source>
+            <translation>Boden zu weit abgetragen</translation>
+        </message>
+        <message>
+            <source>Walls cut too far</source>
+            <translation>Wände zu weit abgetragen</translation>
+        </message>
+        <message>
+            <source>Left standing</source>
+            <translation>Stehen gelassen</translation>
+        </message>
+        <message>
+            <source>Floor depth, shallowest</source>
+            <translation>Bodentiefe, flachste</translation>
+        </message>
+        <message>
+            <source>Floor depth, mean</source>
+            <translation>Bodentiefe, mittlere</translation>
+        </message>
+        <message>
+            <source>Floor depth, deepest</source>
+            <translation>Bodentiefe, größte</translation>
+        </message>
+        <message>
+            <source>Dentine over pulp</source>
+            <translation>Dentin über der Pulpa</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Peak push</source>
+            <translation>Höchster Druck</translation>
+        </message>
+        <message>
+            <source>Mean push</source>
+            <translation>Mittlerer Druck</translation>
+        </message>
+        <message>
+            <source>Pulp opened</source>
+            <translation>Pulpa eröffnet</translation>
+        </message>
+        <message>
+            <source>%1 removed</source>
+            <translation>%1 abgetragen</translation>
+        </message>
+        <message>
+            <source>The pulp was opened</source>
+            <translation>Die Pulpa wurde eröffnet</translation>
+        </message>
+        <message>
+            <source>up to %1</source>
+            <translation>bis %1</translation>
+        </message>
+        <message>
+            <source>%1 or more</source>
+            <translation>%1 oder mehr</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 bis %2</translation>
+        </message>
+        <message>
+            <source>Full points</source>
+            <translation>Volle Punktzahl</translation>
+        </message>
+        <message>
+            <source>Could not be measured</source>
+            <translation>Nicht messbar</translation>
+        </message>
+        <message>
+            <source>%1, %2 deeper than %3</source>
+            <translation>%1, %2 tiefer als %3</translation>
+        </message>
+        <message>
+            <source>%1, %2 short of %3</source>
+            <translation>%1, %2 flacher als %3</translation>
+        </message>
+        <message>
+            <source>%1, %2 above %3</source>
+            <translation>%1, %2 über %3</translation>
+        </message>
+        <message>
+            <source>%1, %2 below %3</source>
+            <translation>%1, %2 unter %3</translation>
+        </message>
+        <message>
+            <source>Turn the view and look for what still stands inside the target line.</source>
+            <translation>Drehen Sie die Ansicht und suchen Sie, was innerhalb der Ziellinie noch steht.</translation>
+        </message>
+        <message>
+            <source>Lift off and read the depth before you go deeper.</source>
+            <translation>Heben Sie ab und lesen Sie die Tiefe, bevor Sie tiefer gehen.</translation>
+        </message>
+        <message>
+            <source>Keep the burr’s edge inside the target line; push less near the walls.</source>
+            <translation>Halten Sie den Rand des Bohrers innerhalb der Ziellinie; drücken Sie nahe den Wänden weniger.</translation>
+        </message>
+        <message>
+            <source>Turn the view and clear the corners along the walls.</source>
+            <translation>Drehen Sie die Ansicht und räumen Sie die Ecken entlang der Wände aus.</translation>
+        </message>
+        <message>
+            <source>Stop pushing before the wanted depth and move sideways.</source>
+            <translation>Drücken Sie vor der gewünschten Tiefe nicht weiter und führen Sie den Bohrer seitwärts.</translation>
+        </message>
+        <message>
+            <source>Go on to the wanted depth over the whole floor.</source>
+            <translation>Gehen Sie am ganzen Boden bis zur gewünschten Tiefe.</translation>
+        </message>
+        <message>
+            <source>Keep away from the pulp: stay above the wanted floor.</source>
+            <translation>Bleiben Sie von der Pulpa weg: über dem gewünschten Boden.</translation>
+        </message>
+        <message>
+            <source>Push less; let the burr do the work.</source>
+            <translation>Drücken Sie weniger; lassen Sie den Bohrer arbeiten.</translation>
+        </message>
+        <message>
+            <source>Plan the way of the burr before the first cut.</source>
+            <translation>Planen Sie den Weg des Bohrers vor dem ersten Abtrag.</translation>
+        </message>
+        <message>
+            <source>Take away less of it.</source>
+            <translation>Tragen Sie weniger davon ab.</translation>
+        </message>
+        <message>
+            <source>Take away more of it.</source>
+            <translation>Tragen Sie mehr davon ab.</translation>
+        </message>
+        <message>
+            <source>The device did not open.</source>
+            <translation>Das Gerät ließ sich nicht öffnen.</translation>
+        </message>
+        <message>
+            <source>%1 refused. No go was started.</source>
+            <translation>%1 lehnte ab. Kein Durchgang wurde begonnen.</translation>
+        </message>
+        <message>
+            <source>Connected is: %1. No go was started.</source>
+            <translation>Verbunden ist: %1. Kein Durchgang wurde begonnen.</translation>
+        </message>
+        <message>
+            <source>The stored exercise cannot be read.</source>
+            <translation>Die gespeicherte Übung kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>The database refused.</source>
+            <translation>Die Datenbank lehnte ab.</translation>
+        </message>
+        <message>
+            <source>%1 was not written. Goes before it are kept.</source>
+            <translation>%1 wurde nicht geschrieben. Durchgänge davor sind aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>It was stopped at tick %1 and is not graded; the recording is kept.</source>
+            <translation>Er wurde bei Takt %1 angehalten und ist nicht bewertet; die Aufzeichnung ist aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>This computer is too slow for this exercise.</source>
+            <translation>Dieser Rechner ist zu langsam für diese Übung.</translation>
+        </message>
+        <message>
+            <source>The go ended as interrupted. All of it is kept and can be graded as it stands.</source>
+            <translation>Der Durchgang endete als unterbrochen. Er ist ganz aufbewahrt und kann bewertet werden, wie er ist.</translation>
+        </message>
+        <message>
+            <source>This go was recorded by another version of Cusp.</source>
+            <translation>Dieser Durchgang wurde von einer anderen Cusp-Version aufgezeichnet.</translation>
+        </message>
+        <message>
+            <source>It opens with its stored tooth and grade, but is not computed again (engine %1).</source>
+            <translation>Er öffnet sich mit gespeichertem Zahn und gespeicherter Bewertung, wird aber nicht neu berechnet (Rechenkern %1).</translation>
+        </message>
+        <message>
+            <source>The tooth is not the one this go began with.</source>
+            <translation>Der Zahn ist nicht der, mit dem dieser Durchgang begann.</translation>
+        </message>
+        <message>
+            <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
+            <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Shell</name>
+        <message>
+            <source>Top bar</source>
+            <translation>Kopfleiste</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>Sprache</translation>
+        </message>
+        <message>
+            <source>Light colours</source>
+            <translation>Helle Farben</translation>
+        </message>
+        <message>
+            <source>Dark colours</source>
+            <translation>Dunkle Farben</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Hilfe</translation>
+        </message>
+        <message>
+            <source>Account of %1</source>
+            <translation>Konto von %1</translation>
+        </message>
+        <message>
+            <source>Size of everything</source>
+            <translation>Größe von allem</translation>
+        </message>
+        <message>
+            <source>Change password…</source>
+            <translation>Passwort ändern …</translation>
+        </message>
+        <message>
+            <source>Sign out</source>
+            <translation>Abmelden</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>Seiten</translation>
+        </message>
+        <message>
+            <source>Mouse and keys ready</source>
+            <translation>Maus und Tasten bereit</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::SignIn</name>
+        <message>
+            <source>First start</source>
+            <translation>Erster Start</translation>
+        </message>
+        <message>
+            <source>Sign in</source>
+            <translation>Anmelden</translation>
+        </message>
+        <message>
+            <source>%1: results are kept on this computer, in %2.</source>
+            <translation>%1: Ergebnisse bleiben auf diesem Rechner, in %2.</translation>
+        </message>
+        <message>
+            <source>A tooth</source>
+            <translation>Ein Zahn</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>Sprache</translation>
+        </message>
+        <message>
+            <source>Light colours</source>
+            <translation>Helle Farben</translation>
+        </message>
+        <message>
+            <source>Dark colours</source>
+            <translation>Dunkle Farben</translation>
+        </message>
+        <message>
+            <source>Student</source>
+            <translation>Studierende</translation>
+        </message>
+        <message>
+            <source>Staff</source>
+            <translation>Personal</translation>
+        </message>
+        <message>
+            <source>Student number</source>
+            <translation>Matrikelnummer</translation>
+        </message>
+        <message>
+            <source>PIN, six digits</source>
+            <translation>PIN, sechs Ziffern</translation>
+        </message>
+        <message>
+            <source>User name</source>
+            <translation>Benutzername</translation>
+        </message>
+        <message>
+            <source>Password</source>
+            <translation>Passwort</translation>
+        </message>
+        <message>
+            <source>or</source>
+            <translation>oder</translation>
+        </message>
+        <message>
+            <source>Try it</source>
+            <translation>Ausprobieren</translation>
+        </message>
+        <message>
+            <source>No account. You drill a practice block with the mouse; nothing goes into the school’s records.</source>
+            <translation>Ohne Konto. Sie bohren mit der Maus an einem Übungsblock; nichts kommt in die Aufzeichnungen der Schule.</translation>
+        </message>
+        <message>
+            <source>Nobody manages this computer’s records yet. Make the administrator; everybody else is added afterwards.</source>
+            <translation>Noch verwaltet niemand die Aufzeichnungen dieses Rechners. Legen Sie die Verwaltung an; alle anderen kommen danach dazu.</translation>
+        </message>
+        <message>
+            <source>Your name</source>
+            <translation>Ihr Name</translation>
+        </message>
+        <message>
+            <source>Password, at least 8 characters</source>
+            <translation>Passwort, mindestens 8 Zeichen</translation>
+        </message>
+        <message>
+            <source>Password again</source>
+            <translation>Passwort noch einmal</translation>
+        </message>
+        <message>
+            <source>Make the administrator</source>
+            <translation>Verwaltung anlegen</translation>
+        </message>
+        <message>
+            <source>The user name is missing.</source>
+            <translation>Der Benutzername fehlt.</translation>
+        </message>
+        <message>
+            <source>The student number is missing.</source>
+            <translation>Die Matrikelnummer fehlt.</translation>
+        </message>
+        <message>
+            <source>The PIN has six digits.</source>
+            <translation>Die PIN hat sechs Ziffern.</translation>
+        </message>
+        <message>
+            <source>Number and PIN do not match.</source>
+            <translation>Nummer und PIN passen nicht zusammen.</translation>
+        </message>
+        <message>
+            <source>Check both and try again.</source>
+            <translation>Prüfen Sie beides und versuchen Sie es noch einmal.</translation>
+        </message>
+        <message>
+            <source>Name and user name are needed.</source>
+            <translation>Name und Benutzername fehlen.</translation>
+        </message>
+        <message>
+            <source>The two passwords differ.</source>
+            <translation>Die beiden Passwörter sind verschieden.</translation>
+        </message>
+        <message>
+            <source>Type them again.</source>
+            <translation>Geben Sie sie noch einmal ein.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::StartPage</name>
+        <message>
+            <source>Due next</source>
+            <translation>Als Nächstes fällig</translation>
+        </message>
+        <message>
+            <source>Your practice</source>
+            <translation>Ihr Training</translation>
+        </message>
+        <message>
+            <source>No exercise yet</source>
+            <translation>Noch keine Übung</translation>
+        </message>
+        <message>
+            <source>This station has no exercise that can be read. Ask your teacher.</source>
+            <translation>Diese Station hat keine lesbare Übung. Fragen Sie Ihre Lehrenden.</translation>
+        </message>
+        <message>
+            <source>Every go is kept, also one that broke off.</source>
+            <translation>Jeder Durchgang bleibt aufbewahrt, auch ein abgebrochener.</translation>
+        </message>
+        <message>
+            <source>Next exercise</source>
+            <translation>Nächste Übung</translation>
+        </message>
+        <message>
+            <source>The tooth with its target</source>
+            <translation>Der Zahn mit seinem Ziel</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Als Nächstes</translation>
+        </message>
+        <message>
+            <source>Due</source>
+            <translation>Fällig</translation>
+        </message>
+        <message>
+            <source>Goes</source>
+            <translation>Durchgänge</translation>
+        </message>
+        <message>
+            <source>%1 of %2 used</source>
+            <translation>%1 von %2 genutzt</translation>
+        </message>
+        <message>
+            <source>Best so far</source>
+            <translation>Bisher bester</translation>
+        </message>
+        <message>
+            <source>%1 of 100</source>
+            <translation>%1 von 100</translation>
+        </message>
+        <message>
+            <source>none yet</source>
+            <translation>noch keine</translation>
+        </message>
+        <message>
+            <source>Burrs</source>
+            <translation>Bohrer</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
+            <source>Briefing</source>
+            <translation>Aufgabe</translation>
+        </message>
+        <message>
+            <source>Enter starts</source>
+            <translation>Eingabetaste startet</translation>
+        </message>
+        <message>
+            <source>Your exercises</source>
+            <translation>Ihre Übungen</translation>
+        </message>
+        <message>
+            <source>Last result</source>
+            <translation>Letztes Ergebnis</translation>
+        </message>
+        <message>
+            <source>No result yet</source>
+            <translation>Noch kein Ergebnis</translation>
+        </message>
+        <message>
+            <source>After the first go its points and what to do next time stand here.</source>
+            <translation>Nach dem ersten Durchgang stehen hier seine Punkte und was beim nächsten Mal zu tun ist.</translation>
+        </message>
+        <message>
+            <source>of 100</source>
+            <translation>von 100</translation>
+        </message>
+        <message>
+            <source>%1 more than
+your best before</source>
+            <translation>%1 mehr als
+Ihr bester davor</translation>
+        </message>
+        <message>
+            <source>the same as
+your best before</source>
+            <translation>so viel wie
+Ihr bester davor</translation>
+        </message>
+        <message>
+            <source>%1 less than
+your best before</source>
+            <translation>%1 weniger als
+Ihr bester davor</translation>
+        </message>
+        <message>
+            <source>What to do next time</source>
+            <translation>Was beim nächsten Mal zu tun ist</translation>
+        </message>
+        <message>
+            <source>Nothing: every criterion has its full points.</source>
+            <translation>Nichts: jedes Kriterium hat die volle Punktzahl.</translation>
+        </message>
+        <message>
+            <source>Open the report</source>
+            <translation>Bericht öffnen</translation>
+        </message>
+        <message>
+            <source>Time and score</source>
+            <translation>Zeit und Punkte</translation>
+        </message>
+        <message>
+            <source>Nothing to draw yet</source>
+            <translation>Noch nichts zu zeichnen</translation>
+        </message>
+        <message>
+            <source>Each go becomes one point.</source>
+            <translation>Jeder Durchgang wird ein Punkt.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Time earns no points. %1 only, %n go(es).</source>
+            <translation>
+                <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgang.</numerusform>
+                <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgänge.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>From your teacher</source>
+            <translation>Von Ihren Lehrenden</translation>
+        </message>
+        <message>
+            <source>on your go of %1</source>
+            <translation>zu Ihrem Durchgang vom %1</translation>
+        </message>
+        <message>
+            <source>Teacher</source>
+            <translation>Lehrende</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ToothView</name>
+        <message>
+            <source>The tooth is drawn where the screen has OpenGL.</source>
+            <translation>Der Zahn erscheint dort, wo der Bildschirm OpenGL hat.</translation>
+        </message>
+        <message>
+            <source>Tooth</source>
+            <translation>Zahn</translation>
+        </message>
+    </context>
 </TS>

@@ -1,4 +1,103 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
+    <context>
+        <name>cusp::Cli</name>
+        <message numerus="yes">
+            <source>%n session(s) and the audit log are whole.</source>
+            <translation>
+                <numerusform>%n session and the audit log are whole.</numerusform>
+                <numerusform>%n sessions and the audit log are whole.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n triangle(s), %2</source>
+            <translation>
+                <numerusform>%1: %n triangle, %2</numerusform>
+                <numerusform>%1: %n triangles, %2</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
+            <translation>
+                <numerusform>The record is whole; %n tick comes to the same tooth and grade, bit for bit.</numerusform>
+                <numerusform>The record is whole; %n ticks come to the same tooth and grade, bit for bit.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 cannot be used: %2 (and %n more)</source>
+            <translation>
+                <numerusform>%1 cannot be used: %2 (and %n more thing)</numerusform>
+                <numerusform>%1 cannot be used: %2 (and %n more things)</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ExercisesPage</name>
+        <message numerus="yes">
+            <source>%n exercise(s) cannot be read.</source>
+            <translation>
+                <numerusform>%n exercise cannot be read.</numerusform>
+                <numerusform>%n exercises cannot be read.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::HistoryCharts</name>
+        <message numerus="yes">
+            <source>%n go(es), the last with %1 points.</source>
+            <translation>
+                <numerusform>%n go, with %1 points.</numerusform>
+                <numerusform>%n goes, the last with %1 points.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Performance</name>
+        <message numerus="yes">
+            <source>Last %n day(s)</source>
+            <translation>
+                <numerusform>Last day</numerusform>
+                <numerusform>Last %n days</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n student(s)</source>
+            <translation>
+                <numerusform>%n student</numerusform>
+                <numerusform>%n students</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n go(es).</source>
+            <translation>
+                <numerusform>%n go.</numerusform>
+                <numerusform>%n goes.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Median over %n go(es).</source>
+            <translation>
+                <numerusform>Median over %n go.</numerusform>
+                <numerusform>Median over %n goes.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n go(es) exported.</source>
+            <translation>
+                <numerusform>%n go exported.</numerusform>
+                <numerusform>%n goes exported.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::StartPage</name>
+        <message numerus="yes">
+            <source>Time earns no points. %1 only, %n go(es).</source>
+            <translation>
+                <numerusform>Time earns no points. %1 only, %n go.</numerusform>
+                <numerusform>Time earns no points. %1 only, %n goes.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>
