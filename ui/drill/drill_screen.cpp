@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "device/pointer/pointer_port.h"
+#include "ui/app/sentences.h"
 #include "ui/drill/burr_tray.h"
 #include "ui/drill/coach.h"
 #include "ui/drill/drill_feed.h"
@@ -104,12 +105,14 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   in.leave = make_button(tr("Leave"), ButtonKind::quiet, QStringLiteral("chevron_left"));
   connect(in.leave, &QPushButton::clicked, this, &DrillScreen::ask_leave);
   top->addWidget(in.leave);
-  top->addWidget(make_rule(Qt::Vertical));
+  QFrame* rule = make_rule(Qt::Vertical);
+  rule->setFixedHeight(px(32));
+  top->addWidget(rule, 0, Qt::AlignVCenter);
   in.title = make_label({}, TextRole::section, true);
   in.aside = make_label({});
   set_kind(in.aside, "tag");
   top->addWidget(in.title);
-  top->addWidget(in.aside);
+  top->addWidget(in.aside, 0, Qt::AlignVCenter);
   top->addStretch(1);
   auto* clock_sign = new QLabel(bar);
   clock_sign->setPixmap(icon_pixmap(QStringLiteral("clock"), Ink::text2, 16, devicePixelRatioF()));
@@ -120,7 +123,7 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   top->addWidget(in.clock);
   top->addStretch(1);
   in.device = make_label({}, TextRole::body, false, "text2");
-  top->addWidget(in.device);
+  top->addWidget(in.device, 0, Qt::AlignVCenter);
   in.pause = make_button(tr("Pause"), ButtonKind::standard, QStringLiteral("pause"), QKeySequence(Qt::Key_P));
   connect(in.pause, &QPushButton::clicked, this, &DrillScreen::toggle_pause);
   top->addWidget(in.pause);
@@ -260,6 +263,7 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
   const bool is_tooth = scenario.specimen.generator != "block" && scenario.specimen.generator != "paper-block";
   in.panel->set_exercise(scenario, !go.look->empty(), go.has_pulp, is_tooth);
   in.panel->set_device(go.run->device());
+  in.device->setText(device_name(go.run->device().device_class));
   in.stage->set_exercise(scenario, *go.look, go.bounds, go.pointer != nullptr, is_tooth);
   ToothView* view = in.stage->view();
   view->set_feed(go.patches);
@@ -321,10 +325,12 @@ void DrillScreen::ask_finish() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
   if (in.input) in.input->let_go();
+  in.stage->set_asking(true);
   in.go->run->pause();
   in.ports.ask(this, {tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")},
                [self = QPointer(this)](bool yes) {
                  if (!self || !self->running()) return;
+                 self->inner_->stage->set_asking(false);
                  if (yes) {
                    self->finish_now();
                  } else {
@@ -382,6 +388,7 @@ void DrillScreen::ask_leave() {
   const auto leave = [self = QPointer(this)](bool yes) {
     if (!self || !self->running()) return;
     Inner& inner = *self->inner_;
+    inner.stage->set_asking(false);
     if (!yes) {
       inner.go->run->resume();
       self->setFocus();
@@ -399,6 +406,7 @@ void DrillScreen::ask_leave() {
   double removed = 0;
   for (const double mm3 : in.go->run->view().removed_mm3) removed += mm3;
   if (removed <= 0) return leave(true);
+  in.stage->set_asking(true);
   in.go->run->pause();
   in.ports.ask(this,
                {tr("Leave this go?"),

@@ -78,7 +78,9 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   int number = 1;
   for (QPushButton* button : {turn_, mirror_, cutaway_, above_, target_}) {
     row->addWidget(button);
-    row->addWidget(make_key_cap(QString::number(number++)));
+    QLabel* cap = make_key_cap(QString::number(number++));
+    cap->setFixedHeight(px(18));
+    row->addWidget(cap, 0, Qt::AlignVCenter);
     row->addSpacing(px(6));
   }
   connect(turn_, &QPushButton::clicked, this, [this] {
@@ -123,10 +125,11 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   coach_row->setSpacing(px(12));
   auto* sign = new QLabel(coach_card_);
   sign->setPixmap(icon_pixmap(QStringLiteral("chevron_right"), Ink::good, 18, devicePixelRatioF()));
+  sign->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   coach_row->addWidget(sign);
   coach_ = make_label({}, TextRole::live, true);
   coach_->setAccessibleName(tr("Coach"));
-  coach_row->addWidget(coach_);
+  coach_row->addWidget(coach_, 1);
   coach_card_->hide();
 
   legend_ = make_card(this);
@@ -240,7 +243,7 @@ QString DrillStage::coach_text(const CoachLine& line) const {
   const QString mm = format({line.mm, {}, QStringLiteral("mm"), 1});
   switch (line.what) {
     case Coach::begin:
-      return by_mouse_ ? tr("Point at the target, hold the left button to drill. The wheel sets the push.")
+      return by_mouse_ ? tr("Hold the left button on the target to drill")
                        : tr("Touch the target and hold the button to drill.");
     case Coach::pulp_open: return tr("The pulp is open");
     case Coach::over_pulp: return tr("Only %1 left over the pulp").arg(mm);
@@ -284,6 +287,7 @@ void DrillStage::show_values(const LiveView& live) {
 }
 
 void DrillStage::show_stopped(Stop stop, const QString& where, Fault fault) {
+  if (asking_ && stop == Stop::paused) stop = Stop::none;
   if (stop == stop_) return;
   stop_ = stop;
   stop_card_->setVisible(stop != Stop::none);
@@ -362,7 +366,9 @@ void DrillStage::place_all() {
   coach_->setWordWrap(false);
   coach_card_->adjustSize();
   const int room = w - 2 * std::max(legend_->isVisible() ? legend_->width() : 0, px(90)) - 4 * gap;
+  coach_->setMinimumWidth(0);
   if (coach_card_->width() > room) {
+    coach_->setMinimumWidth(room - px(16 + 18 + 12 + 16));
     coach_->setWordWrap(true);
     coach_card_->resize(room, coach_card_->layout()->heightForWidth(room));
   }

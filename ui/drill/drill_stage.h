@@ -36,6 +36,8 @@ class DrillStage : public QWidget {
   void show_wanted_push(double newtons);
   void show_cutaway(SectionImage image);
   void show_stopped(Stop stop, const QString& where = {}, Fault fault = Fault::none);
+  /// While a question stands over the screen, the pause that it made is not told besides.
+  void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);
   /// 1 to 5 of the tool bar; false for other keys.
   bool press_tool(int key);
@@ -71,7 +73,7 @@ class DrillStage : public QWidget {
   LiveView live_;
   CoachLine said_;
   Stop stop_ = Stop::none;
-  bool by_mouse_ = false, is_tooth_ = false;
+  bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
   int preset_ = 0;
 };
 

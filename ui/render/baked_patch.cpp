@@ -75,13 +75,39 @@ float ambient_at(const Volume& volume, Vec3 at_mm, Vec3 normal) noexcept {
   return static_cast<float>(std::clamp(light / weight * shade, 0.0, 1.0));
 }
 
-BakedPatch bake_patch(const Volume& volume, const Patch& patch, bool with_seam, const DeviationAt& deviation) {
+namespace {
+/// True where a triangle of the seam comes within a voxel or so of a fine brick.
+bool needed(const Volume& volume, const Patch& patch, std::size_t triangle, const std::function<bool(int)>& is_fine) {
+  constexpr float kReach = 1.3f;  // voxels
+  Vec3f middle(0.0f);
+  for (std::size_t k = 0; k < 3; ++k) middle += patch.vertices[patch.indices[triangle + k]].position_mm;
+  const Grid& grid = volume.grid();
+  const Vec3f at = (middle / 3.0f - Vec3f(grid.origin_mm)) / static_cast<float>(grid.voxel_mm);
+  int before = patch.brick;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3f p = at + kReach * Vec3f(i & 1 ? 1 : -1, i >> 1 & 1 ? 1 : -1, i >> 2 ? 1 : -1);
+    const int brick = volume.specimen().brick_index(
+        {static_cast<int>(std::floor(p.x / 8)), static_cast<int>(std::floor(p.y / 8)), static_cast<int>(std::floor(p.z / 8))});
+    if (brick < 0 || brick == before) continue;
+    before = brick;
+    if (brick != patch.brick && is_fine(brick)) return true;
+  }
+  return false;
+}
+}  // namespace
+
+BakedPatch bake_patch(const Volume& volume, const Patch& patch, const std::function<bool(int brick)>& is_fine,
+                      const DeviationAt& deviation) {
   BakedPatch out;
   out.brick = patch.brick;
   out.level = patch.level;
-  const std::size_t count = with_seam ? patch.indices.size() : patch.own;
-  if (count == 0) return out;
-  out.indices.assign(patch.indices.begin(), patch.indices.begin() + static_cast<std::ptrdiff_t>(count));
+  out.indices.assign(patch.indices.begin(), patch.indices.begin() + static_cast<std::ptrdiff_t>(patch.own));
+  for (std::size_t t = patch.own; is_fine && t < patch.indices.size(); t += 3) {
+    if (needed(volume, patch, t, is_fine))
+      out.indices.insert(out.indices.end(), patch.indices.begin() + static_cast<std::ptrdiff_t>(t),
+                         patch.indices.begin() + static_cast<std::ptrdiff_t>(t + 3));
+  }
+  if (out.indices.empty()) return out;
 
   // Vertices that only the seam uses come last.
   std::size_t vertices = 0;

@@ -44,8 +44,10 @@ struct Deviation {
 /// `cut` tells whether a burr left the surface there.
 using DeviationAt = std::function<Deviation(Vec3 mm, bool cut)>;
 
-/// Packs a patch. `with_seam` keeps the triangles under the neighbours. `deviation` may be empty.
-BakedPatch bake_patch(const Volume& volume, const Patch& patch, bool with_seam, const DeviationAt& deviation);
+/// Packs a patch. Of the triangles under its neighbours those stay that reach a brick for which `is_fine` is true (empty:
+/// none stay). `deviation` may be empty.
+BakedPatch bake_patch(const Volume& volume, const Patch& patch, const std::function<bool(int brick)>& is_fine,
+                      const DeviationAt& deviation);
 
 /// Light from around that reaches a surface place, 0 to 1: short rays through the volume, soft at the surface.
 float ambient_at(const Volume& volume, Vec3 at_mm, Vec3 normal) noexcept;

@@ -14,14 +14,21 @@ const char* text_of(const std::string& name) {
   return nullptr;
 }
 
-GLuint compile(GLenum kind, const std::string& name, std::string& why) {
+GLuint compile(GLenum kind, const std::string& name, std::string_view define, std::string& why) {
   const char* text = text_of(name);
   if (text == nullptr) {
     why = name;
     return 0;
   }
   const GLuint shader = glCreateShader(kind);
-  glShaderSource(shader, 1, &text, nullptr);
+  // The first line is #version and stays the first.
+  const std::string_view whole(text);
+  const std::size_t first = whole.find('\n') + 1;
+  std::string source(whole.substr(0, first));
+  if (!define.empty()) source += "#define " + std::string(define) + "\n";
+  source += whole.substr(first);
+  const char* const lines = source.c_str();
+  glShaderSource(shader, 1, &lines, nullptr);
   glCompileShader(shader);
   GLint good = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
@@ -39,9 +46,9 @@ GlProgram::~GlProgram() {
   if (program_ != 0) glDeleteProgram(program_);
 }
 
-bool GlProgram::link(std::string_view name, std::string& why) {
-  const GLuint vertex = compile(GL_VERTEX_SHADER, std::string(name) + ".vert.glsl", why);
-  const GLuint fragment = vertex ? compile(GL_FRAGMENT_SHADER, std::string(name) + ".frag.glsl", why) : 0;
+bool GlProgram::link(std::string_view name, std::string& why, std::string_view define) {
+  const GLuint vertex = compile(GL_VERTEX_SHADER, std::string(name) + ".vert.glsl", define, why);
+  const GLuint fragment = vertex ? compile(GL_FRAGMENT_SHADER, std::string(name) + ".frag.glsl", define, why) : 0;
   if (fragment != 0) {
     program_ = glCreateProgram();
     glAttachShader(program_, vertex);

@@ -19,8 +19,9 @@ class GlProgram {
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;
 
-  /// `name` of "NAME.vert.glsl" and "NAME.frag.glsl". False and the compiler's words in `why` on failure.
-  bool link(std::string_view name, std::string& why);
+  /// `name` of "NAME.vert.glsl" and "NAME.frag.glsl"; `define`: one word that both are compiled with, or empty.
+  /// False and the compiler's words in `why` on failure.
+  bool link(std::string_view name, std::string& why, std::string_view define = {});
   void use() const { glUseProgram(program_); }
 
   /// Of the program in use; an unknown name is left alone, as OpenGL does.
@@ -46,6 +47,7 @@ struct FrameView {
   glm::mat4 clip_from_world{1.0f};
   glm::vec3 eye{0.0f};
   glm::vec3 key_light{0.0f, 0.0f, 1.0f}, fill_light{0.0f, 0.0f, 1.0f}, up{0.0f, 0.0f, 1.0f};  // unit, towards the light
+  glm::vec3 half_way{0.0f, 0.0f, 1.0f};  // unit, between key light and the view's direction
   glm::vec2 view_px{1.0f};
   float line_scale = 1.0f;
 };

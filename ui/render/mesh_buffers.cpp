@@ -136,9 +136,7 @@ MeshBuffers::Drawn MeshBuffers::draw(const glm::mat4& clip_from_world, Vec3f eye
     const float size = glm::length(Vec3f(p));
     if (size > 1e-12f) p /= size;
   }
-  counts_.clear();
-  offsets_.clear();
-  bases_.clear();
+  seen_.clear();
   for (const Place& place : places_) {
     if (place.brick < 0) continue;
     bool inside = true;
@@ -151,14 +149,22 @@ MeshBuffers::Drawn MeshBuffers::draw(const glm::mat4& clip_from_world, Vec3f eye
       const float spread = std::acos(std::min(place.cone_cos, 1.0f)) + std::asin(place.radius / distance) + kFaceMargin;
       if (turned + spread < 1.5707963f) continue;
     }
-    counts_.push_back(place.indices);
-    offsets_.push_back(
-        reinterpret_cast<const void*>(static_cast<std::uintptr_t>(place.first_index) * sizeof(std::uint16_t)));
-    bases_.push_back(place.first_vertex);
+    seen_.push_back({distance, &place});
     drawn.triangles += static_cast<std::size_t>(place.indices) / 3;
     ++drawn.bricks;
   }
-  if (counts_.empty()) return drawn;
+  if (seen_.empty()) return drawn;
+  // Near ones first: what they hide is then never shaded.
+  std::sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) { return a.distance < b.distance; });
+  counts_.clear();
+  offsets_.clear();
+  bases_.clear();
+  for (const Seen& seen : seen_) {
+    counts_.push_back(seen.place->indices);
+    offsets_.push_back(
+        reinterpret_cast<const void*>(static_cast<std::uintptr_t>(seen.place->first_index) * sizeof(std::uint16_t)));
+    bases_.push_back(seen.place->first_vertex);
+  }
   glBindVertexArray(array_);
   glMultiDrawElementsBaseVertex(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_SHORT, offsets_.data(),
                                 static_cast<GLsizei>(counts_.size()), bases_.data());

@@ -48,7 +48,12 @@ class MeshBuffers {
   std::vector<Place> places_;
   std::vector<std::size_t> free_;
   std::unordered_map<int, std::size_t> place_of_;   // [brick]
-  std::vector<GLsizei> counts_;                     // of the frame being drawn
+  struct Seen {
+    float distance;
+    const Place* place;
+  };
+  std::vector<Seen> seen_;                          // of the frame being drawn, as what follows
+  std::vector<GLsizei> counts_;
   std::vector<const void*> offsets_;
   std::vector<GLint> bases_;
 };

@@ -49,12 +49,10 @@ bool PatchFeed::in_region(const Volume& volume, int brick) const {
 }
 
 BakedPatch PatchFeed::bake(const Volume& volume, int brick, const Patch& patch) const {
-  bool seam = false;
-  if (patch.level == kCoarsePatch) {
-    for (const int b : patches_touched_by(volume.specimen(), brick))
-      seam = seam || level_[static_cast<std::size_t>(b)] == kFinePatch;
-  }
-  BakedPatch out = bake_patch(volume, patch, seam, settings_.deviation);
+  std::function<bool(int)> is_fine;
+  if (patch.level == kCoarsePatch)
+    is_fine = [this](int b) { return level_[static_cast<std::size_t>(b)] == kFinePatch; };
+  BakedPatch out = bake_patch(volume, patch, is_fine, settings_.deviation);
   out.brick = brick;
   return out;
 }

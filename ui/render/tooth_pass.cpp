@@ -6,32 +6,34 @@ namespace cusp {
 
 MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, const Scene3d& scene,
                                    glm::vec4 clip_plane) {
-  program_.use();
-  program_.set("clip_from_world", view.clip_from_world);
-  program_.set("eye", view.eye);
-  program_.set("key_light", view.key_light);
-  program_.set("fill_light", view.fill_light);
-  program_.set("up", view.up);
-  program_.set("clip_plane", clip_plane);
-  program_.set("by_deviation", scene.colouring == Colouring::deviation ? 1 : 0);
-  program_.set("show_target", scene.show_target ? 1 : 0);
-  program_.set("target_colour", linear(kTargetLine));
-  program_.set("over_colour", linear(kOverCut));
+  const bool deviation = scene.colouring == Colouring::deviation;
+  GlProgram& program = deviation ? by_deviation_ : by_tissue_;
+  program.use();
+  program.set("clip_from_world", view.clip_from_world);
+  program.set("eye", view.eye);
+  program.set("key_light", view.key_light);
+  program.set("fill_light", view.fill_light);
+  program.set("up", view.up);
+  program.set("clip_plane", clip_plane);
+  program.set("half_way", view.half_way);
+  program.set("show_target", scene.show_target ? 1 : 0);
+  program.set("target_colour", linear(kTargetLine));
+  program.set("over_colour", linear(kOverCut));
   std::array<glm::vec3, kTissueCodes> tissues;
   const std::array<Colour, kTissueCodes> colours = tissue_colours();
   for (std::size_t i = 0; i < tissues.size(); ++i) tissues[i] = linear(colours[i]);
-  program_.set_array("tissue_colour", tissues.data(), static_cast<int>(tissues.size()));
+  program.set_array("tissue_colour", tissues.data(), static_cast<int>(tissues.size()));
   std::array<glm::vec3, 5> map;
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = linear(kDifference[i]);
-  program_.set_array("map_colour", map.data(), static_cast<int>(map.size()));
+  program.set_array("map_colour", map.data(), static_cast<int>(map.size()));
   glm::vec4 burr(0.0f);
   glm::vec3 axis(0.0f, 0.0f, 1.0f);
   if (scene.burr) {
     burr = glm::vec4(glm::vec3(scene.burr->pivot_mm), static_cast<float>(scene.burr->burr.radius_mm));
     axis = glm::vec3(scene.burr->axis);
   }
-  program_.set("burr", burr);
-  program_.set("burr_axis", axis);
+  program.set("burr", burr);
+  program.set("burr_axis", axis);
   return mesh.draw(view.clip_from_world, view.eye, clip_plane);
 }
 

@@ -12,12 +12,14 @@ namespace cusp {
 
 class ToothPass {
  public:
-  bool create(std::string& why) { return program_.link("tooth", why); }
+  bool create(std::string& why) {
+    return by_tissue_.link("tooth", why) && by_deviation_.link("tooth", why, "BY_DEVIATION");
+  }
   /// `clip_plane`: kept where its product with (place, 1) is not below 0; zeros keep all.
   MeshBuffers::Drawn draw(MeshBuffers& mesh, const FrameView& view, const Scene3d& scene, glm::vec4 clip_plane);
 
  private:
-  GlProgram program_;
+  GlProgram by_tissue_, by_deviation_;  // two programs: a branch costs software OpenGL both of its sides
 };
 
 }  // namespace cusp

@@ -11,7 +11,7 @@ out vec4 colour;
 void main() {
   vec3 n = normalize(facing);
   vec3 to_eye = normalize(eye - at);
-  vec3 metal = vec3(0.46, 0.49, 0.55);
+  vec3 metal = vec3(0.50, 0.53, 0.59);
   float dark = 1.0;
   if (blades > 0.5) {
     metal = vec3(0.40, 0.41, 0.44);
@@ -25,12 +25,13 @@ void main() {
   // A studio in a line: bright above, a band of shade at the side, the floor below.
   vec3 mirrored = reflect(-to_eye, n);
   float sky = dot(mirrored, up);
-  float band = smoothstep(-0.5, 0.2, sky) * 0.55 + 0.45;
+  float side = dot(n, normalize(cross(up, to_eye)));
+  float band = mix(0.55, 1.0, smoothstep(0.75, -0.35, side)) * (smoothstep(-0.9, 0.1, sky) * 0.25 + 0.75);
   float key = max(dot(n, key_light), 0.0);
   vec3 h = normalize(key_light + to_eye);
   float s = max(dot(n, h), 0.0);
   float s4 = s * s * s * s;
   float s16 = s4 * s4 * s4 * s4;
-  vec3 lit = metal * dark * (0.42 + 0.75 * key) * band + vec3(0.30) * s16 * dark + metal * 0.25 * smoothstep(0.3, 0.9, sky);
+  vec3 lit = metal * dark * (0.52 + 0.70 * key) * band + vec3(0.30) * s16 * dark + metal * 0.25 * smoothstep(0.3, 0.9, sky);
   colour = vec4(sqrt(clamp(lit, 0.0, 1.0)), 1.0);
 }
