@@ -1,0 +1,203 @@
+// What is drawn, read back from a framebuffer without a window. Skipped where the machine has no OpenGL at all.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/ui/render/ball.h"
+#include "ui/render/gl_context_egl.h"
+#include "ui/render/shaders.h"
+#include "ui/render/snapshot.h"
+
+namespace cusp {
+namespace {
+
+struct Rgb {
+  int r, g, b;
+};
+
+Rgb at(const Picture& picture, int x, int y) {
+  const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+  return {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]};
+}
+
+Volume ball_volume() { return Volume(Specimen::build(test::ball(1.5), Reading::banded)); }
+
+PictureRequest small() {
+  PictureRequest out;
+  out.width_px = out.height_px = 200;
+  out.view = PresetView::occlusal;
+  return out;
+}
+
+bool has_opengl() {
+  std::string why;
+  return EglContext::create(16, 16, &why) != nullptr;
+}
+
+class Drawn : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_opengl()) GTEST_SKIP() << "no OpenGL on this machine";
+  }
+};
+
+TEST(Shaders, every_one_asks_for_330_core) {
+  EXPECT_GE(shader_texts().size(), 10u);
+  for (const ShaderText& shader : shader_texts())
+    EXPECT_EQ(std::string_view(shader.text).substr(0, 17), "#version 330 core") << shader.name;
+}
+
+TEST_F(Drawn, a_ball_stands_before_the_background_in_the_colour_of_enamel) {
+  const auto picture = draw_tooth(ball_volume(), small());
+  ASSERT_TRUE(picture);
+  const Rgb middle = at(*picture, 100, 100), corner = at(*picture, 2, 2);
+  EXPECT_GT(middle.r, middle.b + 10);   // ivory
+  EXPECT_GT(corner.b, corner.r + 5);    // the view's grey blue
+  EXPECT_GT(at(*picture, 80, 80).r, at(*picture, 130, 140).r);  // the lamp is at the upper left
+}
+
+TEST_F(Drawn, the_same_request_gives_the_same_pixels) {
+  const auto a = draw_tooth(ball_volume(), small()), b = draw_tooth(ball_volume(), small());
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->rgba, b->rgba);
+}
+
+TEST_F(Drawn, cut_too_far_is_orange_and_left_standing_is_violet_in_the_difference_map) {
+  Volume volume = ball_volume();
+  test::carve(volume, {0, 0, 1.5}, 0.5);
+  PictureRequest request = small();
+  request.colouring = Colouring::deviation;
+  request.deviation = [](Vec3, bool cut) { return Deviation{cut ? 0.6f : -0.6f, cut}; };
+  const auto picture = draw_tooth(volume, request);
+  ASSERT_TRUE(picture);
+  const Rgb cut = at(*picture, 100, 100), standing = at(*picture, 60, 70);
+  EXPECT_GT(cut.r, cut.b + 40);
+  EXPECT_GT(standing.b, standing.g + 20);
+}
+
+TEST_F(Drawn, a_target_line_is_drawn_in_its_colour) {
+  PictureRequest request = small();
+  request.sideways_mm = [](Vec3 p) { return glm::length(glm::dvec2(p.x, p.y)) - 0.6; };
+  const auto with = draw_tooth(ball_volume(), request);
+  ASSERT_TRUE(with);
+  int teal = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) {
+      const Rgb c = at(*with, x, y);
+      if (c.g > c.r + 60 && c.b > c.r + 40) ++teal;
+    }
+  EXPECT_GT(teal, 100);
+  request.sideways_mm = nullptr;
+  const auto without = draw_tooth(ball_volume(), request);
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) EXPECT_FALSE(at(*without, x, y).g > at(*without, x, y).r + 60);
+}
+
+TEST_F(Drawn, the_mirrored_picture_is_the_picture_turned_left_to_right_in_its_outline) {
+  // Background and light go with the eye, so only what is tooth and what is not can be compared.
+  std::string why;
+  const auto context = EglContext::create(160, 120, &why);
+  const auto picture = ToothPicture::create(&why);
+  ASSERT_TRUE(context && picture) << why;
+  Volume volume = ball_volume();
+  PatchFeed feed({});
+  feed.build_all(volume);
+  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  Scene3d scene;
+  scene.background_middle = scene.background_edge = Colour{0, 0, 1};
+  scene.camera = Camera::about({1.0, 0.4, 0}, 2.5);
+  const auto outline = [&] {
+    picture->draw(scene, 160, 120);
+    std::vector<bool> out;
+    const auto rgba = context->read_rgba();
+    for (std::size_t i = 0; i < rgba.size(); i += 4) out.push_back(rgba[i] > 0);
+    return out;
+  };
+  const auto plain = outline();
+  scene.camera.set_mirrored(true);
+  const auto mirrored = outline();
+  int tooth = 0, differ = 0;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      const bool a = plain[static_cast<std::size_t>(y * 160 + x)], b = mirrored[static_cast<std::size_t>(y * 160 + 159 - x)];
+      tooth += a ? 1 : 0;
+      differ += a != b ? 1 : 0;
+    }
+  EXPECT_GT(tooth, 2000);
+  EXPECT_LT(differ, 60);  // pixels on the edge fall to either side
+}
+
+TEST_F(Drawn, a_cutaway_takes_away_what_lies_before_its_plane_and_shows_the_lid) {
+  std::string why;
+  const auto context = EglContext::create(120, 120, &why);
+  const auto picture = ToothPicture::create(&why);
+  ASSERT_TRUE(context && picture) << why;
+  const Volume volume(Specimen::build(test::ball(1.5, 1.0), Reading::banded));
+  PatchFeed feed({});
+  feed.build_all(volume);
+  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  SectionSettings settings;
+  settings.plane = {{0, 0, 0}, {-1, 0, 0}, {0, 0, 1}};  // faces +y, where the camera's eye is
+  settings.width = settings.height = 100;
+  settings.mm_per_px = 0.04;
+  const SectionImage image = draw_section(volume, settings);
+  picture->set_section(image);
+  Scene3d scene;
+  scene.camera = Camera::about({0, 0, 0}, 2.0);
+  scene.camera.set_angles(0.0, 0.0);
+  scene.cutaway = image.plane;
+  picture->draw(scene, 120, 120);
+  const Picture drawn{120, 120, context->read_rgba()};
+  const Colour dentine = tissue_colours()[index_of(Tissue::dentine)];
+  EXPECT_NEAR(at(drawn, 60, 60).r, dentine.r * 255, 2);
+  EXPECT_NEAR(at(drawn, 60, 60).b, dentine.b * 255, 2);
+}
+
+TEST_F(Drawn, patches_put_again_and_again_leave_no_trace_of_the_former_ones) {
+  std::string why;
+  const auto context = EglContext::create(100, 100, &why);
+  const auto picture = ToothPicture::create(&why), fresh = ToothPicture::create(&why);
+  ASSERT_TRUE(picture && fresh) << why;
+  Volume volume = ball_volume();
+  PatchFeed feed({});
+  feed.build_all(volume);
+  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  for (int i = 0; i < 20; ++i) {
+    feed.update(volume, test::carve(volume, Vec3(0.1 * i - 1.0, 0.05 * i, 1.3), 0.4), 1);
+    for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  }
+  PatchStore kept;
+  Scene3d scene;
+  scene.camera = Camera::about({0, 0, 0}, 1.7);
+  const DrawStats long_way = picture->draw(scene, 100, 100);
+  PatchFeed whole({});
+  whole.build_all(volume);
+  for (const BakedPatch& patch : whole.take(~std::size_t{0}).patches) fresh->put(patch);
+  const DrawStats short_way = fresh->draw(scene, 100, 100);
+  EXPECT_EQ(long_way.triangles, short_way.triangles);
+  EXPECT_EQ(long_way.bricks, short_way.bricks);
+}
+
+TEST_F(Drawn, a_png_is_written_whole_under_its_name) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_picture";
+  std::filesystem::create_directories(folder);
+  const auto path = folder / "tooth.png";
+  ASSERT_TRUE(write_tooth_png(path.string(), ball_volume(), small()));
+  std::ifstream in(path, std::ios::binary);
+  std::string head(8, '\0');
+  in.read(head.data(), 8);
+  EXPECT_EQ(head, "\x89PNG\r\n\x1a\n");
+  EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Png, a_folder_that_is_not_there_is_said_and_nothing_is_left) {
+  const auto done = write_png("/nowhere/at/all/tooth.png", Picture{1, 1, {0, 0, 0, 255}});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, PictureError::cannot_write);
+  EXPECT_EQ(done.error().where, "/nowhere/at/all/tooth.png");
+}
+
+}  // namespace
+}  // namespace cusp
