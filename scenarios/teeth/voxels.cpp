@@ -78,13 +78,13 @@ struct Field {
 
 /// Distance from a grid point to the field's zero, in voxels with the field's sign, and the nearest place found there.
 /// First the field over its own slope; then Newton steps that bring the place onto the surface and the line to it at
-/// right angles to the surface. Where they do not settle (an edge, a fissure's middle), the nearest place they met counts.
+/// right angles to the surface. Where they never meet the surface (above a fissure the field is steeper than distance),
+/// the answer is "beyond the band", and settle() takes it back to what the neighbours allow.
 double true_distance(const Field& field, IVec3 at, double value, Vec3& nearest) noexcept {
   const Vec3 from(at);
   Vec3 slope;
   field.at(from, slope);
   double s2 = std::max(glm::dot(slope, slope), 1e-12);
-  const double first = value / std::sqrt(s2);
   Vec3 p = from - glm::clamp(value / s2, -4.0 / std::sqrt(s2), 4.0 / std::sqrt(s2)) * slope;
   double best = 1e9;
   for (int round = 0; round < 5; ++round) {
@@ -107,10 +107,7 @@ double true_distance(const Field& field, IVec3 at, double value, Vec3& nearest) 
     if (length > most && round > 0) move *= most / length;
     p += move;
   }
-  if (best > 1e8) {
-    nearest = p;
-    return first;
-  }
+  if (best > 1e8) best = 2.0 * kBandVoxels;
   return value < 0.0 ? -best : best;
 }
 

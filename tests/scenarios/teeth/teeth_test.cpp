@@ -208,12 +208,42 @@ TEST(Distance, OfTheVoxelsIsTrueNearTheSurface) {
   const auto at = [&](double share) { return slope[static_cast<std::size_t>(share * static_cast<double>(slope.size() - 1))]; };
   std::printf("slope of distance, p1 p5 p50 p95 p99 max: %.3f %.3f %.4f %.3f %.3f %.3f; steepest step %.3f voxels\n", at(0.01),
               at(0.05), at(0.5), at(0.95), at(0.99), slope.back(), steepest);
-  // Measured: p1 0.94 (the bottoms of fissures, where distance has an edge), p5 0.996, p50 1.000, p99 1.001, step 1.03.
-  EXPECT_GE(at(0.01), 0.90);
+  // Measured: p1 0.97 (the bottoms of fissures, where distance has an edge), p5 0.996, p50 1.000, p99 1.002, step 1.11.
+  EXPECT_GE(at(0.01), 0.94);
   EXPECT_GE(at(0.05), 0.98);
   EXPECT_NEAR(at(0.5), 1.0, 0.001);
   EXPECT_LE(at(0.99), 1.01);
-  EXPECT_LE(steepest, 1.10);  // distance grows by no more than the way; a wrong branch at a fissure gave 2.3
+  EXPECT_LE(steepest, 1.15);  // distance grows by no more than the way; a wrong branch at a fissure gave 2.3
+}
+
+TEST(Distance, AboveFissuresIsNoLessThanRaysFind) {
+  // There the field is far steeper than distance, and its value over its slope promised a surface twice too near.
+  const double h = 0.2;
+  const VoxelVolume& v = tooth(36, h).volume;
+  const ToothShape shape(table(36), 0, h);
+  int looked = 0;
+  IVec3 p;
+  for (p.z = 0; p.z < v.grid.size.z; ++p.z) {
+    for (p.y = 0; p.y < v.grid.size.y; ++p.y) {
+      for (p.x = 0; p.x < v.grid.size.x; ++p.x) {
+        const std::uint16_t s = v.s[v.grid.index(p)];
+        const double d = distance_from_solid(s);
+        const Vec3 at = v.grid.centre_mm(p);
+        if (s == 0 || d < 0.5 || at.z < 3.0 || shape.outside(at) / h < 1.4 * d + 0.5) continue;
+        ++looked;
+        double least = 3.0;
+        for (int k = 0; k < 200; ++k) {  // directions spread evenly over the sphere
+          const double z = 1.0 - 2.0 * (k + 0.5) / 200, turn = k * 2.39996, r = std::sqrt(1.0 - z * z);
+          const Vec3 way(r * std::cos(turn), r * std::sin(turn), z);
+          double gone = 0.0;
+          while (gone < least && shape.outside(at + gone * way) > 0.0) gone += 0.05;
+          least = std::min(least, gone);
+        }
+        EXPECT_GE(d, 0.8 * least / h - 0.5) << at.x << " " << at.y << " " << at.z;  // rays are coarse: 0.25 voxels, 10 degrees
+      }
+    }
+  }
+  EXPECT_GT(looked, 0);
 }
 
 TEST(Distance, OfTheFieldAloneWouldMiss) {
