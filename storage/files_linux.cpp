@@ -85,8 +85,8 @@ bool on_network_drive(const std::filesystem::path& folder) {
 bool can_write(const std::filesystem::path& path) { return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0; }
 
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content) {
-  std::string fresh = file.string() + ".XXXXXX";
-  const int descriptor = mkstemp(fresh.data());  // made readable by its owner alone
+  std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp fills the last six in
+  const int descriptor = mkstemp(fresh.data());                   // made readable by its owner alone
   if (descriptor < 0) return std::unexpected(failure_now(file));
   bool good = true;
   for (std::size_t at = 0; good && at < content.size();) {

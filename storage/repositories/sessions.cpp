@@ -11,6 +11,9 @@ namespace cusp {
 Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (auto allowed = require(actor, Action::drill); !allowed) return std::unexpected(allowed.error());
   if (wanted.student != actor.id) return fail(StorageError::not_allowed, std::string(key_of(Action::drill)));
+  const std::string header = header_to_json(wanted.header);
+  // A number that JSON cannot hold would make a session that nobody can open.
+  if (!header_from_json(header)) return fail(StorageError::bad_value, "header");
   const SessionId id = SessionId::make();
   Transaction transaction(c_.db);
   const auto guest = transaction.first(
@@ -30,8 +33,8 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
       "device_class, engine_version, specimen_blob, header, started_at, sequence) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
       id, c_.station, wanted.student, wanted.version, hashes->first, hashes->second, key_of(kind), wanted.assignment,
-      wanted.hand, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header_to_json(h),
-      c_.clock(), sequence);
+      wanted.hand, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header, c_.clock(),
+      sequence);
   const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.hand, {});
   ChainWriter chain(c_, transaction, id);
   chain.add(SessionTable::sessions, 0, -1);

@@ -90,7 +90,7 @@ class Sessions {
   explicit Sessions(StorageContext& context) : c_{context} {}
 
   /// Row and started event, in one transaction. Needs drill; `student` is the actor. The kind is try_it for a guest
-  /// whatever was asked. not_found for an unknown version.
+  /// whatever was asked. not_found for an unknown version, bad_value for a header with a number that is not finite.
   Stored<Session> start(const Actor& actor, const NewSession& session);
   /// After an interruption: this process owns it again. wrong_state unless interrupted.
   Stored<void> resume(SessionId session, const std::string& reason);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/storage/sample.h"
 
 namespace cusp {
@@ -187,6 +189,9 @@ TEST_F(SessionsTest, one_starts_only_ones_own_and_only_what_is_there) {
   NewSession unknown = new_session(student, version);
   unknown.version = VersionId::make();
   EXPECT_EQ(code_of(store->sessions.start(student.actor(), unknown)), StorageError::not_found);
+  NewSession endless = new_session(student, version);
+  endless.header.device.max_force_n = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(code_of(store->sessions.start(student.actor(), endless)), StorageError::bad_value);
   EXPECT_EQ(code_of(store->sessions.find(SessionId::make())), StorageError::not_found);
   EXPECT_EQ(code_of(store->sessions.state(SessionId::make())), StorageError::not_found);
   EXPECT_EQ(code_of(store->traces.append(SessionId::make(), second_from(1))), StorageError::not_found);
