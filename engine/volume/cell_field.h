@@ -49,6 +49,21 @@ class CellField {
     return true;
   }
 
+  /// Mean of the corners, and the gradient of the plane that fits them best.
+  double mean_plane(Vec3& gradient) const noexcept {
+    double sum = 0.0;
+    Vec3 g(0.0);
+    for (int i = 0; i < 8; ++i) {
+      const double d = corner(i);
+      sum += d;
+      g.x += (i & 1) ? d : -d;
+      g.y += (i & 2) ? d : -d;
+      g.z += (i & 4) ? d : -d;
+    }
+    gradient = 0.25 * g;
+    return 0.125 * sum;
+  }
+
   /// Distance in voxels at f (fraction of the cell, a little outside [0,1] is allowed) and its gradient (voxel/voxel).
   double eval(Vec3 f, Vec3& gradient) const noexcept {
     const double* v = &d_[kFirstCorner];
@@ -76,6 +91,11 @@ class CellField {
     const std::uint16_t* values = nullptr;
     std::uint16_t uniform = 0;
   };
+  struct Row {
+    int y, z, first, end;
+  };
+  static constexpr Row kRows[12] = {{1, 0, 1, 3}, {2, 0, 1, 3}, {0, 1, 1, 3}, {1, 1, 0, 4}, {2, 1, 0, 4}, {3, 1, 1, 3},
+                                    {0, 2, 1, 3}, {1, 2, 0, 4}, {2, 2, 0, 4}, {3, 2, 1, 3}, {1, 3, 1, 3}, {2, 3, 1, 3}};
   template <class BrickSource>
   void fill(IVec3 cell, const Specimen& specimen, BrickSource&& source_of) noexcept {
     const IVec3 low = cell - 1;
@@ -87,21 +107,24 @@ class CellField {
       if (o.x > over.x || o.y > over.y || o.z > over.z) continue;
       source[i] = source_of(specimen.brick_index(first + o));
     }
-    for (int z = 0; z < 4; ++z)
-      for (int y = 0; y < 4; ++y) {
-        // Corners and edges of the 4^3 block are read by no stencil.
-        const bool outer_yz = z == 0 || z == 3 ? true : y == 0 || y == 3;
-        if ((z == 0 || z == 3) && (y == 0 || y == 3)) continue;
-        const int vy = (low.y & 7) + y;
-        const int vz = (low.z & 7) + z;
-        const int row = (vy >> 3) * 2 + (vz >> 3) * 4;
-        const int row_offset = (vy & 7) << 3 | (vz & 7) << 6;
-        for (int x = outer_yz ? 1 : 0; x < (outer_yz ? 3 : 4); ++x) {
-          const int vx = (low.x & 7) + x;
-          const Source& from = source[row + (vx >> 3)];
-          at(x, y, z) = distance_from_solid(from.values ? from.values[row_offset | (vx & 7)] : from.uniform);
+    // Rows along x; the corners and edges of the 4^3 block are read by no stencil.
+    const int lx = low.x & 7;
+    for (const Row& row : kRows) {
+      const int vy = (low.y & 7) + row.y;
+      const int vz = (low.z & 7) + row.z;
+      const Source* from = &source[(vy >> 3) * 2 + (vz >> 3) * 4];
+      const int offset = (vy & 7) << 3 | (vz & 7) << 6;
+      double* to = &d_[4 * (row.y + 4 * row.z)];
+      if (lx <= 4) {
+        const std::uint16_t* values = from->values;
+        for (int x = 0; x < 4; ++x) to[x] = distance_from_solid(values ? values[offset + lx + x] : from->uniform);
+      } else {
+        for (int x = row.first; x < row.end; ++x) {
+          const Source& one = from[(lx + x) >> 3];
+          to[x] = distance_from_solid(one.values ? one.values[offset | ((lx + x) & 7)] : one.uniform);
         }
       }
+    }
     correct();
   }
   /// d -= t(1-t)/2 of the second difference along one axis; e: [q + 2 r] at the edges q along b, r along c.
@@ -139,7 +162,6 @@ class CellField {
         second_[axis][i] = blend(v[-along[axis]], v[0], v[along[axis]], v[2 * along[axis]]);
       }
   }
-  double& at(int x, int y, int z) noexcept { return d_[x + 4 * (y + 4 * z)]; }
   double corner(int i) const noexcept { return d_[kFirstCorner + (i & 1) + (i >> 1 & 1) * 4 + (i >> 2) * 16]; }
 
   static constexpr int kFirstCorner = 1 + 4 + 16;
@@ -176,11 +198,15 @@ inline FieldPoint field_at(const Volume& volume, Field field, Vec3 at_mm) noexce
   return out;
 }
 
-/// The surface point of a crossed cell: Newton on the cell's own polynomial from its centre, kept within 0.6 voxel of
-/// it. In fractions of the cell; false where it does not come to d = 0 there.
+/// The surface point of a crossed cell: Newton on the cell's own polynomial from the foot of its centre on the corners'
+/// mean plane, kept within 0.6 voxel of the centre. In fractions of the cell; false where it does not come to d = 0 there.
 inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal) noexcept {
-  f = Vec3(0.5);
   Vec3 g(0.0);
+  const double middle = field.mean_plane(g);
+  const double steep = g.x * g.x + g.y * g.y + g.z * g.z;
+  f = Vec3(0.5);
+  if (steep > 0.04) f -= g * (middle / steep);
+  for (int a = 0; a < 3; ++a) f[a] = f[a] < -0.1 ? -0.1 : f[a] > 1.1 ? 1.1 : f[a];
   for (int pass = 0; pass < 6; ++pass) {
     const double d = field.eval(f, g);
     const double square = g.x * g.x + g.y * g.y + g.z * g.z;

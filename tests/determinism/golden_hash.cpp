@@ -60,8 +60,8 @@ std::uint64_t run(Method method, bool cut) {
   return hash.value();
 }
 
-TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 2074238794898680795ull); }
-TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 9300062398927424272ull); }
+TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 11884554810520867815ull); }
+TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 5908823154312135926ull); }
 TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 7681096162591609957ull); }
 
 }  // namespace
