@@ -1,0 +1,172 @@
+"""Broken, missing, newer and unwritable things: one clear sentence, exit status 1, nothing half-written.
+
+  bad_input.py CUSP
+"""
+import json
+import os
+import shutil
+import sqlite3
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from desk import Desk, check, integrity, one_sentence  # noqa: E402
+
+
+def refused(desk, what, *arguments, says=(), **more):
+    status, out, err = desk.run(*arguments, **more)
+    check(status == 1, f"{what}: exit {status}: {out}{err}")
+    one_sentence(err, what)
+    for word in says:
+        check(word in err, f"{what}: {word!r} is not in {err!r}")
+    check(out.strip() == "" or arguments[0] == "validate", f"{what}: stdout {out!r}")
+    print(f"{what}: {err.strip()}")
+
+
+def scenarios(desk):
+    hand = desk.small_hand(1)
+
+    def play(scenario):
+        return ("play", scenario, "--script", hand, "--db", desk.path("s.db"), "--out", desk.path("o"))
+
+    def broken(name, text):
+        with open(desk.path(name), "w", encoding="utf-8") as f:
+            f.write(text)
+        return desk.path(name)
+
+    for verb in (lambda s: ("validate", s), play):
+        refused(desk, "missing scenario", *verb(desk.path("none.json")), says=("none.json",))
+        refused(desk, "broken JSON", *verb(broken("broken.json", '{"format": 1,\n  "id": }')))
+        refused(desk, "unknown key", *verb(desk.small_exercise("key.json", lambda s: s.update(colour="red"))), says=("colour",))
+        refused(desk, "future format", *verb(desk.small_exercise("future.json", lambda s: s.update(format=99))))
+
+        def bad_depth(s):
+            s["target"]["depth_mm"] = "deep"
+
+        refused(desk, "wrong type", *verb(desk.small_exercise("type.json", bad_depth)), says=("depth_mm",))
+
+        def lost_volume(s):
+            s["specimen"] = {"volume": "none.nrrd"}
+
+        refused(desk, "missing volume", *verb(desk.small_exercise("volume.json", lost_volume)), says=("none.nrrd",))
+    refused(desk, "missing hand", "play", "channel-1", "--script", desk.path("none.csv"), "--db", desk.path("s.db"),
+            "--out", desk.path("o"), says=("none.csv",))
+    with open(desk.path("bad.csv"), "w", encoding="utf-8") as f:
+        f.write("elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n1000,0,0,zero,0,0,0,32767,0,0\n")
+    refused(desk, "broken hand", "play", desk.small_exercise(), "--script", desk.path("bad.csv"), "--db", desk.path("s.db"),
+            "--out", desk.path("o"), says=("bad.csv",))
+    check(not os.path.exists(desk.path("s.db")), "what was refused left a database")
+
+
+def databases(desk):
+    scenario, hand = desk.small_exercise(), desk.small_hand(1)
+    status, out, err = desk.run("play", scenario, "--script", hand, "--db", desk.path("good.db"), "--out", desk.path("o"))
+    check(status == 0, f"play: {err}")
+    session = out.strip()
+    check(len(session) == 36 and out == session + "\n", f"the id stands alone on stdout: {out!r}")
+    refused(desk, "missing database", "replay", desk.path("none.db"), session, says=("none.db",))
+    check(not os.path.exists(desk.path("none.db")), "a missing database was made")
+    refused(desk, "unknown session", "replay", desk.path("good.db"), "019a9f3c-6a00-7c41-9b1e-000000000000")
+    with open(desk.path("text.db"), "w", encoding="utf-8") as f:
+        f.write("this is no database\n" * 1000)
+    refused(desk, "no database", "history", desk.path("text.db"), "list", says=("text.db",))
+    shutil.copy(desk.path("good.db"), desk.path("newer.db"))
+    with sqlite3.connect(desk.path("newer.db")) as db:
+        db.execute("PRAGMA user_version = 999")
+    with open(desk.path("newer.db"), "rb") as f:
+        before = f.read()
+    refused(desk, "newer database", "history", desk.path("newer.db"), "list", says=("newer.db",))
+    refused(desk, "play into a newer database", "play", scenario, "--script", hand, "--db", desk.path("newer.db"), "--out",
+            desk.path("o"))
+    with open(desk.path("newer.db"), "rb") as f:
+        check(f.read() == before, "a newer database was touched")
+    refused(desk, "unknown account", "history", desk.path("good.db"), "list", "--as", "nobody", CUSP_PASSWORD="wrong-password")
+    refused(desk, "broken rubric", "grade", desk.path("good.db"), session, "--rubric", desk.path("text.db"), says=("text.db",))
+    refused(desk, "folder that is a file", "play", scenario, "--script", hand, "--out", desk.path("text.db"), says=("text.db",))
+    refused(desk, "volume into no folder", "specimen", "block", "--voxel-mm", "0.5", "-o", desk.path("none", "b.nrrd"))
+    refused(desk, "missing mesh", "import", desk.path("none.obj"), "--tissue", "a=dentine", "-o", desk.path("v.nrrd"),
+            says=("none.obj",))
+    check(not os.path.exists(desk.path("v.nrrd")), "a failed import left a volume")
+
+
+def usage(desk):
+    for arguments in (("play",), ("play", "channel-1"), ("replay", "--verify"), ("history", "x.db"), ("nonsense",),
+                      ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id")):
+        status, _, err = desk.run(*arguments)
+        check(status == 2, f"{arguments}: exit {status}")
+        one_sentence(err, " ".join(arguments))
+    for verb in ("play", "replay", "grade", "validate", "import", "specimen", "history"):
+        status, out, err = desk.run(verb, "--help")
+        check(status == 0 and "--json" in out and not err, f"{verb} --help: {status} {err}")
+
+
+def mounted(folder, options):
+    os.makedirs(folder, exist_ok=True)
+    return subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], capture_output=True).returncode == 0
+
+
+def disks(desk):
+    """A disk that is full and one that is read-only; where nothing can be mounted this part says so."""
+    scenario, hand = desk.small_exercise(), desk.small_hand(8)
+    full = desk.path("full")
+    if not mounted(full, "size=1500k"):
+        print("no right to mount: full and read-only disks were not tried")
+        return
+    try:
+        refused(desk, "full disk", "play", scenario, "--script", hand, "--db", os.path.join(full, "f.db"), "--out",
+                desk.path("o1"))
+        with open(os.path.join(full, "fill"), "wb") as f:
+            try:
+                f.write(b"x" * 3_000_000)
+            except OSError:
+                pass
+        if os.path.exists(os.path.join(full, "f.db")):
+            os.remove(os.path.join(full, "fill"))
+            check(integrity(os.path.join(full, "f.db")) == "ok", "the database on the full disk is not sound")
+    finally:
+        subprocess.run(["umount", full], check=True)
+    # The same with room for the file to begin: the go is cut off while it runs.
+    if mounted(full, "size=6m"):
+        try:
+            with open(os.path.join(full, "fill"), "wb") as f:
+                f.write(b"x" * 3_600_000)
+            database = os.path.join(full, "f.db")
+            status, _, err = desk.run("play", scenario, "--script", hand, "--db", database, "--out", desk.path("o2"))
+            print(f"disk that fills up: exit {status} {err.strip()}")
+            if status != 0:
+                one_sentence(err, "disk that fills up")
+            os.remove(os.path.join(full, "fill"))
+            if os.path.exists(database):
+                check(integrity(database) == "ok", "the database is not sound after the disk was full")
+                status, out, err = desk.run("history", database, "list", "--json", "-")
+                for row in json.loads(out) if status == 0 else []:
+                    check(row["state"] in ("interrupted", "graded"), f"shows as {row['state']}")
+                    if row["duration_s"] > 0:
+                        desk.json("grade", database, row["session"])
+        finally:
+            subprocess.run(["umount", full], check=True)
+    fixed = desk.path("fixed")
+    if mounted(fixed, "size=20m"):
+        try:
+            status, out, err = desk.run("play", scenario, "--script", hand, "--db", os.path.join(fixed, "r.db"), "--out",
+                                        desk.path("o3"))
+            check(status == 0, f"play: {err}")
+            session = out.strip()
+            subprocess.run(["mount", "-o", "remount,ro", fixed], check=True)
+            refused(desk, "read-only folder", "play", scenario, "--script", hand, "--db", os.path.join(fixed, "new.db"),
+                    "--out", desk.path("o4"))
+            refused(desk, "read-only database", "play", scenario, "--script", hand, "--db", os.path.join(fixed, "r.db"),
+                    "--out", desk.path("o4"))
+            refused(desk, "report into a read-only folder", "play", scenario, "--script", hand, "--db", desk.path("ok.db"),
+                    "--out", os.path.join(fixed, "out"))
+            status, out, err = desk.run("replay", "--verify", os.path.join(fixed, "r.db"), session)
+            check(status == 0, f"a read-only record is still proved: {err}")
+        finally:
+            subprocess.run(["umount", fixed], check=True)
+
+
+with Desk(sys.argv[1]) as the_desk:
+    usage(the_desk)
+    scenarios(the_desk)
+    databases(the_desk)
+    disks(the_desk)

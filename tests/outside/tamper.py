@@ -1,0 +1,67 @@
+"""One byte changed in the record of a session: `cusp replay --verify` finds it, says what and where, and exits with 1.
+
+  tamper.py CUSP [--changes N] [--seed N]
+"""
+import argparse
+import os
+import random
+import shutil
+import sqlite3
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from desk import Desk, check, one_sentence  # noqa: E402
+
+
+def flip(database, table, column, row, dice):
+    with sqlite3.connect(database) as db:
+        db.execute("PRAGMA foreign_keys = OFF")
+        (old,) = db.execute(f"SELECT {column} FROM {table} WHERE row = ?", (row,)).fetchone()
+        at = dice.randrange(len(old))
+        new = bytearray(old)
+        new[at] ^= 1 << dice.randrange(8)
+        db.execute(f"UPDATE {table} SET {column} = ? WHERE row = ?", (bytes(new), row))
+        return at
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("cusp")
+    arguments.add_argument("--changes", type=int, default=6)
+    arguments.add_argument("--seed", type=int, default=int(time.time()))
+    o = arguments.parse_args()
+    print(f"seed {o.seed}")
+    dice = random.Random(o.seed)
+    with Desk(o.cusp) as desk:
+        scenario, hand = desk.small_exercise(), desk.small_hand(6)
+        status, out, err = desk.run("play", scenario, "--script", hand, "--db", desk.path("good.db"), "--out", desk.path("out"))
+        check(status == 0, f"play: {err}")
+        session = out.strip()
+        check(desk.run("replay", "--verify", desk.path("good.db"), session)[0] == 0, "the untouched record holds")
+        with sqlite3.connect(desk.path("good.db")) as db:
+            db.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+            rows = [row for (row,) in db.execute("SELECT row FROM trace_chunks ORDER BY row")]
+            keys = [row for (row,) in db.execute("SELECT row FROM key_states ORDER BY row")]
+        check(len(rows) == 6 and len(keys) == 1, f"six seconds are six chunks and one key state: {rows} {keys}")
+
+        for change in range(o.changes):
+            bad = desk.path("bad.db")
+            for end in ("", "-wal", "-shm"):
+                if os.path.exists(bad + end):
+                    os.remove(bad + end)
+            shutil.copy(desk.path("good.db"), bad)
+            shutil.copy(desk.path("good.db.key"), bad + ".key")
+            table, column, row = ("trace_chunks", "trace", dice.choice(rows))
+            if change == o.changes - 1:
+                table, column, row = ("key_states", "state", keys[0])
+            at = flip(bad, table, column, row, dice)
+            what = f"byte {at} of {table} row {row} (seed {o.seed})"
+            status, out, err = desk.run("replay", "--verify", bad, session)
+            check(status == 1, f"{what}: exit {status}, {out}")
+            one_sentence(err, what)
+            check(f"{table}, row {row}" in err, f"{what} is not what it names: {err}")
+        print(f"{o.changes} changes of one byte each were found and named")
+
+
+main()

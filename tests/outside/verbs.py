@@ -1,0 +1,51 @@
+"""The verbs as a user of the shell meets them, on the built-in exercises.
+
+  verbs.py CUSP [SCENARIO ...]     default: channel-1
+"""
+import json
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from desk import Desk, check, integrity  # noqa: E402
+
+FIELDS = ["session", "scenario", "student", "hand", "engine", "device", "duration_s", "state", "score", "score_max",
+          "passed", "critical", "volume_hash", "criteria"]
+
+with Desk(sys.argv[1]) as desk:
+    for scenario in sys.argv[2:] or ["channel-1"]:
+        database = desk.path(scenario.replace("/", "_") + ".db")
+        for hand, passes in (("expert", True), ("novice", False)):
+            out_dir = desk.path(os.path.basename(scenario), hand)
+            start = time.monotonic()
+            status, out, err = desk.run("play", scenario, "--script", hand, "--db", database, "--out", out_dir)
+            took = time.monotonic() - start
+            check(status == 0 and err == "", f"play: {status} {err}")
+            session = out.strip()
+            with open(os.path.join(out_dir, "report.json"), encoding="utf-8") as f:
+                report = json.load(f)
+            check(list(report) == FIELDS, f"fields of report.json: {list(report)}")
+            check(report["session"] == session and report["hand"] == hand and report["student"] == "demo", str(report))
+            print(f"{scenario} {hand}: {report['score']:.1f} of {report['score_max']:.0f}, {report['duration_s']:.1f} s of "
+                  f"session in {took:.1f} s; critical {report['critical']}; "
+                  + "; ".join(f"{c['id']} {c['band']} {c['points']:.1f}/{c['points_max']:.0f}" for c in report["criteria"]))
+            check(report["passed"] == passes, f"{scenario}: the {hand} should {'pass' if passes else 'fail'}")
+            with open(os.path.join(out_dir, "report.pdf"), "rb") as f:
+                check(f.read(5) == b"%PDF-", "report.pdf is a PDF")
+            with open(os.path.join(out_dir, "tooth.png"), "rb") as f:
+                check(f.read(8) == b"\x89PNG\r\n\x1a\n", "tooth.png is a PNG")
+            proof = desk.json("replay", "--verify", database, session)
+            check(proof["holds"] and proof["volume_equal"] and proof["grade_equal"], str(proof))
+            check(proof["volume_hash"] == report["volume_hash"], "the replay's tooth is the report's")
+            graded = desk.json("grade", database, session)
+            check(graded == report, "grading again comes to the same report")
+        rows = desk.json("history", database, "list")
+        check(len(rows) == 2 and [row["go"] for row in rows] == [2, 1], f"two goes, newest first: {rows}")
+        check(desk.json("history", database, "verify")["intact"], "all chains are whole")
+        check(integrity(database) == "ok", "the file is sound")
+    # The same words in another language; JSON and statuses stay.
+    english = desk.run("grade", database, session)[1]
+    german = desk.run("grade", database, session, LC_ALL="de_DE.UTF-8", LC_MESSAGES="de_DE.UTF-8", LANG="de_DE.UTF-8")[1]
+    check(english != german, "messages follow LC_MESSAGES")
+    check(desk.run("validate", "class-1-36", "--form-only")[0] == 0, "a built-in scenario is valid")
