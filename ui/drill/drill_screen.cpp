@@ -303,6 +303,7 @@ void DrillScreen::look() {
   if (in.live.phase != in.shown_phase) {
     in.shown_phase = in.live.phase;
     in.pause->setText(stopped ? tr("Go on") : tr("Pause"));
+    in.pause->setShortcut(Qt::Key_P);  // a new text takes the shortcut away
   }
   // The clock of the exercise has run out, or inputs could not be kept: the go is graded as it stands.
   const double limit = in.go->run->scenario().time_limit_s;

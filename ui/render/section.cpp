@@ -157,8 +157,10 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
           c = over(c, settings.edge, line(b_px, 0.5));
         }
       }
-      if (!leeway.empty() && (x + y) % 9 < 6) c = over(c, kLeewayLine, line(leeway.at(x, y) * px_per_mm, 0.6));
-      if (!target.empty()) c = over(c, kTargetLine, line(target.at(x, y) * px_per_mm, 0.9));
+      if (volume.specimen().s(v) > 0) {  // the target goes up without end; its lines end just above the specimen
+        if (!leeway.empty() && (x + y) % 9 < 6) c = over(c, kLeewayLine, line(leeway.at(x, y) * px_per_mm, 0.6));
+        if (!target.empty()) c = over(c, kTargetLine, line(target.at(x, y) * px_per_mm, 0.9));
+      }
       out.rgba[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)] =
           packed(c);
     }
