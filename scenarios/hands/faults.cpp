@@ -11,13 +11,16 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
   HandStyle style = steady_style(scenario, specimen, seed);
   switch (fault) {
     case HandFault::novice:
-      errors.deeper_mm = 0.7;
-      errors.shift_mm = {0.25, 0.35, 0.0};
+      errors.deeper_mm = 0.9;
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
       if (scenario.method == Method::surface) {
+        errors.shift_mm = {0.25, 0.35, 0.0};
         errors.wider_mm = 0.3;
         style.muscles.tremor_mm = 0.12;
+        style.wander_mm = 0.4;  // does not wait until the burr is back on its line
       } else {
+        // A narrow pit: further off, nothing of it would be drilled at all.
+        errors.shift_mm = {0.1, 0.12, 0.0};
         style.muscles.tremor_mm = 0.05;
       }
       style.correct_per_s = 4.0;
@@ -30,6 +33,7 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
       break;
     case HandFault::shaky:
       style.muscles.tremor_mm = 0.3;
+      style.wander_mm = 1.0;
       style.arrive_mm = std::max(style.arrive_mm, 0.1);
       break;
     case HandFault::off_outline:

@@ -14,7 +14,7 @@ namespace {
 using Line = std::vector<Vec2>;
 
 /// Depth of a layer and distance of neighbouring loops, in burr radii: the ball leaves ridges of step² / 8r.
-constexpr double kLayerRadii = 0.5;
+constexpr double kLayerRadii = 0.6;
 /// Where the burr steps from voxel to voxel a layer is deep enough for its widest part to have a wall before it: against
 /// a slope the paper's proxy climbs out instead of cutting. Its ridges are then below a voxel.
 constexpr double kSteppedLayerRadii = 1.2;
@@ -69,6 +69,23 @@ Line loop_round(const Line& path, double off) {
   return out;
 }
 
+/// The same line begun where it is nearest: a loop at any of its points, an open line at one of its ends.
+Line from_nearest(const Line& line, Vec2 here) {
+  if (line.size() < 2) return line;
+  Line out = line;
+  if (glm::length(line.front() - line.back()) > 1e-6) {
+    if (glm::length(line.back() - here) < glm::length(line.front() - here)) std::reverse(out.begin(), out.end());
+    return out;
+  }
+  out.pop_back();
+  const auto nearest = std::min_element(out.begin(), out.end(), [here](Vec2 a, Vec2 b) {
+    return glm::length(a - here) < glm::length(b - here);
+  });
+  std::rotate(out.begin(), nearest, out.end());
+  out.push_back(out.front());
+  return out;
+}
+
 /// Leaves out points that are nearer than this to the one before; the last one stays.
 void thin_out(Line& line, double least) {
   Line out;
@@ -82,8 +99,8 @@ Line rectangle(Vec2 centre, Vec2 half) {
   return {centre - half, centre + Vec2(half.x, -half.y), centre + half, centre + Vec2(-half.x, half.y), centre - half};
 }
 
-/// What is driven at each layer: one line after another, each starting where a straight stroke from the last end stays
-/// inside the outline. `room` is how far the burr's centre may leave the middle.
+/// What is driven at each layer, one line after another, each about or inside the next, so that the stroke between them
+/// stays inside the outline. `room` is how far the burr's centre may leave the middle.
 std::vector<Line> lines_of(const Target& target, std::size_t path, double room, double radius, Vec2 shift) {
   std::vector<Line> out;
   const double step = kLoopRadii * radius;
@@ -156,7 +173,7 @@ double highest(const Specimen& specimen, const std::vector<Line>* near, double r
   return top;
 }
 
-/// The pulp voxel that is easiest to reach from the floor: least height to go, kept to the outline.
+/// The pulp voxel that is easiest to reach from the floor: least height to go, well inside the outline.
 std::optional<Vec3> easiest_pulp(const Specimen& specimen, const TargetShape& shape) {
   const Grid& grid = specimen.grid();
   std::optional<Vec3> best;
@@ -167,7 +184,8 @@ std::optional<Vec3> easiest_pulp(const Specimen& specimen, const TargetShape& sh
       for (v.x = 0; v.x < grid.size.x; ++v.x) {
         if (specimen.tissue(v) != Tissue::pulp || specimen.s(v) < kHalf) continue;
         const Vec3 p = grid.centre_mm(v);
-        const double cost = shape.below_floor_mm(p.z) + 3.0 * std::max(0.0, shape.outline_mm({p.x, p.y}));
+        const double u = shape.outline_mm({p.x, p.y});
+        const double cost = shape.below_floor_mm(p.z) + (u > 0.0 ? 3.0 * u : 0.3 * u);
         if (cost < least) {
           least = cost;
           best = p;
@@ -206,14 +224,12 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
     const int layers = std::max(1, static_cast<int>(std::ceil((top - floor) / (layer_radii * r))));
     for (int layer = 1; layer <= layers; ++layer) {
       const double z = layer == layers ? floor : top - (top - floor) * layer / layers;
-      std::vector<Line> order = lines;
-      // An open line is driven to and fro; a loop ends where it began.
-      if (layer % 2 == 0)
-        for (Line& line : order)
-          if (line.size() > 1 && glm::length(line.front() - line.back()) > 1e-6) std::reverse(line.begin(), line.end());
-      for (const Line& line : order)
-        for (const Vec2& p : line) go(p, z, true);
-      if (layer % 2 == 0 && order.size() > 1) go(order.front().front(), z, true);
+      for (const Line& line : lines) {
+        const Vec3 here = plan.strokes.back().to_mm;
+        const Line way = from_nearest(line, {here.x, here.y});
+        if (here.z > z) go({here.x, here.y}, z, true);
+        for (const Vec2& p : way) go(p, z, true);
+      }
     }
     const Vec3 last = plan.strokes.back().to_mm;
     go({last.x, last.y}, above, false);

@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/hands/expert.h"
+#include "scenarios/hands/faults.h"
+#include "scenarios/library/library.h"
+#include "scenarios/shapes/distance.h"
+#include "scenarios/shapes/outline.h"
+#include "scenarios/specimens.h"
+#include "tests/engine/volume/carved.h"
+#include "tests/scenarios/hands/go.h"
+
+namespace cusp {
+namespace {
+
+/// A small block of dentine with pulp below, and a slot of 1.4 x 0.8 x 0.8 mm in it: a go takes seconds.
+Scenario small_slot() {
+  Scenario s;
+  s.tissues = {{Tissue::dentine, 2, 2}, {Tissue::pulp, 1, 4}};
+  Burr burr;
+  burr.radius_mm = 0.3;
+  burr.neck_radius_mm = 0.2;
+  s.instruments = {burr};
+  s.target.paths = {{Vec3(-0.3, 0, 0), Vec3(0.3, 0, 0)}};
+  s.target.width_mm = 0.8;
+  s.target.depth_mm = 0.8;
+  s.target.corner_radius_mm = 0.3;
+  s.leeway.floor_mm = 0.2;
+  s.leeway.side_mm = 0.2;
+  s.rubric.pass = 70;
+  s.rubric.criteria = {{"target_removed", 40, {80, 90, 97, 100, 100, 100}},
+                       {"depth_mean", 20, {0.4, 0.6, 0.7, 0.9, 1.0, 1.2}},
+                       {"overcut_beyond_floor", 20, {0, 0, 0, 0.02, 0.1, 0.3}},
+                       {"overcut_beyond_side", 20, {0, 0, 0, 0.02, 0.1, 0.3}}};
+  s.rubric.critical = {"pulp_exposure"};
+  return s;
+}
+std::shared_ptr<const Specimen> small_block() {
+  Grid g;
+  g.voxel_mm = 0.1;
+  g.size = IVec3(50, 46, 44);
+  g.origin_mm = Vec3(-2.45, -2.25, -3.45);
+  return carved::specimen(
+      g, Reading::banded, [](Vec3 p) { return box_distance(p, Vec3(0, 0, -1.5), Vec3(2.0, 1.8, 1.5)); },
+      [](Vec3 p) { return p.z < -2.2 ? Tissue::pulp : Tissue::dentine; });
+}
+
+struct Bench {
+  Scenario scenario = small_slot();
+  std::shared_ptr<const Specimen> specimen = small_block();
+  Reference reference{scenario, specimen};
+  go::Result run(std::string_view hand, std::uint64_t seed = 1) const {
+    return go::run(scenario, reference, specimen, *hand_by_name(hand, scenario, *specimen, seed), 2000);
+  }
+  static std::string reason(const go::Result& r, std::string_view id) {
+    for (const CriterionGrade& c : r.grade.criteria)
+      if (c.id == id) return c.reason_code;
+    return "no such criterion";
+  }
+};
+
+TEST(Plan, KeepsTheBurrInsideTheTarget) {
+  Scenario s = small_slot();
+  const auto block = small_block();
+  for (const char* shape : {"channel", "outline", "box"}) {
+    s.target.shape = shape;
+    s.target.box_size_mm = {2.0, 1.2, 0};
+    if (s.target.shape == "outline") s.target.paths = {{Vec3(-0.8, 0, 0), Vec3(0, 0.3, 0), Vec3(0.8, 0, 0)}, {Vec3(0, 0.3, 0), Vec3(0, 1, 0)}};
+    const Plan plan = plan_target(s, *block);
+    const TargetShape target(s.target);
+    ASSERT_GT(plan.strokes.size(), 10u) << shape;
+    Vec3 from = plan.start_mm;
+    for (const Stroke& stroke : plan.strokes) {
+      for (int i = 0; i <= 8 && stroke.cut; ++i) {
+        const Vec3 p = from + (stroke.to_mm - from) * (i / 8.0);
+        EXPECT_LE(target.outline_mm({p.x, p.y}), -0.3 + 1e-9) << shape;
+        EXPECT_GE(p.z, target.floor_mm() + 0.3 - 1e-9) << shape;
+      }
+      from = stroke.to_mm;
+    }
+    EXPECT_GT(from.z, 0.3) << "ends above the specimen";
+  }
+}
+
+TEST(Plan, TakesTheLargestBurrThatFits) {
+  Scenario s = small_slot();
+  Burr small, large;
+  small.radius_mm = 0.2;
+  large.radius_mm = 0.5;
+  s.instruments = {small, s.instruments[0], large};
+  EXPECT_EQ(plan_target(s, *small_block()).burr, 1);
+  s.target.corner_radius_mm = 0.1;  // none fits: the smallest
+  EXPECT_EQ(plan_target(s, *small_block()).burr, 0);
+}
+
+TEST(Plan, IsEmptyWithoutTargetOrInstruments) {
+  Scenario s = small_slot();
+  s.instruments.clear();
+  EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
+  s = small_slot();
+  s.target.paths.clear();
+  EXPECT_TRUE(plan_target(s, *small_block()).strokes.empty());
+  EXPECT_TRUE(expert(s, *small_block()).done());
+}
+
+/// A world in which the proxy follows the device no faster than `speed`.
+std::size_t left_out_at(double speed_mm_s, double& clock_s, std::uint64_t seed = 1) {
+  const Scenario s = small_slot();
+  Hand hand = expert(s, *small_block(), seed);
+  StepOutput o;
+  o.proxy_mm = o.device_mm = hand.start_mm();
+  while (!hand.done()) {
+    const Sample sample = hand.next(o, 0.002);
+    const Vec3 gap = sample.position_mm - o.proxy_mm;
+    const double far = glm::length(gap);
+    const double reach = speed_mm_s * 0.002;
+    o.device_mm = sample.position_mm;
+    o.proxy_mm += far > reach ? gap * (reach / far) : gap;
+    o.contact = far > reach;
+    o.stiffness_n_per_mm = o.contact ? 2.0 : 0.0;
+    o.force_n = 2.0 * (o.proxy_mm - o.device_mm);
+  }
+  clock_s = hand.clock_s();
+  return hand.strokes_left_out();
+}
+
+TEST(Hand, GetsToEveryPlaceWhenTheWorldGivesWay) {
+  double clock = 0;
+  EXPECT_EQ(left_out_at(1e9, clock), 0u);
+  EXPECT_LT(clock, 60.0);
+}
+
+TEST(Hand, GivesUpWhatIsBlockedAndComesToAnEnd) {
+  double clock = 0;
+  EXPECT_GT(left_out_at(0.0, clock), 10u);
+  EXPECT_LE(clock, HandStyle{}.most_s + 0.01);
+}
+
+TEST(Hand, IsTheSameForTheSameSeedAndNotForAnother) {
+  double a = 0, b = 0, other = 0;
+  left_out_at(1e9, a, 5);
+  left_out_at(1e9, b, 5);
+  left_out_at(1e9, other, 6);
+  EXPECT_EQ(a, b);
+  EXPECT_NE(a, other);
+}
+
+TEST(Hand, IsFoundByItsName) {
+  const Scenario s = small_slot();
+  const auto block = small_block();
+  for (const char* name : {"expert", "novice", "too_deep", "too_shallow", "shaky", "off_outline", "pulp"})
+    EXPECT_TRUE(hand_by_name(name, s, *block).has_value()) << name;
+  EXPECT_FALSE(hand_by_name("Expert", s, *block).has_value());
+}
+
+TEST(Expert, EarnsTheMarksByDrilling) {
+  const Bench bench;
+  const go::Result r = bench.run("expert");
+  EXPECT_TRUE(r.grade.passed) << r.grade.score;
+  EXPECT_GT(r.get("target_removed").value, 97.0);
+  EXPECT_LT(r.get("overcut_beyond_floor").value + r.get("overcut_beyond_side").value, 0.01);
+  EXPECT_NEAR(r.get("depth_mean").value, 0.8, 0.05);
+  EXPECT_EQ(r.overflow, 0u);
+  EXPECT_FALSE(r.faulted);
+}
+
+TEST(Faults, TooDeepIsGradedTooDeep) {
+  const Bench bench;
+  const go::Result r = bench.run("too_deep");
+  EXPECT_FALSE(r.grade.passed);
+  EXPECT_EQ(Bench::reason(r, "depth_mean"), "too_deep");
+  EXPECT_EQ(Bench::reason(r, "overcut_beyond_floor"), "too_much");
+  EXPECT_NEAR(r.get("depth_mean").value, 1.6, 0.05);
+}
+
+TEST(Faults, TooShallowIsGradedTooShallow) {
+  const Bench bench;
+  const go::Result r = bench.run("too_shallow");
+  EXPECT_FALSE(r.grade.passed);
+  EXPECT_EQ(Bench::reason(r, "depth_mean"), "too_shallow");
+  EXPECT_EQ(Bench::reason(r, "target_removed"), "too_little");
+}
+
+TEST(Faults, OffTheOutlineIsGradedAtTheSide) {
+  const Bench bench;
+  const go::Result r = bench.run("off_outline");
+  EXPECT_FALSE(r.grade.passed);
+  EXPECT_EQ(Bench::reason(r, "overcut_beyond_side"), "too_much");
+  EXPECT_EQ(Bench::reason(r, "overcut_beyond_floor"), "full");
+}
+
+TEST(Faults, ThePulpIsACriticalEventThoughTheScoreStands) {
+  const Bench bench;
+  const go::Result r = bench.run("pulp");
+  EXPECT_FALSE(r.grade.passed);
+  EXPECT_EQ(r.grade.critical, std::vector<std::string>{"pulp_exposure"});
+}
+
+TEST(Faults, TheNoviceFailsDeepAndOverTheEdge) {
+  const Bench bench;
+  const go::Result r = bench.run("novice");
+  EXPECT_FALSE(r.grade.passed);
+  EXPECT_EQ(Bench::reason(r, "depth_mean"), "too_deep");
+  EXPECT_EQ(Bench::reason(r, "overcut_beyond_side"), "too_much");
+}
+
+TEST(PaperBlock, TheExpertPassesAndTheNoviceFailsTooDeep) {
+  const auto scenario = load_builtin("paper-block");
+  ASSERT_TRUE(scenario);
+  const auto dense = make_specimen(scenario->specimen, ".");
+  ASSERT_TRUE(dense);
+  const auto specimen = Specimen::build(*dense, reading_of(scenario->method));
+  const Reference reference(*scenario, specimen);
+  const go::Result good = go::run(*scenario, reference, specimen, *hand_by_name("expert", *scenario, *specimen));
+  EXPECT_TRUE(good.grade.passed) << good.grade.score;
+  const go::Result bad = go::run(*scenario, reference, specimen, *hand_by_name("novice", *scenario, *specimen));
+  EXPECT_FALSE(bad.grade.passed) << bad.grade.score;
+  EXPECT_EQ(Bench::reason(bad, "depth_mean"), "too_deep");
+}
+
+}  // namespace
+}  // namespace cusp
