@@ -8,6 +8,8 @@
 #include <QStackedWidget>
 #include <QStandardPaths>
 
+#include "ui/admin/people_page.h"
+#include "ui/admin/performance.h"
 #include "ui/app/go_anywhere.h"
 #include "ui/app/help_page.h"
 #include "ui/app/language.h"
@@ -47,9 +49,6 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   setMinimumSize(kLeastWidth, kLeastHeight);
   resize(1280, 800);
   restoreGeometry(settings_.window());
-  connect(new QShortcut(QKeySequence(Qt::ALT | Qt::Key_Left), this), &QShortcut::activated, this, [this] {
-    if (stack_->count() > 1 && qobject_cast<Briefing*>(page())) back();
-  });
   connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::go_anywhere);
   connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, [this] {
     if (page() == shell_ && shell_) {
@@ -58,9 +57,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
       focusNextChild();
     }
   });
-  connect(pictures_.get(), &PictureShelf::ready, this, [this] {
-    if (sign_in_ && page() == sign_in_) show_sign_in(sign_in_->typed_number(), sign_in_->staff());
-  });
+  connect(pictures_.get(), &PictureShelf::ready, this, &Desktop::show_cover);
 }
 
 Desktop::~Desktop() = default;
@@ -103,12 +100,6 @@ void Desktop::show_refusal(const Told& told) {
 void Desktop::show_sign_in(const QString& number, bool staff) {
   auto* page = new SignIn(*store_);
   page->set_typed_number(number, staff);
-  if (const auto list = load_exercises(*store_)) {
-    for (const Exercise& e : list->exercises) {
-      if (e.scenario.key != kCoverExercise) continue;
-      page->set_picture(pictures_->picture(e, {}, PictureShelf::Use::cover, tokens().dark));
-    }
-  }
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
   connect(page, &SignIn::theme_toggled, this,
@@ -125,6 +116,18 @@ void Desktop::show_sign_in(const QString& number, bool staff) {
   });
   replace_root(page);
   sign_in_ = page;
+  show_cover();
+}
+
+void Desktop::show_cover() {
+  if (!sign_in_) return;
+  const auto list = load_exercises(*store_);
+  if (!list) return;
+  for (const Exercise& e : list->exercises) {
+    if (e.scenario.key != kCoverExercise) continue;
+    const QImage cover = pictures_->picture(e, {}, PictureShelf::Use::cover, tokens().dark);
+    if (!cover.isNull()) sign_in_->set_picture(cover);
+  }
 }
 
 void Desktop::sign_in(const Account& account) {
@@ -149,7 +152,7 @@ QVector<NavEntry> Desktop::entries() {
                return page;
              }};
   }
-  if (may(role, Action::drill)) {
+  if (role != Role::administrator) {
     list += {u"exercises"_qs, tr("Exercises"), u"list"_qs, [this]() -> QWidget* {
                auto* page = new ExercisesPage(*store_, account_->actor());
                connect(page, &ExercisesPage::briefing_wanted, this, &Desktop::show_briefing);
@@ -161,6 +164,17 @@ QVector<NavEntry> Desktop::entries() {
                auto* page = new OwnHistory(*store_, account_->actor());
                connect(page, &OwnHistory::report_wanted, this, &Desktop::open_report);
                connect(page, &OwnHistory::exercises_wanted, this, [this] { shell_->show_page(u"exercises"_qs); });
+               return page;
+             }};
+  }
+  if (may(role, Action::manage_people)) {
+    list += {u"people"_qs, tr("People"), u"people"_qs,
+             [this]() -> QWidget* { return new PeoplePage(*store_, account_->actor(), ports_); }};
+  }
+  if (may(role, Action::see_all_results)) {
+    list += {u"performance"_qs, tr("Performance"), u"chart"_qs, [this]() -> QWidget* {
+               auto* page = new Performance(*store_, account_->actor(), ports_);
+               connect(page, &Performance::report_wanted, this, &Desktop::open_report);
                return page;
              }};
   }

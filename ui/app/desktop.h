@@ -59,6 +59,7 @@ class Desktop : public QMainWindow {
  private:
   void rebuild();
   void show_sign_in(const QString& number = {}, bool staff = false);
+  void show_cover();
   void show_shell(const QString& page_key);
   void show_refusal(const Told& told);
   void replace_root(QWidget* root);

@@ -6,15 +6,11 @@
 #include "ui/app/desktop.h"
 #include "ui/app/language.h"
 #include "ui/app/settings.h"
-#ifdef CUSP_VERBS
 #include "ui/cli/verbs.h"
-#endif
 #include "ui/widgets/theme.h"
 
 int main(int argc, char** argv) {
-#ifdef CUSP_VERBS
   if (cusp::is_verb(argc, argv)) return cusp::run_verb(argc, argv);
-#endif
 
   QApplication app(argc, argv);
   QCoreApplication::setApplicationName(QStringLiteral("Cusp"));

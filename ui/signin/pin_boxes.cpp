@@ -25,7 +25,7 @@ PinBoxes::PinBoxes(QWidget* parent) : QWidget(parent) {
     box->setInputMethodHints(Qt::ImhDigitsOnly | Qt::ImhSensitiveData);
     box->setValidator(new QRegularExpressionValidator(QRegularExpression(u"[0-9]"_qs), box));
     box->setAccessibleName(tr("PIN, digit %1 of %2").arg(i + 1).arg(kDigits));
-    box->setFixedWidth(px(40));
+    box->setFixedSize(px(40), px(44));
     box->installEventFilter(this);
     connect(box, &QLineEdit::textEdited, this, [this, i](const QString& text) {
       Q_EMIT edited();

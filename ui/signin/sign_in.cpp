@@ -26,6 +26,7 @@ constexpr int kPictureFrom = 1100;  // below it the form has the window to itsel
 QLineEdit* make_field(bool secret = false) {
   auto* field = new QLineEdit;
   field->setProperty("large", true);
+  field->setFixedHeight(px(40));
   if (secret) field->setEchoMode(QLineEdit::Password);
   return field;
 }
@@ -52,10 +53,16 @@ SignIn::SignIn(Store& store, QWidget* parent) : QWidget(parent), store_(store) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  auto* left = new QFrame;
-  left->setProperty("kind", u"bar_side"_qs);
+  // Scrolls where the form is taller than the window: at 200 % it is.
+  auto* left = new QScrollArea;
+  left->setWidgetResizable(true);
+  left->setFrameShape(QFrame::NoFrame);
+  left->setFocusPolicy(Qt::NoFocus);
   left->setObjectName(u"sign_in_left"_qs);
-  auto* column = new QVBoxLayout(left);
+  auto* panel = new QFrame;
+  panel->setProperty("kind", u"bar_side"_qs);
+  left->setWidget(panel);
+  auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(px(40), px(28), px(40), px(28));
   column->addWidget(make_head());
   column->addStretch(2);
@@ -333,10 +340,11 @@ void SignIn::resizeEvent(QResizeEvent* event) {
   if (event) QWidget::resizeEvent(event);
   const bool wide = width() >= px(kPictureFrom);
   picture_->setVisible(wide);
-  auto* left = findChild<QFrame*>(u"sign_in_left"_qs);
-  left->setFixedWidth(wide ? px(kLeftWidth) : std::max(width(), 1));
+  auto* left = findChild<QScrollArea*>(u"sign_in_left"_qs);
+  left->setMinimumWidth(wide ? px(kLeftWidth) : 0);
+  left->setMaximumWidth(wide ? px(kLeftWidth) : QWIDGETSIZE_MAX);
   if (!wide || image_.isNull()) return;
-  const QSize room(width() - left->width(), height());
+  const QSize room(width() - px(kLeftWidth), height());
   const qreal ratio = devicePixelRatioF();
   QImage scaled = image_.scaled(room * ratio, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
   const QSize want = room * ratio;

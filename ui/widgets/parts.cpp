@@ -21,7 +21,8 @@ QString with_key(const QString& text, const QKeySequence& key) {
 }  // namespace
 
 QPushButton* make_button(const QString& text, ButtonKind kind, const QString& icon_name, const QKeySequence& key) {
-  auto* button = new QPushButton(text);
+  // The style leaves no room between icon and words.
+  auto* button = new QPushButton(icon_name.isEmpty() || text.isEmpty() ? text : u' ' + text);
   button->setAutoDefault(false);
   button->setAccessibleName(text);
   switch (kind) {

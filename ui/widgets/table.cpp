@@ -114,6 +114,7 @@ Table::Table(QWidget* parent) : QTableView(parent) {
   verticalHeader()->setDefaultSectionSize(px(36));
   verticalHeader()->setMinimumSectionSize(px(36));
   horizontalHeader()->setHighlightSections(false);
+  horizontalHeader()->setResizeContentsPrecision(50);  // rows looked at for a column's width: a long history stays quick
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeading | Qt::AlignVCenter);
   horizontalHeader()->setMinimumSectionSize(px(32));
   horizontalHeader()->setMinimumHeight(px(34));

@@ -1,0 +1,32 @@
+/// Accounts as a table.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "storage/repositories/people.h"
+
+namespace cusp {
+
+class PeopleModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kName, kNumber, kRole, kSignIn, kState, kColumns };
+  explicit PeopleModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+  void set_people(std::vector<Account> people);
+  /// Only names and numbers that hold this text.
+  void narrow(const QString& text);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  const Account& account(int row) const { return shown_[static_cast<std::size_t>(row)]; }
+  int row_of(UserId id) const;
+
+ private:
+  std::vector<Account> all_, shown_;
+  QString search_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,224 @@
+#include "ui/admin/people_page.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "ui/admin/people_model.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+
+PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent)
+    : QWidget(parent), store_(store), actor_(actor), ports_(ports), model_(new PeopleModel(this)) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(px(24), px(16), px(24), px(24));
+  outer->setSpacing(px(12));
+  auto* head = new PageHead(tr("People"));
+  auto* search = new QLineEdit;
+  search->setPlaceholderText(tr("Find somebody"));
+  search->setAccessibleName(tr("Find somebody"));
+  search->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
+  search->setClearButtonEnabled(true);
+  search->setFixedWidth(px(200));
+  head->buttons()->addWidget(search);
+  QPushButton* add = make_button(tr("Add a person"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
+  head->buttons()->addWidget(add);
+  outer->addWidget(head);
+  band_ = new Band;
+  outer->addWidget(band_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(16));
+  auto* card = new Card;
+  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  table_ = new Table;
+  table_->setAccessibleName(tr("People"));
+  table_->setModel(model_);
+  table_->set_stretch_column(PeopleModel::kName);
+  card->body()->addWidget(table_);
+  row->addWidget(card, 1);
+  row->addWidget(make_form(), 0, Qt::AlignTop);
+  outer->addLayout(row, 1);
+
+  connect(search, &QLineEdit::textChanged, this, [this](const QString& text) {
+    model_->narrow(text);
+    table_->choose_row(0);
+  });
+  connect(add, &QPushButton::clicked, this, &PeoplePage::begin_new);
+  connect(table_, &Table::row_opened, this, [this] { name_->setFocus(); });
+  read();
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PeoplePage::show_chosen);
+  if (model_->rowCount() > 0) {
+    table_->choose_row(0);
+  } else {
+    begin_new();
+  }
+  setFocusProxy(table_);
+}
+
+QString PeoplePage::message() const { return band_->isVisibleTo(this) ? band_->text() : QString(); }
+
+QWidget* PeoplePage::make_form() {
+  form_ = new Card(tr("Add a person"));
+  form_->setFixedWidth(px(320));
+  name_ = new QLineEdit;
+  number_ = new QLineEdit;
+  role_ = new QComboBox;
+  for (const Role role : {Role::student, Role::instructor, Role::administrator}) role_->addItem(role_name(role));
+  secret_ = new QLineEdit;
+  secret_->setEchoMode(QLineEdit::Password);
+  form_->body()->addWidget(labelled(tr("Name"), name_));
+  form_->body()->addWidget(labelled(tr("Number or user name"), number_));
+  form_->body()->addWidget(labelled(tr("Role"), role_));
+  secret_box_ = labelled(tr("PIN, six digits"), secret_, &secret_label_);
+  form_->body()->addWidget(secret_box_);
+  secret_note_ = make_label({}, TextRole::caption, false, "text2");
+  secret_note_->setWordWrap(true);
+  form_->body()->addWidget(secret_note_);
+  form_->body()->addSpacing(px(8));
+  save_ = make_button(tr("Add"), ButtonKind::primary);
+  form_->body()->addWidget(save_);
+  switch_ = make_button(tr("Switch account off"), ButtonKind::erase);
+  form_->body()->addWidget(switch_);
+  connect(role_, &QComboBox::currentIndexChanged, this, &PeoplePage::fit_secret);
+  connect(save_, &QPushButton::clicked, this, &PeoplePage::save);
+  connect(secret_, &QLineEdit::returnPressed, this, &PeoplePage::save);
+  connect(switch_, &QPushButton::clicked, this, &PeoplePage::switch_account);
+  return form_;
+}
+
+void PeoplePage::fit_secret() {
+  const bool student = role_->currentIndex() == 0;
+  const QString label = student   ? (edited_ ? tr("New PIN, six digits") : tr("PIN, six digits"))
+                        : edited_ ? tr("New password, at least 8 characters")
+                                  : tr("Password, at least 8 characters");
+  secret_label_->setText(label);
+  secret_->setAccessibleName(label);
+  secret_note_->setText(edited_   ? tr("Leave it empty to keep the one there is.")
+                        : student ? tr("Without a PIN the number alone signs in.")
+                                  : tr("Staff change it themselves under their name at the top."));
+}
+
+void PeoplePage::begin_new() {
+  edited_.reset();
+  table_->clearSelection();
+  form_->set_title(tr("Add a person"));
+  for (QLineEdit* field : {name_, number_, secret_}) field->clear();
+  role_->setCurrentIndex(0);
+  save_->setText(tr("Add"));
+  save_->setAccessibleName(tr("Add"));
+  switch_->hide();
+  fit_secret();
+  name_->setFocus();
+}
+
+void PeoplePage::show_chosen() {
+  const int row = table_->chosen_row();
+  if (row < 0) return;
+  edited_ = model_->account(row);
+  form_->set_title(QString::fromStdString(edited_->name));
+  name_->setText(QString::fromStdString(edited_->name));
+  number_->setText(QString::fromStdString(edited_->number));
+  role_->setCurrentIndex(static_cast<int>(edited_->role));
+  secret_->clear();
+  save_->setText(tr("Save changes"));
+  save_->setAccessibleName(tr("Save changes"));
+  const QString act = edited_->disabled ? tr("Switch account on") : tr("Switch account off");
+  switch_->setText(act);
+  switch_->setAccessibleName(act);
+  switch_->setVisible(edited_->id != actor_.id);
+  fit_secret();
+}
+
+void PeoplePage::read() {
+  auto people = store_.people.list(actor_);
+  if (!people) {
+    const Told told = tell(people.error());
+    band_->show_message(Band::Kind::bad, told.what, told.more);
+    return;
+  }
+  const std::optional<UserId> kept = edited_ ? std::optional(edited_->id) : std::nullopt;
+  model_->set_people(std::move(*people));
+  if (kept) table_->choose_row(model_->row_of(*kept));
+}
+
+bool PeoplePage::tell_if_failed(const Stored<void>& done) {
+  if (done) return false;
+  const Told told = tell(done.error());
+  band_->show_message(Band::Kind::bad, told.what, told.more);
+  return true;
+}
+
+void PeoplePage::save() {
+  const std::string name = name_->text().trimmed().toStdString(), number = number_->text().trimmed().toStdString();
+  const auto role = static_cast<Role>(role_->currentIndex());
+  const std::string secret = secret_->text().toStdString();
+  if (name.empty() || number.empty()) {
+    band_->show_message(Band::Kind::bad, tr("Name and number are needed."), {});
+    (name.empty() ? name_ : number_)->setFocus();
+    return;
+  }
+  if (!edited_) {
+    NewAccount fresh{number, name, role, role == Role::student ? "" : secret, role == Role::student ? secret : ""};
+    const auto made = store_.people.create(actor_, fresh);
+    if (!made) {
+      const Told told = tell(made.error());
+      band_->show_message(Band::Kind::bad, told.what, told.more);
+      return;
+    }
+    read();
+    band_->show_message(Band::Kind::good, tr("%1 is added.").arg(QString::fromStdString(name)), {});
+    begin_new();
+    return;
+  }
+  const Account before = *edited_;
+  // A new role needs its own secret first: staff without a password could not sign in.
+  if (!secret.empty()) {
+    if (tell_if_failed(role == Role::student ? store_.people.set_pin(actor_, before.id, secret)
+                                             : store_.people.set_password(actor_, before.id, {}, secret))) {
+      return;
+    }
+  }
+  if (role != before.role && tell_if_failed(store_.people.set_role(actor_, before.id, role))) {
+    read();
+    return;
+  }
+  if ((name != before.name || number != before.number) &&
+      tell_if_failed(store_.people.rename(actor_, before.id, number, name))) {
+    read();
+    return;
+  }
+  secret_->clear();
+  read();
+  band_->show_message(Band::Kind::good, tr("%1 is saved.").arg(QString::fromStdString(name)), {});
+}
+
+void PeoplePage::switch_account() {
+  if (!edited_) return;
+  const Account account = *edited_;
+  const bool off = !account.disabled;
+  const QString name = QString::fromStdString(account.name);
+  const auto act = [this, account, off, name] {
+    if (tell_if_failed(store_.people.set_disabled(actor_, account.id, off))) return;
+    read();
+    band_->show_message(off ? Band::Kind::look : Band::Kind::good,
+                        off ? tr("%1 can no longer sign in.").arg(name) : tr("%1 can sign in again.").arg(name),
+                        off ? tr("All results are kept.") : QString());
+  };
+  if (!off) {
+    act();
+    return;
+  }
+  ports_.ask(this, {tr("Switch off the account of %1?").arg(name),
+                    tr("They can no longer sign in. All results are kept, and you can switch it on again."),
+                    tr("Switch account off"), true},
+             [act](bool yes) {
+               if (yes) act();
+             });
+}
+
+}  // namespace cusp

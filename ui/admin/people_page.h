@@ -1,0 +1,56 @@
+/// People: list, add, change, switch off, new password or PIN, role. The form stands beside the list; nothing is asked
+/// in a dialog but what cannot be undone.
+#pragma once
+
+#include <QWidget>
+
+#include "storage/store.h"
+#include "ui/app/ports.h"
+#include "ui/app/sentences.h"
+
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+
+namespace cusp {
+
+class Band;
+class Card;
+class PeopleModel;
+class Table;
+
+class PeoplePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent = nullptr);
+  PeopleModel* model() const { return model_; }
+  Table* table() const { return table_; }
+  QString message() const;
+
+ private:
+  QWidget* make_form();
+  void read();
+  void show_chosen();
+  void begin_new();
+  void fit_secret();
+  void save();
+  void switch_account();
+  bool tell_if_failed(const Stored<void>& done);
+
+  Store& store_;
+  Actor actor_;
+  const Ports& ports_;
+  PeopleModel* model_;
+  Table* table_ = nullptr;
+  Band* band_ = nullptr;
+  Card* form_ = nullptr;
+  QLineEdit *name_ = nullptr, *number_ = nullptr, *secret_ = nullptr;
+  QWidget* secret_box_ = nullptr;
+  class QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
+  QComboBox* role_ = nullptr;
+  QPushButton *save_ = nullptr, *switch_ = nullptr;
+  std::optional<Account> edited_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,70 @@
+/// Performance history of all: filters, four figures, two charts, the table of goes, CSV. Enter opens a go's report.
+#pragma once
+
+#include <QWidget>
+
+#include "storage/store.h"
+#include "ui/app/ports.h"
+
+class QBoxLayout;
+class QComboBox;
+class QDateEdit;
+class QLabel;
+class QLineEdit;
+class QSortFilterProxyModel;
+class QStackedWidget;
+class QTimer;
+
+namespace cusp {
+
+class Band;
+class Chart;
+class GoesModel;
+class Table;
+
+class Performance : public QWidget {
+  Q_OBJECT
+
+ public:
+  Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent = nullptr);
+
+  HistoryFilter filter() const;
+  const GoesModel& goes() const { return *model_; }
+  Table* table() const { return table_; }
+  QLineEdit* search() const { return search_; }
+  QComboBox* exercise() const { return exercise_; }
+  QComboBox* result() const { return result_; }
+  QComboBox* period() const { return period_; }
+
+ public Q_SLOTS:
+  void read();
+  void export_csv();
+
+ Q_SIGNALS:
+  void report_wanted(const cusp::SessionId& session);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QWidget* make_filters();
+  QWidget* make_figures();
+  void fill_filters();
+  void show_figures();
+
+  Store& store_;
+  Actor reader_;
+  const Ports& ports_;
+  GoesModel* model_;
+  QSortFilterProxyModel* sorted_;
+  Table* table_ = nullptr;
+  QStackedWidget* below_ = nullptr;
+  Band* band_ = nullptr;
+  QComboBox *exercise_ = nullptr, *result_ = nullptr, *device_ = nullptr, *period_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QLabel *figure_[4] = {}, *note_[4] = {};
+  Chart *spread_ = nullptr, *learning_ = nullptr;
+  QBoxLayout* charts_ = nullptr;
+};
+
+}  // namespace cusp
