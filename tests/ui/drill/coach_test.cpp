@@ -1,0 +1,77 @@
+#include "ui/drill/coach.h"
+
+#include <gtest/gtest.h>
+
+namespace cusp {
+namespace {
+
+/// A slot 1.6 mm wide along x, floor 2 mm below the face at z = 0.
+TargetShape slot() {
+  Target target;
+  target.shape = "channel";
+  target.paths = {{{-4, 0, -2}, {4, 0, -2}}};
+  target.width_mm = 1.6;
+  target.depth_mm = 2.0;
+  target.top_mm = 0.0;
+  return TargetShape(target);
+}
+
+LiveView drilling(Vec3 pivot, double radius) {
+  LiveView live;
+  live.removed_mm3[index_of(Tissue::plastic)] = 1.0;
+  live.output.contact = true;
+  live.output.proxy_mm = pivot;
+  live.burr_depth_mm = -(pivot.z - radius);
+  return live;
+}
+
+constexpr Leeway kLeeway{0.3, 0.3};
+constexpr double kRadius = 0.5;
+
+TEST(Coach, before_anything_is_cut_it_says_how_to_begin) {
+  EXPECT_EQ(coach({}, slot(), kLeeway, kRadius).what, Coach::begin);
+}
+
+TEST(Coach, above_the_floor_it_says_how_much_is_left) {
+  const CoachLine line = coach(drilling({0, 0, -0.9}, kRadius), slot(), kLeeway, kRadius);
+  EXPECT_EQ(line.what, Coach::deeper);
+  EXPECT_NEAR(line.mm, 0.6, 1e-9);  // floor at 2.0, tip at 0.9 + 0.5
+}
+
+TEST(Coach, at_the_floor_it_says_sideways_and_below_it_how_far_too_deep) {
+  EXPECT_EQ(coach(drilling({0, 0, -1.45}, kRadius), slot(), kLeeway, kRadius).what, Coach::sideways);
+  const CoachLine line = coach(drilling({0, 0, -1.75}, kRadius), slot(), kLeeway, kRadius);
+  EXPECT_EQ(line.what, Coach::too_deep);
+  EXPECT_NEAR(line.mm, 0.25, 1e-9);
+}
+
+TEST(Coach, beyond_the_leeway_at_the_side_comes_before_depth) {
+  // Pivot 0.7 mm off the middle, wall at 0.8: the burr's side is 0.4 mm beyond it.
+  const CoachLine line = coach(drilling({0, 0.7, -0.9}, kRadius), slot(), kLeeway, kRadius);
+  EXPECT_EQ(line.what, Coach::outside);
+  EXPECT_NEAR(line.mm, 0.4, 1e-9);
+}
+
+TEST(Coach, an_open_pulp_comes_before_all_else_and_thin_dentine_before_depth) {
+  LiveView live = drilling({0, 0.7, -1.9}, kRadius);
+  live.over_pulp_mm = 0.3;
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius), (CoachLine{Coach::over_pulp, 0.3}));
+  live.pulp_exposed = true;
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::pulp_open);
+}
+
+TEST(Coach, with_nearly_all_out_it_says_finish_and_lifted_off_it_is_quiet) {
+  LiveView live = drilling({0, 0, -1.4}, kRadius);
+  live.target_removed_percent = 98;
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::finish);
+  live.target_removed_percent = 50;
+  live.output.contact = false;
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::carry_on);
+}
+
+TEST(Coach, without_a_target_it_has_nothing_to_say) {
+  EXPECT_EQ(coach(drilling({0, 0, -1}, kRadius), TargetShape(Target{}), kLeeway, kRadius).what, Coach::carry_on);
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,144 @@
+// A whole go on the platform "offscreen": real loop, mirror and scores, by keys alone, nothing drawn.
+#include "ui/drill/drill_screen.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "scenarios/library/library.h"
+#include "ui/drill/burr_tray.h"
+#include "ui/drill/tooth_view.h"
+#include "ui/widgets/gauge.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kPatienceMs = 60'000;  // waits for progress; a slow machine may take its time
+
+class Screen : public testing::Test {
+ protected:
+  Screen() {
+    ports.ask = [this](QWidget*, const Question& question, std::function<void(bool)> then) {
+      asked << question.act;
+      then(answer);
+    };
+    screen = std::make_unique<DrillScreen>(nullptr, ports);
+    screen->resize(1280, 800);
+    screen->show();
+  }
+  void begin(const char* key) {
+    RunPlan plan;
+    plan.scenario = load_builtin(key).value();
+    plan.kind = SessionKind::try_it;
+    screen->begin(std::move(plan), {QStringLiteral("Channel"), QStringLiteral("Practice")});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kPatienceMs));
+  }
+  double removed() const {
+    for (const Bar* bar : screen->findChildren<Bar*>()) {
+      if (bar->accessibleName() == QStringLiteral("Plastic")) return bar->share();
+    }
+    return -1;
+  }
+  QString coach() const {
+    for (const QLabel* label : screen->findChildren<QLabel*>()) {
+      if (label->accessibleName() == QStringLiteral("Coach")) return label->text();
+    }
+    return {};
+  }
+
+  Ports ports = Ports::of_the_system();
+  QStringList asked;
+  bool answer = true;
+  std::unique_ptr<DrillScreen> screen;
+};
+
+TEST_F(Screen, space_alone_drills_the_block_and_finishing_brings_the_grade) {
+  begin("channel-1");
+  QSignalSpy finished(screen.get(), &DrillScreen::finished);
+  QSignalSpy failed(screen.get(), &DrillScreen::failed);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return coach().contains(QStringLiteral("left button")); }, kPatienceMs));
+  QTest::keyPress(screen.get(), Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return removed() > 0.05; }, kPatienceMs));
+  EXPECT_FALSE(coach().contains(QStringLiteral("left button")));  // the hint goes with the first cut
+  QTest::keyRelease(screen.get(), Qt::Key_Space);
+  screen->ask_finish();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatienceMs));
+  ASSERT_EQ(failed.count(), 0);
+  const auto result = finished[0][0].value<std::shared_ptr<const RunResult>>();
+  ASSERT_TRUE(result);
+  EXPECT_GT(result->seconds, 0);
+  EXPECT_FALSE(result->volume->cut_bricks().empty());
+  EXPECT_EQ(asked, QStringList{QStringLiteral("Finish")});
+  EXPECT_FALSE(screen->running());
+}
+
+TEST_F(Screen, answering_no_goes_on_with_the_go) {
+  begin("channel-1");
+  answer = false;
+  QSignalSpy finished(screen.get(), &DrillScreen::finished);
+  screen->ask_finish();
+  EXPECT_TRUE(screen->running());
+  QTest::keyPress(screen.get(), Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return removed() > 0.01; }, kPatienceMs));
+  EXPECT_EQ(finished.count(), 0);
+}
+
+TEST_F(Screen, pause_says_so_and_the_same_key_goes_on) {
+  begin("channel-1");
+  const auto button = [this](const QString& text) {
+    for (QPushButton* b : screen->findChildren<QPushButton*>()) {
+      if (b->text() == text && b->isVisible()) return true;
+    }
+    return false;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Pause")); }, kPatienceMs));
+  screen->toggle_pause();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Go on")); }, kPatienceMs));
+  screen->toggle_pause();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Pause")); }, kPatienceMs));
+}
+
+TEST_F(Screen, leaving_before_anything_is_cut_asks_nothing) {
+  begin("channel-1");
+  QSignalSpy left(screen.get(), &DrillScreen::left);
+  screen->ask_leave();
+  EXPECT_EQ(left.count(), 1);
+  EXPECT_TRUE(asked.isEmpty());
+  EXPECT_FALSE(screen->running());
+}
+
+TEST_F(Screen, a_scenario_whose_volume_is_missing_fails_with_its_reason) {
+  RunPlan plan;
+  plan.scenario = load_builtin("channel-1").value();
+  plan.scenario.specimen = {};
+  plan.scenario.specimen.volume = "nowhere.nrrd";
+  plan.kind = SessionKind::try_it;
+  QSignalSpy failed(screen.get(), &DrillScreen::failed);
+  screen->begin(std::move(plan), {});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatienceMs));
+  EXPECT_EQ(failed[0][0].value<RunFailure>().code, RunError::specimen);
+  EXPECT_FALSE(screen->running());
+}
+
+TEST_F(Screen, brackets_go_through_the_burrs_and_stop_at_the_ends) {
+  begin("channel-1");
+  auto* tray = screen->findChild<BurrTray*>();
+  ASSERT_NE(tray, nullptr);
+  EXPECT_EQ(tray->chosen(), 0);
+  tray->step(+1);
+  EXPECT_EQ(tray->chosen(), 1);
+  tray->step(+1);
+  EXPECT_EQ(tray->chosen(), 1);
+}
+
+TEST_F(Screen, it_can_be_closed_in_the_middle_of_a_go) {
+  begin("channel-1");
+  QTest::keyPress(screen.get(), Qt::Key_Space);
+  screen.reset();
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,125 @@
+// Mouse and keys to wishes of the hand, on a view without a picture (platform "offscreen").
+#include "ui/drill/pointer_input.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "tests/ui/render/ball.h"
+
+namespace cusp {
+namespace {
+
+class Input : public testing::Test {
+ protected:
+  Input() {
+    view.resize(800, 600);
+    view.show_volume(Volume(Specimen::build(test::ball(2.0), Reading::banded)));
+    Camera camera = Camera::about({0, 0, 0}, 3.0);
+    camera.set_angles(0.0, 0.9);
+    view.set_camera(camera);
+    input = std::make_unique<PointerInput>(view, hand, Vec3(0, 0, 1), 0.8, nullptr);
+  }
+  QPointF px(Vec3 mm) { return view.project(mm).value(); }
+
+  ToothView view;
+  PointerHand hand{Vec3(0, 0, 4)};
+  std::unique_ptr<PointerInput> input;
+};
+
+TEST_F(Input, a_view_without_opengl_is_a_placeholder_that_still_picks) {
+  EXPECT_FALSE(view.has_picture());
+  EXPECT_TRUE(view.pick(px({0, 0, 2})));
+  EXPECT_FALSE(view.pick({1, 1}));
+  EXPECT_TRUE(view.grab_picture().isNull());
+}
+
+TEST_F(Input, the_burr_goes_where_the_mouse_points_and_neither_pushes_nor_cuts) {
+  const Vec3 place = glm::normalize(Vec3(0.3, 0.4, 1.0)) * 2.0;
+  Q_EMIT view.moved(px(place), Qt::NoButton, Qt::NoModifier);
+  EXPECT_LT(glm::length(hand.wish().target_mm - place), 0.01);
+  EXPECT_EQ(hand.wish().push_n, 0);
+  EXPECT_FALSE(hand.wish().cut);
+}
+
+TEST_F(Input, beside_the_tooth_the_burr_stays_where_it_was) {
+  Q_EMIT view.moved(px({0, 0, 2}), Qt::NoButton, Qt::NoModifier);
+  const Vec3 before = hand.wish().target_mm;
+  Q_EMIT view.moved({2, 2}, Qt::NoButton, Qt::NoModifier);
+  EXPECT_EQ(hand.wish().target_mm, before);
+}
+
+TEST_F(Input, the_left_button_drills_with_the_push_that_the_wheel_set_and_letting_go_lifts) {
+  Q_EMIT view.wheel_turned(240);
+  EXPECT_NEAR(input->push_n(), 1.0, 1e-9);
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  EXPECT_TRUE(hand.wish().cut);
+  EXPECT_NEAR(hand.wish().push_n, 1.0, 1e-9);
+  Q_EMIT view.released(px({0, 0, 2}));
+  EXPECT_FALSE(hand.wish().cut);
+  EXPECT_EQ(hand.wish().push_n, 0);
+}
+
+TEST_F(Input, a_mouse_held_still_while_drilling_does_not_move_the_burr_sideways_as_the_hole_deepens) {
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  const Vec3 pressed = hand.wish().target_mm;
+  // The mesh under the mouse sinks; the pick would now be elsewhere.
+  Volume cut(Specimen::build(test::ball(2.0), Reading::banded));
+  for (int i = 0; i < 10; ++i) test::carve(cut, {0, 0, 2.2 - 0.1 * i}, 0.5);
+  const QPointF at = px({0, 0, 2});
+  view.show_volume(cut);
+  ASSERT_GT(glm::length(view.pick(at)->at_mm - pressed), 0.2);
+  Q_EMIT view.moved(at, Qt::LeftButton, Qt::NoModifier);
+  EXPECT_LT(glm::length(hand.wish().target_mm - pressed), 1e-6);
+}
+
+TEST_F(Input, page_down_rests_on_the_tooth_and_page_up_lifts_off) {
+  EXPECT_TRUE(input->press_key(Qt::Key_PageDown, false));
+  EXPECT_NEAR(hand.wish().push_n, 0.8, 1e-9);
+  EXPECT_FALSE(hand.wish().cut);
+  input->press_key(Qt::Key_PageDown, false);
+  EXPECT_NEAR(hand.wish().push_n, 0.9, 1e-9);
+  for (int i = 0; i < 20; ++i) input->press_key(Qt::Key_PageUp, true);
+  EXPECT_EQ(hand.wish().push_n, 0);
+}
+
+TEST_F(Input, space_drills_while_it_is_held) {
+  EXPECT_TRUE(input->press_key(Qt::Key_Space, false));
+  EXPECT_TRUE(hand.wish().cut);
+  EXPECT_NEAR(hand.wish().push_n, 0.8, 1e-9);
+  input->release_key(Qt::Key_Space);
+  EXPECT_FALSE(hand.wish().cut);
+  EXPECT_EQ(hand.wish().push_n, 0);
+}
+
+TEST_F(Input, arrows_slide_the_way_that_they_point_on_the_screen) {
+  const QPointF before = px(hand.wish().target_mm);
+  input->press_key(Qt::Key_Right, false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return px(hand.wish().target_mm).x() > before.x() + 5; }, 30'000));
+  input->release_key(Qt::Key_Right);
+  const QPointF there = px(hand.wish().target_mm);
+  EXPECT_NEAR(there.y(), before.y(), 2.0);
+  input->press_key(Qt::Key_Up, false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return px(hand.wish().target_mm).y() < there.y() - 5; }, 30'000));
+  input->release_key(Qt::Key_Up);
+}
+
+TEST_F(Input, the_push_stays_between_its_least_and_what_the_hand_allows) {
+  for (int i = 0; i < 100; ++i) Q_EMIT view.wheel_turned(120);
+  EXPECT_NEAR(input->push_n(), PointerHand::kMaxPushN, 1e-9);
+  for (int i = 0; i < 100; ++i) Q_EMIT view.wheel_turned(-120);
+  EXPECT_NEAR(input->push_n(), PointerInput::kLeastPushN, 1e-9);
+}
+
+TEST_F(Input, while_it_is_switched_off_nothing_is_wished_for) {
+  input->press_key(Qt::Key_Space, false);
+  input->set_enabled(false);
+  EXPECT_FALSE(hand.wish().cut);
+  EXPECT_EQ(hand.wish().push_n, 0);
+  EXPECT_FALSE(input->press_key(Qt::Key_Space, false));
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  EXPECT_FALSE(hand.wish().cut);
+}
+
+}  // namespace
+}  // namespace cusp
