@@ -1,0 +1,99 @@
+#include "ui/editor/check_sentences.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "scenarios/format/keys.h"
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+
+namespace cusp {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(cusp::Checks)
+};
+
+QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
+
+QString tissue_of(const Finding& f) {
+  const auto tissue = scenario_tissue_from_key(f.detail);
+  return tissue ? tissue_name(*tissue) : QString::fromStdString(f.detail);
+}
+
+QString language_of(const Finding& f) {
+  const QLocale locale(QString::fromStdString(f.detail));
+  return locale.nativeLanguageName().isEmpty() ? QString::fromStdString(f.detail) : locale.nativeLanguageName();
+}
+
+}  // namespace
+
+QString check_sentence(const Finding& f) {
+  const auto arg = [&](const char* key) {
+    const auto it = f.args.find(key);
+    return it == f.args.end() ? 0.0 : it->second;
+  };
+  const double value = arg("value"), limit = arg("limit");
+  const QString name = QString::fromStdString(f.detail);
+  const QString& c = QString::fromStdString(f.code);
+  if (c == u"no_instrument") return Words::tr("There is no burr to work with. Add one.");
+  if (c == u"no_target" || c == u"empty_target") return Words::tr("There is no target to cut.");
+  if (c == u"path_count" || c == u"point_count") return Words::tr("The target’s points do not fit its shape.");
+  if (c == u"no_criteria") return Words::tr("Nothing is graded yet. Add a criterion.");
+  if (c == u"weight_zero") return Words::tr("%1 has no points. Give it some, or remove it.").arg(metric_name(f.detail));
+  if (c == u"bands_not_ordered") {
+    return Words::tr("The bands of %1 are not in rising order.").arg(metric_name(f.detail));
+  }
+  if (c == u"pass_unreachable") {
+    return Words::tr("The pass mark %1 is out of reach: at most %2 points can be had.")
+        .arg(format_points(value), format_points(limit));
+  }
+  if (c == u"protected_missing") return Words::tr("%1 is protected, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"tissue_missing") return Words::tr("The tooth holds %1, which this exercise does not describe.").arg(tissue_of(f));
+  if (c == u"tissue_unused") return Words::tr("%1 is described, but this tooth has none.").arg(tissue_of(f));
+  if (c == u"target_outside") {
+    return Words::tr("The target reaches out of the tooth: to %1, where the tooth ends at %2.").arg(mm(value), mm(limit));
+  }
+  if (c == u"voxel_mismatch") {
+    return Words::tr("The file’s fineness is %2, not %1 as stated.").arg(mm(value), mm(limit));
+  }
+  if (c == u"feature_thin") {
+    return Words::tr("%1 is too thin to be judged at this fineness; from %2 it can.").arg(mm(value), mm(limit));
+  }
+  if (c == u"burr_small") {
+    return Words::tr("Burr %1 is too small for this fineness: its radius is %2, from %3 it cuts truly.")
+        .arg(name, mm(value), mm(limit));
+  }
+  if (c == u"neck_wider_than_ball") return Words::tr("The neck of burr %1 is wider than its ball.").arg(name);
+  if (c == u"burr_wider_than_target") {
+    return Words::tr("No burr fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
+  }
+  if (c == u"corner_below_burr") {
+    return Words::tr("The corner radius %1 is sharper than the smallest burr leaves it (%2).").arg(mm(value), mm(limit));
+  }
+  if (c == u"leeway_below_voxel") {
+    return Words::tr("The leeway of %1 is finer than the tooth is known (%2).").arg(mm(value), mm(limit));
+  }
+  if (c == u"point_off_floor") return Words::tr("A point of the target does not lie on its floor.");
+  if (c == u"target_scores_less") {
+    return Words::tr("A go that meets the target exactly loses %1 points for %2.")
+        .arg(format_points(arg("lost")), metric_name(f.detail));
+  }
+  if (c == u"language_missing") {
+    return f.path == "/title" ? Words::tr("The title is missing in %1.").arg(language_of(f))
+                              : Words::tr("The briefing is missing in %1.").arg(language_of(f));
+  }
+  if (c == u"nothing_can_be_cut") return Words::tr("Nothing of this tooth can be cut.");
+  return Words::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));
+}
+
+EditorPlace place_of(const Finding& f) {
+  const std::string& p = f.path;
+  if (p.starts_with("/title") || p.starts_with("/briefing")) return EditorPlace::title;
+  if (p.starts_with("/instruments")) return EditorPlace::burrs;
+  if (p.starts_with("/rubric")) return EditorPlace::points;
+  if (p.starts_with("/specimen") || p.starts_with("/tissues") || p.starts_with("/protected")) return EditorPlace::tooth;
+  return EditorPlace::shape;
+}
+
+}  // namespace cusp

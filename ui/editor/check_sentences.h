@@ -1,0 +1,16 @@
+/// What stands against an exercise, in a teacher's words: one sentence, and where in the editor it is mended.
+#pragma once
+
+#include <QString>
+
+#include "scenarios/format/validate.h"
+
+namespace cusp {
+
+enum class EditorPlace { title, tooth, shape, points, burrs };
+
+/// "The target reaches out of the tooth: its edge lies at 12.3 mm, the tooth ends at 11.0 mm."
+QString check_sentence(const Finding& finding);
+EditorPlace place_of(const Finding& finding);
+
+}  // namespace cusp

@@ -1,0 +1,355 @@
+#include "ui/editor/editor_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/format/keys.h"
+#include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
+#include "ui/editor/commands.h"
+
+namespace cusp {
+namespace {
+
+constexpr double kNewSegmentMm = 1.0;  // a branch as long as a fissure's arm, where no step tells a length
+constexpr double kLeastNewWidthMm = 0.5, kLeastNewLengthMm = 2.0;  // of a shape made from another
+
+/// A tenth of a micrometre: sums of steps stay numbers that people can read.
+double tidy(double mm) { return std::round(mm * 1e4) / 1e4; }
+Vec3 tidy(Vec3 v) { return {tidy(v.x), tidy(v.y), tidy(v.z)}; }
+
+bool has(const std::vector<Tissue>& list, Tissue tissue) { return std::ranges::find(list, tissue) != list.end(); }
+
+/// The rectangle of all points.
+void bounds(const Target& target, Vec3& low, Vec3& high) {
+  low = high = target.paths.front().front();
+  for (const auto& path : target.paths) {
+    for (const Vec3& p : path) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+}
+
+/// What was meant stays what is meant: a field that its shape does not use stands at its default.
+void clean(SpecimenSource& source) {
+  if (!source.generator.empty()) source.volume.clear();
+  if (source.generator != "tooth") {
+    source.fdi = 0;
+    source.seed = 0;
+  }
+}
+
+bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// The writer takes finite numbers only.
+bool finite(const Scenario& s) {
+  const Target& t = s.target;
+  bool all = std::isfinite(t.width_mm) && std::isfinite(t.depth_mm) && std::isfinite(t.top_mm) &&
+             std::isfinite(t.corner_radius_mm) && finite(t.box_size_mm) && std::isfinite(s.leeway.floor_mm) &&
+             std::isfinite(s.leeway.side_mm) && std::isfinite(s.time_limit_s) && std::isfinite(s.rubric.pass) &&
+             std::isfinite(s.specimen.voxel_mm);
+  for (const auto& path : t.paths) {
+    for (const Vec3& p : path) all = all && finite(p);
+  }
+  for (const Criterion& c : s.rubric.criteria) {
+    const Bands& b = c.bands;
+    for (const double v : {c.weight, b.fail_lo, b.acc_lo, b.ideal_lo, b.ideal_hi, b.acc_hi, b.fail_hi}) {
+      all = all && std::isfinite(v);
+    }
+  }
+  for (const Burr& b : s.instruments) {
+    for (const double v : {b.radius_mm, b.neck_radius_mm, b.neck_length_mm, b.shank_radius_mm, b.shank_length_mm}) {
+      all = all && std::isfinite(v);
+    }
+  }
+  for (const ScenarioTissue& v : s.tissues) {
+    all = all && std::isfinite(v.stiffness_n_per_mm) && std::isfinite(v.speed_mm_s);
+  }
+  return all;
+}
+
+}  // namespace
+
+void settle_on_floor(Target& target) {
+  const double floor = tidy(target.top_mm - target.depth_mm);
+  for (auto& path : target.paths) {
+    for (Vec3& p : path) p = tidy(Vec3(p.x, p.y, floor));
+  }
+}
+
+EditorModel::EditorModel(EditorStart start, QObject* parent)
+    : QObject(parent),
+      scenario_(std::move(start.draft)),
+      published_(std::move(start.published)),
+      folder_(std::move(start.folder)),
+      grown_from_(scenario_.specimen) {
+  findings_ = validate(scenario_);
+}
+
+bool EditorModel::edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change) {
+  Scenario after = scenario_;
+  change(after);
+  if (after == scenario_) return true;
+  if (!finite(after)) return false;
+  // The format's own reader says what an exercise may hold; a draft that would not open again is never made.
+  const auto back = read_scenario(canonical_json(after));
+  if (!back || !(*back == after)) return false;
+  stack_.push(new ScenarioEdit(scenario_, std::move(after), text, field, gesture_, [this] { after_change(); }));
+  return true;
+}
+
+void EditorModel::after_change() {
+  if (!(scenario_.specimen == grown_from_)) {
+    grown_from_ = scenario_.specimen;
+    facts_.reset();
+    Q_EMIT specimen_changed();
+  }
+  findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
+  Q_EMIT changed();
+}
+
+void EditorModel::set_facts(std::optional<SpecimenFacts> facts) {
+  facts_ = std::move(facts);
+  findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
+  Q_EMIT changed();
+}
+
+bool EditorModel::unchanged() const {
+  if (!published_) return false;
+  Scenario same = *published_;
+  same.version = scenario_.version;
+  return same == scenario_;
+}
+
+EditorModel::Standing EditorModel::standing() const {
+  if (has_error(findings_)) return Standing::failing;
+  if (unchanged()) return Standing::unchanged;
+  return facts_ ? Standing::ready : Standing::unproved;
+}
+
+void EditorModel::now_published(const Scenario& version) {
+  published_ = version;
+  stack_.clear();
+  scenario_.version = version.version + 1;
+  after_change();
+}
+
+bool EditorModel::set_title(const std::string& language, const QString& text) {
+  return edit(tr("Title"), u"title/"_qs + QString::fromStdString(language), [&](Scenario& s) {
+    if (text.isEmpty()) {
+      s.title.erase(language);
+    } else {
+      s.title[language] = text.toStdString();
+    }
+  });
+}
+
+bool EditorModel::set_briefing(const std::string& language, const QString& text) {
+  return edit(tr("Briefing"), u"briefing/"_qs + QString::fromStdString(language), [&](Scenario& s) {
+    if (text.isEmpty()) {
+      s.briefing.erase(language);
+    } else {
+      s.briefing[language] = text.toStdString();
+    }
+  });
+}
+
+bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues) {
+  end_gesture();
+  return edit(tr("Tooth"), u"specimen"_qs, [&](Scenario& s) {
+    s.specimen = source;
+    clean(s.specimen);
+    s.tissues = tissues;
+    const auto there = [&](Tissue t) {
+      return std::ranges::any_of(tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
+    };
+    std::erase_if(s.protected_tissues, [&](Tissue t) { return !there(t); });
+    if (there(Tissue::pulp) && !has(s.protected_tissues, Tissue::pulp)) s.protected_tissues.push_back(Tissue::pulp);
+    if (!there(Tissue::pulp)) std::erase(s.rubric.critical, "pulp_exposure");
+  });
+}
+
+bool EditorModel::set_target(const Target& target, const QString& field) {
+  return edit(tr("Target"), field, [&](Scenario& s) { s.target = target; });
+}
+
+bool EditorModel::set_shape(const std::string& shape) {
+  end_gesture();
+  return edit(tr("Shape"), u"shape"_qs, [&](Scenario& s) {
+    Target& t = s.target;
+    if (t.shape == shape || t.paths.empty() || t.paths.front().empty()) return;
+    Vec3 low, high;
+    bounds(t, low, high);
+    const Vec3 middle = tidy((low + high) / 2.0);
+    if (shape == "box") {
+      const double w = std::max(t.width_mm, kLeastNewWidthMm);
+      t.box_size_mm = tidy(Vec3(high.x - low.x + w, high.y - low.y + w, 0));
+      t.paths = {{middle}};
+    } else {
+      if (t.shape == "box") {
+        const double wide = t.box_size_mm.x, high_y = t.box_size_mm.y;
+        t.width_mm = tidy(std::max(std::min(wide, high_y), kLeastNewWidthMm));
+        const double half = std::max(std::max(wide, high_y) - t.width_mm, kLeastNewLengthMm) / 2;
+        const Vec3 along = wide >= high_y ? Vec3(half, 0, 0) : Vec3(0, half, 0);
+        t.paths = {{tidy(middle - along), tidy(middle + along)}};
+      } else if (shape == "channel") {
+        t.paths = {{t.paths.front().front(), t.paths.front().back()}};
+      }
+      t.box_size_mm = Vec3(0.0);
+    }
+    t.shape = shape;
+    settle_on_floor(t);
+  });
+}
+
+bool EditorModel::set_depth_mm(double mm) {
+  return edit(tr("Depth"), u"depth"_qs, [&](Scenario& s) {
+    const double by = mm - s.target.depth_mm;
+    s.target.depth_mm = mm;
+    settle_on_floor(s.target);
+    if (!std::isfinite(by)) return;
+    for (Criterion& c : s.rubric.criteria) {
+      if (!c.metric.starts_with("depth_")) continue;
+      Bands& b = c.bands;
+      // A side whose three edges coincide is open: nothing lies beyond it, so there is nothing to move.
+      if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {
+        for (double* edge : {&b.fail_lo, &b.acc_lo, &b.ideal_lo}) *edge = tidy(*edge + by);
+      }
+      if (b.fail_hi != b.ideal_hi || b.acc_hi != b.ideal_hi) {
+        for (double* edge : {&b.ideal_hi, &b.acc_hi, &b.fail_hi}) *edge = tidy(*edge + by);
+      }
+    }
+  });
+}
+
+bool EditorModel::set_width_mm(double mm) {
+  return edit(tr("Width"), u"width"_qs, [&](Scenario& s) { s.target.width_mm = mm; });
+}
+
+bool EditorModel::set_top_mm(double mm) {
+  return edit(tr("Height"), u"top"_qs, [&](Scenario& s) {
+    s.target.top_mm = mm;
+    settle_on_floor(s.target);
+  });
+}
+
+bool EditorModel::set_corner_radius_mm(double mm) {
+  return edit(tr("Corner radius"), u"corner"_qs, [&](Scenario& s) { s.target.corner_radius_mm = mm; });
+}
+
+bool EditorModel::set_box_size_mm(double x, double y) {
+  if (!(x > 0) || !(y > 0)) return false;
+  return edit(tr("Size"), u"size"_qs, [&](Scenario& s) { s.target.box_size_mm = {x, y, 0}; });
+}
+
+bool EditorModel::set_point_mm(std::size_t path, std::size_t point, double x, double y) {
+  if (path >= scenario_.target.paths.size() || point >= scenario_.target.paths[path].size()) return false;
+  return edit(tr("Point"), u"point/%1/%2"_qs.arg(path).arg(point), [&](Scenario& s) {
+    Vec3& p = s.target.paths[path][point];
+    p = Vec3(x, y, p.z);
+  });
+}
+
+bool EditorModel::add_point(std::size_t path) {
+  if (path >= scenario_.target.paths.size() || scenario_.target.shape != "outline") return false;
+  end_gesture();
+  return edit(tr("Add a point"), u"points"_qs, [&](Scenario& s) {
+    auto& points = s.target.paths[path];
+    const Vec3 last = points.back();
+    const Vec3 step = points.size() > 1 ? last - points[points.size() - 2] : Vec3(kNewSegmentMm, 0, 0);
+    points.push_back(tidy(last + step));
+  });
+}
+
+bool EditorModel::remove_point(std::size_t path, std::size_t point) {
+  const auto& paths = scenario_.target.paths;
+  if (path >= paths.size() || point >= paths[path].size() || scenario_.target.shape != "outline") return false;
+  if (paths.size() == 1 && paths[0].size() <= 2) return false;  // a target stays
+  end_gesture();
+  return edit(tr("Remove a point"), u"points"_qs, [&](Scenario& s) {
+    auto& points = s.target.paths[path];
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(point));
+    if (points.size() < 2) s.target.paths.erase(s.target.paths.begin() + static_cast<std::ptrdiff_t>(path));
+  });
+}
+
+bool EditorModel::add_path() {
+  const Target& t = scenario_.target;
+  if (t.shape != "outline" || t.paths.empty() || t.paths.front().empty()) return false;
+  end_gesture();
+  return edit(tr("Add a branch"), u"points"_qs, [&](Scenario& s) {
+    const auto& first = s.target.paths.front();
+    const Vec3 root = first[first.size() / 2];
+    s.target.paths.push_back({root, tidy(root + Vec3(0, kNewSegmentMm, 0))});
+  });
+}
+
+bool EditorModel::set_leeway(const Leeway& leeway) {
+  return edit(tr("Leeway"), u"leeway"_qs, [&](Scenario& s) { s.leeway = leeway; });
+}
+
+bool EditorModel::add_criterion(const std::string& metric, const Bands& bands) {
+  end_gesture();
+  return edit(tr("Add a criterion"), u"criteria"_qs,
+              [&](Scenario& s) { s.rubric.criteria.push_back({metric, 10, bands}); });
+}
+
+bool EditorModel::remove_criterion(std::size_t index) {
+  if (index >= scenario_.rubric.criteria.size()) return false;
+  end_gesture();
+  return edit(tr("Remove a criterion"), u"criteria"_qs, [&](Scenario& s) {
+    s.rubric.criteria.erase(s.rubric.criteria.begin() + static_cast<std::ptrdiff_t>(index));
+  });
+}
+
+bool EditorModel::set_weight(std::size_t index, double weight) {
+  if (index >= scenario_.rubric.criteria.size()) return false;
+  return edit(tr("Points"), u"weight/%1"_qs.arg(index),
+              [&](Scenario& s) { s.rubric.criteria[index].weight = weight; });
+}
+
+bool EditorModel::set_bands(std::size_t index, const Bands& bands) {
+  if (index >= scenario_.rubric.criteria.size()) return false;
+  return edit(tr("Bands"), u"bands/%1"_qs.arg(index), [&](Scenario& s) { s.rubric.criteria[index].bands = bands; });
+}
+
+bool EditorModel::set_pass(double points) {
+  return edit(tr("Pass mark"), u"pass"_qs, [&](Scenario& s) { s.rubric.pass = points; });
+}
+
+bool EditorModel::set_critical(const std::string& event, bool on) {
+  end_gesture();
+  return edit(tr("What fails the go"), u"critical"_qs, [&](Scenario& s) {
+    std::erase(s.rubric.critical, event);
+    if (!on) return;
+    s.rubric.critical.push_back(event);
+    if (event == "pulp_exposure" && !has(s.protected_tissues, Tissue::pulp)) {
+      s.protected_tissues.push_back(Tissue::pulp);
+    }
+  });
+}
+
+bool EditorModel::add_burr(const Burr& burr) {
+  end_gesture();
+  return edit(tr("Add a burr"), u"burrs"_qs, [&](Scenario& s) { s.instruments.push_back(burr); });
+}
+
+bool EditorModel::remove_burr(std::size_t index) {
+  if (index >= scenario_.instruments.size()) return false;
+  end_gesture();
+  return edit(tr("Remove a burr"), u"burrs"_qs, [&](Scenario& s) {
+    s.instruments.erase(s.instruments.begin() + static_cast<std::ptrdiff_t>(index));
+  });
+}
+
+bool EditorModel::set_burr_radius_mm(std::size_t index, double mm) {
+  if (index >= scenario_.instruments.size()) return false;
+  return edit(tr("Burr"), u"burr/%1"_qs.arg(index), [&](Scenario& s) { s.instruments[index].radius_mm = mm; });
+}
+
+bool EditorModel::set_time_limit_s(double seconds) {
+  return edit(tr("Time limit"), u"time"_qs, [&](Scenario& s) { s.time_limit_s = seconds; });
+}
+
+}  // namespace cusp

@@ -1,0 +1,110 @@
+/// The exercise that an instructor is working on: its values, every edit of them, undo, and what stands against
+/// publishing it. No widget, no file, no database. Frame: specimen, z up. Millimetres. GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/format/validate.h"
+
+namespace cusp {
+
+/// What the editor began from. Versions are immutable: what is published from here is the next one.
+struct EditorStart {
+  Scenario draft;                     // its version is the one that would be published
+  std::optional<Scenario> published;  // the newest version; nullopt for an exercise that was never published
+  std::string folder;                 // where a volume named by the draft lies; empty for generators
+};
+
+class EditorModel : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit EditorModel(EditorStart start, QObject* parent = nullptr);
+
+  const Scenario& scenario() const { return scenario_; }
+  const std::string& folder() const { return folder_; }
+  void set_folder(std::string folder) { folder_ = std::move(folder); }
+  QUndoStack& stack() { return stack_; }
+
+  /// All edits: true when the value was taken (also when it was there already), false when an exercise may not hold it
+  /// (not a number, out of its range, a name twice): then nothing changes. One edit is one step of undo; edits of one
+  /// field merge until end_gesture().
+  bool set_title(const std::string& language, const QString& text);     // empty: takes the language away
+  bool set_briefing(const std::string& language, const QString& text);
+  /// Other tissues come with another specimen; the pulp stays protected where there is one.
+  bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
+  bool set_target(const Target& target, const QString& field);          // handles: everything of the target at once
+  bool set_shape(const std::string& shape);                             // keeps place, size and depth
+  /// Bands of depth criteria move with the depth, so that meeting the target still earns the points.
+  bool set_depth_mm(double mm);
+  bool set_width_mm(double mm);
+  bool set_top_mm(double mm);
+  bool set_corner_radius_mm(double mm);
+  bool set_box_size_mm(double x, double y);
+  bool set_point_mm(std::size_t path, std::size_t point, double x, double y);  // of the floor's middle line
+  bool add_point(std::size_t path);        // beyond the last one, as far again as the last step
+  bool remove_point(std::size_t path, std::size_t point);  // a path below two points goes as a whole
+  bool add_path();                         // outline: a branch from the middle of the first path
+  bool set_leeway(const Leeway& leeway);
+  bool add_criterion(const std::string& metric, const Bands& bands);
+  bool remove_criterion(std::size_t index);
+  bool set_weight(std::size_t index, double weight);
+  bool set_bands(std::size_t index, const Bands& bands);
+  bool set_pass(double points);
+  bool set_critical(const std::string& event, bool on);
+  bool add_burr(const Burr& burr);
+  bool remove_burr(std::size_t index);
+  bool set_burr_radius_mm(std::size_t index, double mm);
+  bool set_time_limit_s(double seconds);
+  /// The value of a spin box or a handle has come to rest: the next edit is a step of its own.
+  void end_gesture() { ++gesture_; }
+
+  /// Known once the specimen has been grown; nullopt while it is not.
+  void set_facts(std::optional<SpecimenFacts> facts);
+  const std::optional<SpecimenFacts>& facts() const { return facts_; }
+
+  /// Errors first. Without facts the checks that need the specimen are left out.
+  const std::vector<Finding>& findings() const { return findings_; }
+  enum class Standing {
+    unchanged,  // equals what is published
+    failing,    // a check fails
+    unproved,   // the specimen is not there yet to be checked against
+    ready,
+  };
+  Standing standing() const;
+  bool publishable() const { return standing() == Standing::ready; }
+  bool unchanged() const;
+  const std::optional<Scenario>& published() const { return published_; }
+  /// After publishing: the version that is there now; the next edit begins the next one. Undo begins anew.
+  void now_published(const Scenario& version);
+
+ Q_SIGNALS:
+  /// After every edit, undo and redo, and when facts come.
+  void changed();
+  /// Another specimen is meant than before.
+  void specimen_changed();
+
+ private:
+  bool edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change);
+  void after_change();
+
+  Scenario scenario_;
+  std::optional<Scenario> published_;
+  std::string folder_;
+  SpecimenSource grown_from_;  // what specimen_changed() told last
+  std::optional<SpecimenFacts> facts_;
+  std::vector<Finding> findings_;
+  int gesture_ = 0;
+  QUndoStack stack_;  // last: its commands refer to scenario_
+};
+
+/// Puts every point on the floor.
+void settle_on_floor(Target& target);
+
+}  // namespace cusp

@@ -1,0 +1,123 @@
+#include "ui/editor/editor_records.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The draft's folder where its volume lies there, else that of the published version.
+Stored<std::string> volume_folder(Store& store, const Exercise& exercise, const Scenario& draft,
+                                  const fs::path& database, const fs::path& cache) {
+  if (!draft.specimen.generator.empty()) return std::string();
+  const fs::path own = drafts_folder(database, draft.id);
+  std::error_code error;
+  if (fs::exists(own / draft.specimen.volume, error)) return own.string();
+  auto unpacked = exercise_folder(store, exercise, cache);
+  if (!unpacked) return std::unexpected(unpacked.error());
+  return unpacked->string();
+}
+
+Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return fail(StorageError::not_found, file.string());
+  const std::vector<char> text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad()) return fail(StorageError::io, file.string());
+  std::vector<std::byte> out(text.size());
+  std::ranges::transform(text, out.begin(), [](char c) { return static_cast<std::byte>(c); });
+  return out;
+}
+
+}  // namespace
+
+fs::path drafts_folder(const fs::path& database, ScenarioId scenario) {
+  return database.parent_path() / (database.stem().string() + "-drafts") / scenario.text();
+}
+
+Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exercise& exercise,
+                                     const fs::path& database, const fs::path& cache) {
+  EditorStart start;
+  start.published = exercise.scenario;
+  // A version's own number is the records'; the file's is what it was called where it came from.
+  start.published->version = exercise.version.is_nil() ? exercise.scenario.version : exercise.version_number;
+  start.draft = *start.published;
+  const auto draft = store.scenarios.draft(actor, exercise.scenario.id);
+  if (!draft) return std::unexpected(draft.error());
+  if (*draft) {
+    if (auto read = read_scenario((*draft)->json)) start.draft = std::move(*read);
+  }
+  start.draft.version = start.published->version + 1;
+  auto folder = volume_folder(store, exercise, start.draft, database, cache);
+  if (!folder) return std::unexpected(folder.error());
+  start.folder = std::move(*folder);
+  return start;
+}
+
+Stored<EditorStart> open_draft(Store&, const Actor&, const Scenario& draft, const fs::path& database) {
+  EditorStart start;
+  start.draft = draft;
+  if (draft.specimen.generator.empty()) start.folder = drafts_folder(database, draft.id).string();
+  return start;
+}
+
+Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const LocalText& title,
+                                  const fs::path& database, const fs::path& cache) {
+  EditorStart start;
+  start.draft = pattern.scenario;
+  start.draft.id = ScenarioId::make();
+  start.draft.key.clear();
+  start.draft.version = 1;
+  start.draft.title = title;
+  if (!start.draft.specimen.generator.empty()) return start;
+  const auto from = exercise_folder(store, pattern, cache);
+  if (!from) return std::unexpected(from.error());
+  const fs::path to = drafts_folder(database, start.draft.id);
+  std::error_code error;
+  fs::create_directories(to, error);
+  if (!error) fs::copy_file(*from / start.draft.specimen.volume, to / start.draft.specimen.volume, error);
+  if (error) return fail(StorageError::io, to.string(), error.message());
+  start.folder = to.string();
+  return start;
+}
+
+Stored<void> keep_draft(Store& store, const Actor& actor, const EditorModel& model) {
+  const Scenario& s = model.scenario();
+  if (model.unchanged()) return store.scenarios.drop_draft(actor, s.id);
+  return store.scenarios.save_draft(actor, s.id, canonical_json(s));
+}
+
+Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& model) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
+  if (!model.publishable()) return fail(StorageError::bad_value, "scenario.json");
+  if (const auto builtin = load_builtin(model.scenario().key); builtin && builtin->id == model.scenario().id) {
+    auto first = store.scenarios.ensure(*builtin, canonical_json(*builtin), content_hash(*builtin).bytes);
+    if (!first) return first;
+  }
+  const auto versions = store.scenarios.versions(model.scenario().id);
+  if (!versions) return std::unexpected(versions.error());
+  Scenario fresh = model.scenario();
+  fresh.version = versions->empty() ? 1 : versions->back().number + 1;
+  std::map<std::string, std::vector<std::byte>> beside;
+  std::map<std::string, Hash256> files;
+  if (const std::string& volume = fresh.specimen.volume; fresh.specimen.generator.empty()) {
+    auto bytes = bytes_of(fs::path(model.folder()) / volume);
+    if (!bytes) return std::unexpected(bytes.error());
+    const auto kept = store.blobs.put(*bytes);
+    if (!kept) return std::unexpected(kept.error());
+    files[volume] = *kept;
+    beside[volume] = std::move(*bytes);
+  }
+  auto version =
+      store.scenarios.publish(actor, fresh, canonical_json(fresh), content_hash(fresh, beside).bytes, files);
+  if (version) model.now_published(fresh);
+  return version;
+}
+
+}  // namespace cusp

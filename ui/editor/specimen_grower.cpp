@@ -1,0 +1,121 @@
+#include "ui/editor/specimen_grower.h"
+
+#include <QPointer>
+#include <QThreadPool>
+#include <algorithm>
+
+#include "scenarios/library/library.h"
+#include "scenarios/specimens.h"
+#include "scenarios/teeth/tooth.h"
+
+namespace cusp {
+namespace {
+
+using Grown = Result<std::shared_ptr<const GrownSpecimen>, ImportFailure>;
+
+Grown grow_now(const SpecimenSource& source, Method method, const std::string& folder, const std::atomic<bool>& cancel,
+               const ToothProgress& progress) {
+  auto out = std::make_shared<GrownSpecimen>();
+  out->source = source;
+  VoxelVolume volume;
+  if (source.generator == "tooth") {
+    auto tooth = grow_tooth({source.fdi, source.seed, source.voxel_mm}, &cancel, progress);
+    if (!tooth) {
+      if (tooth.error().code == ToothError::cancelled) return fail(ImportError::cancelled, source.generator);
+      // Told by the one place that knows the words for a specimen that cannot be made.
+      auto refused = make_specimen(source, folder);
+      if (!refused) return std::unexpected(refused.error());
+      volume = std::move(*refused);
+    } else {
+      out->central_mm = tooth->landmarks.central;
+      volume = std::move(tooth->volume);
+    }
+  } else {
+    auto made = make_specimen(source, folder);
+    if (!made) return std::unexpected(made.error());
+    volume = std::move(*made);
+  }
+  out->facts = facts_of(volume);
+  // As build_specimen() of ui/session reads it for this method.
+  out->whole =
+      std::make_shared<Volume>(Specimen::build(volume, method == Method::surface ? Reading::banded : Reading::filled));
+  return std::shared_ptr<const GrownSpecimen>(std::move(out));
+}
+
+}  // namespace
+
+SpecimenGrower::SpecimenGrower(QObject* parent) : QObject(parent) {}
+
+SpecimenGrower::~SpecimenGrower() { cancel(); }
+
+void SpecimenGrower::cancel() {
+  if (job_) job_->cancel.store(true);
+  job_.reset();
+}
+
+void SpecimenGrower::grow(const SpecimenSource& source, Method method, const std::string& folder) {
+  cancel();
+  job_ = std::make_shared<Job>();
+  QThreadPool::globalInstance()->start([job = job_, source, method, folder, self = QPointer<SpecimenGrower>(this)] {
+    const auto tell = [&](auto say) {
+      QMetaObject::invokeMethod(
+          qApp,
+          [self, job, say] {
+            if (self && self->job_ == job) say(*self);
+          },
+          Qt::QueuedConnection);
+    };
+    const auto made = grow_now(source, method, folder, job->cancel, [&](double share) {
+      tell([share](SpecimenGrower& grower) { Q_EMIT grower.progressed(share); });
+    });
+    tell([made](SpecimenGrower& grower) {
+      grower.job_.reset();
+      if (made) {
+        Q_EMIT grower.grown(*made);
+      } else {
+        Q_EMIT grower.failed(made.error());
+      }
+    });
+  });
+}
+
+std::vector<ScenarioTissue> usual_tissues(const std::string& generator) {
+  for (const std::string_view key : builtin_scenarios()) {
+    const auto scenario = load_builtin(key);
+    if (scenario && scenario->specimen.generator == generator) return scenario->tissues;
+  }
+  return {};
+}
+
+std::vector<ScenarioTissue> usual_tissues(const std::vector<Tissue>& tissues) {
+  std::vector<ScenarioTissue> out;
+  for (const Tissue tissue : tissues) {
+    ScenarioTissue fresh;
+    fresh.tissue = tissue;
+    // The tooth's own values before those of the blocks.
+    for (const char* generator : {"tooth", "block", "paper-block"}) {
+      const auto known = usual_tissues(std::string(generator));
+      const auto it = std::ranges::find(known, tissue, &ScenarioTissue::tissue);
+      if (it == known.end()) continue;
+      fresh = *it;
+      break;
+    }
+    out.push_back(fresh);
+  }
+  return out;
+}
+
+std::optional<double> height_at(const Specimen& specimen, double x_mm, double y_mm) {
+  const Grid& grid = specimen.grid();
+  const double h = grid.voxel_mm;
+  const Vec3 first = grid.centre_mm(IVec3(0));
+  const IVec3 at(static_cast<int>(std::lround((x_mm - first.x) / h)), static_cast<int>(std::lround((y_mm - first.y) / h)), 0);
+  for (int z = grid.size.z - 1; z >= 0; --z) {
+    const IVec3 v(at.x, at.y, z);
+    if (!grid.contains(v)) return std::nullopt;
+    if (specimen.s(v) >= kHalf) return grid.centre_mm(v).z + h / 2;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cusp

@@ -1,0 +1,31 @@
+/// The tooth as it will look when the target is met, made in the background: the cavity carved out, and the outlines of
+/// target and leeway on the whole tooth. No widget; any thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/volume/volume.h"
+#include "scenarios/format/scenario.h"
+#include "ui/render/overlay_line.h"
+#include "ui/render/patch_feed.h"
+
+namespace cusp {
+
+struct PreviewWish {
+  std::shared_ptr<const Volume> whole;
+  Target target;
+  Leeway leeway;
+  bool carved = true;  // false: the whole tooth
+};
+
+struct TargetPreview {
+  std::shared_ptr<PatchFeed> patches;
+  std::vector<OverlayLine> lines;
+};
+
+/// The outlines alone: what follows a hand that drags.
+std::vector<OverlayLine> preview_lines(const PreviewWish& wish);
+TargetPreview make_preview(const PreviewWish& wish);
+
+}  // namespace cusp
