@@ -2,6 +2,7 @@
 
   bad_input.py CUSP
 """
+import contextlib
 import json
 import os
 import shutil
@@ -71,7 +72,7 @@ def databases(desk):
         f.write("this is no database\n" * 1000)
     refused(desk, "no database", "history", desk.path("text.db"), "list", says=("text.db",))
     shutil.copy(desk.path("good.db"), desk.path("newer.db"))
-    with sqlite3.connect(desk.path("newer.db")) as db:
+    with contextlib.closing(sqlite3.connect(desk.path("newer.db"))) as db:
         db.execute("PRAGMA user_version = 999")
     with open(desk.path("newer.db"), "rb") as f:
         before = f.read()
@@ -107,44 +108,36 @@ def mounted(folder, options):
 
 def disks(desk):
     """A disk that is full and one that is read-only; where nothing can be mounted this part says so."""
-    scenario, hand = desk.small_exercise(), desk.small_hand(8)
+    scenario, hand = desk.small_exercise(), desk.small_hand(6)
     full = desk.path("full")
-    if not mounted(full, "size=1500k"):
-        print("no right to mount: full and read-only disks were not tried")
-        return
-    try:
-        refused(desk, "full disk", "play", scenario, "--script", hand, "--db", os.path.join(full, "f.db"), "--out",
-                desk.path("o1"))
-        with open(os.path.join(full, "fill"), "wb") as f:
-            try:
-                f.write(b"x" * 3_000_000)
-            except OSError:
-                pass
-        if os.path.exists(os.path.join(full, "f.db")):
-            os.remove(os.path.join(full, "fill"))
-            check(integrity(os.path.join(full, "f.db")) == "ok", "the database on the full disk is not sound")
-    finally:
-        subprocess.run(["umount", full], check=True)
-    # The same with room for the file to begin: the go is cut off while it runs.
-    if mounted(full, "size=6m"):
+    statuses = set()
+    # From too small for an empty database to enough: the disk is full at another moment each time.
+    for kilobytes in (100, 500, 700, 900, 1100, 4000):
+        if not mounted(full, f"size={kilobytes}k"):
+            print("no right to mount: full and read-only disks were not tried")
+            return
         try:
-            with open(os.path.join(full, "fill"), "wb") as f:
-                f.write(b"x" * 3_600_000)
             database = os.path.join(full, "f.db")
-            status, _, err = desk.run("play", scenario, "--script", hand, "--db", database, "--out", desk.path("o2"))
-            print(f"disk that fills up: exit {status} {err.strip()}")
-            if status != 0:
-                one_sentence(err, "disk that fills up")
-            os.remove(os.path.join(full, "fill"))
-            if os.path.exists(database):
-                check(integrity(database) == "ok", "the database is not sound after the disk was full")
+            what = f"disk with {kilobytes} kB left"
+            status, out, err = desk.run("play", scenario, "--script", hand, "--db", database, "--out", desk.path(f"o{kilobytes}"))
+            print(f"{what}: exit {status} {err.strip()}")
+            statuses.add(status)
+            if status == 0:
+                continue
+            check(status == 1 and out == "", f"{what}: {out}")
+            one_sentence(err, what)
+            check(not os.path.exists(desk.path(f"o{kilobytes}", "report.json")), f"{what}: a report of a go that was not kept")
+            check(subprocess.run(["mount", "-o", "remount,size=20m", full]).returncode == 0, "more room")
+            if os.path.exists(database) and os.path.getsize(database) > 0:
+                check(integrity(database) == "ok", f"{what}: the database is not sound")
                 status, out, err = desk.run("history", database, "list", "--json", "-")
                 for row in json.loads(out) if status == 0 else []:
-                    check(row["state"] in ("interrupted", "graded"), f"shows as {row['state']}")
-                    if row["duration_s"] > 0:
-                        desk.json("grade", database, row["session"])
+                    check(row["state"] in ("interrupted", "finished"), f"{what}: shows as {row['state']}")
+                    desk.json("grade", database, row["session"])
+                    check(desk.json("replay", "--verify", database, row["session"])["holds"], f"{what}: no proof")
         finally:
             subprocess.run(["umount", full], check=True)
+    check(statuses == {0, 1}, f"the sizes must meet both a full disk and one that is not: {statuses}")
     fixed = desk.path("fixed")
     if mounted(fixed, "size=20m"):
         try:

@@ -3,6 +3,7 @@
   tamper.py CUSP [--changes N] [--seed N]
 """
 import argparse
+import contextlib
 import os
 import random
 import shutil
@@ -15,13 +16,14 @@ from desk import Desk, check, one_sentence  # noqa: E402
 
 
 def flip(database, table, column, row, dice):
-    with sqlite3.connect(database) as db:
+    with contextlib.closing(sqlite3.connect(database)) as db:
         db.execute("PRAGMA foreign_keys = OFF")
         (old,) = db.execute(f"SELECT {column} FROM {table} WHERE row = ?", (row,)).fetchone()
         at = dice.randrange(len(old))
         new = bytearray(old)
         new[at] ^= 1 << dice.randrange(8)
         db.execute(f"UPDATE {table} SET {column} = ? WHERE row = ?", (bytes(new), row))
+        db.commit()
         return at
 
 
@@ -39,7 +41,7 @@ def main():
         check(status == 0, f"play: {err}")
         session = out.strip()
         check(desk.run("replay", "--verify", desk.path("good.db"), session)[0] == 0, "the untouched record holds")
-        with sqlite3.connect(desk.path("good.db")) as db:
+        with contextlib.closing(sqlite3.connect(desk.path("good.db"))) as db:
             db.execute("PRAGMA wal_checkpoint(TRUNCATE)")
             rows = [row for (row,) in db.execute("SELECT row FROM trace_chunks ORDER BY row")]
             keys = [row for (row,) in db.execute("SELECT row FROM key_states ORDER BY row")]

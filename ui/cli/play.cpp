@@ -55,7 +55,10 @@ int play(const PlayOptions& o) {
     // Each row brings its own length; the loop asks once a sample, in order.
     settings.elapsed_us = [rows = trace.get(), next = std::size_t{0}]() mutable { return rows->rows()[next++].elapsed_us; };
     // Known to be good before a session begins.
-    if (auto opened = trace->open(); !opened) return failed(tell(opened.error()));
+    if (auto opened = trace->open(); !opened) {
+      const bool missing = opened.error().code == PortError::not_found;
+      return failed(missing ? tell(ImportFailure{ImportError::missing_file, o.script, {}}) : tell(opened.error()));
+    }
     trace->close();
     port = std::move(trace);
     plan.hand = file.filename().string();

@@ -3,7 +3,7 @@
 #include <QGuiApplication>
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <cstdio>
 #include <exception>
 
 #ifdef CUSP_HAS_IMPORT
@@ -65,6 +65,10 @@ int run_verb(int argc, char** argv) {
 #ifdef CUSP_HAS_IMPORT
   if (const auto status = import_child_main(argc, argv)) return *status;
 #endif
+  // A verb says one line when it fails, and Qt's remarks about the session it runs in are none of it.
+  qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtFatalMsg) std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(message));
+  });
   // The page of a report needs fonts, not a display.
   qputenv("QT_QPA_PLATFORM", "offscreen");
   int own_argc = 1;  // a verb's options are not Qt's

@@ -25,6 +25,7 @@ std::unexpected<RunFailure> storage_failed(const Stored<T>& result) {
 Run<OpenedSession> open_session(Store& store, SessionId id) {
   OpenedSession out;
   auto session = store.sessions.find(id);
+  if (!session && session.error().code == StorageError::not_found) session.error().where = id.text();
   if (!session) return storage_failed(session);
   out.session = std::move(*session);
   auto events = store.sessions.events(id);
@@ -235,6 +236,7 @@ bool ReplayProof::holds() const noexcept {
 Run<ReplayProof> prove_session(Store& store, SessionId id) {
   ReplayProof proof;
   auto chain = verify_session(store.context(), id);
+  if (!chain && chain.error().code == StorageError::not_found) chain.error().where = id.text();
   if (!chain) return storage_failed(chain);
   proof.chain = std::move(*chain);
   // What was changed may not open any more: the finding names it better than the failure would.

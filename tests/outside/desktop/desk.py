@@ -1,0 +1,390 @@
+"""A desk for the tests that sit in front of the window: a display of its own, the program on it, and a hand and an eye.
+
+The hand presses, types and drags as a person would (AT-SPI to find things, XTest for keys and mouse); the eye reads names
+and values as a screen reader would. Everything waits for what the screen shows, never for a length of time: `LIMIT_S` only
+says when to give up. When a test fails, the screen, what a screen reader would see of it, and the program's own words
+go to the folder that CUSP_DESK_PICTURES names (else beside the other temporary files).
+"""
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+
+LIMIT_S = float(os.environ.get("CUSP_DESK_LIMIT_S", "60"))
+SOURCE = os.path.abspath(__file__ + "/../../../..")
+
+
+class Missing(Exception):
+    """The screen did not show what was waited for."""
+
+
+def on_own_bus():
+    """Starts this script again under a session bus of its own: one run never sees the program of another."""
+    if os.environ.get("CUSP_DESK_BUS") != "own":
+        # XDG_RUNTIME_DIR would lead to the accessibility bus of whoever is logged in here.
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "AT_SPI_BUS_ADDRESS", "XDG_RUNTIME_DIR")}
+        environment.update(CUSP_DESK_BUS="own", NO_AT_BRIDGE="0", GTK_A11Y="none")
+        os.execvpe("dbus-run-session", ["dbus-run-session", "--", sys.executable, *sys.argv], environment)
+    global Atspi
+    import gi
+    gi.require_version("Atspi", "2.0")
+    from gi.repository import Atspi as atspi
+    Atspi = atspi
+
+
+def until(what, look, limit_s=None):
+    """Asks `look` until it returns something true, and returns that."""
+    end = time.monotonic() + (limit_s or LIMIT_S)
+    pause = 0.02
+    while True:
+        try:
+            found = look()
+        except (Atspi_Error(), Missing):  # a widget went away while it was read
+            found = None
+        if found:
+            return found
+        if time.monotonic() > end:
+            raise Missing(f"{what} did not come within {limit_s or LIMIT_S:.0f} s")
+        time.sleep(pause)
+        pause = min(pause * 1.5, 0.25)
+
+
+def Atspi_Error():
+    from gi.repository import GLib
+    return GLib.Error
+
+
+class Screen:
+    """An X server with a window manager; room for a window of 1280x800 and its frame."""
+
+    def __init__(self, folder, width=1300, height=840):
+        self.folder = folder
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp", "+extension", "GLX"],
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=open(os.path.join(folder, "xvfb.log"), "w"))
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise Missing("no display: Xvfb did not start")
+        self.display = ":" + number
+        os.environ["DISPLAY"] = self.display
+        self.manager = None
+
+        def managed():
+            if self.manager is None or self.manager.poll() is not None:
+                self.manager = subprocess.Popen(["openbox"], stdout=subprocess.DEVNULL,
+                                                stderr=open(os.path.join(folder, "openbox.log"), "a"))
+            said = subprocess.run(["xprop", "-root", "_NET_SUPPORTING_WM_CHECK"], capture_output=True, text=True)
+            return "(WINDOW)" in said.stdout
+        try:
+            until("the window manager", managed)
+        except Missing as missing:
+            self.close()
+            with open(os.path.join(folder, "openbox.log"), encoding="utf-8") as f:
+                raise Missing(f"{missing}: {f.read()}") from None
+
+    def picture(self, path):
+        subprocess.run(["import", "-window", "root", path], check=False, timeout=60)
+        return path
+
+    def x(self, *arguments):
+        subprocess.run(["xdotool", *[str(a) for a in arguments]], check=True, timeout=60, stdout=subprocess.DEVNULL)
+
+    def close(self):
+        for child in (self.manager, self.server):
+            child.terminate()
+            child.wait()
+
+
+class Widget:
+    """One thing on the screen, as a screen reader sees it."""
+
+    def __init__(self, node, program):
+        self.node, self.program = node, program
+
+    @property
+    def name(self):
+        return plain(self.node.get_name() or "")
+
+    @property
+    def role(self):
+        return self.node.get_role_name()
+
+    @property
+    def description(self):
+        return plain(self.node.get_description() or "")
+
+    def has(self, state):
+        return self.node.get_state_set().contains(getattr(Atspi.StateType, state))
+
+    @property
+    def text(self):
+        """What stands in a field."""
+        node = self.node
+        return plain(Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node)))
+
+    @property
+    def value(self):
+        return Atspi.Value.get_current_value(self.node)
+
+    def box(self):
+        e = Atspi.Component.get_extents(self.node, Atspi.CoordType.SCREEN)
+        return e.x, e.y, e.width, e.height
+
+    def middle(self):
+        x, y, width, height = self.box()
+        return x + width // 2, y + height // 2
+
+    def children(self):
+        for i in range(self.node.get_child_count()):
+            child = self.node.get_child_at_index(i)
+            if child is not None:
+                yield Widget(child, self.program)
+
+    def walk(self, shown_only=True):
+        for child in self.children():
+            try:
+                if shown_only and not child.has("SHOWING"):
+                    continue
+                yield child
+                yield from child.walk(shown_only)
+            except Atspi_Error():
+                continue
+
+    def press(self):
+        """Presses a button, opens a menu, chooses an item."""
+        until(f"{self.name!r} to be enabled", lambda: self.has("ENABLED") or self.has("SENSITIVE"))
+        actions = [Atspi.Action.get_action_name(self.node, i) for i in range(Atspi.Action.get_n_actions(self.node))]
+        for wanted in ("Press", "Toggle", "ShowMenu"):
+            if wanted in actions:
+                Atspi.Action.do_action(self.node, actions.index(wanted))
+                return self
+        raise Missing(f"nothing to press on {self.role} {self.name!r}: {actions}")
+
+    def click(self):
+        x, y = self.middle()
+        self.program.screen.x("mousemove", x, y, "click", 1)
+        return self
+
+    def focus(self):
+        def focused():
+            if self.has("FOCUSED"):
+                return True
+            Atspi.Component.grab_focus(self.node)
+            return self.has("FOCUSED")
+        until(f"the focus on {self.name!r}", focused)
+        return self
+
+    def type(self, text):
+        """Puts `text` in place of what stands in a field, by keys."""
+        self.focus()
+        self.program.keys("ctrl+a", "Delete")
+        if self.role == "password text":  # nobody may read it, so nobody can look
+            self.program.screen.x("type", "--delay", 8, text)
+            return self
+        until(f"{self.name!r} to be empty", lambda: self.text == "")
+        self.program.screen.x("type", "--delay", 8, text)
+        until(f"{text!r} to stand in {self.name!r}", lambda: self.text == text)
+        return self
+
+    def choose(self, option):
+        """Chooses in a list that folds down."""
+        if self.name == option:
+            return self
+        self.click()
+        self.program.find("list item", option).click()
+        until(f"{option!r} to be chosen", lambda: self.name == option)
+        return self
+
+    def labels(self):
+        """The words that label this, for things whose name is their value."""
+        relations = self.node.get_relation_set()
+        return [plain(r.get_target(i).get_name()) for r in relations
+                if r.get_relation_type() == Atspi.RelationType.LABELLED_BY for i in range(r.get_n_targets())]
+
+    def __repr__(self):
+        return f"{self.role} {self.name!r}"
+
+
+def plain(text):
+    """Without the signs that keep a number and its unit in one direction, and with simple spaces."""
+    return re.sub("[\u2066-\u2069\u200e\u200f]", "", text).replace("\u00a0", " ").replace("\u202f", " ")
+
+
+def fits(wish, text):
+    """A wish is a text, a compiled pattern to search for, or None for anything."""
+    return wish is None or (wish.search(text) is not None if hasattr(wish, "search") else wish == text)
+
+
+class Program:
+    """The desktop, running on a screen."""
+
+    def __init__(self, binary, screen, folder, database, **environment):
+        self.binary, self.screen, self.folder, self.database = binary, screen, folder, database
+        env = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", QT_ACCESSIBILITY="1",
+                   LIBGL_ALWAYS_SOFTWARE="1", LC_ALL="C.UTF-8", LANGUAGE="en", HOME=folder)
+        for name in ("CONFIG", "DATA", "CACHE"):
+            env[f"XDG_{name}_HOME"] = os.path.join(folder, name.lower())
+        env["XDG_RUNTIME_DIR"] = os.path.join(folder, "runtime")
+        os.makedirs(env["XDG_RUNTIME_DIR"], mode=0o700, exist_ok=True)
+        env.update({k: str(v) for k, v in environment.items()})
+        self.log = open(os.path.join(folder, "program.log"), "a")
+        self.process = subprocess.Popen([binary, "--db", database], env=env, stdout=self.log, stderr=self.log,
+                                        stdin=subprocess.DEVNULL)
+        self.root = until("the program's window", self._find_root)
+        self.find("frame", "Cusp")
+
+    def _find_root(self):
+        if self.process.poll() is not None:
+            raise SystemExit(f"the program ended at its start, with {self.process.returncode}: {self.words()}")
+        desktop = Atspi.get_desktop(0)
+        desktop.set_cache_mask(Atspi.Cache.NONE)
+        for i in range(desktop.get_child_count()):
+            child = desktop.get_child_at_index(i)
+            if child is not None and child.get_process_id() == self.process.pid and child.get_child_count() > 0:
+                child.set_cache_mask(Atspi.Cache.NONE)
+                return Widget(child, self)
+        return None
+
+    def words(self):
+        """What the program wrote to its terminal."""
+        self.log.flush()
+        with open(self.log.name, encoding="utf-8", errors="replace") as f:
+            return f.read().strip()
+
+    def alive(self):
+        if self.process.poll() is not None:
+            raise SystemExit(f"the program ended, with {self.process.returncode}: {self.words()}")
+
+    def all(self, role=None, name=None, within=None):
+        """Everything shown of a role, whose name is (str) or matches (compiled pattern)."""
+        self.alive()
+        for widget in (within or self.root).walk():
+            try:
+                if fits(role, widget.role) and fits(name, widget.name):
+                    yield widget
+            except Atspi_Error():
+                continue
+
+    def here(self, role=None, name=None, within=None):
+        return next(self.all(role, name, within), None)
+
+    def find(self, role=None, name=None, within=None, limit_s=None):
+        return until(f"{role or 'anything'} {getattr(name, 'pattern', name)!r}", lambda: self.here(role, name, within), limit_s)
+
+    def labelled(self, role, label):
+        """A folding list or a number, by the words over it."""
+        return until(f"{role} under {label!r}", lambda: next((w for w in self.all(role) if label in w.labels()), None))
+
+    def gone(self, role, name):
+        until(f"{role} {name!r} to go", lambda: self.here(role, name) is None)
+
+    def press(self, name, role="push button", within=None):
+        return self.find(role, name, within).press()
+
+    def menu(self, button, item):
+        """A button's menu waits in Qt for its answer, and with it whoever pressed it over the bus: so, by the mouse."""
+        self.find("push button", button).click()
+        self.find(re.compile("menu item"), item).click()
+
+    def keys(self, *names):
+        for name in names:
+            self.screen.x("key", "--clearmodifiers", name)
+
+    def texts(self):
+        """All words on the screen, in order."""
+        return [w.name for w in self.all() if w.name]
+
+    def tree(self):
+        lines = []
+
+        def add(widget, depth):
+            for child in widget.children():
+                try:
+                    if not child.has("SHOWING"):
+                        continue
+                    states = [s for s in ("FOCUSED", "CHECKED", "SELECTED") if child.has(s)]
+                    if not child.has("ENABLED"):
+                        states.append("disabled")
+                    x, y, width, height = child.box()
+                    value = ""
+                    if "Text" in child.node.get_interfaces() and child.role in ("text", "password text"):
+                        value = f" = {child.text!r}"
+                    if "Value" in child.node.get_interfaces():
+                        value = f" = {child.value:g}"
+                    lines.append(f"{'  ' * depth}{child.role} {child.name!r}{value} {' '.join(states)} [{x} {y} {width}x{height}]"
+                                 + (f" ({child.description})" if child.description else ""))
+                    add(child, depth + 1)
+                except Atspi_Error():
+                    continue
+        add(self.root, 0)
+        return "\n".join(lines)
+
+    def close(self):
+        """Closes the window as its owner does, and waits for the program to end well."""
+        self.screen.x("key", "--clearmodifiers", "alt+F4")
+        try:
+            self.process.wait(LIMIT_S)
+        except subprocess.TimeoutExpired:
+            raise Missing("the program did not end when its window was closed") from None
+        if self.process.returncode != 0:
+            raise Missing(f"the program ended with {self.process.returncode}: {self.words()}")
+
+    def kill(self):
+        """As a power cut does."""
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+
+
+class Desk:
+    """A folder, a screen, and the programs started on it; everything goes when it is left."""
+
+    def __init__(self, binary, width=1300, height=840):
+        self.binary = os.path.abspath(binary)
+        self.folder = tempfile.mkdtemp(prefix="cusp-desk-")
+        self.database = os.path.join(self.folder, "records", "cusp.db")
+        os.makedirs(os.path.dirname(self.database))
+        self.screen = Screen(self.folder, width, height)
+        self.program = None
+
+    def start(self, **environment):
+        self.program = Program(self.binary, self.screen, self.folder, self.database, **environment)
+        return self.program
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, problem, trace):
+        if kind is not None:
+            self._keep_evidence(problem)
+        if self.program:
+            self.program.kill()
+        self.screen.close()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _keep_evidence(self, problem):
+        folder = os.environ.get("CUSP_DESK_PICTURES") or tempfile.gettempdir()
+        os.makedirs(folder, exist_ok=True)
+        base = os.path.join(folder, f"{os.path.splitext(os.path.basename(sys.argv[0]))[0]}-failed")
+        self.screen.picture(base + ".png")
+        if self.program:
+            with open(base + ".txt", "w", encoding="utf-8") as f:
+                f.write("".join(traceback.format_exception(problem)) + "\n" + self.program.words() + "\n\n")
+                try:
+                    f.write(self.program.tree())
+                except Exception as error:  # whatever broke the test may break this too
+                    f.write(f"(the screen cannot be read: {error})")
+        print(f"FAILED: {problem}\nthe screen is in {base}.png, its words in {base}.txt", file=sys.stderr)
+
+
+def check(holds, what):
+    if not holds:
+        raise Missing(what)
