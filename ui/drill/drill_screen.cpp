@@ -34,7 +34,8 @@ namespace {
 constexpr int kLookMs = 33;           // burr and clock
 constexpr int kTextEvery = 3;         // looks between two of texts and gauges, about ten a second
 constexpr std::chrono::milliseconds kFollow{30};
-constexpr double kUsualPushN = 0.8;   // about what a handpiece is led with
+constexpr double kUsualShare = 0.53;  // of full force: 0.8 N where that is 1.5, about what a handpiece is led with
+constexpr double kLeastUsualN = 0.4;
 constexpr double kStartAboveMm = 1.5;
 
 /// What the worker makes before the go starts, and hands to the window.
@@ -276,7 +277,10 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
                     out.cutting};
   });
   if (go.pointer) {
-    in.input = std::make_unique<PointerInput>(*view, go.pointer->hand(), go.run->scene()->tool_axis, kUsualPushN, nullptr);
+    in.input = std::make_unique<PointerInput>(*view, go.pointer->hand(), go.run->scene()->tool_axis,
+                                              std::clamp(kUsualShare * scenario.device.full_force_n, kLeastUsualN,
+                                                         PointerHand::kMaxPushN),
+                                              nullptr);
     connect(in.input.get(), &PointerInput::push_changed, in.stage, &DrillStage::show_wanted_push);
     in.stage->show_wanted_push(in.input->push_n());
   }

@@ -343,6 +343,7 @@ QString DrillStage::spoken() const {
 
 void DrillStage::set_centre(QWidget* widget) {
   centre_ = widget;
+  centre_->setFixedSize(px(360), px(110));  // it is told its text only when it shows
   place_all();
 }
 
@@ -377,7 +378,6 @@ void DrillStage::place_all() {
   stop_card_->resize(stop_width, std::max(stop_card_->layout()->heightForWidth(stop_width), stop_card_->sizeHint().height()));
   stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
   if (centre_ != nullptr) {
-    centre_->adjustSize();
     centre_->move((w - centre_->width()) / 2, (h - centre_->height()) / 2);
     centre_->raise();
   }

@@ -12,7 +12,7 @@ constexpr int kReadMargin = 5;
 
 /// True where a coarse patch would lose what is to be seen: its normals spread as on a fissure or an edge.
 bool rough(const Patch& patch) {
-  constexpr float kSmooth = 0.85f;  // cosine of 32 degrees; a crown of 5 mm radius turns by 9 within a brick
+  constexpr float kSmooth = 0.82f;  // cosine of 35 degrees; a crown of 5 mm radius turns by 9 within a brick
   // The vertices of the patch's own triangles come first.
   std::size_t own = 0;
   for (std::size_t i = 0; i < patch.own; ++i) own = std::max<std::size_t>(own, patch.indices[i] + 1u);

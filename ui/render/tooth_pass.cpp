@@ -32,6 +32,7 @@ MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, con
     burr = glm::vec4(glm::vec3(scene.burr->pivot_mm), static_cast<float>(scene.burr->burr.radius_mm));
     axis = glm::vec3(scene.burr->axis);
   }
+  program.set("lamp", view.lamp);
   program.set("burr", burr);
   program.set("burr_axis", axis);
   return mesh.draw(view.clip_from_world, view.eye, clip_plane);

@@ -118,6 +118,8 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
   view.key_light = glm::vec3(glm::normalize(-0.55 * camera.right() + 0.75 * camera.up() + 0.75 * back));
   view.fill_light = glm::vec3(glm::normalize(0.9 * camera.right() + 0.05 * camera.up() + 0.45 * back));
   view.half_way = glm::normalize(view.key_light + glm::vec3(back));
+  // Half the picture's shorter side, at the distance of its middle.
+  view.lamp = glm::vec4(glm::vec3(camera.centre_mm()), static_cast<float>(0.5 * 1000.0 / camera.px_per_mm(1000.0)));
   view.up = glm::vec3(camera.up());
   view.view_px = glm::vec2(width_px, height_px);
   view.line_scale = scene.line_scale;

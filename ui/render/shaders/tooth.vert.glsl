@@ -15,6 +15,7 @@ uniform vec3 eye;
 uniform vec3 key_light, fill_light, up;  // unit, towards the light
 uniform vec4 burr;                     // pivot, radius; radius 0: none
 uniform vec3 burr_axis;
+uniform vec4 lamp;                     // middle of its beam, radius
 
 out vec3 facing;
 out vec3 base;
@@ -57,6 +58,8 @@ void main() {
   vec3 around = mix(vec3(0.10, 0.085, 0.065), vec3(0.25, 0.25, 0.26), 0.5 + 0.5 * dot(normal, up));
   light = wrapped * (0.2 + 0.8 * open) * key_colour + open * (fill * vec3(0.09, 0.10, 0.11) + around);
   light *= mix(shade_colour, vec3(1.0), clamp(open * 1.25, 0.0, 1.0));
+  // The lamp lights where one looks; towards the edge of its beam it fades.
+  light *= mix(1.06, 0.62, smoothstep(0.35, 1.9, distance(position, lamp.xyz) / lamp.w));
   float to_eye = max(dot(normal, normalize(eye - position)), 0.0);
   light *= mix(edge_colour, vec3(1.0), smoothstep(0.0, 0.55, to_eye));
 
