@@ -15,6 +15,9 @@
 #include "ui/app/language.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/shell.h"
+#include "ui/editor/editor_page.h"
+#include "ui/instructor/import_page.h"
+#include "ui/instructor/library_page.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/briefing.h"
 #include "ui/student/exercises_page.h"
@@ -149,6 +152,14 @@ QVector<NavEntry> Desktop::entries() {
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
                connect(page, &StartPage::start_wanted, this, &Desktop::drill);
                connect(page, &StartPage::report_wanted, this, &Desktop::open_report);
+               return page;
+             }};
+  }
+  if (may(role, Action::edit_scenarios)) {
+    list += {u"library"_qs, tr("Library"), u"layers"_qs, [this]() -> QWidget* {
+               auto* page = new LibraryPage(*store_, account_->actor(), database_, volume_folder());
+               connect(page, &LibraryPage::edit_wanted, this, &Desktop::edit);
+               connect(page, &LibraryPage::import_wanted, this, &Desktop::import_specimen);
                return page;
              }};
   }

@@ -18,6 +18,7 @@ class QStackedWidget;
 
 namespace cusp {
 
+struct EditorStart;
 class PictureShelf;
 class Shell;
 class SignIn;
@@ -48,6 +49,8 @@ class Desktop : public QMainWindow {
   /// Starts a go; without an account nothing is kept.
   void drill(const Exercise& exercise);
   void open_report(const SessionId& session);
+  void edit(const EditorStart& start);
+  void import_specimen();
 
   void set_scheme(ColourScheme scheme);
   void set_language(const QString& code);
@@ -64,6 +67,7 @@ class Desktop : public QMainWindow {
   void show_refusal(const Told& told);
   void replace_root(QWidget* root);
   void show_briefing(const Exercise& exercise);
+  void try_out(const RunPlan& plan, const QString& title);
   static std::filesystem::path volume_folder();
   QVector<NavEntry> entries();
   void show_result(std::shared_ptr<const RunResult> result, std::optional<Exercise> exercise);

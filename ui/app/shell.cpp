@@ -169,6 +169,7 @@ void Shell::show_page(const QString& key) {
       pages_->removeWidget(old);
       old->deleteLater();
     }
+    if (fresh->focusProxy()) fresh->setFocus(Qt::OtherFocusReason);
     return;
   }
 }

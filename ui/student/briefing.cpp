@@ -27,8 +27,13 @@ QString burrs_text(const Scenario& scenario) {
 void show_covering(QLabel* label, const QImage& image, double radius) {
   const qreal ratio = label->devicePixelRatioF();
   const QSize room = label->size() * ratio;
-  if (image.isNull() || room.isEmpty()) return;
-  const QImage scaled = image.scaled(room, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  if (room.isEmpty()) return;
+  QImage scaled = image.scaled(room, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  if (scaled.isNull()) {
+    // Not drawn yet: the ground on which the tooth will stand.
+    scaled = QImage(room, QImage::Format_RGB32);
+    scaled.fill(tokens().view_middle);
+  }
   QPixmap out(room);
   out.fill(Qt::transparent);
   QPainter painter(&out);

@@ -40,7 +40,8 @@ Plot plot_of(const QRectF& rect, const ChartData& data, double unit) {
   for (double v = data.y.least; v <= data.y.most + 1e-9; v += data.y.step) {
     labels = std::max(labels, metrics.horizontalAdvance(format_number(v, data.y.decimals)));
   }
-  double names = 6 * unit;  // room at the line's end for names
+  // Room at the right: half of the last label below, or the names at the lines' ends.
+  double names = metrics.horizontalAdvance(format_number(data.x.most, data.x.decimals)) / 2 + 2 * unit;
   for (const auto& s : data.series) {
     if (s.draw == ChartSeries::Draw::line && !s.points.isEmpty()) {
       names = std::max(names, metrics.horizontalAdvance(s.name) + 10 * unit);
@@ -183,7 +184,7 @@ void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Toke
       p.setFont(bold);
       p.setPen(t.text);
       const QPointF at = plot.at(point);
-      const QString text = format_number(point.y, 0);
+      const QString text = format_points(point.y);
       const double width = QFontMetricsF(bold).horizontalAdvance(text);
       const bool fits = at.x() + 10 * unit + width < rect.right();
       p.drawText(QPointF(fits ? at.x() + 8 * unit : at.x() - 8 * unit - width, at.y() - 6 * unit), text);

@@ -193,7 +193,7 @@ PageHead::PageHead(const QString& title, const QString& aside, QWidget* parent) 
   QLabel* quiet = make_label(aside, TextRole::body, false, "text2");
   quiet->setContentsMargins(0, px(6), 0, 0);
   row->addWidget(quiet);
-  row->addStretch();
+  row->addStretch(1);
   buttons_ = new QHBoxLayout;
   buttons_->setSpacing(px(8));
   row->addLayout(buttons_);

@@ -1,5 +1,7 @@
 #include "ui/widgets/theme.h"
 
+#include "ui/widgets/icon.h"
+
 #include <QApplication>
 #include <QFile>
 #include <QFocusFrame>
@@ -12,6 +14,7 @@
 #include <QStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QTemporaryDir>
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -106,6 +109,14 @@ std::vector<std::pair<QString, QColor>> named_colours(const Tokens& t) {
   return named;
 }
 
+/// A style sheet takes pictures from files only, and the chevron has to be in the theme's ink.
+QString chevron_file(const Tokens& t) {
+  static const QTemporaryDir folder;
+  const QString file = folder.filePath(u"chevron-%1-%2.png"_qs.arg(t.dark ? u"dark"_qs : u"light"_qs).arg(scale_percent()));
+  if (!QFile::exists(file)) icon_pixmap(u"chevron_down"_qs, Ink::text2, 16).save(file, "PNG");
+  return file;
+}
+
 QString style_sheet(const Tokens& t) {
   QFile file(u":/cusp/theme.qss"_qs);
   if (!file.open(QIODevice::ReadOnly)) return {};
@@ -120,7 +131,8 @@ QString style_sheet(const Tokens& t) {
     out += text.mid(from, m.capturedStart() - from) + QString::number(px(m.captured(1).toInt())) + u"px"_qs;
     from = m.capturedEnd();
   }
-  return out + text.mid(from);
+  out += text.mid(from);
+  return out.replace(u"%chevron_down%"_qs, chevron_file(t));
 }
 
 /// Moves one QFocusFrame to whatever has the focus.
@@ -182,7 +194,7 @@ void apply_theme(QApplication& app, ColourScheme scheme, int percent) {
     new FocusRing(&app);
   }
   QApplication::setFont(font_of(TextRole::body));
-  QApplication::setPalette(palette_of(t));
+  QApplication::setPalette(palette_of(t));  // from here on tokens() are these
   app.setStyleSheet(style_sheet(t));
 }
 

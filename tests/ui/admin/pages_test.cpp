@@ -1,0 +1,175 @@
+// The administrator's pages over real records.
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/ui/desk_records.h"
+#include "ui/admin/people_model.h"
+#include "ui/admin/people_page.h"
+#include "ui/admin/performance.h"
+#include "ui/student/course.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+using test::DeskRecords;
+
+void press(QWidget& page, const char* name) {
+  for (QPushButton* b : page.findChildren<QPushButton*>()) {
+    if (b->accessibleName() == QLatin1String(name)) return b->click();
+  }
+  FAIL() << "no button " << name;
+}
+QLineEdit* field(QWidget& page, const char* name) {
+  for (QLineEdit* f : page.findChildren<QLineEdit*>()) {
+    if (f->accessibleName() == QLatin1String(name)) return f;
+  }
+  return nullptr;
+}
+
+struct AdminPages : ::testing::Test {
+  DeskRecords records;
+  Ports ports = Ports::of_the_system();
+  std::vector<QString> asked;
+  bool answer = true;
+  QString file;
+  void SetUp() override {
+    records.administrator();
+    ports.ask = [this](QWidget*, const Question& q, std::function<void(bool)> then) {
+      asked.push_back(q.what);
+      then(answer);
+    };
+    ports.pick_file = [this](QWidget*, const FileWish&, std::function<void(const QString&)> then) { then(file); };
+    ports.now = [] { return QDateTime(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC); };
+  }
+};
+
+TEST_F(AdminPages, a_student_is_added_and_signs_in_with_the_pin) {
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  press(page, "Add a person");
+  field(page, "Name")->setText(QStringLiteral("Lena Brandt"));
+  field(page, "Number or user name")->setText(QStringLiteral("20267314"));
+  field(page, "PIN, six digits")->setText(QStringLiteral("271828"));
+  press(page, "Add");
+  EXPECT_EQ(page.message().toStdString(), "Lena Brandt is added.");
+  EXPECT_EQ(page.model()->rowCount(), 2);
+  EXPECT_TRUE(records.store().people.sign_in_with_pin("20267314", "271828").has_value());
+}
+
+TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_in_words) {
+  records.student("20267314", "Lena Brandt");
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  press(page, "Add a person");
+  press(page, "Add");
+  EXPECT_EQ(page.message().toStdString(), "Name and number are needed.");
+  field(page, "Name")->setText(QStringLiteral("Another"));
+  field(page, "Number or user name")->setText(QStringLiteral("20267314"));
+  press(page, "Add");
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("This is there already."))) << page.message().toStdString();
+  field(page, "Number or user name")->setText(QStringLiteral("20267315"));
+  field(page, "PIN, six digits")->setText(QStringLiteral("12"));
+  press(page, "Add");
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("This password is too short.")));
+  EXPECT_EQ(page.model()->rowCount(), 2);
+}
+
+TEST_F(AdminPages, switching_an_account_off_asks_first_and_keeps_the_results) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 78, 100);
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(page.model()->row_of(lena.id));
+  answer = false;
+  press(page, "Switch account off");
+  EXPECT_FALSE(records.store().people.find(lena.id)->disabled);
+  answer = true;
+  press(page, "Switch account off");
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_EQ(asked[0].toStdString(), "Switch off the account of Lena Brandt?");
+  EXPECT_TRUE(records.store().people.find(lena.id)->disabled);
+  EXPECT_EQ(records.store().history.list(records.administrator().actor())->size(), 1u);
+  press(page, "Switch account on");  // gives back: nothing to ask
+  EXPECT_EQ(asked.size(), 2u);
+  EXPECT_FALSE(records.store().people.find(lena.id)->disabled);
+}
+
+TEST_F(AdminPages, the_last_administrator_stays_one) {
+  PeoplePage page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->choose_row(0);
+  page.findChild<QComboBox*>()->setCurrentIndex(0);
+  press(page, "Save changes");
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("This is the last administrator."))) << page.message().toStdString();
+  EXPECT_EQ(records.store().people.find(records.administrator().id)->role, Role::administrator);
+}
+
+TEST_F(AdminPages, performance_shows_everybody_and_filters) {
+  const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
+  records.go(lena, "channel-1", 78, 100);
+  records.go(lena, "paper-block", 40, 100);
+  records.go(noah, "channel-1", 90, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.resize(1080, 752);
+  page.show();
+  EXPECT_EQ(page.goes().rowCount(), 3);
+  page.result()->setCurrentIndex(1);
+  EXPECT_EQ(page.goes().rowCount(), 2);  // passed
+  page.result()->setCurrentIndex(2);
+  EXPECT_EQ(page.goes().rowCount(), 1);
+  page.result()->setCurrentIndex(0);
+  page.search()->setText(QStringLiteral("adler"));
+  ASSERT_EQ(page.goes().rowCount(), 1);
+  EXPECT_EQ(page.goes().row(0).student_name, "Noah Adler");
+  page.search()->setText(QStringLiteral("nobody"));
+  EXPECT_EQ(page.goes().rowCount(), 0);
+  page.search()->clear();
+  page.exercise()->setCurrentIndex(1);
+  EXPECT_LT(page.goes().rowCount(), 3);
+  page.exercise()->setCurrentIndex(0);
+  page.period()->setCurrentIndex(1);  // last day: all of this morning
+  EXPECT_EQ(page.goes().rowCount(), 3);
+}
+
+TEST_F(AdminPages, a_row_opens_the_report_of_that_go_also_when_sorted) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 78, 100);
+  const SessionId worst = records.go(lena, "channel-1", 20, 100);
+  records.go(lena, "channel-1", 90, 100);
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.show();
+  page.table()->sortByColumn(GoesModel::kScore, Qt::AscendingOrder);
+  page.table()->choose_row(0);
+  std::optional<SessionId> wanted;
+  QObject::connect(&page, &Performance::report_wanted, [&](const SessionId& id) { wanted = id; });
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  EXPECT_EQ(wanted, worst);
+}
+
+TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
+  const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
+  records.go(lena, "channel-1", 78, 100);
+  records.go(noah, "channel-1", 90, 100);
+  const QTemporaryDir folder;
+  file = folder.filePath(QStringLiteral("out.csv"));
+  Performance page(records.store(), records.administrator().actor(), ports);
+  page.search()->setText(QStringLiteral("Lena"));
+  page.export_csv();
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  const QByteArray bytes = written.readAll();
+  EXPECT_EQ(bytes.count("\r\n"), 2);  // head and one go
+  EXPECT_TRUE(bytes.contains("Lena Brandt"));
+  EXPECT_FALSE(bytes.contains("Noah Adler"));
+}
+
+}  // namespace
+}  // namespace cusp

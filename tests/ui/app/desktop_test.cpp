@@ -1,0 +1,152 @@
+// The window: who sees which pages, and what survives a change of language, colours and size.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/app/language.h"
+#include "ui/app/shell.h"
+#include "ui/signin/sign_in.h"
+#include "ui/student/briefing.h"
+
+namespace cusp {
+namespace {
+
+struct DesktopTest : ::testing::Test {
+  test::DeskRecords records;
+  QTemporaryDir folder;
+  Settings settings{folder.filePath(QStringLiteral("Cusp.ini"))};
+  std::unique_ptr<Desktop> desktop;
+  void open(const std::filesystem::path& file) {
+    desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), file);
+    desktop->start();
+    desktop->show();
+  }
+  void TearDown() override {
+    desktop.reset();
+    install_language(*qApp, QStringLiteral("en"));
+    apply_theme(*qApp, ColourScheme::light, 100);
+  }
+  QStringList pages() const {
+    QStringList keys;
+    for (const NavEntry& e : desktop->shell()->entries()) keys += e.key;
+    return keys;
+  }
+};
+
+TEST_F(DesktopTest, each_role_has_its_pages) {
+  const Account lena = records.student("1", "Lena Brandt");
+  open(records.file());
+  desktop->sign_in(lena);
+  EXPECT_EQ(pages(), QStringList({QStringLiteral("start"), QStringLiteral("exercises"), QStringLiteral("results"), QStringLiteral("help")}));
+  desktop->sign_out();
+  EXPECT_EQ(desktop->shell(), nullptr);
+  desktop->sign_in(records.administrator());
+  EXPECT_TRUE(pages().contains(QStringLiteral("people")));
+  EXPECT_TRUE(pages().contains(QStringLiteral("performance")));
+  EXPECT_FALSE(pages().contains(QStringLiteral("results")));
+}
+
+TEST_F(DesktopTest, a_page_pushed_over_the_shell_is_left_by_going_back) {
+  const Account lena = records.student("1", "Lena Brandt");
+  open(records.file());
+  desktop->sign_in(lena);
+  desktop->shell()->show_page(QStringLiteral("exercises"));
+  auto* over = new QWidget;
+  desktop->push(over);
+  EXPECT_EQ(desktop->page(), over);
+  desktop->back();
+  EXPECT_EQ(desktop->page(), desktop->shell());
+  EXPECT_EQ(desktop->shell()->page_key().toStdString(), "exercises");
+  desktop->back();  // nothing left to close
+  EXPECT_EQ(desktop->page(), desktop->shell());
+}
+
+TEST_F(DesktopTest, language_and_colours_change_at_once_and_keep_the_page) {
+  const Account lena = records.student("1", "Lena Brandt");
+  open(records.file());
+  desktop->sign_in(lena);
+  desktop->shell()->show_page(QStringLiteral("exercises"));
+  desktop->set_language(QStringLiteral("de"));
+  EXPECT_EQ(desktop->shell()->page_key().toStdString(), "exercises");
+  EXPECT_EQ(desktop->shell()->entries()[1].name.toStdString(), "Übungen");
+  EXPECT_EQ(settings.language().toStdString(), "de");
+  desktop->set_scheme(ColourScheme::dark);
+  EXPECT_TRUE(tokens().dark);
+  desktop->set_scale(150);
+  EXPECT_EQ(scale_percent(), 150);
+  EXPECT_EQ(desktop->shell()->page_key().toStdString(), "exercises");
+}
+
+TEST_F(DesktopTest, what_was_typed_at_sign_in_survives_a_change_of_language) {
+  records.administrator();
+  open(records.file());
+  auto* page = qobject_cast<SignIn*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  page->set_typed_number(QStringLiteral("20267314"), false);
+  desktop->set_language(QStringLiteral("de"));
+  page = qobject_cast<SignIn*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  EXPECT_EQ(page->typed_number().toStdString(), "20267314");
+}
+
+TEST_F(DesktopTest, a_file_that_is_no_database_is_refused_in_words_and_left_alone) {
+  const QString name = folder.filePath(QStringLiteral("letter.txt"));
+  QFile letter(name);
+  ASSERT_TRUE(letter.open(QIODevice::WriteOnly));
+  letter.write(QByteArray(4096, 'a'));
+  letter.close();
+  open(name.toStdString());
+  QString all;
+  for (const QLabel* label : desktop->findChildren<QLabel*>()) all += label->text() + u'\n';
+  EXPECT_TRUE(all.contains(QStringLiteral("This file is not a Cusp database."))) << all.toStdString();
+  ASSERT_TRUE(letter.open(QIODevice::ReadOnly));
+  EXPECT_EQ(letter.readAll(), QByteArray(4096, 'a'));
+}
+
+TEST_F(DesktopTest, every_control_on_every_page_has_a_name) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 78, 426);
+  open(records.file());
+  for (const Account& who : {records.administrator(), lena}) {
+    desktop->sign_in(who);
+    for (const NavEntry& entry : desktop->shell()->entries()) {
+      desktop->shell()->show_page(entry.key);
+      for (const QWidget* w : desktop->findChildren<QWidget*>()) {
+        const bool control = w->inherits("QAbstractButton") || w->inherits("QLineEdit") || w->inherits("QComboBox") ||
+                             w->inherits("QTableView");
+        if (!control || !w->isVisible() || w->objectName().startsWith(u"qt_") || w->inherits("QHeaderView") ||
+            w->parentWidget()->inherits("QTableView") || w->parentWidget()->inherits("QLineEdit")) {
+          continue;
+        }
+        EXPECT_FALSE(w->accessibleName().isEmpty())
+            << entry.key.toStdString() << ": " << w->metaObject()->className() << " " << w->objectName().toStdString();
+      }
+    }
+  }
+}
+
+TEST_F(DesktopTest, f6_walks_through_the_panes) {
+  const Account lena = records.student("1", "Lena Brandt");
+  open(records.file());
+  desktop->sign_in(lena);
+  desktop->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(desktop.get()));
+  QSet<QWidget*> met;
+  for (int i = 0; i < 3; ++i) {
+    desktop->shell()->next_pane();
+    met.insert(QApplication::focusWidget());
+  }
+  EXPECT_EQ(met.size(), 3);
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,172 @@
+// Languages: complete, switched while the program runs, and nothing on the screen that was never meant to be translated.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+
+#include "tests/ui/desk_records.h"
+#include "ui/app/desktop.h"
+#include "ui/app/language.h"
+#include "ui/app/shell.h"
+#include "ui/widgets/format.h"
+
+namespace cusp {
+namespace {
+
+struct Message {
+  QString context, source, translation;
+  QStringList forms;
+  bool finished = true, plural = false;
+};
+
+QVector<Message> read_ts(const QString& name) {
+  QVector<Message> messages;
+  QFile file(QStringLiteral(CUSP_SOURCE_DIR "/translations/") + name);
+  if (!file.open(QIODevice::ReadOnly)) return messages;
+  QXmlStreamReader xml(&file);
+  QString context;
+  Message m;
+  while (!xml.atEnd()) {
+    xml.readNext();
+    if (xml.isStartElement()) {
+      if (xml.name() == u"name") context = xml.readElementText();
+      if (xml.name() == u"message") {
+        m = Message{};
+        m.context = context;
+        m.plural = xml.attributes().value(QStringLiteral("numerus")) == u"yes";
+      }
+      if (xml.name() == u"source") m.source = xml.readElementText();
+      if (xml.name() == u"translation") {
+        m.finished = !xml.attributes().hasAttribute(QStringLiteral("type"));
+        if (!m.plural) m.translation = xml.readElementText();
+      }
+      if (xml.name() == u"numerusform") m.forms += xml.readElementText();
+    }
+    if (xml.isEndElement() && xml.name() == u"message") messages += m;
+  }
+  return messages;
+}
+
+TEST(Languages, german_is_complete) {
+  const auto messages = read_ts(QStringLiteral("cusp_de.ts"));
+  ASSERT_GT(messages.size(), 300);
+  for (const Message& m : messages) {
+    EXPECT_TRUE(m.finished) << m.context.toStdString() << ": " << m.source.toStdString();
+    if (m.plural) {
+      ASSERT_EQ(m.forms.size(), 2) << m.source.toStdString();
+      for (const QString& form : m.forms) EXPECT_FALSE(form.isEmpty()) << m.source.toStdString();
+    } else {
+      EXPECT_FALSE(m.translation.isEmpty()) << m.context.toStdString() << ": " << m.source.toStdString();
+    }
+  }
+}
+
+TEST(Languages, english_has_every_plural) {
+  const auto english = read_ts(QStringLiteral("cusp_en.ts")), german = read_ts(QStringLiteral("cusp_de.ts"));
+  qsizetype plurals = 0;
+  for (const Message& m : german) plurals += m.plural ? 1 : 0;
+  ASSERT_EQ(english.size(), plurals);
+  for (const Message& m : english) {
+    EXPECT_TRUE(m.finished) << m.source.toStdString();
+    ASSERT_EQ(m.forms.size(), 2);
+    EXPECT_NE(m.forms[0], m.forms[1]) << m.source.toStdString();
+  }
+}
+
+TEST(Languages, a_translation_keeps_every_place_holder) {
+  static const QRegularExpression holder(QStringLiteral("%L?[0-9]|%n"));
+  for (const Message& m : read_ts(QStringLiteral("cusp_de.ts"))) {
+    QStringList wanted;
+    for (auto it = holder.globalMatch(m.source); it.hasNext();) wanted += it.next().captured();
+    wanted.sort();
+    for (const QString& text : m.plural ? m.forms : QStringList{m.translation}) {
+      QStringList found;
+      for (auto it = holder.globalMatch(text); it.hasNext();) found += it.next().captured();
+      found.sort();
+      // A singular may say "one" instead of the number.
+      if (m.plural) found.removeAll(QStringLiteral("%n")), wanted.removeAll(QStringLiteral("%n"));
+      EXPECT_EQ(found, wanted) << m.source.toStdString() << " / " << text.toStdString();
+    }
+  }
+}
+
+TEST(Languages, switching_changes_words_and_numbers_at_once) {
+  install_language(*qApp, QStringLiteral("de"));
+  EXPECT_EQ(current_language().toStdString(), "de");
+  EXPECT_EQ(metric_name("undercut").toStdString(), "Stehen gelassen");
+  EXPECT_EQ(format_number(1.5, 1).toStdString(), "1,5");
+  install_language(*qApp, QStringLiteral("en"));
+  EXPECT_EQ(metric_name("undercut").toStdString(), "Left standing");
+  EXPECT_EQ(format_number(1.5, 1).toStdString(), "1.5");
+}
+
+TEST(Languages, one_that_is_not_known_is_english) {
+  install_language(*qApp, QStringLiteral("xx"));
+  EXPECT_EQ(current_language().toStdString(), "en");
+  qputenv("LC_ALL", "de_AT.UTF-8");
+  install_language(*qApp, {});
+  EXPECT_EQ(current_language().toStdString(), "de");
+  qputenv("LC_ALL", "C.UTF-8");
+  install_language(*qApp, QStringLiteral("en"));
+}
+
+/// Texts that are shown but are nobody's to translate: names, numbers, dates, what a person wrote.
+bool translatable(const QString& text, const QStringList& own) {
+  static const QRegularExpression letters(QStringLiteral("\\p{L}{2,}"));
+  if (!text.contains(letters)) return false;
+  for (const QString& part : own) {
+    if (!part.isEmpty() && text.trimmed() == part) return false;
+  }
+  return true;
+}
+
+TEST(Languages, no_text_on_any_page_was_forgotten) {
+  test::DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 78, 426);
+  QStringList own = {QStringLiteral("Cusp"), QStringLiteral("Lena Brandt"), QStringLiteral("Anna Weber"), QSysInfo::machineHostName(),
+                     QStringLiteral("English"), QStringLiteral("Deutsch"), QStringLiteral("Falcon")};
+  const auto exercises = load_exercises(records.store());
+  ASSERT_TRUE(exercises.has_value());
+  for (const Exercise& e : exercises->exercises) {
+    for (const LocalText& texts : {e.scenario.title, e.scenario.briefing}) {
+      for (const auto& [code, text] : texts) own += QString::fromStdString(text);
+    }
+  }
+  install_language(*qApp, QStringLiteral("pseudo"));
+  Settings settings(QDir::temp().filePath(QStringLiteral("cusp-pseudo.ini")));
+  Ports ports = Ports::of_the_system();
+  for (const Account& who : {records.administrator(), lena}) {
+    Desktop desktop(settings, ports, records.file());
+    desktop.start();
+    desktop.show();
+    const auto check = [&](const QString& page) {
+      static const QRegularExpression caps(QStringLiteral("^(Ctrl|Alt|Esc|Enter|Space|Page Up|Page Down|Return|F\\d+|.)$"));
+      static const QRegularExpression date(QStringLiteral("^\\w{3} \\d+ \\w{3}"));
+      for (const QWidget* w : desktop.findChildren<QWidget*>()) {
+        QString text;
+        if (const auto* label = qobject_cast<const QLabel*>(w)) text = label->text();
+        if (const auto* button = qobject_cast<const QAbstractButton*>(w)) text = button->text();
+        if (text.contains(QRegularExpression(QStringLiteral("[\\[\\]]"))) || text.contains(date) || text.contains(caps)) continue;
+        if (text.startsWith(u"English") || text.startsWith(u"Deutsch")) continue;
+        EXPECT_FALSE(translatable(text, own)) << page.toStdString() << ": " << text.toStdString();
+      }
+    };
+    check(QStringLiteral("sign in"));
+    desktop.sign_in(who);
+    for (const NavEntry& entry : desktop.shell()->entries()) {
+      desktop.shell()->show_page(entry.key);
+      EXPECT_TRUE(entry.name.startsWith(u'[')) << entry.name.toStdString();
+      check(entry.key);
+    }
+  }
+  install_language(*qApp, QStringLiteral("en"));
+}
+
+}  // namespace
+}  // namespace cusp

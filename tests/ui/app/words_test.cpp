@@ -1,0 +1,111 @@
+// Codes put into words, and what the desktop remembers.
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <set>
+
+#include "tests/ui/desk_records.h"
+#include "ui/app/sentences.h"
+#include "ui/app/settings.h"
+
+namespace cusp {
+namespace {
+
+template <class Code, class Failure>
+void each_code_has_its_own_sentence(int codes) {
+  std::set<QString> told;
+  for (int i = 0; i < codes; ++i) {
+    const Told t = tell(Failure{static_cast<Code>(i), "the/place", {}});
+    EXPECT_FALSE(t.what.isEmpty()) << i;
+    EXPECT_TRUE(t.what.endsWith(u'.')) << t.what.toStdString();
+    EXPECT_FALSE(t.line().contains(u'%')) << t.line().toStdString();
+    told.insert(t.line());
+  }
+  EXPECT_GE(static_cast<int>(told.size()), codes - 8);  // kinds of "not known" share one sentence with another place
+}
+
+TEST(Sentences, every_code_of_every_room_has_words) {
+  each_code_has_its_own_sentence<StorageError, StorageFailure>(static_cast<int>(StorageError::bad_trace) + 1);
+  each_code_has_its_own_sentence<FormatError, FormatFailure>(static_cast<int>(FormatError::unknown_builtin) + 1);
+  each_code_has_its_own_sentence<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
+  each_code_has_its_own_sentence<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
+  for (int i = 0; i <= static_cast<int>(RunError::specimen_changed); ++i) {
+    EXPECT_FALSE(tell(RunFailure{static_cast<RunError>(i), "place"}).what.isEmpty());
+  }
+}
+
+TEST(Sentences, a_failed_go_tells_its_cause_not_its_consequence) {
+  const RunFailure full{RunError::recording_failed, "/data/cusp.db", {}, StorageError::disk_full};
+  EXPECT_EQ(tell(full).what.toStdString(), "The disk is full.");
+}
+
+TEST(Sentences, a_newer_database_is_refused_by_name_and_stays_as_it_is) {
+  const QString line = tell(StorageFailure{StorageError::newer_schema, "/data/cusp.db"}).line();
+  EXPECT_TRUE(line.contains(QStringLiteral("/data/cusp.db")));
+  EXPECT_TRUE(line.contains(QStringLiteral("left as it is")));
+}
+
+TEST(Sentences, nobody_is_shouted_at_or_blamed) {
+  for (int i = 0; i <= static_cast<int>(StorageError::bad_trace); ++i) {
+    const QString line = tell(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();
+    for (const char* word : {"!", "please", "invalid", "error", "oops", "sorry"}) {
+      EXPECT_FALSE(line.contains(QLatin1String(word))) << line.toStdString();
+    }
+  }
+}
+
+TEST(Sentences, what_earns_full_points_reads_as_dentists_say_it) {
+  const auto wanted = [](const char* metric, Bands bands) {
+    QString text = wanted_text({metric, 10, bands});
+    for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+    return text.replace(QChar(0x00A0), u' ').toStdString();
+  };
+  EXPECT_EQ(wanted("depth_mean", {1.2, 1.4, 1.5, 2.0, 2.2, 2.6}), "1.5 to 2 mm");
+  EXPECT_EQ(wanted("target_removed", {80, 95, 99, 100, 100, 100}), "99 % or more");
+  EXPECT_EQ(wanted("overcut_beyond_floor", {0, 0, 0, 0.3, 1, 3}), "up to 0.3 mm³");
+}
+
+TEST(Sentences, reasons_name_value_limit_and_what_lies_between) {
+  QString text = reason_text(test::sample_grade(70).criteria[1]);
+  for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+  EXPECT_EQ(text.replace(QChar(0x00A0), u' ').toStdString(), "2.41 mm, 0.41 mm deeper than 2 mm");
+}
+
+TEST(Sentences, every_metric_and_tissue_has_a_name) {
+  for (const char* metric : {"target_removed", "overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor",
+                             "overcut_beyond_side", "undercut", "depth_least", "depth_mean", "depth_most",
+                             "removed_enamel", "removed_carious_dentine", "removed_16", "remaining_over_pulp", "time",
+                             "force_peak", "force_mean", "pulp_exposure"}) {
+    EXPECT_NE(metric_name(metric).toStdString(), metric);
+  }
+  for (std::size_t i = 0; i < kTissueKeys.size(); ++i) EXPECT_FALSE(tissue_name(static_cast<Tissue>(i)).isEmpty());
+}
+
+TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_range) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("Cusp.ini"));
+  {
+    Settings settings(file);
+    EXPECT_EQ(settings.scheme(), ColourScheme::system);
+    EXPECT_EQ(settings.scale_percent(), 100);
+    settings.set_scheme(ColourScheme::dark);
+    settings.set_language(QStringLiteral("de"));
+    settings.set_scale_percent(900);
+  }
+  const Settings again(file);
+  EXPECT_EQ(again.scheme(), ColourScheme::dark);
+  EXPECT_EQ(again.language().toStdString(), "de");
+  EXPECT_EQ(again.scale_percent(), 200);
+}
+
+TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
+  EXPECT_EQ(database_path(QStringLiteral("/tmp/x.db")), "/tmp/x.db");
+  qputenv("CUSP_DB", "/tmp/y.db");
+  EXPECT_EQ(database_path({}), "/tmp/y.db");
+  qunsetenv("CUSP_DB");
+  EXPECT_EQ(database_path({}).filename(), "cusp.db");
+}
+
+}  // namespace
+}  // namespace cusp

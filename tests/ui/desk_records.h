@@ -1,0 +1,43 @@
+/// Records for tests of the desktop: a database in a folder of its own, with people and graded goes.
+#pragma once
+
+#include <QTemporaryDir>
+#include <memory>
+#include <string>
+
+#include "scenarios/grading/grade.h"
+#include "storage/store.h"
+
+namespace cusp::test {
+
+/// 2026-11-20 09:00 UTC, where the records' clock starts; each go lasts as long as it says.
+inline constexpr std::int64_t kMorning = 1'795'165'200'000'000;
+
+class DeskRecords {
+ public:
+  DeskRecords();
+  Store& store() { return *store_; }
+  std::filesystem::path file() const;
+
+  Account administrator();                     // "anna", password "correct horse"
+  Account student(const std::string& number, const std::string& name, const std::string& pin = {});
+
+  /// A graded go at a built-in exercise. Points are of 100 with pass mark 70.
+  SessionId go(const Account& student, const std::string& key, double score, double seconds,
+               const std::string& device_class = "pointer");
+  /// A go that broke off, not graded.
+  SessionId broken_go(const Account& student, const std::string& key);
+
+  std::int64_t now_us = kMorning;
+
+ private:
+  Session begin(const Account& student, const std::string& key, double seconds, const std::string& device_class);
+  QTemporaryDir folder_;
+  std::unique_ptr<Store> store_;
+  std::optional<Account> administrator_;
+};
+
+/// Two criteria: one full, one that lost points for depth.
+Grade sample_grade(double score, double pass = 70);
+
+}  // namespace cusp::test

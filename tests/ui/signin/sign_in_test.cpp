@@ -1,0 +1,148 @@
+// Sign-in, as a person meets it.
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/ui/desk_records.h"
+#include "ui/signin/pin_boxes.h"
+#include "ui/signin/sign_in.h"
+
+namespace cusp {
+namespace {
+
+using test::DeskRecords;
+
+QPushButton* button(QWidget& page, const char* name) {
+  for (QPushButton* b : page.findChildren<QPushButton*>()) {
+    if (b->accessibleName() == QLatin1String(name)) return b;
+  }
+  return nullptr;
+}
+QLineEdit* field(QWidget& page, const char* name) {
+  for (QLineEdit* f : page.findChildren<QLineEdit*>()) {
+    if (f->accessibleName() == QLatin1String(name)) return f;
+  }
+  return nullptr;
+}
+
+struct SignInTest : ::testing::Test {
+  DeskRecords records;
+  std::optional<Account> who;
+  std::unique_ptr<SignIn> page;
+  void open() {
+    page = std::make_unique<SignIn>(records.store());
+    QObject::connect(page.get(), &SignIn::signed_in, [this](const Account& a) { who = a; });
+    page->resize(1280, 800);
+    page->show();
+  }
+};
+
+TEST_F(SignInTest, a_student_signs_in_with_number_and_pin) {
+  records.student("20267314", "Lena Brandt", "271828");
+  open();
+  QTest::keyClicks(field(*page, "Student number"), QStringLiteral("20267314"));
+  auto* pin = page->findChild<PinBoxes*>();
+  for (int i = 0; i < 6; ++i) QTest::keyClicks(pin->box(i), QStringLiteral("271828").mid(i, 1));
+  EXPECT_EQ(pin->pin().toStdString(), "271828");
+  QTest::mouseClick(button(*page, "Sign in"), Qt::LeftButton);
+  ASSERT_TRUE(who.has_value());
+  EXPECT_EQ(who->name, "Lena Brandt");
+}
+
+TEST_F(SignInTest, a_wrong_pin_is_told_in_one_sentence_and_nobody_is_signed_in) {
+  records.student("20267314", "Lena Brandt", "271828");
+  open();
+  QTest::keyClicks(field(*page, "Student number"), QStringLiteral("20267314"));
+  auto* pin = page->findChild<PinBoxes*>();
+  for (int i = 0; i < 6; ++i) QTest::keyClicks(pin->box(i), QStringLiteral("1"));
+  QTest::keyClick(pin->box(5), Qt::Key_Return);
+  EXPECT_FALSE(who.has_value());
+  EXPECT_EQ(page->message().toStdString(), "Number and PIN do not match. Check both and try again.");
+  EXPECT_TRUE(pin->pin().isEmpty());
+}
+
+TEST_F(SignInTest, staff_sign_in_with_user_name_and_password) {
+  records.administrator();
+  open();
+  page->set_typed_number(QStringLiteral("anna"), true);
+  QTest::keyClicks(field(*page, "Password"), QStringLiteral("wrong horse"));
+  QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
+  EXPECT_EQ(page->message().toStdString(), "Number and password do not match. Check both and try again.");
+  field(*page, "Password")->clear();
+  QTest::keyClicks(field(*page, "Password"), QStringLiteral("correct horse"));
+  QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
+  ASSERT_TRUE(who.has_value());
+  EXPECT_EQ(who->role, Role::administrator);
+}
+
+TEST_F(SignInTest, five_wrong_tries_close_it_until_a_time_that_is_told) {
+  records.administrator();
+  open();
+  page->set_typed_number(QStringLiteral("anna"), true);
+  for (int i = 0; i < 6; ++i) {
+    field(*page, "Password")->setText(QStringLiteral("wrong horse"));
+    QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
+  }
+  EXPECT_TRUE(page->message().startsWith(QStringLiteral("Too many wrong tries."))) << page->message().toStdString();
+  EXPECT_FALSE(who.has_value());
+}
+
+TEST_F(SignInTest, an_empty_number_or_half_a_pin_is_told_before_the_records_are_asked) {
+  records.student("20267314", "Lena Brandt", "271828");
+  open();
+  button(*page, "Sign in")->click();
+  EXPECT_EQ(page->message().toStdString(), "The student number is missing.");
+  field(*page, "Student number")->setText(QStringLiteral("20267314"));
+  page->findChild<PinBoxes*>()->box(0)->setText(QStringLiteral("2"));
+  button(*page, "Sign in")->click();
+  EXPECT_EQ(page->message().toStdString(), "The PIN has six digits.");
+}
+
+TEST_F(SignInTest, the_first_start_makes_the_administrator) {
+  open();
+  ASSERT_TRUE(page->first_start());
+  field(*page, "Your name")->setText(QStringLiteral("Anna Weber"));
+  field(*page, "User name")->setText(QStringLiteral("anna"));
+  field(*page, "Password, at least 8 characters")->setText(QStringLiteral("correct horse"));
+  field(*page, "Password again")->setText(QStringLiteral("correct hearse"));
+  button(*page, "Make the administrator")->click();
+  EXPECT_EQ(page->message().toStdString(), "The two passwords differ. Type them again.");
+  field(*page, "Password, at least 8 characters")->setText(QStringLiteral("horse"));
+  field(*page, "Password again")->setText(QStringLiteral("horse"));
+  button(*page, "Make the administrator")->click();
+  EXPECT_TRUE(page->message().startsWith(QStringLiteral("This password is too short.")));
+  field(*page, "Password, at least 8 characters")->setText(QStringLiteral("correct horse"));
+  field(*page, "Password again")->setText(QStringLiteral("correct horse"));
+  button(*page, "Make the administrator")->click();
+  ASSERT_TRUE(who.has_value());
+  EXPECT_EQ(who->role, Role::administrator);
+  EXPECT_TRUE(*records.store().people.has_administrator());
+}
+
+TEST_F(SignInTest, try_it_takes_one_click_and_no_account) {
+  open();
+  QSignalSpy tried(page.get(), &SignIn::try_it);
+  button(*page, "Try it")->click();
+  EXPECT_EQ(tried.count(), 1);
+}
+
+TEST(PinBoxesTest, backspace_goes_back_and_a_pasted_pin_spreads) {
+  PinBoxes pin;
+  pin.show();
+  QTest::keyClicks(pin.box(0), QStringLiteral("1"));
+  QTest::keyClicks(pin.box(1), QStringLiteral("2"));
+  QTest::keyClick(pin.box(2), Qt::Key_Backspace);
+  EXPECT_EQ(pin.pin().toStdString(), "1");
+  QGuiApplication::clipboard()->setText(QStringLiteral(" 271 828 "));
+  QTest::keySequence(pin.box(0), QKeySequence::Paste);
+  EXPECT_EQ(pin.pin().toStdString(), "271828");
+  QTest::keyClicks(pin.box(0), QStringLiteral("x"));
+  EXPECT_EQ(pin.pin().toStdString(), "271828");
+}
+
+}  // namespace
+}  // namespace cusp

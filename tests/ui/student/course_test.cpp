@@ -1,0 +1,134 @@
+// Exercises, standing, and charts as plain data.
+
+#include <gtest/gtest.h>
+
+#include "scenarios/format/content_hash.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "tests/ui/desk_records.h"
+#include "ui/student/course.h"
+#include "ui/student/history_charts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+using test::DeskRecords;
+
+TEST(Exercises, those_that_come_with_the_program_are_there_in_an_empty_database) {
+  DeskRecords records;
+  const auto list = load_exercises(records.store());
+  ASSERT_TRUE(list.has_value());
+  ASSERT_EQ(list->exercises.size(), builtin_scenarios().size());
+  for (const Exercise& e : list->exercises) EXPECT_TRUE(e.version.is_nil());
+}
+
+TEST(Exercises, a_newer_version_published_here_takes_the_place_of_the_built_in_one) {
+  DeskRecords records;
+  Scenario changed = *load_builtin(builtin_scenarios().front());
+  changed.version += 1;
+  changed.target.depth_mm += 0.1;
+  ASSERT_TRUE(records.store().scenarios.ensure(changed, canonical_json(changed), content_hash(changed).bytes));
+  const auto list = load_exercises(records.store());
+  ASSERT_TRUE(list.has_value());
+  EXPECT_EQ(list->exercises.size(), builtin_scenarios().size());
+  const Exercise* found = list->find(changed.id);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->scenario, changed);
+  EXPECT_FALSE(found->version.is_nil());
+}
+
+TEST(Course, the_next_exercise_is_the_first_that_was_not_passed_yet) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  auto course = load_course(records.store(), lena.actor());
+  ASSERT_TRUE(course.has_value());
+  EXPECT_EQ(course->next(), 0);
+  EXPECT_EQ(course->last_graded(), nullptr);
+
+  const std::string first(builtin_scenarios()[0]);
+  records.go(lena, first, 55, 300);
+  course = load_course(records.store(), lena.actor());
+  EXPECT_EQ(course->next(), 0);  // not passed
+  records.go(lena, first, 82, 280);
+  course = load_course(records.store(), lena.actor());
+  EXPECT_EQ(course->next(), 1);
+  EXPECT_EQ(course->rows[0].goes, 2);
+  ASSERT_TRUE(course->rows[0].best.has_value());
+  EXPECT_DOUBLE_EQ(*course->rows[0].best->score, 82);
+}
+
+TEST(Course, a_student_sees_no_one_elses_goes) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
+  records.go(noah, "channel-1", 90, 100);
+  const auto course = load_course(records.store(), lena.actor());
+  ASSERT_TRUE(course.has_value());
+  EXPECT_TRUE(course->goes.empty());
+}
+
+TEST(CourseModel, shows_what_is_not_yet_as_words_not_as_zero) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 78, 300);
+  const auto course = load_course(records.store(), lena.actor());
+  const CourseModel model(course->rows);
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const bool drilled = model.row(row).exercise.scenario.key == "channel-1";
+    EXPECT_EQ(model.index(row, CourseModel::kBest).data().toString().toStdString(), drilled ? "78" : "none yet");
+    EXPECT_EQ(model.index(row, CourseModel::kGoes).data().toString().toStdString(), drilled ? "1" : "0");
+  }
+}
+
+TEST(GoesModel, has_a_line_a_go_with_result_and_state) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 78, 300);
+  records.go(lena, "channel-1", 40, 200);
+  records.broken_go(lena, "channel-1");
+  const auto rows = records.store().history.list(lena.actor());
+  ASSERT_TRUE(rows.has_value());
+  GoesModel model;
+  model.set_rows(*rows);
+  ASSERT_EQ(model.rowCount(), 3);
+  const auto text = [&](int row, int column) { return model.index(row, column).data().toString().toStdString(); };
+  EXPECT_EQ(text(0, GoesModel::kResult), "Interrupted");
+  EXPECT_EQ(text(0, GoesModel::kScore), "–");
+  EXPECT_EQ(text(1, GoesModel::kResult), "Not passed");
+  EXPECT_EQ(text(2, GoesModel::kResult), "Passed");
+  EXPECT_EQ(text(2, GoesModel::kScore), "78");
+  EXPECT_EQ(text(2, GoesModel::kGo), "1");
+  EXPECT_TRUE(model.index(2, GoesModel::kTime).data().toString().contains(QStringLiteral("5:00")));
+  EXPECT_LT(model.index(0, GoesModel::kScore).data(SortRole).toDouble(), 0);
+}
+
+TEST(HistoryCharts, the_newest_go_is_the_strong_point_and_the_axes_hold_every_go) {
+  DeskRecords records;
+  const Account lena = records.student("1", "Lena Brandt");
+  for (const auto& [score, seconds] : {std::pair{54.0, 744.0}, {61.0, 640.0}, {78.0, 426.0}}) {
+    records.go(lena, "channel-1", score, seconds);
+  }
+  const auto rows = records.store().history.list(lena.actor());
+  const ChartData chart = time_and_score(*rows);
+  ASSERT_EQ(chart.series.size(), 1);
+  ASSERT_EQ(chart.series[0].points.size(), 3);
+  EXPECT_TRUE(chart.series[0].points.last().strong);
+  EXPECT_DOUBLE_EQ(chart.series[0].points.last().y, 78);
+  EXPECT_NEAR(chart.series[0].points.last().x, 7.1, 1e-6);  // 426 s in minutes
+  EXPECT_EQ(chart.mark, 70.0);
+  for (const ChartPoint& p : chart.series[0].points) {
+    EXPECT_GE(p.x, chart.x.least);
+    EXPECT_LE(p.x, chart.x.most);
+    EXPECT_GE(p.y, chart.y.least);
+    EXPECT_LE(p.y, chart.y.most);
+  }
+  EXPECT_EQ(score_by_go(*rows).series[0].points.last().x, 3.0);
+}
+
+TEST(HistoryCharts, without_a_go_there_is_nothing_to_draw) {
+  EXPECT_TRUE(time_and_score({}).series[0].points.isEmpty());
+  EXPECT_TRUE(score_by_go({}).summary.isEmpty());
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,118 @@
+// The student's pages over real records.
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "scenarios/library/library.h"
+#include "tests/ui/desk_records.h"
+#include "ui/student/briefing.h"
+#include "ui/student/exercises_page.h"
+#include "ui/student/own_history.h"
+#include "ui/student/start_page.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+using test::DeskRecords;
+
+/// Every text that a page shows.
+QString texts(QWidget& page) {
+  QString all;
+  for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
+  return all;
+}
+
+struct Pages : ::testing::Test {
+  DeskRecords records;
+  QTemporaryDir cache;
+  PictureShelf pictures{cache.path().toStdString()};
+  QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
+};
+
+TEST_F(Pages, the_start_page_of_a_new_student_says_what_is_not_there_yet_and_offers_the_first_exercise) {
+  const Account lena = records.student("1", "Lena Brandt");
+  StartPage page(records.store(), lena, pictures, now);
+  page.resize(1080, 752);
+  page.show();
+  EXPECT_TRUE(texts(page).contains(QStringLiteral("No result yet")));
+  EXPECT_TRUE(texts(page).contains(QStringLiteral("Fri 20 Nov")));
+  std::optional<Exercise> started;
+  QObject::connect(&page, &StartPage::start_wanted, [&](const Exercise& e) { started = e; });
+  page.start_button()->click();
+  ASSERT_TRUE(started.has_value());
+  EXPECT_EQ(started->scenario.key, builtin_scenarios()[0]);
+}
+
+TEST_F(Pages, the_start_page_shows_the_last_result_and_how_to_do_better) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 74, 500);
+  records.go(lena, "channel-1", 78, 426);
+  StartPage page(records.store(), lena, pictures, now);
+  const QString all = texts(page);
+  EXPECT_TRUE(all.contains(QStringLiteral("78")));
+  EXPECT_TRUE(all.contains(QStringLiteral("4 more than\nyour best before")));
+  EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing before the wanted depth")));  // depth_most, too_deep
+  EXPECT_TRUE(all.contains(QStringLiteral("Mouse and keys only, 2 goes.")));
+}
+
+TEST_F(Pages, the_list_opens_the_briefing_with_enter) {
+  const Account lena = records.student("1", "Lena Brandt");
+  ExercisesPage page(records.store(), lena.actor());
+  page.show();
+  std::optional<Exercise> wanted;
+  QObject::connect(&page, &ExercisesPage::briefing_wanted, [&](const Exercise& e) { wanted = e; });
+  page.table()->choose_row(1);
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  ASSERT_TRUE(wanted.has_value());
+  EXPECT_EQ(wanted->scenario.key, builtin_scenarios()[1]);
+}
+
+TEST_F(Pages, the_briefing_says_what_earns_points_and_starts) {
+  const auto list = load_exercises(records.store());
+  Briefing page(list->exercises.front(), pictures, {});
+  page.show();
+  const Scenario& s = list->exercises.front().scenario;
+  const QString all = texts(page);
+  EXPECT_TRUE(all.contains(QString::fromStdString(s.title.at("en"))));
+  EXPECT_TRUE(all.contains(QString::fromStdString(s.briefing.at("en"))));
+  const auto* table = page.findChild<Table*>();
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->model()->rowCount(), static_cast<int>(s.rubric.criteria.size()));
+  QSignalSpy started(&page, &Briefing::start_wanted);
+  page.start_button()->click();
+  EXPECT_EQ(started.count(), 1);
+}
+
+TEST_F(Pages, my_results_filters_by_exercise_and_opens_a_report) {
+  const Account lena = records.student("1", "Lena Brandt");
+  records.go(lena, "channel-1", 60, 300);
+  const SessionId block = records.go(lena, "paper-block", 70, 200);
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  EXPECT_EQ(page.table()->model()->rowCount(), 2);
+  std::optional<SessionId> wanted;
+  QObject::connect(&page, &OwnHistory::report_wanted, [&](const SessionId& id) { wanted = id; });
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  EXPECT_EQ(wanted, block);  // the newest first
+  page.exercise()->setCurrentIndex(2);
+  EXPECT_EQ(page.table()->model()->rowCount(), 1);
+}
+
+TEST_F(Pages, my_results_without_a_go_offers_the_exercises) {
+  const Account lena = records.student("1", "Lena Brandt");
+  OwnHistory page(records.store(), lena.actor());
+  page.show();
+  EXPECT_EQ(page.table(), nullptr);
+  QSignalSpy wanted(&page, &OwnHistory::exercises_wanted);
+  page.findChild<QPushButton*>()->click();
+  EXPECT_EQ(wanted.count(), 1);
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,62 @@
+// Values as people read them.
+
+#include <gtest/gtest.h>
+
+#include <QLocale>
+#include <limits>
+
+#include "ui/widgets/format.h"
+
+namespace cusp {
+namespace {
+
+const QLocale kEnglish(QLocale::English, QLocale::UnitedStates), kGerman(QLocale::German);
+
+/// Without the isolates, with plain spaces, for comparing.
+std::string plain(QString text) {
+  EXPECT_TRUE(text.isEmpty() || (text.startsWith(QChar(0x2066)) && text.endsWith(QChar(0x2069))));
+  text.remove(QChar(0x2066));
+  text.remove(QChar(0x2069));
+  text.replace(QChar(0x00A0), u' ');
+  return text.toStdString();
+}
+
+TEST(Format, a_measured_value_has_unit_and_uncertainty_within_isolates) {
+  EXPECT_EQ(plain(format({1.8449, 0.03, QStringLiteral("mm")}, kEnglish)), "1.84 mm ± 0.03");
+  EXPECT_EQ(plain(format({1.8449, 0.03, QStringLiteral("mm")}, kGerman)), "1,84 mm ± 0,03");
+  EXPECT_EQ(plain(format({0.93, 0.1, QStringLiteral("mm3")}, kEnglish)), "0.9 mm³ ± 0.1");
+  EXPECT_EQ(plain(format({96.84, 0.4, QStringLiteral("%")}, kEnglish)), "96.8 % ± 0.4");
+}
+
+TEST(Format, nothing_reads_as_minus_zero_or_as_plus_minus_zero) {
+  EXPECT_EQ(plain(format({-0.001, std::nullopt, QStringLiteral("mm"), 2}, kEnglish)), "0.00 mm");
+  EXPECT_EQ(plain(format({1.0, 0.0004, QStringLiteral("mm"), 2}, kEnglish)), "1.00 mm");
+  EXPECT_EQ(plain(format({1.0, 0.002, QStringLiteral("mm"), 2}, kEnglish)), "1.00 mm ± 0.002");
+  EXPECT_EQ(plain(format({1.0, 0.0, QStringLiteral("mm"), 2}, kEnglish)), "1.00 mm");
+}
+
+TEST(Format, a_negative_number_has_a_real_minus_and_no_number_has_a_dash) {
+  EXPECT_EQ(format_number(-3.26, 1, kEnglish).toStdString(), "−3.3");
+  EXPECT_EQ(format_number(std::numeric_limits<double>::quiet_NaN(), 1, kEnglish).toStdString(), "–");
+}
+
+TEST(Format, points_are_whole_where_they_are_whole) {
+  EXPECT_EQ(format_points(81.0, kEnglish).toStdString(), "81");
+  EXPECT_EQ(format_points(81.46, kEnglish).toStdString(), "81.5");
+  EXPECT_EQ(format_points(81.46, kGerman).toStdString(), "81,5");
+}
+
+TEST(Format, a_clock_counts_minutes_and_from_an_hour_on_hours) {
+  EXPECT_EQ(plain(format_clock(458.9)), "7:38");
+  EXPECT_EQ(plain(format_clock(5)), "0:05");
+  EXPECT_EQ(plain(format_clock(3661)), "1:01:01");
+}
+
+TEST(Format, a_day_is_written_in_the_order_of_the_language) {
+  const QDateTime when(QDate(2026, 11, 20), QTime(10, 14));
+  EXPECT_EQ(format_day_time(when, kEnglish).toStdString(), "Fri 20 Nov, 10:14");
+  EXPECT_EQ(format_day(when, kGerman).toStdString(), "Fr. 20. Nov.");
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,135 @@
+// Colours, style sheet and icons.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <cmath>
+
+#include "ui/widgets/icon.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+/// WCAG 2.1: relative luminance and contrast ratio.
+double luminance(const QColor& c) {
+  const auto channel = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  return 0.2126 * channel(c.redF()) + 0.7152 * channel(c.greenF()) + 0.0722 * channel(c.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+  const double la = luminance(a), lb = luminance(b);
+  return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+TEST(Look, every_text_role_can_be_read_on_every_ground) {
+  for (const Tokens* t : {&Tokens::light(), &Tokens::dark_theme()}) {
+    for (const QColor& ground : {t->window, t->surface, t->sunken, t->hover}) {
+      for (const QColor& ink : {t->text, t->text2, t->text3, t->good, t->look, t->bad}) {
+        EXPECT_GE(contrast(ink, ground), 4.5) << ink.name().toStdString() << " on " << ground.name().toStdString();
+      }
+    }
+    EXPECT_GE(contrast(t->on_accent, t->accent), 4.5);
+    EXPECT_GE(contrast(t->good, t->good_soft), 4.5);
+    EXPECT_GE(contrast(t->look, t->look_soft), 4.5);
+    EXPECT_GE(contrast(t->bad, t->bad_soft), 4.5);
+    EXPECT_GE(contrast(t->text, t->accent_soft), 4.5);
+  }
+}
+
+TEST(Look, borders_bars_and_lines_stand_out_by_three_to_one) {
+  for (const Tokens* t : {&Tokens::light(), &Tokens::dark_theme()}) {
+    for (const QColor& ink : {t->border, t->accent, t->bar_enamel, t->bar_dentine, t->bar_decay, t->bar_pulp, t->line_target,
+                              t->line_leeway, t->line_over, t->line_under}) {
+      EXPECT_GE(contrast(ink, t->surface), 3.0) << ink.name().toStdString();
+    }
+  }
+}
+
+TEST(Look, no_colour_stands_outside_the_theme) {
+  // A literal colour elsewhere would not follow light and dark. The tooth's own colours live in ui/render/colours.h.
+  static const QRegularExpression literal(
+      QStringLiteral("#[0-9A-Fa-f]{6}\\b|QColor\\([0-9]|rgba?\\([0-9]|Qt::(white|black|red|green|blue|gray|yellow)\\b"));
+  const QString root = QStringLiteral(CUSP_SOURCE_DIR "/ui");
+  QDirIterator files(root, {QStringLiteral("*.cpp"), QStringLiteral("*.h"), QStringLiteral("*.qss"), QStringLiteral("*.svg")},
+                     QDir::Files, QDirIterator::Subdirectories);
+  int read = 0;
+  while (files.hasNext()) {
+    const QString name = files.next();
+    if (name.endsWith(QStringLiteral("widgets/theme.cpp")) || name.contains(QStringLiteral("/ui/render/"))) continue;
+    QFile file(name);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const auto found = literal.match(QString::fromUtf8(file.readAll()));
+    EXPECT_FALSE(found.hasMatch()) << name.toStdString() << ": " << found.captured().toStdString();
+    ++read;
+  }
+  EXPECT_GT(read, 50);
+  // It can fail: the theme itself would be found.
+  QFile theme(root + QStringLiteral("/widgets/theme.cpp"));
+  ASSERT_TRUE(theme.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(literal.match(QString::fromUtf8(theme.readAll())).hasMatch());
+}
+
+TEST(Look, the_style_sheet_has_every_name_filled_in) {
+  apply_theme(*qApp, ColourScheme::light, 100);
+  const QString sheet = qApp->styleSheet();
+  EXPECT_GT(sheet.size(), 2000);
+  EXPECT_FALSE(sheet.contains(QRegularExpression(QStringLiteral("@[a-z]"))));
+  EXPECT_FALSE(sheet.contains(QRegularExpression(QStringLiteral("\\$[0-9]"))));
+  // @text2 came out as itself, not as @text with a 2.
+  EXPECT_TRUE(sheet.contains(Tokens::light().text2.name()));
+  EXPECT_FALSE(sheet.contains(Tokens::light().text.name() + u'2'));
+}
+
+TEST(Look, scale_enlarges_lengths_and_type) {
+  apply_theme(*qApp, ColourScheme::light, 150);
+  EXPECT_EQ(px(32), 48);
+  EXPECT_EQ(font_of(TextRole::section).pixelSize(), 23);  // 15 * 1.5, rounded up
+  EXPECT_TRUE(qApp->styleSheet().contains(QStringLiteral("min-height: 45px")));  // $30
+  apply_theme(*qApp, ColourScheme::light, 400);
+  EXPECT_EQ(scale_percent(), 200);
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST(Look, every_icon_is_drawn_in_the_ink_that_was_asked_for) {
+  EXPECT_GE(icon_names().size(), 60);
+  for (const QString& name : icon_names()) {
+    const QImage image = icon_pixmap(name, Ink::accent, 20).toImage().convertToFormat(QImage::Format_ARGB32);
+    ASSERT_EQ(image.size(), QSize(20, 20)) << name.toStdString();
+    int inked = 0;
+    for (int y = 0; y < 20; ++y) {
+      for (int x = 0; x < 20; ++x) {
+        const QColor c = image.pixelColor(x, y);
+        if (c.alpha() < 120) continue;
+        ++inked;
+        EXPECT_LE(std::abs(c.red() - Tokens::light().accent.red()), 4) << name.toStdString();
+      }
+    }
+    EXPECT_GT(inked, 3) << name.toStdString();
+  }
+}
+
+TEST(Look, an_icon_follows_the_theme_without_being_made_again) {
+  const QIcon made = icon(QStringLiteral("check"), Ink::text);
+  const auto darkest = [&] {
+    const QImage image = made.pixmap(QSize(20, 20)).toImage();
+    int least = 255;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        if (image.pixelColor(x, y).alpha() > 200) least = std::min(least, image.pixelColor(x, y).lightness());
+      }
+    }
+    return least;
+  };
+  apply_theme(*qApp, ColourScheme::light, 100);
+  EXPECT_LT(darkest(), 60);
+  apply_theme(*qApp, ColourScheme::dark, 100);
+  EXPECT_TRUE(tokens().dark);
+  EXPECT_GT(darkest(), 200);
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+}  // namespace
+}  // namespace cusp

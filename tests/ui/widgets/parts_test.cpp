@@ -1,0 +1,166 @@
+// Gauges, charts, tables and small parts.
+
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QApplication>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStandardItemModel>
+#include <QTableView>
+#include <QTest>
+
+#include "ui/widgets/busy.h"
+#include "ui/widgets/chart.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+TEST(Gauge, tells_a_screen_reader_its_name_value_and_range) {
+  Gauge gauge(QStringLiteral("Depth"), QStringLiteral("mm"), Gauge::Grows::down);
+  gauge.set_range(0, 3, 0.5);
+  gauge.set_value(1.52);
+  QAccessibleInterface* face = QAccessible::queryAccessibleInterface(&gauge);
+  ASSERT_NE(face, nullptr);
+  EXPECT_EQ(face->text(QAccessible::Name).toStdString(), "Depth");
+  ASSERT_NE(face->valueInterface(), nullptr);
+  EXPECT_DOUBLE_EQ(face->valueInterface()->currentValue().toDouble(), 1.52);
+  EXPECT_DOUBLE_EQ(face->valueInterface()->maximumValue().toDouble(), 3.0);
+  EXPECT_TRUE(face->text(QAccessible::Value).contains(QStringLiteral("1.52")));
+}
+
+TEST(Gauge, without_a_value_shows_a_dash_and_takes_no_nonsense) {
+  Gauge gauge(QStringLiteral("Push"), QStringLiteral("N"), Gauge::Grows::up);
+  EXPECT_EQ(gauge.value_text().toStdString(), "–");
+  gauge.set_value(std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(gauge.value().has_value());
+  gauge.resize(104, 420);
+  EXPECT_FALSE(gauge.grab().isNull());
+}
+
+TEST(Bar, keeps_its_share_between_nothing_and_all) {
+  Bar bar;
+  bar.set_share(1.7);
+  EXPECT_DOUBLE_EQ(bar.share(), 1.0);
+  bar.set_share(-1);
+  EXPECT_DOUBLE_EQ(bar.share(), 0.0);
+}
+
+ChartData two_goes() {
+  ChartData d;
+  d.title = QStringLiteral("Time and score");
+  d.x = {QStringLiteral("minutes"), 0, 14, 2, 0};
+  d.y = {QStringLiteral("points"), 40, 100, 20, 0};
+  d.mark = 70;
+  d.mark_text = QStringLiteral("pass 70");
+  ChartSeries s;
+  s.name = QStringLiteral("You");
+  s.points = {{12.4, 54, QStringLiteral("first"), false}, {7.1, 78, QStringLiteral("last"), true}};
+  d.series = {s};
+  return d;
+}
+
+TEST(Chart, is_its_table_too) {
+  Chart chart;
+  chart.resize(320, 220);
+  chart.set_data(two_goes());
+  chart.show();
+  EXPECT_FALSE(chart.shows_table());
+  QTest::keyClick(chart.focusWidget() ? chart.focusWidget() : &chart, Qt::Key_T, Qt::ControlModifier);
+  chart.show_table(true);
+  EXPECT_TRUE(chart.shows_table());
+  const auto* table = chart.findChild<QTableView*>();
+  ASSERT_NE(table, nullptr);
+  ASSERT_EQ(table->model()->rowCount(), 2);
+  EXPECT_EQ(table->model()->index(1, 0).data().toString().toStdString(), "last");
+  EXPECT_EQ(table->model()->index(1, 2).data().toString().toStdString(), "78");
+}
+
+TEST(Chart, draws_its_points_where_the_axes_say) {
+  // 320 x 220: the newest go is a filled dot in accent at x = 7.1 of 0..14, y = 78 of 40..100.
+  QImage image(320, 220, QImage::Format_RGB32);
+  image.fill(Tokens::light().surface);
+  QPainter painter(&image);
+  paint_chart(painter, QRectF(0, 0, 320, 220), two_goes(), Tokens::light(), 1.0);
+  painter.end();
+  int found = 0, top = 220, bottom = 0;
+  for (int y = 0; y < 220; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      if (image.pixelColor(x, y) != Tokens::light().accent) continue;
+      ++found;
+      top = std::min(top, y);
+      bottom = std::max(bottom, y);
+    }
+  }
+  EXPECT_GT(found, 40);
+  // Between the lines of 80 and of 40 points (8 from the top and 34 from the bottom are margins).
+  const auto y_of = [](double points) { return 186 - (points - 40) / 60 * 178; };
+  EXPECT_GT(top, y_of(84));
+  EXPECT_LT(bottom, y_of(48));
+}
+
+TEST(Table, opens_a_row_with_enter_and_chooses_one_in_right_to_left_too) {
+  QStandardItemModel model(3, 2);
+  for (int row = 0; row < 3; ++row) model.setItem(row, 0, new QStandardItem(QString::number(row)));
+  Table table;
+  table.setModel(&model);
+  table.setLayoutDirection(Qt::RightToLeft);
+  table.show();
+  table.choose_row(1);
+  EXPECT_EQ(table.chosen_row(), 1);
+  QSignalSpy opened(&table, &Table::row_opened);
+  QTest::keyClick(&table, Qt::Key_Return);
+  ASSERT_EQ(opened.count(), 1);
+  EXPECT_EQ(opened[0][0].toModelIndex().row(), 1);
+  table.choose_row(7);  // no such row: the choice stays
+  EXPECT_EQ(table.chosen_row(), 1);
+}
+
+TEST(Busy, stays_hidden_for_work_that_is_over_at_once) {
+  QWidget page;
+  Busy busy(&page);
+  page.show();
+  busy.start(QStringLiteral("Reading the tooth"), true);
+  EXPECT_FALSE(busy.isVisible());
+  busy.finish();
+  QTest::qWait(Busy::kDelayMs + 50);
+  EXPECT_FALSE(busy.isVisible());
+  busy.start(QStringLiteral("Reading the tooth"), true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return busy.isVisible(); }));
+}
+
+TEST(Parts, buttons_and_icon_buttons_have_names) {
+  const std::unique_ptr<QPushButton> button(make_button(QStringLiteral("Finish"), ButtonKind::primary, QStringLiteral("flag")));
+  EXPECT_EQ(button->accessibleName().toStdString(), "Finish");
+  const std::unique_ptr<QToolButton> alone(make_icon_button(QStringLiteral("globe"), QStringLiteral("Language"), QKeySequence(Qt::Key_F9)));
+  EXPECT_EQ(alone->accessibleName().toStdString(), "Language");
+  EXPECT_EQ(alone->toolTip().toStdString(), "Language (F9)");
+}
+
+TEST(Parts, a_band_tells_what_happened_and_goes_away) {
+  QWidget page;
+  Band band(&page);
+  page.show();
+  EXPECT_FALSE(band.isVisible());
+  band.show_message(Band::Kind::bad, QStringLiteral("The disk is full."), QStringLiteral("<All> before it is kept."));
+  EXPECT_TRUE(band.isVisible());
+  EXPECT_EQ(band.text().toStdString(), "The disk is full. <All> before it is kept.");
+  band.clear();
+  EXPECT_FALSE(band.isVisible());
+}
+
+TEST(Parts, segments_have_one_chosen_and_say_when_it_changes) {
+  Segments who({QStringLiteral("Student"), QStringLiteral("Staff")});
+  QSignalSpy changed(&who, &Segments::changed);
+  EXPECT_EQ(who.chosen(), 0);
+  who.button(1)->click();
+  EXPECT_EQ(who.chosen(), 1);
+  ASSERT_EQ(changed.count(), 1);
+  EXPECT_EQ(changed[0][0].toInt(), 1);
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,42 @@
+// The desktop's way into the editor, and from there to a try-out and back with everything as it was.
+
+#include "ui/app/desktop.h"
+#include "ui/drill/drill_screen.h"
+#include "ui/editor/editor_page.h"
+#include "ui/instructor/import_page.h"
+
+namespace cusp {
+
+void Desktop::edit(const EditorStart& start) {
+  auto* editor = new EditorPage(*store_, account_->actor(), ports_, start);
+  connect(editor, &EditorPage::back_wanted, this, &Desktop::back);
+  connect(editor, &EditorPage::try_out_wanted, this, &Desktop::try_out);
+  push(editor);
+}
+
+void Desktop::import_specimen() {
+  auto* page = new ImportPage(ports_, database_);
+  connect(page, &ImportPage::back_wanted, this, &Desktop::back);
+  connect(page, &ImportPage::edit_wanted, this, [this](const EditorStart& start) {
+    back();
+    edit(start);
+  });
+  push(page);
+}
+
+void Desktop::try_out(const RunPlan& plan, const QString& title) {
+  auto* screen = new DrillScreen(nullptr, ports_);
+  connect(screen, &DrillScreen::left, this, &Desktop::back);
+  connect(screen, &DrillScreen::failed, this, [this](const RunFailure& failure) {
+    back();
+    tell_failure(tell(failure));
+  });
+  connect(screen, &DrillScreen::finished, this, [this](std::shared_ptr<const RunResult> result) {
+    back();
+    show_result(std::move(result), std::nullopt);
+  });
+  push(screen);
+  screen->begin(plan, {title, tr("Try-out: nothing is kept")});
+}
+
+}  // namespace cusp
