@@ -1,5 +1,6 @@
 #include "ui/drill/drill_screen.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -178,6 +179,8 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
 
 DrillScreen::~DrillScreen() {
   if (inner_->worker.joinable()) inner_->worker.join();
+  // A go that was just started and not yet taken over ends here, while the view that it asks for frames still stands.
+  QCoreApplication::removePostedEvents(this, QEvent::MetaCall);
   inner_->look_timer.stop();
   // The view outlives the go by a moment: nothing may be asked of it any more.
   inner_->stage->view()->set_burr_source({});
@@ -311,7 +314,9 @@ void DrillScreen::look() {
   }
   // The clock of the exercise has run out, or inputs could not be kept: the go is graded as it stands.
   const double limit = in.go->run->scenario().time_limit_s;
-  if ((limit > 0 && in.live.seconds >= limit) || in.live.end == LoopEnd::ring_full) finish_now();
+  const bool behind = in.live.end == LoopEnd::ring_full;
+  if (behind) in.stage->show_stopped(DrillStage::Stop::behind);
+  if (behind || (limit > 0 && in.live.seconds >= limit)) finish_now();
 }
 
 void DrillScreen::toggle_pause() {

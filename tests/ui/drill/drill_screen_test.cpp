@@ -134,6 +134,14 @@ TEST_F(Screen, brackets_go_through_the_burrs_and_stop_at_the_ends) {
   EXPECT_EQ(tray->chosen(), 1);
 }
 
+TEST_F(Screen, it_can_be_closed_while_the_tooth_is_being_made_ready) {
+  RunPlan plan;
+  plan.scenario = load_builtin("channel-1").value();
+  plan.kind = SessionKind::try_it;
+  screen->begin(std::move(plan), {});
+  screen.reset();
+}
+
 TEST_F(Screen, it_can_be_closed_in_the_middle_of_a_go) {
   begin("channel-1");
   QTest::keyPress(screen.get(), Qt::Key_Space);
