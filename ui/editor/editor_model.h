@@ -18,7 +18,7 @@ namespace cusp {
 struct EditorStart {
   Scenario draft;                     // its version is the one that would be published
   std::optional<Scenario> published;  // the newest version; nullopt for an exercise that was never published
-  std::string folder;                 // where a volume named by the draft lies; empty for generators
+  std::string folder;                 // where a volume lies that the draft names
 };
 
 class EditorModel : public QObject {
@@ -29,7 +29,6 @@ class EditorModel : public QObject {
 
   const Scenario& scenario() const { return scenario_; }
   const std::string& folder() const { return folder_; }
-  void set_folder(std::string folder) { folder_ = std::move(folder); }
   QUndoStack& stack() { return stack_; }
 
   /// All edits: true when the value was taken (also when it was there already), false when an exercise may not hold it

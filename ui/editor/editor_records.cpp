@@ -13,16 +13,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The draft's folder where its volume lies there, else that of the published version.
-Stored<std::string> volume_folder(Store& store, const Exercise& exercise, const Scenario& draft,
-                                  const fs::path& database, const fs::path& cache) {
-  if (!draft.specimen.generator.empty()) return std::string();
-  const fs::path own = drafts_folder(database, draft.id);
+/// Puts the volume of a published version beside the draft, so that every volume a draft ever names lies in one folder.
+Stored<void> unpack_volume(Store& store, const Exercise& exercise, const fs::path& to, const fs::path& cache) {
+  const std::string& volume = exercise.scenario.specimen.volume;
   std::error_code error;
-  if (fs::exists(own / draft.specimen.volume, error)) return own.string();
-  auto unpacked = exercise_folder(store, exercise, cache);
-  if (!unpacked) return std::unexpected(unpacked.error());
-  return unpacked->string();
+  if (!exercise.scenario.specimen.generator.empty() || fs::exists(to / volume, error)) return {};
+  const auto from = exercise_folder(store, exercise, cache);
+  if (!from) return std::unexpected(from.error());
+  fs::create_directories(to, error);
+  if (!error) fs::copy_file(*from / volume, to / volume, error);
+  if (error) return fail(StorageError::io, to.string(), error.message());
+  return {};
 }
 
 Stored<std::vector<std::byte>> bytes_of(const fs::path& file) {
@@ -54,17 +55,14 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
     if (auto read = read_scenario((*draft)->json)) start.draft = std::move(*read);
   }
   start.draft.version = start.published->version + 1;
-  auto folder = volume_folder(store, exercise, start.draft, database, cache);
-  if (!folder) return std::unexpected(folder.error());
-  start.folder = std::move(*folder);
+  const fs::path folder = drafts_folder(database, start.draft.id);
+  if (auto done = unpack_volume(store, exercise, folder, cache); !done) return std::unexpected(done.error());
+  start.folder = folder.string();
   return start;
 }
 
-Stored<EditorStart> open_draft(Store&, const Actor&, const Scenario& draft, const fs::path& database) {
-  EditorStart start;
-  start.draft = draft;
-  if (draft.specimen.generator.empty()) start.folder = drafts_folder(database, draft.id).string();
-  return start;
+EditorStart open_draft(const Scenario& draft, const fs::path& database) {
+  return {draft, std::nullopt, drafts_folder(database, draft.id).string()};
 }
 
 Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const LocalText& title,
@@ -75,15 +73,9 @@ Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const L
   start.draft.key.clear();
   start.draft.version = 1;
   start.draft.title = title;
-  if (!start.draft.specimen.generator.empty()) return start;
-  const auto from = exercise_folder(store, pattern, cache);
-  if (!from) return std::unexpected(from.error());
-  const fs::path to = drafts_folder(database, start.draft.id);
-  std::error_code error;
-  fs::create_directories(to, error);
-  if (!error) fs::copy_file(*from / start.draft.specimen.volume, to / start.draft.specimen.volume, error);
-  if (error) return fail(StorageError::io, to.string(), error.message());
-  start.folder = to.string();
+  const fs::path folder = drafts_folder(database, start.draft.id);
+  if (auto done = unpack_volume(store, pattern, folder, cache); !done) return std::unexpected(done.error());
+  start.folder = folder.string();
   return start;
 }
 

@@ -17,8 +17,7 @@ std::filesystem::path drafts_folder(const std::filesystem::path& database, Scena
 Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exercise& exercise,
                                      const std::filesystem::path& database, const std::filesystem::path& cache);
 /// A draft of an exercise that was never published.
-Stored<EditorStart> open_draft(Store& store, const Actor& actor, const Scenario& draft,
-                               const std::filesystem::path& database);
+EditorStart open_draft(const Scenario& draft, const std::filesystem::path& database);
 
 /// A new exercise that begins as a copy of another one; an identity of its own. A volume is copied beside the draft.
 Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const LocalText& title,

@@ -1,0 +1,34 @@
+/// The burrs that students may choose from.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/editor/editor_model.h"
+
+class QComboBox;
+class QPushButton;
+class QVBoxLayout;
+
+namespace cusp {
+
+class NumberBox;
+
+class BurrsForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BurrsForm(EditorModel& model, QWidget* parent = nullptr);
+
+ private:
+  void follow_model();
+
+  EditorModel& model_;
+  QVBoxLayout* list_;
+  QComboBox* catalogue_;
+  QPushButton* add_;
+  std::vector<NumberBox*> diameters_;
+  std::vector<std::string> built_;  // names of the rows, in order
+};
+
+}  // namespace cusp

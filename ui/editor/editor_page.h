@@ -1,0 +1,96 @@
+/// The editor: shapes and tooth at the left, the tooth with its handles in the middle, numbers at the right, checks
+/// below. It shows one EditorModel; the draft is kept whenever the hand rests, and on leaving. GUI thread.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "storage/store.h"
+#include "ui/app/ports.h"
+#include "ui/editor/editor_model.h"
+#include "ui/editor/specimen_grower.h"
+#include "ui/session/exercise_run.h"
+
+class QAbstractButton;
+class QButtonGroup;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QStackedWidget;
+class QTabWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace cusp {
+
+class Band;
+class Busy;
+class Chip;
+class TargetView;
+
+class EditorPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  EditorPage(Store& store, const Actor& actor, const Ports& ports, EditorStart start, QWidget* parent = nullptr);
+  ~EditorPage() override;
+
+  EditorModel& model() { return *model_; }
+  TargetView* stage() const { return stage_; }
+  /// Grown and shown; nullptr before.
+  const std::shared_ptr<const GrownSpecimen>& grown() const { return grown_; }
+
+ public Q_SLOTS:
+  /// Starts a go at the draft as it stands, of which nothing is kept.
+  void try_out();
+  void publish_version();
+  /// Keeps the draft, then back_wanted(); stays when it cannot be kept, and says why.
+  void leave();
+
+ Q_SIGNALS:
+  void back_wanted();
+  void try_out_wanted(const cusp::RunPlan& plan, const QString& title);
+  void published(const cusp::ScenarioVersion& version);
+  /// The tooth is there and shown.
+  void ready();
+
+ private:
+  QWidget* make_top_bar();
+  QWidget* make_left();
+  QWidget* make_right();
+  QWidget* make_words_form();
+  QWidget* make_checks();
+  bool keep();
+  void grow();
+  void follow_model();
+  void show_words();
+  void show_first_check();
+  void put_target_on_top();
+  void show_tooth_form(bool on);
+
+  Store& store_;
+  Actor actor_;
+  const Ports& ports_;
+  QTimer autosave_;
+  EditorModel* model_;
+  SpecimenGrower* grower_;
+  std::shared_ptr<const GrownSpecimen> grown_;
+  TargetView* stage_ = nullptr;
+  Band* band_ = nullptr;
+  Busy* busy_ = nullptr;
+  QLineEdit* title_ = nullptr;
+  QLineEdit* titles_[2] = {};
+  QPlainTextEdit* briefings_[2] = {};
+  Chip *version_ = nullptr, *checks_chip_ = nullptr;
+  QToolButton *undo_ = nullptr, *redo_ = nullptr;
+  QPushButton *try_ = nullptr, *publish_ = nullptr, *show_ = nullptr, *change_ = nullptr, *on_top_ = nullptr;
+  QLabel *check_title_ = nullptr, *check_aside_ = nullptr, *check_ = nullptr, *check_sign_ = nullptr, *tooth_ = nullptr;
+  QStackedWidget* left_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  QButtonGroup* shapes_ = nullptr;
+  QVBoxLayout* contents_ = nullptr;
+};
+
+}  // namespace cusp

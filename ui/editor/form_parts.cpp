@@ -1,0 +1,63 @@
+#include "ui/editor/form_parts.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "ui/editor/editor_model.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+
+NumberBox::NumberBox(EditorModel& model, const QString& name, const QString& unit, double least, double most,
+                     double step, int decimals, std::function<bool(double)> take) {
+  setDecimals(decimals);
+  setRange(least, most);
+  setSingleStep(step);
+  setAlignment(Qt::AlignRight);
+  setFixedWidth(px(112));
+  setAccessibleName(name);
+  if (!unit.isEmpty()) setSuffix(QChar(0x00A0) + unit_text(unit));
+  // A half-typed number is not one yet; arrows and wheel tell every step.
+  setKeyboardTracking(false);
+  setFocusPolicy(Qt::StrongFocus);
+  connect(this, &QDoubleSpinBox::valueChanged, this, [this, take](double value) {
+    if (take(value)) {
+      shown_ = value;
+    } else {
+      show_value(shown_);
+    }
+  });
+  connect(this, &QDoubleSpinBox::editingFinished, this, [&model] { model.end_gesture(); });
+}
+
+void NumberBox::show_value(double value) {
+  shown_ = value;
+  const QSignalBlocker quiet(this);
+  setValue(value);
+}
+
+QLabel* add_row(QBoxLayout* column, const QString& text, QWidget* field) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(8));
+  QLabel* label = make_label(text);
+  label->setWordWrap(true);
+  label->setBuddy(field);
+  row->addWidget(label, 1);
+  row->addWidget(field);
+  column->addLayout(row);
+  return label;
+}
+
+void add_section(QBoxLayout* column, const QString& title, QLabel** aside) {
+  auto* row = new QHBoxLayout;
+  row->addWidget(make_label(title, TextRole::section, true), 1);
+  if (aside) {
+    *aside = make_label({}, TextRole::caption, false, "text2");
+    row->addWidget(*aside);
+  }
+  column->addLayout(row);
+}
+
+}  // namespace cusp

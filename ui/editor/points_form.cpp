@@ -1,0 +1,201 @@
+#include "ui/editor/points_form.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scenarios/format/keys.h"
+#include "scenarios/library/library.h"
+#include "ui/app/sentences.h"
+#include "ui/editor/form_parts.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr double kOpenEnd = 1000;  // beyond what a go can reach in any unit
+
+constexpr std::array kEdges = {&Bands::fail_lo,  &Bands::acc_lo, &Bands::ideal_lo,
+                               &Bands::ideal_hi, &Bands::acc_hi, &Bands::fail_hi};
+
+bool has_tissue(const Scenario& s, Tissue tissue) {
+  return std::ranges::any_of(s.tissues, [tissue](const ScenarioTissue& t) { return t.tissue == tissue; });
+}
+
+}  // namespace
+
+Bands first_bands(const std::string& metric, const Target& target) {
+  for (const std::string_view key : {"class-1-36", "channel-1", "paper-block"}) {
+    const auto known = load_builtin(key);
+    if (!known) continue;
+    for (const Criterion& c : known->rubric.criteria) {
+      if (c.metric != metric) continue;
+      Bands b = c.bands;
+      if (!metric.starts_with("depth_")) return b;
+      const double by = target.depth_mm - known->target.depth_mm;
+      const bool open_low = b.fail_lo == b.ideal_lo && b.acc_lo == b.ideal_lo;
+      for (std::size_t i = open_low ? 3 : 0; i < kEdges.size(); ++i) {
+        b.*kEdges[i] = std::round((b.*kEdges[i] + by) * 1e4) / 1e4;
+      }
+      return b;
+    }
+  }
+  const auto known = metric_from_key(metric);
+  const double least = known ? known->least : 0, most = known ? std::min(known->most, kOpenEnd) : kOpenEnd;
+  return {least, least, least, most, most, most};
+}
+
+PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(px(16), px(12), px(16), px(16));
+  column->setSpacing(px(6));
+  add_section(column, tr("Points"), &sum_);
+  list_ = new QVBoxLayout;
+  list_->setSpacing(px(6));
+  column->addLayout(list_);
+  auto* adding = new QHBoxLayout;
+  adding->setSpacing(px(6));
+  metric_ = new QComboBox;
+  metric_->setAccessibleName(tr("Criterion to add"));
+  metric_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  add_ = make_button(tr("Add"), ButtonKind::standard, u"plus"_qs);
+  add_->setAccessibleName(tr("Add a criterion"));
+  adding->addWidget(metric_, 1);
+  adding->addWidget(add_);
+  column->addLayout(adding);
+  connect(add_, &QPushButton::clicked, this, [this] {
+    const std::string metric = metric_->currentData().toString().toStdString();
+    if (!metric.empty()) model_.add_criterion(metric, first_bands(metric, model_.scenario().target));
+  });
+  column->addSpacing(px(8));
+  column->addWidget(make_rule());
+  column->addSpacing(px(8));
+  pass_ = new NumberBox(model_, tr("Pass mark, of 100"), {}, 0, 100, 1, 0, [this](double v) { return model_.set_pass(v); });
+  add_row(column, tr("Pass mark, of 100"), pass_);
+  pulp_ = new QCheckBox(tr("Opening the pulp fails the go"));
+  column->addWidget(pulp_);
+  connect(pulp_, &QCheckBox::clicked, this, [this](bool on) { model_.set_critical("pulp_exposure", on); });
+  QLabel* note = make_label(tr("Bands of depth move with the target’s depth."), TextRole::caption, false, "text2");
+  note->setWordWrap(true);
+  column->addWidget(note);
+  column->addStretch();
+  connect(&model_, &EditorModel::changed, this, &PointsForm::follow_model);
+  follow_model();
+}
+
+PointsForm::Row PointsForm::make_row(std::size_t index) {
+  const std::string metric = model_.scenario().rubric.criteria[index].metric;
+  const QString name = metric_name(metric);
+  Row row{};
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(4));
+  auto* line = new QHBoxLayout;
+  line->setSpacing(px(6));
+  row.open = new QPushButton;
+  set_kind(row.open, "link");
+  row.open->setCheckable(true);
+  row.open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  row.open->setAccessibleName(tr("Bands of %1").arg(name));
+  row.open->setText(name);
+  row.open->setToolTip(tr("Show what earns the points"));
+  line->addWidget(row.open, 1);
+  row.weight = new NumberBox(model_, tr("Points for %1").arg(name), {}, 0, 1000, 1, 0,
+                             [this, index](double v) { return model_.set_weight(index, v); });
+  row.weight->setFixedWidth(px(64));
+  line->addWidget(row.weight);
+  QPushButton* away = make_button({}, ButtonKind::quiet, u"trash"_qs);
+  away->setAccessibleName(tr("Remove %1").arg(name));
+  away->setToolTip(tr("Remove %1").arg(name));
+  away->setFixedWidth(px(32));
+  line->addWidget(away);
+  column->addLayout(line);
+  connect(away, &QPushButton::clicked, this, [this, index] { model_.remove_criterion(index); });
+  row.bands = new QFrame;
+  row.bands->setProperty("kind", u"sunken"_qs);
+  auto* edges = new QVBoxLayout(row.bands);
+  edges->setContentsMargins(px(8), px(8), px(8), px(8));
+  edges->setSpacing(px(4));
+  const QString names[] = {tr("No points below"), tr("Half from"), tr("Full from"),
+                           tr("Full to"),         tr("Half to"),   tr("No points above")};
+  for (std::size_t i = 0; i < kEdges.size(); ++i) {
+    row.edges[i] = new NumberBox(model_, tr("%1: %2").arg(name, names[i]), QString::fromUtf8(metric_unit(metric).toUtf8()),
+                                 -kOpenEnd, kOpenEnd, 0.05, 2, [this, index, i](double v) {
+                                   Bands b = model_.scenario().rubric.criteria[index].bands;
+                                   b.*kEdges[i] = v;
+                                   return model_.set_bands(index, b);
+                                 });
+    add_row(edges, names[i], row.edges[i]);
+  }
+  row.bands->setVisible(open_ == metric);
+  row.open->setChecked(open_ == metric);
+  connect(row.open, &QPushButton::toggled, this, [this, metric, bands = row.bands](bool on) {
+    bands->setVisible(on);
+    if (on) open_ = metric;
+    if (!on && open_ == metric) open_.clear();
+  });
+  column->addWidget(row.bands);
+  list_->addWidget(box);
+  return row;
+}
+
+void PointsForm::build_rows() {
+  while (QLayoutItem* item = list_->takeAt(0)) {
+    if (item->widget()) {
+      item->widget()->hide();
+      item->widget()->deleteLater();
+    }
+    delete item;
+  }
+  rows_.clear();
+  built_.clear();
+  for (std::size_t i = 0; i < model_.scenario().rubric.criteria.size(); ++i) {
+    rows_.push_back(make_row(i));
+    built_.push_back(model_.scenario().rubric.criteria[i].metric);
+  }
+}
+
+void PointsForm::follow_model() {
+  const Scenario& s = model_.scenario();
+  std::vector<std::string> metrics;
+  for (const Criterion& c : s.rubric.criteria) metrics.push_back(c.metric);
+  if (metrics != built_) build_rows();
+  double sum = 0;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Criterion& c = s.rubric.criteria[i];
+    sum += c.weight;
+    rows_[i].weight->show_value(c.weight);
+    for (std::size_t k = 0; k < kEdges.size(); ++k) rows_[i].edges[k]->show_value(c.bands.*kEdges[k]);
+    rows_[i].open->setAccessibleDescription(wanted_text(c));
+    rows_[i].open->setToolTip(tr("Full points: %1").arg(wanted_text(c)));
+  }
+  sum_->setText(tr("pass %1 of 100, shares of %2").arg(format_points(s.rubric.pass), format_points(sum)));
+  pass_->show_value(s.rubric.pass);
+  const bool pulp = has_tissue(s, Tissue::pulp);
+  const QSignalBlocker quiet(pulp_), quieter(metric_);
+  pulp_->setEnabled(pulp);
+  pulp_->setChecked(std::ranges::find(s.rubric.critical, "pulp_exposure") != s.rubric.critical.end());
+  const QVariant kept = metric_->currentData();
+  metric_->clear();
+  const auto offer = [&](const std::string& metric) {
+    if (std::ranges::find(metrics, metric) == metrics.end()) {
+      metric_->addItem(metric_name(metric), QString::fromStdString(metric));
+    }
+  };
+  for (const MetricKey& known : kMetricKeys) {
+    if (known.key != "remaining_over_pulp" || pulp) offer(std::string(known.key));
+  }
+  for (const ScenarioTissue& t : s.tissues) offer("removed_" + std::string(key_of_scenario_tissue(t.tissue)));
+  metric_->setCurrentIndex(std::max(metric_->findData(kept), 0));
+  add_->setEnabled(metric_->count() > 0);
+}
+
+}  // namespace cusp

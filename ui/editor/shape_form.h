@@ -1,0 +1,39 @@
+/// The target in numbers: all that its handles do, and leeway and time besides.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/editor/editor_model.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace cusp {
+
+class NumberBox;
+class Segments;
+
+class ShapeForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ShapeForm(EditorModel& model, QWidget* parent = nullptr);
+
+ private:
+  void follow_model();
+  void show_point();
+
+  EditorModel& model_;
+  QLabel *title_, *top_label_;
+  NumberBox *depth_, *width_, *length_, *box_width_, *top_, *corner_, *x_, *y_, *floor_, *side_, *time_;
+  QWidget *slot_rows_, *box_rows_, *point_buttons_;
+  QComboBox* point_;
+  QPushButton *add_, *remove_, *branch_;
+  Segments* strictness_;
+};
+
+/// "Channel", "Fissure outline", "Box".
+QString shape_name(const std::string& shape);
+
+}  // namespace cusp

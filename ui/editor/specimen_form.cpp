@@ -1,0 +1,182 @@
+#include "ui/editor/specimen_form.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <filesystem>
+
+#include "scenarios/format/validate.h"
+#include "scenarios/import/nrrd.h"
+#include "scenarios/teeth/tooth.h"
+#include "ui/app/sentences.h"
+#include "ui/editor/form_parts.h"
+#include "ui/editor/specimen_grower.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr double kMostSeed = 999999;  // six digits are enough teeth, and can be told over the phone
+constexpr double kDefaultVoxelMm = 0.1;
+constexpr int kDefaultTooth = 36;
+
+QString quadrant_name(int fdi) {
+  switch (fdi / 10) {
+    case 1: return SpecimenForm::tr("%1, upper right").arg(fdi);
+    case 2: return SpecimenForm::tr("%1, upper left").arg(fdi);
+    case 3: return SpecimenForm::tr("%1, lower left").arg(fdi);
+    default: return SpecimenForm::tr("%1, lower right").arg(fdi);
+  }
+}
+
+QWidget* group(QVBoxLayout** column) {
+  auto* box = new QWidget;
+  *column = new QVBoxLayout(box);
+  (*column)->setContentsMargins(0, 0, 0, 0);
+  (*column)->setSpacing(px(6));
+  return box;
+}
+
+}  // namespace
+
+QString specimen_name(const SpecimenSource& source) {
+  if (source.generator == "tooth") return quadrant_name(source.fdi);
+  if (source.generator == "block") return SpecimenForm::tr("Practice block");
+  if (source.generator == "paper-block") return SpecimenForm::tr("Block of three materials");
+  return QFileInfo(QString::fromStdString(source.volume)).fileName();
+}
+
+SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* parent)
+    : QWidget(parent), model_(model), ports_(ports) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(px(12), px(12), px(12), px(12));
+  column->setSpacing(px(8));
+  column->addWidget(make_label(tr("Change the tooth"), TextRole::section, true));
+  band_ = new Band;
+  column->addWidget(band_);
+  kind_ = new QComboBox;
+  for (const char* key : {"tooth", "block", "paper-block", ""}) {
+    SpecimenSource s;
+    s.generator = key;
+    const QString name = s.generator == "tooth" ? tr("Tooth") : s.generator.empty() ? tr("From a file") : specimen_name(s);
+    kind_->addItem(name, QString::fromLatin1(key));
+  }
+  column->addWidget(labelled(tr("Kind"), kind_));
+  QVBoxLayout* rows = nullptr;
+  tooth_rows_ = group(&rows);
+  tooth_ = new QComboBox;
+  for (const int quadrant : {1, 2, 3, 4}) {
+    for (int n = 1; n <= 8; ++n) tooth_->addItem(quadrant_name(10 * quadrant + n), 10 * quadrant + n);
+  }
+  rows->addWidget(labelled(tr("Tooth"), tooth_));
+  // Neither box edits by itself: the tooth changes as a whole, when it is used.
+  const auto keep = [](double) { return true; };
+  seed_ = new NumberBox(model_, tr("Variation"), {}, 0, kMostSeed, 1, 0, keep);
+  seed_->setSpecialValueText(tr("average"));
+  add_row(rows, tr("Variation"), seed_);
+  column->addWidget(tooth_rows_);
+  grown_rows_ = group(&rows);
+  voxel_ = new NumberBox(model_, tr("Fineness"), u"mm"_qs, kMinToothVoxelMm, kMaxToothVoxelMm, 0.01, 3, keep);
+  add_row(rows, tr("Fineness"), voxel_);
+  column->addWidget(grown_rows_);
+  file_rows_ = group(&rows);
+  file_ = make_label({}, TextRole::body, false, "text2");
+  file_->setWordWrap(true);
+  rows->addWidget(file_);
+  QPushButton* choose = make_button(tr("Choose a volume…"), ButtonKind::standard, u"import"_qs);
+  rows->addWidget(choose);
+  column->addWidget(file_rows_);
+  auto* buttons = new QHBoxLayout;
+  use_ = make_button(tr("Use it"), ButtonKind::standard, u"check"_qs);
+  QPushButton* leave = make_button(tr("Back"), ButtonKind::quiet);
+  buttons->addWidget(use_);
+  buttons->addWidget(leave);
+  buttons->addStretch();
+  column->addLayout(buttons);
+  column->addStretch();
+  connect(kind_, &QComboBox::currentIndexChanged, this, &SpecimenForm::fit);
+  connect(use_, &QPushButton::clicked, this, &SpecimenForm::use);
+  connect(choose, &QPushButton::clicked, this, &SpecimenForm::pick);
+  connect(leave, &QPushButton::clicked, this, &SpecimenForm::done);
+  connect(&model_, &EditorModel::specimen_changed, this, &SpecimenForm::follow_model);
+  follow_model();
+}
+
+void SpecimenForm::follow_model() {
+  const SpecimenSource& s = model_.scenario().specimen;
+  const QSignalBlocker quiet(kind_);
+  kind_->setCurrentIndex(std::max(kind_->findData(QString::fromStdString(s.generator)), 0));
+  tooth_->setCurrentIndex(tooth_->findData(s.fdi > 0 ? s.fdi : kDefaultTooth));
+  seed_->show_value(static_cast<double>(s.seed));
+  voxel_->show_value(s.generator.empty() ? kDefaultVoxelMm : s.voxel_mm);
+  file_->setText(s.volume.empty() ? tr("No file chosen yet.") : isolate(QString::fromStdString(s.volume)));
+  fit();
+}
+
+void SpecimenForm::fit() {
+  const QString kind = kind_->currentData().toString();
+  tooth_rows_->setVisible(kind == u"tooth");
+  grown_rows_->setVisible(kind == u"tooth" || kind == u"block");
+  file_rows_->setVisible(kind.isEmpty());
+  use_->setVisible(!kind.isEmpty());
+}
+
+void SpecimenForm::use() {
+  SpecimenSource source;
+  source.generator = kind_->currentData().toString().toStdString();
+  source.voxel_mm = voxel_->value();
+  if (source.generator == "paper-block") {
+    // Always the paper's grid: its own exercise states the size.
+    source.voxel_mm = 10.0 / 128.0;
+  } else if (source.generator == "tooth") {
+    source.fdi = tooth_->currentData().toInt();
+    source.seed = static_cast<std::uint64_t>(seed_->value());
+  }
+  if (!model_.set_specimen(source, usual_tissues(source.generator))) {
+    band_->show_message(Band::Kind::bad, tr("This tooth cannot be used."), tr("Nothing was changed."));
+    return;
+  }
+  band_->clear();
+  Q_EMIT done();
+}
+
+void SpecimenForm::pick() {
+  ports_.pick_file(this, {tr("Choose a volume"), {}, tr("Volumes (*.nrrd)"), false}, [this](const QString& path) {
+    const std::filesystem::path from = path.toStdString();
+    const auto volume = read_nrrd(from);
+    if (!volume) {
+      const Told told = tell(volume.error());
+      band_->show_message(Band::Kind::bad, told.what, told.more);
+      return;
+    }
+    // Under a name of its own: a file of the same name may already be what an earlier step of undo means.
+    const std::filesystem::path folder = model_.folder();
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    std::string name = from.filename().string();
+    for (int n = 2; std::filesystem::exists(folder / name, error); ++n) {
+      name = from.stem().string() + "-" + std::to_string(n) + ".nrrd";
+    }
+    if (const auto written = write_nrrd(*volume, folder / name); !written) {
+      const Told told = tell(written.error());
+      band_->show_message(Band::Kind::bad, told.what, told.more);
+      return;
+    }
+    SpecimenSource source;
+    source.volume = name;
+    source.voxel_mm = volume->grid.voxel_mm;
+    if (!model_.set_specimen(source, usual_tissues(facts_of(*volume).tissues))) {
+      band_->show_message(Band::Kind::bad, tr("This tooth cannot be used."), tr("Nothing was changed."));
+      return;
+    }
+    band_->clear();
+    Q_EMIT done();
+  });
+}
+
+}  // namespace cusp

@@ -1,0 +1,471 @@
+#include "ui/editor/target_view.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPointer>
+#include <QPushButton>
+#include <QThreadPool>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/drill/tooth_view.h"
+#include "ui/editor/target_preview.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kBody = 14, kWhole = 22;               // px: a handle, and the room of its focus ring
+constexpr double kStepMm = 0.05, kFineStepMm = 0.01; // of an arrow key
+constexpr int kRestMs = 200;                         // a hand that rests this long may have its cavity
+constexpr std::array kTurns = {PresetView::working, PresetView::buccal, PresetView::distal, PresetView::lingual};
+
+QFrame* make_panel(QWidget* parent) {
+  auto* card = new QFrame(parent);
+  card->setProperty("kind", u"card"_qs);
+  card->setAutoFillBackground(true);
+  return card;
+}
+
+/// A short stretch of a line as it is drawn on the tooth.
+class LineSample : public QWidget {
+ public:
+  LineSample(bool leeway, QWidget* parent) : QWidget(parent), leeway_(leeway) { setFixedSize(px(24), px(12)); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    QPen pen(leeway_ ? tokens().line_leeway : tokens().line_target, px(3));
+    pen.setCapStyle(Qt::FlatCap);
+    if (leeway_) pen.setDashPattern({2, 1.2});
+    p.setPen(pen);
+    p.drawLine(QPointF(0, height() / 2.0), QPointF(width(), height() / 2.0));
+  }
+
+ private:
+  bool leeway_;
+};
+
+QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
+
+}  // namespace
+
+/// From the floor up to the reference plane. Shaped, not translucent: what lies below is OpenGL.
+class DepthArrow : public QWidget {
+ public:
+  explicit DepthArrow(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+  }
+  void span(QPointF floor, QPointF top) {
+    const QPointF along = top - floor;
+    const double length = std::hypot(along.x(), along.y());
+    setVisible(length > px(10));
+    if (length <= px(10)) return;
+    const QPointF u = along / length, n(-u.y(), u.x());
+    const double half = px(1.5), head = px(6.0), tall = px(11.0);
+    const QRectF room = QRectF(floor, top).normalized().adjusted(-head - 2, -head - 2, head + 2, head + 2);
+    setGeometry(room.toAlignedRect());
+    const QPointF f = floor - QPointF(pos()), t = top - QPointF(pos()), neck = t - u * tall;
+    QPolygonF shape;
+    shape << f + n * half << neck + n * half << neck + n * head << t << neck - n * head << neck - n * half << f - n * half;
+    path_ = QPainterPath();
+    path_.addPolygon(shape);
+    path_.closeSubpath();
+    QPainterPathStroker wider;
+    wider.setWidth(px(2.0));
+    setMask(QRegion((path_ + wider.createStroke(path_)).simplified().toFillPolygon().toPolygon()));
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    p.fillRect(rect(), ToothColours::get().map[2]);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.fillPath(path_, ToothColours::get().casing);
+  }
+
+ private:
+  QPainterPath path_;
+};
+
+HandleKnob::HandleKnob(TargetView& stage, int) : QWidget(&stage), stage_(stage) {
+  setFocusPolicy(Qt::StrongFocus);
+  setFixedSize(px(kWhole), px(kWhole));
+  setCursor(Qt::SizeAllCursor);
+  fit_mask();
+}
+
+void HandleKnob::fit_mask() {
+  const int edge = hasFocus() ? 0 : (px(kWhole) - px(kBody)) / 2;
+  const QRect room = rect().adjusted(edge, edge, -edge, -edge);
+  setMask(handle_.kind == TargetHandle::Kind::depth ? QRegion(room, QRegion::Ellipse) : QRegion(room));
+}
+
+void HandleKnob::set_handle(const TargetHandle& handle, const QString& name, const QString& value) {
+  const bool other = handle.kind != handle_.kind;
+  handle_ = handle;
+  setAccessibleName(name);
+  setAccessibleDescription(value);
+  setToolTip(name + u": "_qs + value);
+  if (other) fit_mask();
+}
+
+void HandleKnob::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  const ToothColours& c = ToothColours::get();
+  p.fillRect(rect(), hasFocus() ? tokens().accent : c.casing);
+  p.setRenderHint(QPainter::Antialiasing);
+  const double edge = (px(kWhole) - px(kBody)) / 2.0;
+  const QRectF body = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
+  const bool round = handle_.kind == TargetHandle::Kind::depth;
+  const auto fill = [&](const QRectF& room, const QColor& colour) {
+    p.setPen(Qt::NoPen);
+    p.setBrush(colour);
+    if (round) {
+      p.drawEllipse(room);
+    } else {
+      p.drawRect(room);
+    }
+  };
+  if (hasFocus()) fill(body.adjusted(-2, -2, 2, 2), Tokens::light().surface);
+  fill(body, c.casing);
+  fill(body.adjusted(px(2), px(2), -px(2), -px(2)), Tokens::light().surface);
+}
+
+void HandleKnob::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return event->ignore();
+  stage_.model_.end_gesture();
+  start_ = handle_;
+  start_target_ = stage_.model_.scenario().target;
+  start_at_ = mapToParent(event->position());
+  dragging_ = true;
+}
+
+void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
+  if (!dragging_) return;
+  const QPointF now = mapToParent(event->position());
+  Vec3 to = start_.at_mm;
+  if (start_.kind == TargetHandle::Kind::depth) {
+    const auto from = stage_.view_->project(start_.at_mm), below = stage_.view_->project(start_.at_mm - Vec3(0, 0, 1));
+    if (!from || !below) return;
+    const QPointF by = now - start_at_, down = *below - *from;  // px of one millimetre deeper
+    const double length2 = QPointF::dotProduct(down, down);
+    // Seen from above a depth has no length in the picture: then down the screen is deeper.
+    const double scale = stage_.view_->camera().px_per_mm(std::min(stage_.width(), stage_.height()));
+    to.z -= length2 > 16.0 ? QPointF::dotProduct(by, down) / length2 : by.y() / std::max(scale, 1.0);
+  } else {
+    const auto a = stage_.on_plane(start_at_), b = stage_.on_plane(now);
+    if (!a || !b) return;
+    to += *b - *a;
+  }
+  stage_.apply(start_, start_target_, to);
+}
+
+void HandleKnob::mouseReleaseEvent(QMouseEvent*) {
+  dragging_ = false;
+  stage_.model_.end_gesture();
+}
+
+void HandleKnob::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  if (key == Qt::Key_Delete && handle_.kind == TargetHandle::Kind::point) {
+    stage_.model_.remove_point(handle_.path, handle_.point);
+    return;
+  }
+  const int x = key == Qt::Key_Right ? 1 : key == Qt::Key_Left ? -1 : 0;
+  const int y = key == Qt::Key_Up ? 1 : key == Qt::Key_Down ? -1 : 0;
+  if (x == 0 && y == 0) return QWidget::keyPressEvent(event);
+  const double step = event->modifiers() & Qt::ShiftModifier ? kFineStepMm : kStepMm;
+  if (!event->isAutoRepeat()) stage_.model_.end_gesture();
+  Vec3 to = handle_.at_mm;
+  const Target target = stage_.model_.scenario().target;
+  switch (handle_.kind) {
+    case TargetHandle::Kind::point: {
+      // The specimen's own axis that lies nearest to what the key says on the screen.
+      const Vec3 right = stage_.view_->camera().right();
+      const bool along_x = std::abs(right.x) >= std::abs(right.y);
+      const Vec3 axis = along_x ? Vec3(right.x >= 0 ? 1 : -1, 0, 0) : Vec3(0, right.y >= 0 ? 1 : -1, 0);
+      const double turn = stage_.view_->camera().mirrored() ? -1 : 1;
+      const Vec3 away(-axis.y * turn, axis.x * turn, 0);
+      to += step * (static_cast<double>(x) * axis + static_cast<double>(y) * away);
+      break;
+    }
+    case TargetHandle::Kind::width: {
+      // Half of it on either side: the step is of the width.
+      Target wider = target;
+      wider.width_mm = std::max(target.width_mm + (x + y) * step, kLeastHandleMm);
+      stage_.model_.set_width_mm(std::round(wider.width_mm * 1e4) / 1e4);
+      return;
+    }
+    case TargetHandle::Kind::size_x: to.x += (x + y) * step / 2; break;
+    case TargetHandle::Kind::size_y: to.y += (x + y) * step / 2; break;
+    case TargetHandle::Kind::depth: to.z += (x + y) * step; break;
+  }
+  stage_.apply(handle_, target, to);
+}
+
+void HandleKnob::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  fit_mask();
+  raise();
+}
+
+void HandleKnob::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  stage_.model_.end_gesture();
+  fit_mask();
+}
+
+TargetView::TargetView(EditorModel& model, QWidget* parent)
+    : QWidget(parent), model_(model), view_(new ToothView(this)), shown_(model.scenario().target) {
+  setMinimumSize(px(420), px(320));
+  view_->set_left_turns(true);
+  tools_ = make_panel(this);
+  auto* row = new QHBoxLayout(tools_);
+  row->setContentsMargins(px(3), px(3), px(3), px(3));
+  row->setSpacing(px(2));
+  QPushButton* turn = make_button(tr("Turn"), ButtonKind::quiet, u"turn"_qs);
+  QPushButton* above = make_button(tr("From above"), ButtonKind::quiet, u"eye"_qs);
+  QPushButton* carved = make_button(tr("Cut out"), ButtonKind::quiet, u"cutaway"_qs);
+  carved->setCheckable(true);
+  carved->setChecked(true);
+  carved->setToolTip(tr("Show the tooth as it is when the target is met"));
+  for (QPushButton* button : {turn, above, carved}) row->addWidget(button);
+  connect(turn, &QPushButton::clicked, this, [this] {
+    Camera camera = view_->camera();
+    camera.set_preset(kTurns[static_cast<std::size_t>(preset_++) % kTurns.size()]);
+    view_->set_camera(camera);
+  });
+  connect(above, &QPushButton::clicked, this, [this] {
+    Camera camera = view_->camera();
+    camera.set_preset(PresetView::occlusal);
+    view_->set_camera(camera);
+  });
+  connect(carved, &QPushButton::toggled, this, [this](bool on) {
+    carved_ = on;
+    mesh_wanted_ = true;
+    run_next();
+  });
+
+  legend_ = make_panel(this);
+  auto* lines = new QHBoxLayout(legend_);
+  lines->setContentsMargins(px(12), px(7), px(12), px(7));
+  lines->setSpacing(px(6));
+  lines->addWidget(new LineSample(false, legend_));
+  lines->addWidget(make_label(tr("Target"), TextRole::caption));
+  lines->addSpacing(px(6));
+  lines->addWidget(new LineSample(true, legend_));
+  lines->addWidget(make_label(tr("Leeway"), TextRole::caption));
+
+  arrow_ = new DepthArrow(this);
+  for (QLabel** tag : {&depth_tag_, &width_tag_}) {
+    *tag = make_label({}, TextRole::caption, true);
+    (*tag)->setParent(this);
+    set_kind(*tag, "pin");
+    (*tag)->setAttribute(Qt::WA_TransparentForMouseEvents);
+    (*tag)->setAutoFillBackground(true);
+    (*tag)->hide();
+  }
+  hint_ = make_label(tr("Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn."),
+                     TextRole::caption, false, "text2");
+  hint_->setParent(this);
+  set_kind(hint_, "tag");
+
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    mesh_wanted_ = true;
+    run_next();
+  });
+  connect(view_, &ToothView::camera_changed, this, &TargetView::place_all);
+  connect(&model_, &EditorModel::changed, this, &TargetView::follow_model);
+}
+
+TargetView::~TargetView() = default;
+
+void TargetView::set_centre(QWidget* widget) {
+  if (centre_) centre_->deleteLater();
+  centre_ = widget;
+  if (centre_) {
+    centre_->setParent(this);
+    centre_->show();
+  }
+  place_all();
+}
+
+void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
+  const bool fresh = grown != nullptr;
+  grown_ = std::move(grown);
+  if (!fresh) {
+    view_->set_lines({});
+    place_all();
+    return;
+  }
+  look_at_target();
+  shown_ = model_.scenario().target;
+  shown_leeway_ = model_.scenario().leeway;
+  mesh_wanted_ = true;
+  run_next();
+  place_all();
+}
+
+void TargetView::look_at_target() {
+  const SpecimenFacts& f = grown_->facts;
+  const Target& t = model_.scenario().target;
+  const Vec3 size = f.high_mm - f.low_mm;
+  Vec3 centre = (f.low_mm + f.high_mm) / 2.0;
+  centre.z = std::clamp(t.top_mm - 1.0, f.low_mm.z, f.high_mm.z);  // the crown, not the roots
+  Camera camera = Camera::about(centre, 0.5 * std::hypot(size.x, size.y));
+  camera.set_preset(PresetView::working);
+  view_->set_camera(camera);
+}
+
+void TargetView::follow_model() {
+  const Scenario& s = model_.scenario();
+  if (grown_ && (!(s.target == shown_) || !(s.leeway == shown_leeway_))) {
+    shown_ = s.target;
+    shown_leeway_ = s.leeway;
+    lines_wanted_ = true;
+    rest_.start();
+    run_next();
+  }
+  place_all();
+}
+
+void TargetView::run_next() {
+  if (working_ || !grown_ || (!lines_wanted_ && !mesh_wanted_)) return;
+  working_ = true;
+  const bool mesh = mesh_wanted_ && !lines_wanted_;
+  if (mesh) mesh_wanted_ = false;
+  lines_wanted_ = false;
+  PreviewWish wish{grown_->whole, model_.scenario().target, model_.scenario().leeway, carved_};
+  QThreadPool::globalInstance()->start([wish, mesh, self = QPointer<TargetView>(this)] {
+    auto made = std::make_shared<TargetPreview>();
+    if (mesh) {
+      *made = make_preview(wish);
+    } else {
+      made->lines = preview_lines(wish);
+    }
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, made, whole = wish.whole] {
+          if (!self) return;
+          self->working_ = false;
+          // Another tooth may have come meanwhile.
+          if (self->grown_ && self->grown_->whole == whole) {
+            self->view_->set_lines(made->lines);
+            if (made->patches) self->view_->set_feed(made->patches);
+          }
+          self->run_next();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void TargetView::apply(const TargetHandle& handle, const Target& from, Vec3 to) {
+  const Target t = moved(from, handle, to);
+  switch (handle.kind) {
+    case TargetHandle::Kind::depth: model_.set_depth_mm(t.depth_mm); break;
+    case TargetHandle::Kind::width: model_.set_width_mm(t.width_mm); break;
+    case TargetHandle::Kind::size_x:
+    case TargetHandle::Kind::size_y: model_.set_box_size_mm(t.box_size_mm.x, t.box_size_mm.y); break;
+    case TargetHandle::Kind::point:
+      model_.set_target(t, u"handle/%1/%2"_qs.arg(handle.path).arg(handle.point));
+      break;
+  }
+}
+
+std::optional<Vec3> TargetView::on_plane(QPointF at) const {
+  const Ray ray = view_->ray(at);
+  if (std::abs(ray.along.z) < 1e-3) return std::nullopt;  // seen from the side the plane is a line
+  const double t = (model_.scenario().target.top_mm - ray.from_mm.z) / ray.along.z;
+  if (t < 0) return std::nullopt;
+  return ray.from_mm + t * ray.along;
+}
+
+void TargetView::place_all() {
+  view_->setGeometry(rect());
+  view_->lower();
+  tools_->adjustSize();
+  tools_->move(px(12), px(12));
+  legend_->adjustSize();
+  legend_->move(width() - legend_->width() - px(12), px(12));
+  hint_->adjustSize();
+  hint_->setMaximumWidth(width() - px(24));
+  hint_->move(px(12), height() - hint_->height() - px(12));
+  if (centre_) {
+    centre_->adjustSize();
+    centre_->move((width() - centre_->width()) / 2, (height() - centre_->height()) / 2);
+    centre_->raise();
+  }
+  const Target& t = model_.scenario().target;
+  handles_ = grown_ ? handles_of(t) : std::vector<TargetHandle>();
+  while (knobs_.size() < handles_.size()) knobs_.push_back(new HandleKnob(*this, static_cast<int>(knobs_.size())));
+  depth_tag_->hide();
+  width_tag_->hide();
+  if (handles_.empty()) arrow_->hide();
+  for (std::size_t i = 0; i < knobs_.size(); ++i) {
+    HandleKnob* knob = knobs_[i];
+    const auto at = i < handles_.size() ? view_->project(handles_[i].at_mm) : std::nullopt;
+    knob->setVisible(at.has_value());
+    if (!at) continue;
+    const TargetHandle& h = handles_[i];
+    QString name, value;
+    QLabel* tag = nullptr;
+    switch (h.kind) {
+      case TargetHandle::Kind::point:
+        name = t.shape == "box" ? tr("Middle of the box") : tr("Point %1").arg(i + 1);
+        value = tr("%1 across, %2 along").arg(mm(h.at_mm.y), mm(h.at_mm.x));
+        break;
+      case TargetHandle::Kind::width:
+        name = tr("Width");
+        value = mm(t.width_mm);
+        tag = width_tag_;
+        tag->setText(tr("%1 wide").arg(value));
+        break;
+      case TargetHandle::Kind::size_x:
+        name = tr("Length");
+        value = mm(t.box_size_mm.x);
+        break;
+      case TargetHandle::Kind::size_y:
+        name = tr("Width");
+        value = mm(t.box_size_mm.y);
+        tag = width_tag_;
+        tag->setText(tr("%1 wide").arg(value));
+        break;
+      case TargetHandle::Kind::depth:
+        name = tr("Depth");
+        value = mm(t.depth_mm);
+        tag = depth_tag_;
+        tag->setText(tr("%1 deep").arg(value));
+        if (const auto top = view_->project({h.at_mm.x, h.at_mm.y, t.top_mm})) arrow_->span(*at, *top);
+        break;
+    }
+    knob->set_handle(h, name, value);
+    knob->move((*at - QPointF(knob->width() / 2.0, knob->height() / 2.0)).toPoint());
+    if (tag) {
+      tag->adjustSize();
+      tag->show();
+      tag->move((*at + QPointF(px(16), -tag->height() / 2.0)).toPoint());
+      tag->raise();
+    }
+  }
+  for (HandleKnob* knob : knobs_) knob->raise();
+}
+
+void TargetView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place_all();
+}
+
+}  // namespace cusp

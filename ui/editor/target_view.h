@@ -1,0 +1,94 @@
+/// The tooth with the target's handles on it. A handle is a widget of its own: it has the focus, a name and a value, is
+/// dragged with the left button and moved with the arrow keys by 0.05 mm, with Shift by 0.01. Elsewhere the left button
+/// turns the tooth. Outlines follow the hand; the cavity follows when it rests. GUI thread; meshes come from the pool.
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "ui/editor/editor_model.h"
+#include "ui/editor/specimen_grower.h"
+#include "ui/editor/target_handles.h"
+
+class QFrame;
+class QLabel;
+
+namespace cusp {
+
+class DepthArrow;
+class HandleKnob;
+class ToothView;
+
+class TargetView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TargetView(EditorModel& model, QWidget* parent = nullptr);
+  ~TargetView() override;
+
+  /// Null while none is grown: handles are away then.
+  void set_specimen(std::shared_ptr<const GrownSpecimen> grown);
+  ToothView* view() const { return view_; }
+  /// In the order of handles_of(); as many are visible.
+  const std::vector<HandleKnob*>& knobs() const { return knobs_; }
+  /// A widget in the middle (growing, or why it failed).
+  void set_centre(QWidget* widget);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  friend class HandleKnob;
+  void follow_model();
+  void place_all();
+  void look_at_target();
+  void run_next();
+  void apply(const TargetHandle& handle, const Target& from, Vec3 to_mm);
+  /// Place on the reference plane under a widget position.
+  std::optional<Vec3> on_plane(QPointF at) const;
+
+  EditorModel& model_;
+  ToothView* view_;
+  QFrame *tools_, *legend_;
+  QLabel *depth_tag_, *width_tag_, *hint_;
+  DepthArrow* arrow_;
+  QWidget* centre_ = nullptr;
+  std::vector<HandleKnob*> knobs_;
+  std::vector<TargetHandle> handles_;
+  std::shared_ptr<const GrownSpecimen> grown_;
+  Target shown_;
+  Leeway shown_leeway_;
+  QTimer rest_;
+  bool carved_ = true, lines_wanted_ = false, mesh_wanted_ = false, working_ = false;
+  int preset_ = 0;
+};
+
+class HandleKnob : public QWidget {
+  Q_OBJECT
+
+ public:
+  HandleKnob(TargetView& stage, int index);
+  void set_handle(const TargetHandle& handle, const QString& name, const QString& value);
+  const TargetHandle& handle() const { return handle_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void fit_mask();
+  TargetView& stage_;
+  TargetHandle handle_, start_;
+  Target start_target_;
+  QPointF start_at_;
+  bool dragging_ = false;
+};
+
+}  // namespace cusp

@@ -1,0 +1,93 @@
+#include "ui/instructor/library_model.h"
+
+#include <QDateTime>
+
+#include "scenarios/format/read.h"
+#include "ui/app/sentences.h"
+#include "ui/editor/specimen_form.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+
+Stored<Library> load_library(Store& store, const Actor& actor) {
+  auto list = load_exercises(store);
+  if (!list) return std::unexpected(list.error());
+  const auto drafts = store.scenarios.drafts(actor);
+  if (!drafts) return std::unexpected(drafts.error());
+  Library out;
+  out.unreadable = std::move(list->unreadable);
+  for (Exercise& e : list->exercises) out.rows.push_back({std::move(e), std::nullopt, 0});
+  for (const ScenarioDraft& draft : *drafts) {
+    auto scenario = read_scenario(draft.json);
+    if (!scenario) {
+      out.unreadable.push_back({StorageError::bad_value, scenario.error().where, draft.scenario.text()});
+      continue;
+    }
+    bool published = false;
+    for (LibraryRow& row : out.rows) {
+      if (!row.exercise || row.exercise->scenario.id != draft.scenario) continue;
+      row.draft = *scenario;
+      row.saved_utc_us = draft.saved_utc_us;
+      published = true;
+    }
+    if (!published) out.rows.push_back({std::nullopt, std::move(*scenario), draft.saved_utc_us});
+  }
+  return out;
+}
+
+void LibraryModel::set_rows(std::vector<LibraryRow> rows) {
+  beginResetModel();
+  rows_ = std::move(rows);
+  endResetModel();
+}
+
+int LibraryModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int LibraryModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant LibraryModel::data(const QModelIndex& index, int role) const {
+  const LibraryRow& r = row(index.row());
+  if (role == Qt::DisplayRole) {
+    switch (index.column()) {
+      case kExercise: return local(r.shown().title);
+      case kTooth: return specimen_name(r.shown().specimen);
+      case kVersion: return r.exercise ? QLocale().toString(r.exercise->version_number) : QString();
+      case kState:
+        if (!r.exercise) return tr("Draft");
+        if (r.draft) return tr("Draft of the next");
+        return r.exercise->version_number == 1 && !r.exercise->scenario.key.empty() ? tr("Comes with Cusp") : tr("Published");
+      case kSaved:
+        return r.saved_utc_us > 0 ? format_day_time(QDateTime::fromMSecsSinceEpoch(r.saved_utc_us / 1000).toLocalTime())
+                                  : QString();
+      default: return {};
+    }
+  }
+  if (role == ChipRole && index.column() == kState) {
+    return static_cast<int>(r.draft ? Chip::Kind::accent : Chip::Kind::good);
+  }
+  if (role == BoldRole && index.column() == kExercise) return true;
+  if (role == Qt::TextAlignmentRole && index.column() == kVersion) return int(Qt::AlignRight | Qt::AlignVCenter);
+  return {};
+}
+
+QVariant LibraryModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) {
+    return int((section == kVersion ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kExercise: return tr("Exercise");
+    case kTooth: return tr("Tooth");
+    case kVersion: return tr("Version");
+    case kState: return tr("State");
+    case kSaved: return tr("Draft saved");
+    default: return {};
+  }
+}
+
+}  // namespace cusp

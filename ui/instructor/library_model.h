@@ -1,0 +1,44 @@
+/// Rows of the instructor's library: exercises that come with the program, published ones, and one's own drafts. No
+/// window.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "storage/store.h"
+#include "ui/student/exercises.h"
+
+namespace cusp {
+
+struct LibraryRow {
+  std::optional<Exercise> exercise;  // nullopt: a draft that was never published
+  std::optional<Scenario> draft;     // the actor's
+  std::int64_t saved_utc_us = 0;     // of the draft; 0 without one
+  const Scenario& shown() const { return draft ? *draft : exercise->scenario; }
+};
+
+struct Library {
+  std::vector<LibraryRow> rows;               // built-in ones first, drafts that were never published last
+  std::vector<StorageFailure> unreadable;
+};
+Stored<Library> load_library(Store& store, const Actor& actor);
+
+class LibraryModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kExercise, kTooth, kVersion, kState, kSaved, kColumns };
+  using QAbstractTableModel::QAbstractTableModel;
+  void set_rows(std::vector<LibraryRow> rows);
+  const LibraryRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  std::vector<LibraryRow> rows_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,116 @@
+#include "ui/instructor/library_page.h"
+
+#include <QBoxLayout>
+#include <QPushButton>
+
+#include "scenarios/library/library.h"
+#include "ui/app/sentences.h"
+#include "ui/editor/editor_records.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+constexpr const char* kBlankExercise = "channel-1";  // a new exercise begins on the plain block
+
+}  // namespace
+
+LibraryPage::LibraryPage(Store& store, const Actor& actor, std::filesystem::path database, std::filesystem::path cache,
+                         QWidget* parent)
+    : QWidget(parent),
+      store_(store),
+      actor_(actor),
+      database_(std::move(database)),
+      cache_(std::move(cache)),
+      model_(new LibraryModel(this)) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(px(24), px(16), px(24), px(24));
+  outer->setSpacing(px(12));
+  auto* head = new PageHead(tr("Library"));
+  QPushButton* import = make_button(tr("Import a specimen"), ButtonKind::standard, u"import"_qs);
+  QPushButton* copy = make_button(tr("Copy"), ButtonKind::standard, u"copy"_qs);
+  copy->setAccessibleName(tr("Copy the chosen exercise"));
+  QPushButton* fresh = make_button(tr("New exercise"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
+  QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
+  for (QPushButton* button : {import, copy, fresh, open}) head->buttons()->addWidget(button);
+  outer->addWidget(head);
+  band_ = new Band;
+  outer->addWidget(band_);
+  auto* card = new Card;
+  card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
+  table_ = new Table;
+  table_->setAccessibleName(tr("Exercises"));
+  table_->setModel(model_);
+  table_->set_stretch_column(LibraryModel::kExercise);
+  card->body()->addWidget(table_);
+  outer->addWidget(card, 1);
+  connect(import, &QPushButton::clicked, this, &LibraryPage::import_wanted);
+  connect(copy, &QPushButton::clicked, this, &LibraryPage::copy_chosen);
+  connect(fresh, &QPushButton::clicked, this, &LibraryPage::begin_new);
+  connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
+  connect(table_, &Table::row_opened, this, &LibraryPage::open_chosen);
+  read();
+  setFocusProxy(table_);
+}
+
+void LibraryPage::read() {
+  auto library = load_library(store_, actor_);
+  if (!library) return tell_failure(library.error());
+  if (!library->unreadable.empty()) {
+    band_->show_message(Band::Kind::look,
+                        tr("%n exercise(s) cannot be read.", nullptr, static_cast<int>(library->unreadable.size())),
+                        tr("The others are below."));
+  }
+  model_->set_rows(std::move(library->rows));
+  table_->choose_row(0);
+}
+
+void LibraryPage::tell_failure(const StorageFailure& failure) {
+  const Told told = tell(failure);
+  band_->show_message(Band::Kind::bad, told.what, told.more);
+}
+
+void LibraryPage::open_chosen() {
+  const int index = table_->chosen_row();
+  if (index < 0) return;
+  const LibraryRow& row = model_->row(index);
+  if (!row.exercise) {
+    Q_EMIT edit_wanted(open_draft(*row.draft, database_));
+    return;
+  }
+  const auto start = open_for_editing(store_, actor_, *row.exercise, database_, cache_);
+  if (!start) return tell_failure(start.error());
+  Q_EMIT edit_wanted(*start);
+}
+
+void LibraryPage::copy_chosen() {
+  const int index = table_->chosen_row();
+  if (index < 0) return;
+  const LibraryRow& row = model_->row(index);
+  if (!row.exercise) {
+    band_->show_message(Band::Kind::look, tr("A draft has nothing to copy yet."), tr("Publish it first."));
+    return;
+  }
+  LocalText title;
+  for (const auto& [language, text] : row.exercise->scenario.title) {
+    const QString name = QString::fromStdString(text);
+    title[language] = (language == "de" ? u"%1 (Kopie)"_qs : u"%1 (copy)"_qs).arg(name).toStdString();
+  }
+  begin_as_copy(*row.exercise, title);
+}
+
+void LibraryPage::begin_new() {
+  const auto pattern = load_builtin(kBlankExercise);
+  if (!pattern) return;
+  // Content, not the screen's words: every language that the pattern has a briefing in.
+  begin_as_copy({*pattern, {}, 1, {}}, {{"en", "New exercise"}, {"de", "Neue Übung"}});
+}
+
+void LibraryPage::begin_as_copy(const Exercise& pattern, const LocalText& title) {
+  const auto start = copy_exercise(store_, pattern, title, database_, cache_);
+  if (!start) return tell_failure(start.error());
+  Q_EMIT edit_wanted(*start);
+}
+
+}  // namespace cusp

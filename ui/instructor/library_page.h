@@ -1,0 +1,49 @@
+/// The instructor's exercises: open one in the editor, begin a new one or a copy, import a specimen.
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+
+#include "storage/store.h"
+#include "ui/app/ports.h"
+#include "ui/editor/editor_model.h"
+#include "ui/instructor/library_model.h"
+
+namespace cusp {
+
+class Band;
+class Table;
+
+class LibraryPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Drafts' volumes lie beside `database`; `cache`: where those of published versions are unpacked.
+  LibraryPage(Store& store, const Actor& actor, std::filesystem::path database, std::filesystem::path cache,
+              QWidget* parent = nullptr);
+  Table* table() const { return table_; }
+  const LibraryModel& model() const { return *model_; }
+
+ public Q_SLOTS:
+  void open_chosen();
+  void copy_chosen();
+  void begin_new();
+
+ Q_SIGNALS:
+  void edit_wanted(const cusp::EditorStart& start);
+  void import_wanted();
+
+ private:
+  void read();
+  void begin_as_copy(const Exercise& pattern, const LocalText& title);
+  void tell_failure(const StorageFailure& failure);
+
+  Store& store_;
+  Actor actor_;
+  std::filesystem::path database_, cache_;
+  LibraryModel* model_;
+  Table* table_ = nullptr;
+  Band* band_ = nullptr;
+};
+
+}  // namespace cusp
