@@ -1,0 +1,327 @@
+// The editor's draft without a window: every edit undone and done again, merging, what is refused, checks.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "engine/volume/voxel_volume.h"
+#include "scenarios/library/library.h"
+#include "ui/editor/burr_catalogue.h"
+#include "ui/editor/check_sentences.h"
+#include "ui/editor/editor_model.h"
+#include "ui/editor/points_form.h"
+#include "ui/editor/target_handles.h"
+
+namespace cusp {
+namespace {
+
+EditorStart class_one() {
+  const Scenario s = *load_builtin("class-1-36");
+  EditorStart start{s, s, {}};
+  start.draft.version = s.version + 1;
+  return start;
+}
+
+/// What growing the average 36 finds, as far as the checks read it (box from `cusp specimen tooth --fdi 36`, rounded out).
+SpecimenFacts facts_of_36() {
+  return {{-7, -7, -16}, {7, 7, 8}, 0.1, {Tissue::enamel, Tissue::dentine, Tissue::cementum, Tissue::pulp}};
+}
+
+struct Edit {
+  const char* name;
+  std::function<bool(EditorModel&)> make;
+};
+
+const std::vector<Edit>& every_edit() {
+  static const std::vector<Edit> edits = {
+      {"title", [](EditorModel& m) { return m.set_title("de", QStringLiteral("Anders")); }},
+      {"no German title", [](EditorModel& m) { return m.set_title("de", {}); }},
+      {"briefing", [](EditorModel& m) { return m.set_briefing("en", QStringLiteral("Cut it.")); }},
+      {"specimen",
+       [](EditorModel& m) {
+         SpecimenSource s;
+         s.generator = "block";
+         s.voxel_mm = 0.1;
+         return m.set_specimen(s, load_builtin("channel-1")->tissues);
+       }},
+      {"shape box", [](EditorModel& m) { return m.set_shape("box"); }},
+      {"shape channel", [](EditorModel& m) { return m.set_shape("channel"); }},
+      {"depth", [](EditorModel& m) { return m.set_depth_mm(2.1); }},
+      {"width", [](EditorModel& m) { return m.set_width_mm(1.5); }},
+      {"top", [](EditorModel& m) { return m.set_top_mm(4.0); }},
+      {"corner", [](EditorModel& m) { return m.set_corner_radius_mm(0.4); }},
+      {"size", [](EditorModel& m) { return m.set_box_size_mm(3, 2); }},
+      {"point", [](EditorModel& m) { return m.set_point_mm(0, 0, -3.0, -0.4); }},
+      {"add a point", [](EditorModel& m) { return m.add_point(0); }},
+      {"remove a point", [](EditorModel& m) { return m.remove_point(0, 1); }},
+      {"add a branch", [](EditorModel& m) { return m.add_path(); }},
+      {"handle",
+       [](EditorModel& m) {
+         const Target& t = m.scenario().target;
+         return m.set_target(moved(t, handles_of(t).front(), {-2.9, -0.4, t.top_mm}), QStringLiteral("handle/0"));
+       }},
+      {"leeway", [](EditorModel& m) { return m.set_leeway({0.2, 0.25}); }},
+      {"add a criterion",
+       [](EditorModel& m) { return m.add_criterion("undercut", first_bands("undercut", m.scenario().target)); }},
+      {"remove a criterion", [](EditorModel& m) { return m.remove_criterion(1); }},
+      {"weight", [](EditorModel& m) { return m.set_weight(0, 25); }},
+      {"bands", [](EditorModel& m) { return m.set_bands(0, {70, 80, 95, 100, 100, 100}); }},
+      {"pass", [](EditorModel& m) { return m.set_pass(80); }},
+      {"critical", [](EditorModel& m) { return m.set_critical("pulp_exposure", false); }},
+      {"add a burr", [](EditorModel& m) { return m.add_burr(round_burrs().back()); }},
+      {"remove a burr", [](EditorModel& m) { return m.remove_burr(0); }},
+      {"burr", [](EditorModel& m) { return m.set_burr_radius_mm(1, 0.55); }},
+      {"time", [](EditorModel& m) { return m.set_time_limit_s(600); }},
+  };
+  return edits;
+}
+
+TEST(editor_model, every_edit_is_one_step_that_undo_takes_back_and_redo_brings_again) {
+  for (const Edit& edit : every_edit()) {
+    EditorModel model(class_one());
+    const Scenario before = model.scenario();
+    ASSERT_TRUE(edit.make(model)) << edit.name;
+    const Scenario after = model.scenario();
+    EXPECT_FALSE(after == before) << edit.name;
+    EXPECT_EQ(model.stack().count(), 1) << edit.name;
+    model.stack().undo();
+    EXPECT_TRUE(model.scenario() == before) << edit.name;
+    model.stack().redo();
+    EXPECT_TRUE(model.scenario() == after) << edit.name;
+  }
+}
+
+TEST(editor_model, undoing_everything_restores_the_exercise_and_redoing_everything_the_draft) {
+  EditorModel model(class_one());
+  const Scenario before = model.scenario();
+  for (const Edit& edit : every_edit()) edit.make(model);
+  const Scenario after = model.scenario();
+  EXPECT_GT(model.stack().count(), 15);
+  while (model.stack().canUndo()) model.stack().undo();
+  EXPECT_TRUE(model.scenario() == before);
+  EXPECT_TRUE(model.unchanged());
+  while (model.stack().canRedo()) model.stack().redo();
+  EXPECT_TRUE(model.scenario() == after);
+}
+
+TEST(editor_model, turning_a_number_is_one_step_until_it_rests) {
+  EditorModel model(class_one());
+  const double depth = model.scenario().target.depth_mm;
+  for (int i = 1; i <= 10; ++i) model.set_depth_mm(depth + 0.05 * i);
+  EXPECT_EQ(model.stack().count(), 1);
+  model.end_gesture();
+  model.set_depth_mm(depth + 1);
+  EXPECT_EQ(model.stack().count(), 2);
+  model.set_width_mm(1.4);  // another field never merges
+  EXPECT_EQ(model.stack().count(), 3);
+  model.stack().undo();
+  model.stack().undo();
+  EXPECT_DOUBLE_EQ(model.scenario().target.depth_mm, depth + 0.5);
+  model.stack().undo();
+  EXPECT_TRUE(model.unchanged());
+}
+
+TEST(editor_model, a_number_turned_back_to_where_it_was_leaves_no_step) {
+  EditorModel model(class_one());
+  const double depth = model.scenario().target.depth_mm;
+  model.set_depth_mm(depth + 0.05);
+  model.set_depth_mm(depth + 0.10);
+  model.set_depth_mm(depth);
+  EXPECT_EQ(model.stack().count(), 0);
+  EXPECT_TRUE(model.unchanged());
+}
+
+TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing) {
+  EditorModel model(class_one());
+  const Scenario before = model.scenario();
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, inf, -inf, 0.0, -1.0, 101.0}) {  // the format admits (0, 100] mm
+    EXPECT_FALSE(model.set_depth_mm(bad)) << bad;
+    EXPECT_FALSE(model.set_width_mm(bad)) << bad;
+    EXPECT_FALSE(model.set_burr_radius_mm(0, bad)) << bad;
+    EXPECT_FALSE(model.set_box_size_mm(bad, 5000.0)) << bad;
+  }
+  for (const double bad : {nan, inf, -1.0, 101.0}) {
+    EXPECT_FALSE(model.set_pass(bad)) << bad;
+    EXPECT_FALSE(model.set_leeway({bad, 0.3})) << bad;
+  }
+  EXPECT_FALSE(model.set_top_mm(nan));
+  EXPECT_FALSE(model.set_weight(0, -1));
+  EXPECT_FALSE(model.set_weight(99, 1));
+  EXPECT_FALSE(model.set_point_mm(0, 0, nan, 0));
+  EXPECT_FALSE(model.set_point_mm(0, 99, 0, 0));
+  EXPECT_FALSE(model.set_point_mm(99, 0, 0, 0));
+  EXPECT_FALSE(model.set_title("en", {}));                                  // English is always there
+  EXPECT_FALSE(model.add_burr(model.scenario().instruments.front()));      // a name twice
+  EXPECT_FALSE(model.add_criterion("target_removed", {}));                 // a metric twice
+  EXPECT_FALSE(model.add_criterion("beauty", {}));                         // no such metric
+  EXPECT_FALSE(model.set_shape("banana"));
+  EXPECT_FALSE(model.remove_burr(99));
+  EXPECT_FALSE(model.remove_criterion(99));
+  SpecimenSource wisdom;
+  wisdom.generator = "tooth";
+  wisdom.fdi = 49;  // no quadrant has a ninth tooth
+  EXPECT_FALSE(model.set_specimen(wisdom, before.tissues));
+  EXPECT_TRUE(model.scenario() == before);
+  EXPECT_EQ(model.stack().count(), 0);
+}
+
+TEST(editor_model, a_target_keeps_at_least_one_line) {
+  EditorModel model(class_one());
+  ASSERT_TRUE(model.set_shape("channel"));
+  ASSERT_TRUE(model.set_shape("outline"));
+  EXPECT_FALSE(model.remove_point(0, 0));
+  ASSERT_TRUE(model.add_path());
+  EXPECT_TRUE(model.remove_point(1, 0));  // the branch goes as a whole
+  EXPECT_EQ(model.scenario().target.paths.size(), 1u);
+}
+
+TEST(editor_model, points_stay_on_the_floor_and_bands_of_depth_move_with_it) {
+  EditorModel model(class_one());
+  ASSERT_TRUE(model.set_depth_mm(2.3));
+  const Scenario& s = model.scenario();
+  for (const auto& path : s.target.paths) {
+    for (const Vec3& p : path) EXPECT_DOUBLE_EQ(p.z, 1.9);  // 4.2 - 2.3
+  }
+  for (const Criterion& c : s.rubric.criteria) {
+    // 1.8 -> 2.3: the mean's full band 1.65 to 1.95 becomes 2.15 to 2.45; the deepest's open side stays open.
+    if (c.metric == "depth_mean") {
+      EXPECT_DOUBLE_EQ(c.bands.ideal_lo, 2.15);
+      EXPECT_DOUBLE_EQ(c.bands.ideal_hi, 2.45);
+    }
+    if (c.metric == "depth_most") {
+      EXPECT_DOUBLE_EQ(c.bands.ideal_lo, 0);
+      EXPECT_DOUBLE_EQ(c.bands.ideal_hi, 2.6);
+    }
+  }
+  for (const Finding& f : model.findings()) EXPECT_NE(f.code, "target_scores_less");
+}
+
+TEST(editor_model, a_shape_made_from_another_keeps_place_and_depth) {
+  EditorModel model(class_one());
+  const Target before = model.scenario().target;
+  for (const char* shape : {"box", "channel", "outline", "box", "outline"}) {
+    ASSERT_TRUE(model.set_shape(shape)) << shape;
+    const Target& t = model.scenario().target;
+    EXPECT_EQ(t.shape, shape);
+    EXPECT_DOUBLE_EQ(t.depth_mm, before.depth_mm);
+    EXPECT_DOUBLE_EQ(t.top_mm, before.top_mm);
+    model.set_facts(facts_of_36());
+    EXPECT_FALSE(has_error(model.findings())) << shape << ": " << check_sentence(model.findings().front()).toStdString();
+  }
+}
+
+TEST(editor_model, publishing_waits_for_a_change_the_tooth_and_every_check) {
+  EditorModel model(class_one());
+  EXPECT_EQ(model.standing(), EditorModel::Standing::unchanged);
+  model.set_depth_mm(2.0);
+  EXPECT_EQ(model.standing(), EditorModel::Standing::unproved);
+  model.set_facts(facts_of_36());
+  EXPECT_TRUE(model.publishable());
+  model.set_top_mm(-20);
+  EXPECT_EQ(model.standing(), EditorModel::Standing::failing);
+  EXPECT_EQ(model.findings().front().code, "target_outside");
+  EXPECT_EQ(place_of(model.findings().front()), EditorPlace::shape);
+  model.stack().undo();
+  EXPECT_TRUE(model.publishable());
+  while (!model.scenario().instruments.empty()) model.remove_burr(0);
+  EXPECT_EQ(model.standing(), EditorModel::Standing::failing);
+  EXPECT_EQ(place_of(model.findings().front()), EditorPlace::burrs);
+}
+
+TEST(editor_model, another_tooth_is_grown_anew_and_the_old_facts_are_forgotten) {
+  EditorModel model(class_one());
+  model.set_facts(facts_of_36());
+  int told = 0;
+  QObject::connect(&model, &EditorModel::specimen_changed, [&told] { ++told; });
+  model.set_width_mm(1.4);
+  EXPECT_EQ(told, 0);
+  SpecimenSource other = model.scenario().specimen;
+  other.fdi = 46;
+  ASSERT_TRUE(model.set_specimen(other, model.scenario().tissues));
+  EXPECT_EQ(told, 1);
+  EXPECT_FALSE(model.facts().has_value());
+  model.stack().undo();
+  EXPECT_EQ(told, 2);
+}
+
+TEST(editor_model, a_block_has_no_pulp_to_protect_or_to_open) {
+  EditorModel model(class_one());
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.1;
+  ASSERT_TRUE(model.set_specimen(block, load_builtin("channel-1")->tissues));
+  EXPECT_TRUE(model.scenario().protected_tissues.empty());
+  EXPECT_TRUE(model.scenario().rubric.critical.empty());
+}
+
+TEST(check_sentences, every_code_of_the_checks_has_words) {
+  for (const char* code :
+       {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "no_criteria", "weight_zero",
+        "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
+        "voxel_mismatch", "feature_thin", "burr_small", "neck_wider_than_ball", "burr_wider_than_target",
+        "corner_below_burr", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
+        "nothing_can_be_cut", "tissue_unused"}) {
+    const QString said = check_sentence({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
+    EXPECT_TRUE(said.endsWith(u'.')) << code;
+    EXPECT_FALSE(said.contains(QLatin1String(code))) << code;
+    EXPECT_FALSE(said.startsWith(QStringLiteral("Something is wrong"))) << code;
+    EXPECT_FALSE(said.contains(u'%')) << said.toStdString();
+  }
+}
+
+TEST(target_handles, each_handle_moves_what_it_is_named_for_and_nothing_else) {
+  Target t = load_builtin("channel-1")->target;  // 6 mm along x, 1.6 wide, 2 deep, top 0
+  const auto find = [](const Target& of, TargetHandle::Kind kind) {
+    for (const TargetHandle& h : handles_of(of)) {
+      if (h.kind == kind) return h;
+    }
+    return TargetHandle{};
+  };
+  EXPECT_EQ(handles_of(t).size(), 4u);  // two ends, width, depth
+  const Target wide = moved(t, find(t, TargetHandle::Kind::width), {0, 1.0, 0});
+  EXPECT_DOUBLE_EQ(wide.width_mm, 2.0);
+  EXPECT_EQ(wide.paths, t.paths);
+  const Target deep = moved(t, find(t, TargetHandle::Kind::depth), {0, 0, -2.5});
+  EXPECT_DOUBLE_EQ(deep.depth_mm, 2.5);
+  EXPECT_DOUBLE_EQ(deep.paths[0][0].z, -2.5);
+  EXPECT_DOUBLE_EQ(moved(t, find(t, TargetHandle::Kind::depth), {0, 0, 5}).depth_mm, kLeastHandleMm);
+  const Target bent = moved(t, handles_of(t)[0], {-2.504, 1.006, 7});
+  EXPECT_DOUBLE_EQ(bent.paths[0][0].x, -2.5);
+  EXPECT_DOUBLE_EQ(bent.paths[0][0].y, 1.01);
+  EXPECT_DOUBLE_EQ(bent.paths[0][0].z, -2);
+  EXPECT_EQ(bent.paths[0][1], t.paths[0][1]);
+}
+
+TEST(target_handles, where_lines_meet_one_handle_moves_them_all) {
+  const Target t = load_builtin("class-1-36")->target;
+  std::size_t points = 0;
+  for (const auto& path : t.paths) points += path.size();
+  // Three branches begin on points of the long line: 15 points, 12 places; width and depth besides.
+  EXPECT_EQ(points, 15u);
+  ASSERT_EQ(handles_of(t).size(), 14u);
+  for (const TargetHandle& h : handles_of(t)) {
+    if (h.kind != TargetHandle::Kind::point || h.path != 0 || h.point != 5) continue;  // (0.74, 0.05)
+    const Target out = moved(t, h, {0.8, 0.1, t.top_mm});
+    EXPECT_DOUBLE_EQ(out.paths[0][5].x, 0.8);
+    EXPECT_DOUBLE_EQ(out.paths[1][0].x, 0.8);
+    EXPECT_EQ(out.paths[2], t.paths[2]);
+  }
+}
+
+TEST(target_handles, a_box_is_moved_by_its_middle_and_sized_by_its_sides) {
+  EditorModel model(class_one());
+  ASSERT_TRUE(model.set_shape("box"));
+  const Target t = model.scenario().target;
+  const auto handles = handles_of(t);
+  ASSERT_EQ(handles.size(), 4u);
+  const Target longer = moved(t, handles[1], t.paths[0][0] + Vec3(2, 0, 0));
+  EXPECT_DOUBLE_EQ(longer.box_size_mm.x, 4.0);
+  EXPECT_DOUBLE_EQ(longer.box_size_mm.y, t.box_size_mm.y);
+  EXPECT_EQ(moved(t, handles[0], {1, 1, 0}).box_size_mm, t.box_size_mm);
+}
+
+}  // namespace
+}  // namespace cusp

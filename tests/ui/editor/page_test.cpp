@@ -1,0 +1,232 @@
+// The editor's page over real records, without OpenGL: keys, numbers, handles, checks, try-out, publishing.
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "scenarios/library/library.h"
+#include "tests/ui/desk_records.h"
+#include "ui/drill/tooth_view.h"
+#include "ui/editor/editor_page.h"
+#include "ui/editor/editor_records.h"
+#include "ui/editor/target_view.h"
+#include "ui/instructor/import_page.h"
+#include "ui/instructor/library_page.h"
+#include "ui/widgets/table.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kGrowsWithinMs = 60'000;  // a coarse block takes a moment; waited for, never decided by
+
+struct EditorPages : ::testing::Test {
+  test::DeskRecords records;
+  QTemporaryDir folder;
+  Ports ports = Ports::of_the_system();
+  Account teacher;
+  QString file;
+  void SetUp() override {
+    teacher = *records.store().people.create(records.administrator().actor(),
+                                             {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+    ports.pick_file = [this](QWidget*, const FileWish&, std::function<void(const QString&)> then) { then(file); };
+  }
+  /// channel-1 at 0.4 mm, so that it grows at once.
+  EditorStart coarse() const {
+    EditorStart start;
+    start.published = *load_builtin("channel-1");
+    start.published->specimen.voxel_mm = 0.4;
+    start.draft = *start.published;
+    start.draft.version = 2;
+    start.folder = drafts_folder(records.file(), start.draft.id).string();
+    return start;
+  }
+  std::unique_ptr<EditorPage> open() {
+    auto page = std::make_unique<EditorPage>(records.store(), teacher.actor(), ports, coarse());
+    page->resize(1280, 800);
+    QSignalSpy ready(page.get(), &EditorPage::ready);
+    page->show();
+    EXPECT_TRUE(page->grown() || ready.wait(kGrowsWithinMs));
+    return page;
+  }
+};
+
+template <class W>
+W* named(QWidget& page, const char* name) {
+  for (W* w : page.findChildren<W*>()) {
+    if (w->accessibleName() == QLatin1String(name)) return w;
+  }
+  return nullptr;
+}
+
+TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
+  const auto page = open();
+  auto* depth = named<QDoubleSpinBox>(*page, "Depth");
+  ASSERT_NE(depth, nullptr);
+  depth->setValue(2.35);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.35);
+  auto* publish = named<QPushButton>(*page, "Publish version 2");
+  ASSERT_NE(publish, nullptr);
+  EXPECT_TRUE(publish->isEnabled());
+  QTest::keyClick(page.get(), Qt::Key_Z, Qt::ControlModifier);
+  page->model().stack().undo();
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.0);
+  EXPECT_DOUBLE_EQ(depth->value(), 2.0);
+  EXPECT_FALSE(publish->isEnabled());
+}
+
+TEST_F(EditorPages, every_handle_has_a_name_and_answers_to_the_arrow_keys) {
+  const auto page = open();
+  const auto& knobs = page->stage()->knobs();
+  ASSERT_EQ(knobs.size(), 4u);
+  for (HandleKnob* knob : knobs) {
+    EXPECT_FALSE(knob->accessibleName().isEmpty());
+    EXPECT_FALSE(knob->accessibleDescription().isEmpty());
+    EXPECT_GE(knob->width(), 12);
+  }
+  HandleKnob* depth = knobs.back();
+  EXPECT_EQ(depth->accessibleName().toStdString(), "Depth");
+  QTest::keyClick(depth, Qt::Key_Down);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.05);
+  QTest::keyClick(depth, Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.04);
+  EXPECT_EQ(page->model().stack().count(), 2);
+  QTest::keyClick(knobs[2], Qt::Key_Right);
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.width_mm, 1.65);
+}
+
+TEST_F(EditorPages, dragging_a_handle_is_one_step_and_follows_the_hand) {
+  const auto page = open();
+  TargetView* stage = page->stage();
+  HandleKnob* end = stage->knobs()[0];
+  const Vec3 before = end->handle().at_mm;
+  const auto target_px = stage->view()->project(before + Vec3(0.5, 0.3, 0));
+  ASSERT_TRUE(target_px.has_value());
+  const QPoint middle(end->width() / 2, end->height() / 2);
+  QTest::mousePress(end, Qt::LeftButton, {}, middle);
+  for (int i = 1; i <= 4; ++i) {
+    // The handle moves along: the hand is where it is on the stage.
+    const QPointF from = *stage->view()->project(before);
+    const QPointF at = from + (*target_px - from) * i / 4.0;
+    const QPointF local = at - QPointF(end->pos());
+    QMouseEvent move(QEvent::MouseMove, local, end->mapToGlobal(local), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(end, &move);
+  }
+  QTest::mouseRelease(end, Qt::LeftButton, {}, middle);
+  const Vec3 after = page->model().scenario().target.paths[0][0];
+  // A pixel is about 0.03 mm here, and the press lies within one of the handle's middle.
+  EXPECT_NEAR(after.x, before.x + 0.5, 0.06);
+  EXPECT_NEAR(after.y, before.y + 0.3, 0.06);
+  EXPECT_EQ(page->model().stack().count(), 1);
+  page->model().stack().undo();
+  EXPECT_TRUE(page->model().unchanged());
+}
+
+TEST_F(EditorPages, publish_and_try_out_are_off_while_a_check_fails_and_the_reason_is_said) {
+  const auto page = open();
+  named<QDoubleSpinBox>(*page, "Measured from height")->setValue(5);
+  EXPECT_FALSE(named<QPushButton>(*page, "Publish version 2")->isEnabled());
+  EXPECT_FALSE(named<QPushButton>(*page, "Try out")->isEnabled());
+  bool said = false;
+  for (QLabel* label : page->findChildren<QLabel*>()) said = said || label->text().startsWith(QStringLiteral("The target reaches out"));
+  EXPECT_TRUE(said);
+}
+
+TEST_F(EditorPages, a_try_out_is_of_the_draft_is_kept_nowhere_and_leaves_everything_as_it_was) {
+  const auto page = open();
+  page->model().set_depth_mm(2.2);
+  const Scenario draft = page->model().scenario();
+  QSignalSpy wanted(page.get(), &EditorPage::try_out_wanted);
+  named<QPushButton>(*page, "Try out")->click();
+  ASSERT_EQ(wanted.count(), 1);
+  const RunPlan plan = wanted[0][0].value<RunPlan>();
+  EXPECT_TRUE(plan.scenario == draft);
+  EXPECT_TRUE(plan.database.empty());
+  EXPECT_EQ(plan.kind, SessionKind::try_out);
+  ASSERT_NE(plan.specimen, nullptr);  // the one that stands there: nothing is grown again
+  EXPECT_TRUE(page->model().scenario() == draft);
+  EXPECT_EQ(page->model().stack().count(), 1);
+  EXPECT_TRUE(records.store().scenarios.library()->empty());
+}
+
+TEST_F(EditorPages, leaving_keeps_the_draft_and_publishing_takes_it_away) {
+  auto page = open();
+  QSignalSpy back(page.get(), &EditorPage::back_wanted);
+  page->model().set_depth_mm(2.2);
+  page->leave();
+  EXPECT_EQ(back.count(), 1);
+  EXPECT_EQ(records.store().scenarios.drafts(teacher.actor())->size(), 1u);
+  named<QPushButton>(*page, "Publish version 2")->click();
+  EXPECT_TRUE(records.store().scenarios.drafts(teacher.actor())->empty());
+  EXPECT_EQ(records.store().scenarios.library()->size(), 1u);
+  EXPECT_NE(named<QPushButton>(*page, "Publish version 3"), nullptr);
+}
+
+TEST_F(EditorPages, criteria_and_burrs_are_added_and_removed) {
+  const auto page = open();
+  const std::size_t criteria = page->model().scenario().rubric.criteria.size(), burrs = page->model().scenario().instruments.size();
+  named<QPushButton>(*page, "Add a criterion")->click();
+  EXPECT_EQ(page->model().scenario().rubric.criteria.size(), criteria + 1);
+  named<QPushButton>(*page, "Remove Target removed")->click();
+  EXPECT_EQ(page->model().scenario().rubric.criteria.size(), criteria);
+  named<QPushButton>(*page, "Add a burr")->click();
+  EXPECT_EQ(page->model().scenario().instruments.size(), burrs + 1);
+  named<QDoubleSpinBox>(*page, "Diameter of burr 2")->setValue(1.1);
+  EXPECT_DOUBLE_EQ(page->model().scenario().instruments[0].name == "2" ? page->model().scenario().instruments[0].radius_mm : 0.0, 0.55);
+  EXPECT_FALSE(named<QCheckBox>(*page, "Opening the pulp fails the go") && named<QCheckBox>(*page, "Opening the pulp fails the go")->isEnabled());
+}
+
+TEST_F(EditorPages, every_control_has_a_name) {
+  const auto page = open();
+  for (QWidget* w : page->findChildren<QWidget*>()) {
+    if (!(w->focusPolicy() & Qt::TabFocus) || qobject_cast<QTabWidget*>(w)) continue;
+    if (w->objectName().startsWith(QStringLiteral("qt_"))) continue;
+    const auto* button = qobject_cast<QAbstractButton*>(w);
+    EXPECT_TRUE(!w->accessibleName().isEmpty() || (button && !button->text().isEmpty()))
+        << w->metaObject()->className() << " in " << w->parentWidget()->metaObject()->className();
+  }
+}
+
+TEST_F(EditorPages, a_file_that_is_no_volume_is_refused_in_words) {
+  const auto page = open();
+  file = folder.filePath(QStringLiteral("broken.nrrd"));
+  QFile broken(file);
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("not a volume");
+  broken.close();
+  const Scenario before = page->model().scenario();
+  named<QComboBox>(*page, "Kind")->setCurrentIndex(3);
+  for (QPushButton* b : page->findChildren<QPushButton*>()) {
+    if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
+  }
+  EXPECT_TRUE(page->model().scenario() == before);
+  bool said = false;
+  for (QLabel* label : page->findChildren<QLabel*>()) said = said || label->text().contains(QStringLiteral("This file cannot be read"));
+  EXPECT_TRUE(said);
+}
+
+TEST_F(EditorPages, the_library_lists_the_builtin_exercises_and_opens_one) {
+  LibraryPage page(records.store(), teacher.actor(), records.file(), folder.path().toStdString());
+  page.show();
+  EXPECT_EQ(page.model().rowCount(), 3);
+  QSignalSpy wanted(&page, &LibraryPage::edit_wanted);
+  page.table()->choose_row(1);
+  page.open_chosen();
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_TRUE(wanted[0][0].value<EditorStart>().draft.title == page.model().row(1).shown().title);
+  page.copy_chosen();
+  page.begin_new();
+  ASSERT_EQ(wanted.count(), 3);
+  EXPECT_FALSE(wanted[1][0].value<EditorStart>().published.has_value());
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,161 @@
+// The editor and what is kept: drafts, publishing, versions that never change, volumes beside a draft.
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <filesystem>
+
+#include "scenarios/blocks/blocks.h"
+#include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "scenarios/specimens.h"
+#include "tests/ui/desk_records.h"
+#include "ui/editor/editor_records.h"
+#include "ui/instructor/import_page.h"
+#include "ui/instructor/library_model.h"
+
+namespace cusp {
+namespace {
+
+struct EditorRecords : ::testing::Test {
+  test::DeskRecords records;
+  QTemporaryDir cache;
+  Account teacher;
+  void SetUp() override {
+    const auto made = records.store().people.create(records.administrator().actor(),
+                                                    {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
+    ASSERT_TRUE(made.has_value());
+    teacher = *made;
+  }
+  std::filesystem::path cache_folder() const { return cache.path().toStdString(); }
+  Exercise exercise(const std::string& key) {
+    const auto list = load_exercises(records.store());
+    for (const Exercise& e : list->exercises) {
+      if (e.scenario.key == key) return e;
+    }
+    return {};
+  }
+  EditorStart open(const Exercise& e) {
+    return *open_for_editing(records.store(), teacher.actor(), e, records.file(), cache_folder());
+  }
+};
+
+/// The block of channel-1: 20 x 20 x 10 mm below z = 0 (scenarios/blocks).
+SpecimenFacts facts_of_block() { return {{-10, -10, -10}, {10, 10, 0}, 0.1, {Tissue::plastic}}; }
+
+TEST_F(EditorRecords, a_changed_builtin_is_published_as_its_second_version_and_opens_equal) {
+  EditorModel model(open(exercise("channel-1")));
+  EXPECT_TRUE(model.unchanged());
+  ASSERT_TRUE(model.set_depth_mm(2.4));
+  model.set_facts(facts_of_block());
+  const Scenario draft = model.scenario();
+  const auto version = publish(records.store(), teacher.actor(), model);
+  ASSERT_TRUE(version.has_value());
+  EXPECT_EQ(version->number, 2);
+  EXPECT_EQ(version->author, teacher.id);
+  EXPECT_TRUE(model.unchanged());
+  EXPECT_FALSE(model.stack().canUndo());
+  const auto versions = records.store().scenarios.versions(draft.id);
+  ASSERT_EQ(versions->size(), 2u);
+  EXPECT_TRUE(*read_scenario(versions->front().json) == *load_builtin("channel-1"));  // the first stays what it was
+
+  const Exercise reopened = exercise("channel-1");
+  EXPECT_TRUE(reopened.scenario == draft);
+  EditorModel again(open(reopened));
+  EXPECT_TRUE(again.unchanged());
+  EXPECT_EQ(again.scenario().version, 3);
+}
+
+TEST_F(EditorRecords, publishing_is_refused_while_a_check_fails_or_nothing_changed) {
+  EditorModel model(open(exercise("channel-1")));
+  model.set_facts(facts_of_block());
+  EXPECT_EQ(publish(records.store(), teacher.actor(), model).error().code, StorageError::bad_value);
+  ASSERT_TRUE(model.set_top_mm(5));  // floor 3 mm above the block
+  const Scenario before = model.scenario();
+  EXPECT_EQ(publish(records.store(), teacher.actor(), model).error().code, StorageError::bad_value);
+  EXPECT_TRUE(model.scenario() == before);
+  EXPECT_TRUE(records.store().scenarios.library()->empty());
+}
+
+TEST_F(EditorRecords, a_student_may_not_publish_and_nothing_is_kept) {
+  const Account lena = records.student("1", "Lena Brandt");
+  EditorModel model(open(exercise("channel-1")));
+  model.set_depth_mm(2.4);
+  model.set_facts(facts_of_block());
+  EXPECT_EQ(publish(records.store(), lena.actor(), model).error().code, StorageError::not_allowed);
+  EXPECT_EQ(keep_draft(records.store(), lena.actor(), model).error().code, StorageError::not_allowed);
+  EXPECT_TRUE(records.store().scenarios.library()->empty());
+}
+
+TEST_F(EditorRecords, a_draft_is_found_again_and_goes_when_everything_is_undone) {
+  EditorModel model(open(exercise("channel-1")));
+  ASSERT_TRUE(model.set_width_mm(1.9));
+  ASSERT_TRUE(keep_draft(records.store(), teacher.actor(), model).has_value());
+  const auto library = load_library(records.store(), teacher.actor());
+  ASSERT_TRUE(library.has_value());
+  int drafts = 0;
+  for (const LibraryRow& row : library->rows) drafts += row.draft.has_value();
+  EXPECT_EQ(drafts, 1);
+  EditorModel again(open(exercise("channel-1")));
+  EXPECT_TRUE(again.scenario() == model.scenario());
+  EXPECT_FALSE(again.unchanged());
+  model.stack().undo();
+  ASSERT_TRUE(keep_draft(records.store(), teacher.actor(), model).has_value());
+  EXPECT_TRUE(records.store().scenarios.drafts(teacher.actor())->empty());
+}
+
+TEST_F(EditorRecords, a_copy_has_an_identity_of_its_own_and_begins_at_version_one) {
+  const Exercise pattern = exercise("class-1-36");
+  const auto start = copy_exercise(records.store(), pattern, {{"en", "Mine"}}, records.file(), cache_folder());
+  ASSERT_TRUE(start.has_value());
+  EXPECT_NE(start->draft.id, pattern.scenario.id);
+  EXPECT_TRUE(start->draft.key.empty());
+  EXPECT_EQ(start->draft.version, 1);
+  EditorModel model(*start);
+  EXPECT_FALSE(model.unchanged());  // nothing is published yet
+}
+
+TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_volume) {
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;  // coarse: the test is of the file
+  const auto volume = make_specimen(block, {});
+  ASSERT_TRUE(volume.has_value());
+  const auto start = exercise_on(*volume, "Found tooth", records.file());
+  ASSERT_TRUE(start.has_value());
+  EditorModel model(*start);
+  const auto back = make_specimen(model.scenario().specimen, model.folder());
+  ASSERT_TRUE(back.has_value());
+  model.set_facts(facts_of(*back));
+  ASSERT_TRUE(model.publishable()) << (model.findings().empty() ? "" : model.findings().front().code);
+  const auto version = publish(records.store(), teacher.actor(), model);
+  ASSERT_TRUE(version.has_value());
+  EXPECT_EQ(version->number, 1);
+  ASSERT_EQ(version->files.size(), 1u);
+  const auto list = load_exercises(records.store());
+  const Exercise* kept = list->find(model.scenario().id);
+  ASSERT_NE(kept, nullptr);
+  const auto folder = exercise_folder(records.store(), *kept, cache_folder());
+  ASSERT_TRUE(folder.has_value());
+  const auto unpacked = make_specimen(kept->scenario.specimen, *folder);
+  ASSERT_TRUE(unpacked.has_value());
+  EXPECT_EQ(unpacked->s, volume->s);
+  EXPECT_EQ(unpacked->tissue, volume->tissue);
+}
+
+TEST_F(EditorRecords, a_volume_that_is_gone_is_told_and_nothing_is_published) {
+  SpecimenSource block;
+  block.generator = "block";
+  block.voxel_mm = 0.4;
+  const auto volume = make_specimen(block, {});
+  const auto start = exercise_on(*volume, "Found tooth", records.file());
+  EditorModel model(*start);
+  model.set_facts(facts_of(*volume));
+  std::filesystem::remove(std::filesystem::path(model.folder()) / model.scenario().specimen.volume);
+  EXPECT_EQ(publish(records.store(), teacher.actor(), model).error().code, StorageError::not_found);
+  EXPECT_TRUE(records.store().scenarios.library()->empty());
+}
+
+}  // namespace
+}  // namespace cusp
