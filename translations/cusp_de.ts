@@ -135,6 +135,45 @@
         </message>
     </context>
     <context>
+        <name>cusp::BurrsForm</name>
+        <message>
+            <source>Round burrs</source>
+            <translation>Rosenbohrer</translation>
+        </message>
+        <message>
+            <source>Number and diameter</source>
+            <translation>Nummer und Durchmesser</translation>
+        </message>
+        <message>
+            <source>Burr to add</source>
+            <translation>Neuer Bohrer</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Add a burr</source>
+            <translation>Bohrer hinzufügen</translation>
+        </message>
+        <message>
+            <source>Burr %1</source>
+            <translation>Bohrer %1</translation>
+        </message>
+        <message>
+            <source>Diameter of burr %1</source>
+            <translation>Durchmesser von Bohrer %1</translation>
+        </message>
+        <message>
+            <source>Remove burr %1</source>
+            <translation>Bohrer %1 entfernen</translation>
+        </message>
+        <message>
+            <source>Round %1, %2</source>
+            <translation>Rund %1, %2</translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::Busy</name>
         <message>
             <source>Cancel</source>
@@ -146,6 +185,105 @@
         <message>
             <source>Which</source>
             <translation>Welcher</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Checks</name>
+        <message>
+            <source>There is no burr to work with. Add one.</source>
+            <translation>Es gibt keinen Bohrer zum Arbeiten. Fügen Sie einen hinzu.</translation>
+        </message>
+        <message>
+            <source>There is no target to cut.</source>
+            <translation>Es gibt kein Ziel zum Abtragen.</translation>
+        </message>
+        <message>
+            <source>The target’s points do not fit its shape.</source>
+            <translation>Die Punkte des Ziels passen nicht zu seiner Form.</translation>
+        </message>
+        <message>
+            <source>Nothing is graded yet. Add a criterion.</source>
+            <translation>Noch wird nichts bewertet. Fügen Sie ein Kriterium hinzu.</translation>
+        </message>
+        <message>
+            <source>%1 has no points. Give it some, or remove it.</source>
+            <translation>%1 hat keine Punkte. Geben Sie ihm welche oder entfernen Sie es.</translation>
+        </message>
+        <message>
+            <source>The bands of %1 are not in rising order.</source>
+            <translation>Die Stufen von %1 steigen nicht an.</translation>
+        </message>
+        <message>
+            <source>The pass mark %1 is out of reach: at most %2 points can be had.</source>
+            <translation>Die Bestehensgrenze %1 ist nicht erreichbar: höchstens %2 Punkte sind möglich.</translation>
+        </message>
+        <message>
+            <source>%1 is protected, but this tooth has none.</source>
+            <translation>%1 ist geschützt, kommt an diesem Zahn aber nicht vor.</translation>
+        </message>
+        <message>
+            <source>The tooth holds %1, which this exercise does not describe.</source>
+            <translation>Der Zahn enthält %1; diese Übung beschreibt das nicht.</translation>
+        </message>
+        <message>
+            <source>%1 is described, but this tooth has none.</source>
+            <translation>%1 ist beschrieben, kommt an diesem Zahn aber nicht vor.</translation>
+        </message>
+        <message>
+            <source>The target reaches out of the tooth: to %1, where the tooth ends at %2.</source>
+            <translation>Das Ziel ragt aus dem Zahn: bis %1, der Zahn endet bei %2.</translation>
+        </message>
+        <message>
+            <source>The file’s fineness is %2, not %1 as stated.</source>
+            <translation>Die Feinheit der Datei ist %2, nicht %1 wie angegeben.</translation>
+        </message>
+        <message>
+            <source>%1 is too thin to be judged at this fineness; from %2 it can.</source>
+            <translation>%1 ist bei dieser Feinheit zu dünn zum Beurteilen; ab %2 geht es.</translation>
+        </message>
+        <message>
+            <source>Burr %1 is too small for this fineness: its radius is %2, from %3 it cuts truly.</source>
+            <translation>Bohrer %1 ist für diese Feinheit zu klein: sein Radius ist %2, ab %3 trägt er genau ab.</translation>
+        </message>
+        <message>
+            <source>The neck of burr %1 is wider than its ball.</source>
+            <translation>Der Hals von Bohrer %1 ist breiter als seine Kugel.</translation>
+        </message>
+        <message>
+            <source>No burr fits: the smallest is %1 wide, the target %2.</source>
+            <translation>Kein Bohrer passt: der kleinste ist %1 breit, das Ziel %2.</translation>
+        </message>
+        <message>
+            <source>The corner radius %1 is sharper than the smallest burr leaves it (%2).</source>
+            <translation>Der Eckenradius %1 ist schärfer, als ihn der kleinste Bohrer hinterlässt (%2).</translation>
+        </message>
+        <message>
+            <source>The leeway of %1 is finer than the tooth is known (%2).</source>
+            <translation>Der Spielraum von %1 ist feiner, als der Zahn bekannt ist (%2).</translation>
+        </message>
+        <message>
+            <source>A point of the target does not lie on its floor.</source>
+            <translation>Ein Punkt des Ziels liegt nicht auf seinem Boden.</translation>
+        </message>
+        <message>
+            <source>A go that meets the target exactly loses %1 points for %2.</source>
+            <translation>Ein Durchgang, der das Ziel genau trifft, verliert %1 Punkte für %2.</translation>
+        </message>
+        <message>
+            <source>The title is missing in %1.</source>
+            <translation>Der Titel fehlt auf %1.</translation>
+        </message>
+        <message>
+            <source>The briefing is missing in %1.</source>
+            <translation>Die Aufgabe fehlt auf %1.</translation>
+        </message>
+        <message>
+            <source>Nothing of this tooth can be cut.</source>
+            <translation>Von diesem Zahn lässt sich nichts abtragen.</translation>
+        </message>
+        <message>
+            <source>Something is wrong at %1.</source>
+            <translation>Bei %1 stimmt etwas nicht.</translation>
         </message>
     </context>
     <context>
@@ -750,6 +888,14 @@
             <source>Sign in</source>
             <translation>Anmelden</translation>
         </message>
+        <message>
+            <source>Library</source>
+            <translation>Bibliothek</translation>
+        </message>
+        <message>
+            <source>Try-out: nothing is kept</source>
+            <translation>Probelauf: nichts wird aufbewahrt</translation>
+        </message>
     </context>
     <context>
         <name>cusp::DeviationLegend</name>
@@ -946,6 +1092,315 @@
         <message>
             <source>Depth %1, push %2, %3 of the target removed. %4</source>
             <translation>Tiefe %1, Druck %2, %3 des Ziels abgetragen. %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::EditorModel</name>
+        <message>
+            <source>Title</source>
+            <translation>Titel</translation>
+        </message>
+        <message>
+            <source>Briefing</source>
+            <translation>Aufgabe</translation>
+        </message>
+        <message>
+            <source>Tooth</source>
+            <translation>Zahn</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <source>Shape</source>
+            <translation>Form</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Breite</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>Höhe</translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation>Eckenradius</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>Point</source>
+            <translation>Punkt</translation>
+        </message>
+        <message>
+            <source>Add a point</source>
+            <translation>Punkt hinzufügen</translation>
+        </message>
+        <message>
+            <source>Remove a point</source>
+            <translation>Punkt entfernen</translation>
+        </message>
+        <message>
+            <source>Add a branch</source>
+            <translation>Ast hinzufügen</translation>
+        </message>
+        <message>
+            <source>Leeway</source>
+            <translation>Spielraum</translation>
+        </message>
+        <message>
+            <source>Add a criterion</source>
+            <translation>Kriterium hinzufügen</translation>
+        </message>
+        <message>
+            <source>Remove a criterion</source>
+            <translation>Kriterium entfernen</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>Bands</source>
+            <translation>Stufen</translation>
+        </message>
+        <message>
+            <source>Pass mark</source>
+            <translation>Bestehensgrenze</translation>
+        </message>
+        <message>
+            <source>What fails the go</source>
+            <translation>Was zum Nichtbestehen führt</translation>
+        </message>
+        <message>
+            <source>Add a burr</source>
+            <translation>Bohrer hinzufügen</translation>
+        </message>
+        <message>
+            <source>Remove a burr</source>
+            <translation>Bohrer entfernen</translation>
+        </message>
+        <message>
+            <source>Burr</source>
+            <translation>Bohrer</translation>
+        </message>
+        <message>
+            <source>Time limit</source>
+            <translation>Zeitgrenze</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::EditorPage</name>
+        <message>
+            <source>Editor</source>
+            <translation>Editor</translation>
+        </message>
+        <message>
+            <source>Change</source>
+            <translation>Ändern</translation>
+        </message>
+        <message>
+            <source>The draft is saved.</source>
+            <translation>Der Entwurf ist gespeichert.</translation>
+        </message>
+        <message>
+            <source>Library</source>
+            <translation>Bibliothek</translation>
+        </message>
+        <message>
+            <source>Keeps the draft and goes back (Alt+Left)</source>
+            <translation>Bewahrt den Entwurf auf und geht zurück (Alt+Links)</translation>
+        </message>
+        <message>
+            <source>Title of the exercise</source>
+            <translation>Titel der Übung</translation>
+        </message>
+        <message>
+            <source>Title, in the language of the screen; the others stand under Words</source>
+            <translation>Titel in der Sprache der Oberfläche; die anderen stehen unter Texte</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>Rückgängig</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>Wiederholen</translation>
+        </message>
+        <message>
+            <source>Try out</source>
+            <translation>Probieren</translation>
+        </message>
+        <message>
+            <source>Publish</source>
+            <translation>Veröffentlichen</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <source>In this exercise</source>
+            <translation>In dieser Übung</translation>
+        </message>
+        <message>
+            <source>Put the target on the tooth</source>
+            <translation>Ziel auf den Zahn setzen</translation>
+        </message>
+        <message>
+            <source>Moves the target to the middle of the tooth, at its surface</source>
+            <translation>Setzt das Ziel in die Mitte des Zahns, an seine Oberfläche</translation>
+        </message>
+        <message>
+            <source>Tooth</source>
+            <translation>Zahn</translation>
+        </message>
+        <message>
+            <source>Change the tooth</source>
+            <translation>Zahn ändern</translation>
+        </message>
+        <message>
+            <source>Title, English</source>
+            <translation>Titel, Englisch</translation>
+        </message>
+        <message>
+            <source>Title, German</source>
+            <translation>Titel, Deutsch</translation>
+        </message>
+        <message>
+            <source>Briefing, English</source>
+            <translation>Aufgabe, Englisch</translation>
+        </message>
+        <message>
+            <source>Briefing, German</source>
+            <translation>Aufgabe, Deutsch</translation>
+        </message>
+        <message>
+            <source>Shape</source>
+            <translation>Form</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>Burrs</source>
+            <translation>Bohrer</translation>
+        </message>
+        <message>
+            <source>Words</source>
+            <translation>Texte</translation>
+        </message>
+        <message>
+            <source>Checks</source>
+            <translation>Prüfungen</translation>
+        </message>
+        <message>
+            <source>Show</source>
+            <translation>Zeigen</translation>
+        </message>
+        <message>
+            <source>Show where</source>
+            <translation>Stelle zeigen</translation>
+        </message>
+        <message>
+            <source>Growing the tooth</source>
+            <translation>Der Zahn wird erzeugt</translation>
+        </message>
+        <message>
+            <source>No tooth yet</source>
+            <translation>Noch kein Zahn</translation>
+        </message>
+        <message>
+            <source>Growing was stopped. The exercise is as it was.</source>
+            <translation>Das Erzeugen wurde angehalten. Die Übung ist, wie sie war.</translation>
+        </message>
+        <message>
+            <source>Grow it</source>
+            <translation>Erzeugen</translation>
+        </message>
+        <message>
+            <source>Version %1, published</source>
+            <translation>Version %1, veröffentlicht</translation>
+        </message>
+        <message>
+            <source>Version %1, not published</source>
+            <translation>Version %1, nicht veröffentlicht</translation>
+        </message>
+        <message>
+            <source>Publish version %1</source>
+            <translation>Version %1 veröffentlichen</translation>
+        </message>
+        <message>
+            <source>Undo: %1 (Ctrl+Z)</source>
+            <translation>Rückgängig: %1 (Strg+Z)</translation>
+        </message>
+        <message>
+            <source>Undo (Ctrl+Z)</source>
+            <translation>Rückgängig (Strg+Z)</translation>
+        </message>
+        <message>
+            <source>Redo: %1 (Ctrl+Y)</source>
+            <translation>Wiederholen: %1 (Strg+Y)</translation>
+        </message>
+        <message>
+            <source>Redo (Ctrl+Y)</source>
+            <translation>Wiederholen (Strg+Y)</translation>
+        </message>
+        <message>
+            <source>%1, protected</source>
+            <translation>%1, geschützt</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n thing(s) to look at</source>
+            <translation>
+                <numerusform>%n Sache zum Ansehen</numerusform>
+                <numerusform>%n Sachen zum Ansehen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Everything fits</source>
+            <translation>Alles passt</translation>
+        </message>
+        <message>
+            <source>publishing waits for it</source>
+            <translation>das Veröffentlichen wartet darauf</translation>
+        </message>
+        <message>
+            <source>the tooth is still being checked</source>
+            <translation>der Zahn wird noch geprüft</translation>
+        </message>
+        <message>
+            <source>nothing was changed since it was published</source>
+            <translation>seit der Veröffentlichung wurde nichts geändert</translation>
+        </message>
+        <message>
+            <source>ready to publish</source>
+            <translation>bereit zum Veröffentlichen</translation>
+        </message>
+        <message>
+            <source>Check fails</source>
+            <translation>Prüfung misslingt</translation>
+        </message>
+        <message>
+            <source>Checks passed</source>
+            <translation>Prüfungen bestanden</translation>
+        </message>
+        <message>
+            <source>Version %1 is published.</source>
+            <translation>Version %1 ist veröffentlicht.</translation>
+        </message>
+        <message>
+            <source>Students find it among their exercises. Earlier results keep the version they were made with.</source>
+            <translation>Studierende finden sie unter ihren Übungen. Frühere Ergebnisse behalten die Version, mit der sie entstanden.</translation>
         </message>
     </context>
     <context>
@@ -1195,6 +1650,186 @@
         <message>
             <source>Points</source>
             <translation>Punkte</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ImportPage</name>
+        <message>
+            <source>Import a specimen</source>
+            <translation>Präparat importieren</translation>
+        </message>
+        <message>
+            <source>Library</source>
+            <translation>Bibliothek</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Datei</translation>
+        </message>
+        <message>
+            <source>Closed meshes (OBJ, STL, PLY) or a volume (NRRD).</source>
+            <translation>Geschlossene Netze (OBJ, STL, PLY) oder ein Volumen (NRRD).</translation>
+        </message>
+        <message>
+            <source>Choose a file…</source>
+            <translation>Datei wählen …</translation>
+        </message>
+        <message>
+            <source>One unit of the file is</source>
+            <translation>Eine Einheit der Datei ist</translation>
+        </message>
+        <message>
+            <source>Fineness</source>
+            <translation>Feinheit</translation>
+        </message>
+        <message>
+            <source>Chewing surface looks to</source>
+            <translation>Kaufläche zeigt nach</translation>
+        </message>
+        <message>
+            <source>Make a specimen</source>
+            <translation>Präparat machen</translation>
+        </message>
+        <message>
+            <source>Choose a file</source>
+            <translation>Datei wählen</translation>
+        </message>
+        <message>
+            <source>Meshes and volumes (*.obj *.stl *.ply *.nrrd)</source>
+            <translation>Netze und Volumen (*.obj *.stl *.ply *.nrrd)</translation>
+        </message>
+        <message>
+            <source>Importing was stopped.</source>
+            <translation>Das Importieren wurde angehalten.</translation>
+        </message>
+        <message>
+            <source>Nothing was kept.</source>
+            <translation>Nichts wurde aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>Reading the file</source>
+            <translation>Die Datei wird gelesen</translation>
+        </message>
+        <message>
+            <source>What %1 is made of</source>
+            <translation>Woraus %1 besteht</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Auslassen</translation>
+        </message>
+        <message>
+            <source>%1 units</source>
+            <translation>%1 Einheiten</translation>
+        </message>
+        <message>
+            <source>closed</source>
+            <translation>geschlossen</translation>
+        </message>
+        <message>
+            <source>open: cannot be used</source>
+            <translation>offen: nicht verwendbar</translation>
+        </message>
+        <message>
+            <source>The specimen will be %1.</source>
+            <translation>Das Präparat wird %1 groß.</translation>
+        </message>
+        <message>
+            <source>With this unit the file is %1. Say what each mesh is made of.</source>
+            <translation>Mit dieser Einheit ist die Datei %1 groß. Geben Sie an, woraus jedes Netz besteht.</translation>
+        </message>
+        <message>
+            <source>Making the specimen</source>
+            <translation>Das Präparat wird gemacht</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::LibraryModel</name>
+        <message>
+            <source>Draft</source>
+            <translation>Entwurf</translation>
+        </message>
+        <message>
+            <source>Draft of the next</source>
+            <translation>Entwurf der nächsten</translation>
+        </message>
+        <message>
+            <source>Comes with Cusp</source>
+            <translation>Liegt Cusp bei</translation>
+        </message>
+        <message>
+            <source>Published</source>
+            <translation>Veröffentlicht</translation>
+        </message>
+        <message>
+            <source>Exercise</source>
+            <translation>Übung</translation>
+        </message>
+        <message>
+            <source>Tooth</source>
+            <translation>Zahn</translation>
+        </message>
+        <message>
+            <source>Version</source>
+            <translation>Version</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Stand</translation>
+        </message>
+        <message>
+            <source>Draft saved</source>
+            <translation>Entwurf gespeichert</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::LibraryPage</name>
+        <message>
+            <source>Library</source>
+            <translation>Bibliothek</translation>
+        </message>
+        <message>
+            <source>Import a specimen</source>
+            <translation>Präparat importieren</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>Copy the chosen exercise</source>
+            <translation>Gewählte Übung kopieren</translation>
+        </message>
+        <message>
+            <source>New exercise</source>
+            <translation>Neue Übung</translation>
+        </message>
+        <message>
+            <source>Open in the editor</source>
+            <translation>Im Editor öffnen</translation>
+        </message>
+        <message>
+            <source>Exercises</source>
+            <translation>Übungen</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n exercise(s) cannot be read.</source>
+            <translation>
+                <numerusform>%n Übung kann nicht gelesen werden.</numerusform>
+                <numerusform>%n Übungen können nicht gelesen werden.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The others are below.</source>
+            <translation>Die anderen stehen unten.</translation>
+        </message>
+        <message>
+            <source>A draft has nothing to copy yet.</source>
+            <translation>Ein Entwurf hat noch nichts zum Kopieren.</translation>
+        </message>
+        <message>
+            <source>Publish it first.</source>
+            <translation>Veröffentlichen Sie ihn zuerst.</translation>
         </message>
     </context>
     <context>
@@ -1627,6 +2262,89 @@
         <message>
             <source>The tooth after this go</source>
             <translation>Der Zahn nach diesem Durchgang</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::PointsForm</name>
+        <message>
+            <source>Points</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>Criterion to add</source>
+            <translation>Neues Kriterium</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Add a criterion</source>
+            <translation>Kriterium hinzufügen</translation>
+        </message>
+        <message>
+            <source>Pass mark, of 100</source>
+            <translation>Bestehensgrenze, von 100</translation>
+        </message>
+        <message>
+            <source>Opening the pulp fails the go</source>
+            <translation>Eine eröffnete Pulpa führt zum Nichtbestehen</translation>
+        </message>
+        <message>
+            <source>Bands of depth move with the target’s depth.</source>
+            <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels.</translation>
+        </message>
+        <message>
+            <source>Bands of %1</source>
+            <translation>Stufen von %1</translation>
+        </message>
+        <message>
+            <source>Show what earns the points</source>
+            <translation>Zeigen, was die Punkte bringt</translation>
+        </message>
+        <message>
+            <source>Points for %1</source>
+            <translation>Punkte für %1</translation>
+        </message>
+        <message>
+            <source>Remove %1</source>
+            <translation>%1 entfernen</translation>
+        </message>
+        <message>
+            <source>No points below</source>
+            <translation>Keine Punkte unter</translation>
+        </message>
+        <message>
+            <source>Half from</source>
+            <translation>Halbe ab</translation>
+        </message>
+        <message>
+            <source>Full from</source>
+            <translation>Volle ab</translation>
+        </message>
+        <message>
+            <source>Full to</source>
+            <translation>Volle bis</translation>
+        </message>
+        <message>
+            <source>Half to</source>
+            <translation>Halbe bis</translation>
+        </message>
+        <message>
+            <source>No points above</source>
+            <translation>Keine Punkte über</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Full points: %1</source>
+            <translation>Volle Punktzahl: %1</translation>
+        </message>
+        <message>
+            <source>pass %1 of 100, shares of %2</source>
+            <translation>Grenze %1 von 100, Anteile von %2</translation>
         </message>
     </context>
     <context>
@@ -2481,14 +3199,6 @@
             <translation>Ziel abgetragen</translation>
         </message>
         <message>
-            <source>Floor too deep, within leeway</source>
-            <translation>Boden zu tief, im Spielraum</translation>
-        </message>
-        <message>
-            <source>Walls too wide, within leeway</source>
-            <translation>Wände zu weit, im Spielraum</translation>
-        </message>
-        <message>
             <source>Floor cut too far</source>
             <translation>Boden zu weit abgetragen</translation>
         </message>
@@ -2672,6 +3382,113 @@
             <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
             <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
         </message>
+        <message>
+            <source>Leeway used, floor</source>
+            <translation>Spielraum genutzt, Boden</translation>
+        </message>
+        <message>
+            <source>Leeway used, walls</source>
+            <translation>Spielraum genutzt, Wände</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ShapeForm</name>
+        <message>
+            <source>Channel</source>
+            <translation>Kanal</translation>
+        </message>
+        <message>
+            <source>Fissure outline</source>
+            <translation>Fissurenverlauf</translation>
+        </message>
+        <message>
+            <source>Box</source>
+            <translation>Kasten</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Breite</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Länge</translation>
+        </message>
+        <message>
+            <source>Measured from height</source>
+            <translation>Gemessen ab Höhe</translation>
+        </message>
+        <message>
+            <source>Corner radius</source>
+            <translation>Eckenradius</translation>
+        </message>
+        <message>
+            <source>Point</source>
+            <translation>Punkt</translation>
+        </message>
+        <message>
+            <source>Along the arch</source>
+            <translation>Entlang des Zahnbogens</translation>
+        </message>
+        <message>
+            <source>Towards the cheek</source>
+            <translation>Zur Wange</translation>
+        </message>
+        <message>
+            <source>Add a point</source>
+            <translation>Punkt hinzufügen</translation>
+        </message>
+        <message>
+            <source>Branch</source>
+            <translation>Ast</translation>
+        </message>
+        <message>
+            <source>Add a branch</source>
+            <translation>Ast hinzufügen</translation>
+        </message>
+        <message>
+            <source>Remove the point</source>
+            <translation>Punkt entfernen</translation>
+        </message>
+        <message>
+            <source>Strictness</source>
+            <translation>Strenge</translation>
+        </message>
+        <message>
+            <source>Beginner</source>
+            <translation>Anfang</translation>
+        </message>
+        <message>
+            <source>Standard</source>
+            <translation>Standard</translation>
+        </message>
+        <message>
+            <source>Exam</source>
+            <translation>Prüfung</translation>
+        </message>
+        <message>
+            <source>Leeway, floor</source>
+            <translation>Spielraum, Boden</translation>
+        </message>
+        <message>
+            <source>Leeway, sides</source>
+            <translation>Spielraum, Seiten</translation>
+        </message>
+        <message>
+            <source>Time limit</source>
+            <translation>Zeitgrenze</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keine</translation>
+        </message>
+        <message>
+            <source>Line %1, %2</source>
+            <translation>Linie %1, %2</translation>
+        </message>
     </context>
     <context>
         <name>cusp::Shell</name>
@@ -2840,6 +3657,93 @@
         </message>
     </context>
     <context>
+        <name>cusp::SpecimenForm</name>
+        <message>
+            <source>%1, upper right</source>
+            <translation>%1, oben rechts</translation>
+        </message>
+        <message>
+            <source>%1, upper left</source>
+            <translation>%1, oben links</translation>
+        </message>
+        <message>
+            <source>%1, lower left</source>
+            <translation>%1, unten links</translation>
+        </message>
+        <message>
+            <source>%1, lower right</source>
+            <translation>%1, unten rechts</translation>
+        </message>
+        <message>
+            <source>Practice block</source>
+            <translation>Übungsblock</translation>
+        </message>
+        <message>
+            <source>Block of three materials</source>
+            <translation>Block aus drei Materialien</translation>
+        </message>
+        <message>
+            <source>Change the tooth</source>
+            <translation>Zahn ändern</translation>
+        </message>
+        <message>
+            <source>Tooth</source>
+            <translation>Zahn</translation>
+        </message>
+        <message>
+            <source>From a file</source>
+            <translation>Aus einer Datei</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Art</translation>
+        </message>
+        <message>
+            <source>Variation</source>
+            <translation>Schwankung</translation>
+        </message>
+        <message>
+            <source>average</source>
+            <translation>Durchschnitt</translation>
+        </message>
+        <message>
+            <source>Fineness</source>
+            <translation>Feinheit</translation>
+        </message>
+        <message>
+            <source>Choose a volume…</source>
+            <translation>Volumen wählen …</translation>
+        </message>
+        <message>
+            <source>Use it</source>
+            <translation>Verwenden</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Zurück</translation>
+        </message>
+        <message>
+            <source>No file chosen yet.</source>
+            <translation>Noch keine Datei gewählt.</translation>
+        </message>
+        <message>
+            <source>This tooth cannot be used.</source>
+            <translation>Dieser Zahn ist nicht verwendbar.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>Choose a volume</source>
+            <translation>Volumen wählen</translation>
+        </message>
+        <message>
+            <source>Volumes (*.nrrd)</source>
+            <translation>Volumen (*.nrrd)</translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::StartPage</name>
         <message>
             <source>Due next</source>
@@ -2993,6 +3897,69 @@ Ihr bester davor</translation>
         <message>
             <source>Teacher</source>
             <translation>Lehrende</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::TargetView</name>
+        <message>
+            <source>Turn</source>
+            <translation>Drehen</translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation>Von oben</translation>
+        </message>
+        <message>
+            <source>Cut out</source>
+            <translation>Ausgeschnitten</translation>
+        </message>
+        <message>
+            <source>Show the tooth as it is when the target is met</source>
+            <translation>Den Zahn zeigen, wie er ist, wenn das Ziel erreicht ist</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Ziel</translation>
+        </message>
+        <message>
+            <source>Leeway</source>
+            <translation>Spielraum</translation>
+        </message>
+        <message>
+            <source>Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn.</source>
+            <translation>Einen Griff ziehen oder mit den Pfeiltasten bewegen; Umschalt bewegt um 0,01 mm. Daneben ziehen dreht.</translation>
+        </message>
+        <message>
+            <source>Middle of the box</source>
+            <translation>Mitte des Kastens</translation>
+        </message>
+        <message>
+            <source>Point %1</source>
+            <translation>Punkt %1</translation>
+        </message>
+        <message>
+            <source>%1 across, %2 along</source>
+            <translation>%1 quer, %2 längs</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Breite</translation>
+        </message>
+        <message>
+            <source>%1 wide</source>
+            <translation>%1 breit</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Länge</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
+            <source>%1 deep</source>
+            <translation>%1 tief</translation>
         </message>
     </context>
     <context>

@@ -33,6 +33,16 @@
         </message>
     </context>
     <context>
+        <name>cusp::EditorPage</name>
+        <message numerus="yes">
+            <source>%n thing(s) to look at</source>
+            <translation>
+                <numerusform>%n thing to look at</numerusform>
+                <numerusform>%n things to look at</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::ExercisesPage</name>
         <message numerus="yes">
             <source>%n exercise(s) cannot be read.</source>
@@ -49,6 +59,16 @@
             <translation>
                 <numerusform>%n go, with %1 points.</numerusform>
                 <numerusform>%n goes, the last with %1 points.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::LibraryPage</name>
+        <message numerus="yes">
+            <source>%n exercise(s) cannot be read.</source>
+            <translation>
+                <numerusform>%n exercise cannot be read.</numerusform>
+                <numerusform>%n exercises cannot be read.</numerusform>
             </translation>
         </message>
     </context>

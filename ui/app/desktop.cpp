@@ -15,6 +15,7 @@
 #include "ui/app/language.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/shell.h"
+#include "ui/drill/tooth_view.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
@@ -51,6 +52,8 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   setCentralWidget(stack_);
   setMinimumSize(kLeastWidth, kLeastHeight);
   resize(1280, 800);
+  // Qt makes a window anew when it gets its first OpenGL view later: it would flicker and lose its place.
+  (new ToothView(this))->hide();
   restoreGeometry(settings_.window());
   connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::go_anywhere);
   connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, [this] {

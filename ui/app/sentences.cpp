@@ -305,8 +305,8 @@ QString tissue_name(Tissue tissue) {
 
 QString metric_name(const std::string& m) {
   if (m == "target_removed") return Words::tr("Target removed");
-  if (m == "overcut_leeway_floor") return Words::tr("Floor too deep, within leeway");
-  if (m == "overcut_leeway_side") return Words::tr("Walls too wide, within leeway");
+  if (m == "overcut_leeway_floor") return Words::tr("Leeway used, floor");
+  if (m == "overcut_leeway_side") return Words::tr("Leeway used, walls");
   if (m == "overcut_beyond_floor") return Words::tr("Floor cut too far");
   if (m == "overcut_beyond_side") return Words::tr("Walls cut too far");
   if (m == "undercut") return Words::tr("Left standing");

@@ -38,9 +38,9 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
   column->addWidget(make_bar(can_go_again, back_name));
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
-  row->addWidget(make_tooth(), 47);
+  row->addWidget(make_tooth(), 45);
   QVBoxLayout* body = nullptr;
-  row->addWidget(make_scroll_page(&body), 53);
+  row->addWidget(make_scroll_page(&body), 55);
   body->setContentsMargins(px(20), px(16), px(20), px(16));
   body->setSpacing(px(12));
   band_ = new Band;

@@ -12,6 +12,7 @@ namespace cusp {
 Busy::Busy(QWidget* parent) : QWidget(parent), timer_(new QTimer(this)) {
   auto* column = new QVBoxLayout(this);
   column->setSpacing(px(8));
+  setMinimumWidth(px(280));  // a title comes later and must not be cut
   column->addStretch();
   title_ = make_label({}, TextRole::section, true);
   title_->setAlignment(Qt::AlignCenter);
