@@ -51,6 +51,9 @@ void main() {
   float apart = length(from_burr - along * burr_axis) - burr.w;
   if (burr.w > 0.0) ambient *= mix(0.45, 1.0, clamp(apart / (1.6 * burr.w), 0.0, 1.0));
   float open = ambient * ambient * (3.0 - 2.0 * ambient);
+#ifdef BY_DEVIATION
+  open = 0.45 + 0.55 * open;  // the map's colours are to be read at the bottom of a hole too
+#endif
 
   // Key light from the upper left, carried a little round the tooth's edge; a cool fill from the right; light from around.
   float wrapped = max(dot(normal, key_light) * 0.80 + 0.20, 0.0);
