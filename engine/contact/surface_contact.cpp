@@ -16,6 +16,8 @@ constexpr double kLongestStep = 0.08;       // mm: one search looks no further
 constexpr double kSameNormal = 0.9396926;   // cos 20 deg: planes of one smooth surface
 constexpr double kTurned = 0.8480481;       // cos 32 deg: a normal that turns further belongs to something else
 constexpr double kPlaneReach = 0.8;         // voxels from its point within which a plane stands for the surface
+constexpr double kSlowStep = 0.016;          // mm in a tick (16 mm/s): below, what was gathered is kept ...
+constexpr double kSlowMargin = 0.024;        // ... for as long as the burr stays this near to where it was
 constexpr int kSearches = 16;               // steps of the proxy in a tick, the rest next tick
 constexpr double kTogether = 2e-3;          // mm: slack that a polished pose may take from a plane it leaves out
 constexpr double kMemorySlack = 5e-4;       // mm
@@ -100,7 +102,7 @@ void SurfaceContact::planes(const Burr& burr, Vec3 axis, Vec3 y, double r_base, 
     if (glm::dot(plane.n, y) - plane.c > slack_mm) continue;
     plane.from = static_cast<std::int32_t>(i);
     planes_[plane_count_] = plane;
-    origins_[plane_count_] = {static_cast<std::int32_t>(i), trusted};
+    origins_[plane_count_] = {static_cast<std::int32_t>(i), trusted, false};
     ++plane_count_;
   }
 }
@@ -116,7 +118,10 @@ void SurfaceContact::relax_by_memory(const CutMemory& memory, Vec3 y, double rad
       const double reached = glm::dot(plane.n, past[static_cast<std::size_t>(m)]) - kMemorySlack;
       least = reached < least ? reached : least;
     }
-    plane.c = least;
+    if (least < plane.c) {
+      plane.c = least;
+      origins_[i].relaxed = true;
+    }
   }
 }
 
@@ -135,7 +140,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, Vec3 y, Ve
   for (int a = 0; a < found.active; ++a) {
     const Origin& origin = origins_[static_cast<std::size_t>(found.index[a])];
     const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-    if (!origin.trusted_plane || c.near_other) return out;
+    if (!origin.trusted_plane || origin.relaxed || c.near_other) return out;
     int g = 0;
     while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > kSameNormal)) ++g;
     if (g == groups) {
@@ -205,8 +210,18 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, Vec3 y, Ve
   return out;
 }
 
-Contact SurfaceContact::solve(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 from, Vec3 device,
-                              double reach_mm, const CutMemory* memory) noexcept {
+void SurfaceContact::keep(const Volume& volume, const Scene& scene, const Kept& kept) noexcept {
+  cut_.forget();
+  kept_ = kept;
+  if (!kept.valid) return;
+  const Burr& burr = scene.burrs[kept.burr];
+  gather(volume, burr, scene.tool_axis, kept.centre, burr.radius_mm + kept.margin_mm, kept.margin_mm, true);
+  gathered_ = count_;
+}
+
+Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
+                              Vec3 from, Vec3 device, double reach_mm, const CutMemory* memory) noexcept {
+  const Burr& burr = scene.burrs[burr_index];
   Contact out;
   out.pose_mm = from;
   if (clear_path(volume, burr, axis, from, device)) {
@@ -222,8 +237,13 @@ Contact SurfaceContact::solve(const Volume& volume, const Burr& burr, Vec3 axis,
 
   for (int search = 0; search < kSearches && !arrived; ++search) {
     const Vec3 centre = y;
-    gather(volume, burr, axis, centre, burr.radius_mm + step, step, true);
-    if (count_ == 0) {
+    if (!(kept_.valid && kept_.burr == burr_index && length_of(y - kept_.centre) + step <= kept_.margin_mm)) {
+      // A small step looks a little further than it must, so that the next ones find all they need.
+      kept_ = {y, step < kSlowStep ? kSlowMargin : step, burr_index, true};
+      gather(volume, burr, axis, y, burr.radius_mm + kept_.margin_mm, kept_.margin_mm, true);
+      gathered_ = count_;
+    }
+    if (gathered_ == 0) {
       // Nothing near: free space, or deep in tissue where there is no surface to follow.
       const Vec3 x = (y - volume.grid().origin_mm) / voxel_mm_;
       const IVec3 v(static_cast<int>(std::floor(x.x + 0.5)), static_cast<int>(std::floor(x.y + 0.5)),
@@ -233,10 +253,9 @@ Contact SurfaceContact::solve(const Volume& volume, const Burr& burr, Vec3 axis,
         break;
       }
     }
-    const std::size_t gathered = count_;
     bool left = false;  // the search ran out of what it gathered
     for (int pass = 0; pass < 8; ++pass) {
-      count_ = gathered;
+      count_ = gathered_;
       foot(volume, y, device, burr.radius_mm);
       planes(burr, axis, y, r_base, r_cut, 2.0 * step);
       if (memory) relax_by_memory(*memory, y, burr.radius_mm);
@@ -316,6 +335,7 @@ bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec
   if (volume.s({static_cast<int>(std::floor(x.x + 0.5)), static_cast<int>(std::floor(x.y + 0.5)),
                 static_cast<int>(std::floor(x.z + 0.5))}) >= kHalf)
     return false;
+  kept_.valid = false;
   gather(volume, burr, axis, pose, burr.radius_mm + voxel_mm_, voxel_mm_, true);
   planes(burr, axis, pose, burr.radius_mm, burr.radius_mm - kClearanceMm, 0.0);
   return plane_count_ == 0;
@@ -324,6 +344,7 @@ bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec
 bool SurfaceContact::push_out(const Volume& volume, Vec3 pose, double radius_mm, Vec3& out) noexcept {
   static const Burr none{};
   constexpr double kMost = 0.02;
+  kept_.valid = false;
   gather(volume, none, Vec3(0.0, 0.0, 1.0), pose, radius_mm + kMost + 0.01, 0.0, false);
   Vec3 y = pose;
   for (int pass = 0; pass < 4; ++pass) {

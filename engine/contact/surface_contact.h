@@ -37,7 +37,7 @@ class SurfaceContact {
 
   /// From `from` (admissible) towards `device`. reach_mm: how far one search looks, about the device's own move.
   /// memory: past cut poses, or nullptr.
-  Contact solve(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 from, Vec3 device, double reach_mm,
+  Contact solve(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, Vec3 from, Vec3 device, double reach_mm,
                 const CutMemory* memory) noexcept;
 
   /// True when the burr at this pose is in free space: ball, neck and shank clear of tissue.
@@ -46,8 +46,22 @@ class SurfaceContact {
   /// Nearest pose to `pose` at which a ball of `radius_mm` (and no shank) fits; false when there is none within 20 um.
   bool push_out(const Volume& volume, Vec3 pose, double radius_mm, Vec3& out) noexcept;
 
-  /// To be told of every change of the cut field.
-  CutSurface& cut_surface() noexcept { return cut_; }
+  /// To be told of every change of the cut field: voxels low..high, inclusive.
+  void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
+    cut_.changed(volume, low, high);
+    kept_.valid = false;
+  }
+
+  /// What the last search gathered stands until the burr has left its middle or the field changes. Which candidates are
+  /// at hand is part of what the next step depends on, so key states hold it; keep() gathers the same ones again.
+  struct Kept {
+    Vec3 centre{0.0};
+    double margin_mm = 0.0;
+    std::uint16_t burr = 0;
+    bool valid = false;
+  };
+  const Kept& kept() const noexcept { return kept_; }
+  void keep(const Volume& volume, const Scene& scene, const Kept& kept) noexcept;
 
  private:
   enum class Kind : std::uint8_t { surface, edge, shank };
@@ -65,6 +79,7 @@ class SurfaceContact {
   struct Origin {
     std::int32_t candidate = -1;
     bool trusted_plane = false;  // false: tangent to a point, an edge or the shank
+    bool relaxed = false;        // the stroke's memory let it recede: the field is not what holds the pose
   };
   struct Polished {
     bool accepted = false;
@@ -91,7 +106,9 @@ class SurfaceContact {
   std::vector<Candidate> candidates_;
   std::vector<Plane> planes_;
   std::vector<Origin> origins_;
-  std::size_t count_ = 0;
+  std::size_t count_ = 0;     // candidates, with those of the foot
+  std::size_t gathered_ = 0;  // without
+  Kept kept_;
   std::size_t plane_count_ = 0;
   bool overflow_ = false;
   CutSurface cut_;

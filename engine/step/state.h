@@ -26,6 +26,8 @@ struct StepState::Inner {
   Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
   bool started = false;
   bool cut_valid = false;
+  bool cut_pending = false;        // the ball has been swept from cut_from to cut_pose and is not carved yet
+  Vec3 cut_from{0.0};
   std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (occupancy)
   CutMemory memory;
 
@@ -33,6 +35,10 @@ struct StepState::Inner {
   std::unique_ptr<SurfaceContact> surface;
   std::unique_ptr<OccupancyProxy> occupancy;
 };
+
+/// Surface method: carves what is still pending and ends the stroke (button up, no contact, fault, another burr).
+/// Returns false when the volume had no room.
+bool end_stroke(StepState::Inner& state) noexcept;
 
 /// One tick of each method: contact, removal and raw force into `out`. dt_s is bounded by the guard's late limit.
 void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, StepOutput& out) noexcept;

@@ -60,12 +60,13 @@ std::uint64_t StepState::hash() const noexcept {
   Hash64 h;
   h.add(static_cast<std::uint64_t>(kEngineVersion));
   h.add(s.volume.hash());
-  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.velocity, s.last.force_n, s.last.force_raw_n})
+  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.cut_from, s.velocity, s.last.force_n, s.last.force_raw_n})
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
   h.add(s.last.tick);
   h.add(s.last.elapsed_us);
   h.add(static_cast<std::uint64_t>(s.last.burr) | static_cast<std::uint64_t>(s.guard.fault) << 16 |
-        static_cast<std::uint64_t>(s.started) << 24 | static_cast<std::uint64_t>(s.cut_valid) << 25);
+        static_cast<std::uint64_t>(s.started) << 24 | static_cast<std::uint64_t>(s.cut_valid) << 25 |
+        static_cast<std::uint64_t>(s.cut_pending) << 26);
   h.add_double(s.guard.ramp_ms);
   h.add_double(s.guard.force_n);
   for (const double owed : s.owed) h.add_double(owed);
@@ -125,8 +126,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), first);
   if (!first && out.burr != state.last.burr) {
     state.guard.ramp_ms = 0.0;
-    state.cut_valid = false;
-    state.memory.lift();
+    if (state.surface) out.overflow = !end_stroke(state);
   }
 
   const double dt_ms = std::min(static_cast<double>(input.elapsed_us) * 1e-3, scene.guard.late_ms);
@@ -134,8 +134,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     // The proxy stays; after re-arming it walks to wherever the device is by then.
     out.proxy_mm = first ? device : state.proxy;
     out.faulted = true;
-    state.cut_valid = false;
-    state.memory.lift();
+    if (state.surface) out.overflow = !end_stroke(state);
     state.velocity = Vec3(0.0);
     guarded(scene.guard, state.guard, Vec3(0.0), dt_ms);
     if (!first) state.device = device;
