@@ -68,7 +68,12 @@ SignIn::SignIn(Store& store, QWidget* parent) : QWidget(parent), store_(store) {
   column->addStretch(2);
   QWidget* form = first_start_ ? make_first_start_form() : make_sign_in_form();
   form->setFixedWidth(px(kFormWidth));
-  column->addWidget(form, 0, Qt::AlignHCenter);
+  // Between stretches, not aligned: an aligned form would not be given the height its wrapped lines need.
+  auto* middle = new QHBoxLayout;
+  middle->addStretch();
+  middle->addWidget(form);
+  middle->addStretch();
+  column->addLayout(middle);
   column->addStretch(3);
   const QString file = QString::fromStdString(store_.database().file().filename().string());
   QLabel* foot = make_label(tr("%1: results are kept on this computer, in %2.").arg(QSysInfo::machineHostName(), isolate(file)),
