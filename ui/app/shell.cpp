@@ -132,7 +132,7 @@ QWidget* Shell::make_sidebar() {
     button->setIconSize(QSize(px(20), px(20)));
     button->setProperty("kind", u"nav"_qs);
     button->setCheckable(true);
-    button->setAutoDefault(false);
+    button->setAutoDefault(true);  // Enter presses it too
     button->setAccessibleName(entries_[i].name);
     group_->addButton(button, i);
     column->addWidget(button);

@@ -23,7 +23,7 @@ QString with_key(const QString& text, const QKeySequence& key) {
 QPushButton* make_button(const QString& text, ButtonKind kind, const QString& icon_name, const QKeySequence& key) {
   // The style leaves no room between icon and words.
   auto* button = new QPushButton(icon_name.isEmpty() || text.isEmpty() ? text : u' ' + text);
-  button->setAutoDefault(false);
+  button->setAutoDefault(true);  // Enter presses it too
   button->setAccessibleName(text);
   switch (kind) {
     case ButtonKind::standard: break;
@@ -94,7 +94,7 @@ Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent),
   for (int i = 0; i < names.size(); ++i) {
     auto* button = new QPushButton(names[i]);
     button->setCheckable(true);
-    button->setAutoDefault(false);
+    button->setAutoDefault(true);  // Enter presses it too
     button->setAccessibleName(names[i]);
     button->setProperty("kind", names.size() == 1         ? u"segment_only"_qs
                                 : i == 0                  ? u"segment_first"_qs
