@@ -87,7 +87,7 @@
         </message>
         <message>
             <source>Enter starts</source>
-            <translation>Eingabetaste startet</translation>
+            <translation>Enter startet</translation>
         </message>
         <message>
             <source>What earns points</source>
@@ -1411,7 +1411,7 @@
         </message>
         <message>
             <source>Enter opens the briefing</source>
-            <translation>Eingabetaste öffnet die Aufgabe</translation>
+            <translation>Enter öffnet die Aufgabe</translation>
         </message>
         <message numerus="yes">
             <source>%n exercise(s) cannot be read.</source>
@@ -3815,7 +3815,7 @@
         </message>
         <message>
             <source>Enter starts</source>
-            <translation>Eingabetaste startet</translation>
+            <translation>Enter startet</translation>
         </message>
         <message>
             <source>Your exercises</source>

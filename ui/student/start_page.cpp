@@ -20,6 +20,7 @@ namespace cusp {
 namespace {
 
 constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px at 100 %, of the page
+constexpr int kShortText = 120;  // letters: about two lines beside the picture
 
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC); }
 
@@ -113,9 +114,11 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   line->addLayout(text, 1);
   text->addWidget(make_label(tr("Next"), TextRole::caption, false, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, true));
-  QLabel* what = make_label(local(s.briefing), TextRole::body, false, "text2");
+  // The whole of it stands in the briefing.
+  QString first = local(s.briefing);
+  if (const auto end = first.indexOf(u". "_qs); end > 0 && first.size() > kShortText) first.truncate(end + 1);
+  QLabel* what = make_label(first, TextRole::body, false, "text2");
   what->setWordWrap(true);
-  what->setMaximumHeight(px(58));
   text->addWidget(what);
   text->addStretch();
   auto* facts = new QHBoxLayout;
@@ -136,8 +139,11 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   QPushButton* briefing = make_large_button(tr("Briefing"), ButtonKind::standard);
   acts->addWidget(start_);
   acts->addWidget(briefing);
-  acts->addStretch();
-  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, false, "text3"));
+  // Gives way where the words are long.
+  QLabel* hint = make_label(tr("Enter starts"), TextRole::caption, false, "text3");
+  hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  hint->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
+  acts->addWidget(hint, 1);
   text->addLayout(acts);
   start_->setAutoDefault(true);
   connect(start_, &QPushButton::clicked, this, [this] { Q_EMIT start_wanted(next_->exercise); });
