@@ -27,7 +27,7 @@ class Desk:
         return os.path.join(self.folder, *parts)
 
     def environment(self, **more):
-        env = dict(os.environ, LC_ALL="C.UTF-8", HOME=self.folder, **more)
+        env = dict(os.environ, LC_ALL="C.UTF-8", HOME=self.folder)
         env.pop("CUSP_PASSWORD", None)
         env.update(more)
         return env
