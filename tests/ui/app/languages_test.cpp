@@ -120,7 +120,8 @@ bool translatable(const QString& text, const QStringList& own) {
   static const QRegularExpression letters(QStringLiteral("\\p{L}{2,}"));
   if (!text.contains(letters)) return false;
   for (const QString& part : own) {
-    if (!part.isEmpty() && text.trimmed() == part) return false;
+    // An exercise's own text, whole or by its first sentence.
+    if (!part.isEmpty() && (text.trimmed() == part || (text.size() > 40 && part.startsWith(text)))) return false;
   }
   return true;
 }
