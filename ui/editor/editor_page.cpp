@@ -89,6 +89,8 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   column->addLayout(row, 1);
 
   connect(model_, &EditorModel::changed, this, &EditorPage::follow_model);
+  // The model tells of a change while its step is still being pushed: what can be undone is the stack's to tell.
+  connect(&model_->stack(), &QUndoStack::indexChanged, this, &EditorPage::show_undo);
   connect(model_, &EditorModel::specimen_changed, this, &EditorPage::grow);
   connect(grower_, &SpecimenGrower::progressed, this, [this](double share) {
     if (busy_) busy_->set_progress(share, QLocale().toString(qRound(100 * share)) + QChar(0x00A0) + u'%');
@@ -113,12 +115,16 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   autosave_.setSingleShot(true);
   autosave_.setInterval(kAutosaveMs);
   connect(&autosave_, &QTimer::timeout, this, &EditorPage::keep);
-  connect(model_, &EditorModel::changed, this, [this] { autosave_.start(); });
+  connect(model_, &EditorModel::changed, this, [this] {
+    autosave_.start();
+    band_->clear();
+  });
   connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this, [this] {
     if (keep()) band_->show_message(Band::Kind::good, tr("The draft is saved."), {});
   });
   setFocusProxy(tabs_);
   follow_model();
+  show_undo();
   grow();
 }
 
@@ -171,7 +177,9 @@ QWidget* EditorPage::make_top_bar() {
   });
   try_ = make_button(tr("Try out"), ButtonKind::standard, u"hand"_qs, QKeySequence(Qt::Key_F5));
   row->addWidget(try_);
-  row->addWidget(make_key_cap(u"F5"_qs));
+  QLabel* cap = make_key_cap(u"F5"_qs);
+  cap->setFixedHeight(px(18));
+  row->addWidget(cap, 0, Qt::AlignVCenter);
   publish_ = make_button(tr("Publish"), ButtonKind::primary);
   row->addWidget(publish_);
   connect(try_, &QPushButton::clicked, this, &EditorPage::try_out);
@@ -200,7 +208,9 @@ QWidget* EditorPage::make_left() {
     shapes_->addButton(button, i);
     column->addWidget(button);
   }
-  connect(shapes_, &QButtonGroup::idClicked, this, [this](int id) { model_->set_shape(kShapes[id].key); });
+  connect(shapes_, &QButtonGroup::idToggled, this, [this](int id, bool on) {
+    if (on) model_->set_shape(kShapes[id].key);
+  });
   column->addSpacing(px(8));
   column->addWidget(make_rule());
   column->addSpacing(px(8));
@@ -374,10 +384,6 @@ void EditorPage::follow_model() {
   publish_->setAccessibleName(publish_->text());
   publish_->setEnabled(standing == EditorModel::Standing::ready);
   try_->setEnabled(grown_ != nullptr && !has_error(model_->findings()));
-  undo_->setEnabled(model_->stack().canUndo());
-  redo_->setEnabled(model_->stack().canRedo());
-  undo_->setToolTip(model_->stack().canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(model_->stack().undoText()) : tr("Undo (Ctrl+Z)"));
-  redo_->setToolTip(model_->stack().canRedo() ? tr("Redo: %1 (Ctrl+Y)").arg(model_->stack().redoText()) : tr("Redo (Ctrl+Y)"));
   tooth_->setText(isolate(specimen_name(s.specimen)));
   on_top_->setEnabled(grown_ != nullptr);
   for (int i = 0; i < static_cast<int>(std::size(kShapes)); ++i) {
@@ -417,6 +423,13 @@ void EditorPage::follow_model() {
   checks_chip_->set(failing ? tr("Check fails") : tr("Checks passed"), failing ? Chip::Kind::bad : Chip::Kind::good);
   check_->setText(wrong > 0 ? check_sentence(findings.front()) : QString());
   show_->setVisible(wrong > 0);
+}
+
+void EditorPage::show_undo() {
+  undo_->setEnabled(model_->stack().canUndo());
+  redo_->setEnabled(model_->stack().canRedo());
+  undo_->setToolTip(model_->stack().canUndo() ? tr("Undo: %1 (Ctrl+Z)").arg(model_->stack().undoText()) : tr("Undo (Ctrl+Z)"));
+  redo_->setToolTip(model_->stack().canRedo() ? tr("Redo: %1 (Ctrl+Y)").arg(model_->stack().redoText()) : tr("Redo (Ctrl+Y)"));
 }
 
 void EditorPage::show_first_check() {

@@ -66,6 +66,7 @@ class EditorPage : public QWidget {
   void grow();
   void follow_model();
   void show_words();
+  void show_undo();
   void show_first_check();
   void put_target_on_top();
   void show_tooth_form(bool on);

@@ -1,6 +1,7 @@
 #include "ui/editor/form_parts.h"
 
 #include <QBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 
@@ -12,6 +13,7 @@ namespace cusp {
 
 NumberBox::NumberBox(EditorModel& model, const QString& name, const QString& unit, double least, double most,
                      double step, int decimals, std::function<bool(double)> take) {
+  setLocale(QLocale());  // the language may be another than when the window was made
   setDecimals(decimals);
   setRange(least, most);
   setSingleStep(step);
@@ -36,6 +38,19 @@ void NumberBox::show_value(double value) {
   shown_ = value;
   const QSignalBlocker quiet(this);
   setValue(value);
+}
+
+bool NumberBox::event(QEvent* event) {
+  // Undo is the exercise's, not that of the digits in this box.
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
+        key->keyCombination() == (Qt::CTRL | Qt::Key_Y)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QDoubleSpinBox::event(event);
 }
 
 QLabel* add_row(QBoxLayout* column, const QString& text, QWidget* field) {

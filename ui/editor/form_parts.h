@@ -22,6 +22,9 @@ class NumberBox : public QDoubleSpinBox {
   /// Shows a value without changing anything.
   void show_value(double value);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   double shown_ = 0;
 };

@@ -81,7 +81,7 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   add_row(column, tr("Pass mark, of 100"), pass_);
   pulp_ = new QCheckBox(tr("Opening the pulp fails the go"));
   column->addWidget(pulp_);
-  connect(pulp_, &QCheckBox::clicked, this, [this](bool on) { model_.set_critical("pulp_exposure", on); });
+  connect(pulp_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("pulp_exposure", on); });
   QLabel* note = make_label(tr("Bands of depth move with the target’s depth."), TextRole::caption, false, "text2");
   note->setWordWrap(true);
   column->addWidget(note);

@@ -147,6 +147,7 @@ void ShapeForm::follow_model() {
   slot_rows_->setVisible(!box);
   box_rows_->setVisible(box);
   point_buttons_->setVisible(outline);
+  const QSignalBlocker silent(strictness_);  // shows what there is: it chooses nothing
   int chosen = -1;
   for (std::size_t i = 0; i < kStrictness.size(); ++i) {
     if (s.leeway.floor_mm == kStrictness[i] && s.leeway.side_mm == kStrictness[i]) chosen = static_cast<int>(i);

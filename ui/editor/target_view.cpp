@@ -1,5 +1,6 @@
 #include "ui/editor/target_view.h"
 
+#include <QAccessibleWidget>
 #include <QApplication>
 #include <QBoxLayout>
 #include <QKeyEvent>
@@ -24,6 +25,7 @@ namespace {
 
 constexpr int kBody = 14, kWhole = 22;               // px: a handle, and the room of its focus ring
 constexpr double kStepMm = 0.05, kFineStepMm = 0.01; // of an arrow key
+constexpr double kFirstPitch = 1.2;                  // radians: from above, yet the floor's depth is seen
 constexpr int kRestMs = 200;                         // a hand that rests this long may have its cavity
 constexpr std::array kTurns = {PresetView::working, PresetView::buccal, PresetView::distal, PresetView::lingual};
 
@@ -53,6 +55,20 @@ class LineSample : public QWidget {
  private:
   bool leeway_;
 };
+
+/// A handle as a screen reader meets it: something to grip, with its place or size as the value.
+class KnobForReaders : public QAccessibleWidget {
+ public:
+  explicit KnobForReaders(QWidget* knob) : QAccessibleWidget(knob, QAccessible::Grip) {}
+  QString text(QAccessible::Text what) const override {
+    return what == QAccessible::Value ? widget()->accessibleDescription() : QAccessibleWidget::text(what);
+  }
+};
+
+QAccessibleInterface* knob_for_readers(const QString&, QObject* object) {
+  auto* knob = qobject_cast<HandleKnob*>(object);
+  return knob ? new KnobForReaders(knob) : nullptr;
+}
 
 QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
@@ -228,6 +244,7 @@ void HandleKnob::focusOutEvent(QFocusEvent* event) {
 
 TargetView::TargetView(EditorModel& model, QWidget* parent)
     : QWidget(parent), model_(model), view_(new ToothView(this)), shown_(model.scenario().target) {
+  [[maybe_unused]] static const bool once = (QAccessible::installFactory(knob_for_readers), true);
   setMinimumSize(px(420), px(320));
   view_->set_left_turns(true);
   tools_ = make_panel(this);
@@ -327,6 +344,7 @@ void TargetView::look_at_target() {
   centre.z = std::clamp(t.top_mm - 1.0, f.low_mm.z, f.high_mm.z);  // the crown, not the roots
   Camera camera = Camera::about(centre, 0.5 * std::hypot(size.x, size.y));
   camera.set_preset(PresetView::working);
+  camera.set_angles(camera.yaw(), kFirstPitch);
   view_->set_camera(camera);
 }
 
@@ -456,9 +474,10 @@ void TargetView::place_all() {
     if (tag) {
       tag->adjustSize();
       tag->show();
-      tag->move((*at + QPointF(px(16), -tag->height() / 2.0)).toPoint());
       tag->raise();
     }
+    if (tag == width_tag_) tag->move((*at + QPointF(px(18), px(18))).toPoint());
+    if (tag == depth_tag_) tag->move((*at + QPointF(-px(18) - tag->width(), px(18))).toPoint());
   }
   for (HandleKnob* knob : knobs_) knob->raise();
 }

@@ -97,7 +97,7 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   outer->setSpacing(px(12));
   auto* head = new PageHead(tr("Import a specimen"));
   QPushButton* back = make_button(tr("Library"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
-  head->buttons()->addWidget(back);
+  outer->addWidget(back, 0, Qt::AlignLeft);
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
@@ -117,6 +117,7 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   numbers->setSpacing(px(16));
   const auto number = [&](const QString& name, double least, double most, double value, int decimals) {
     auto* box = new QDoubleSpinBox;
+    box->setLocale(QLocale());
     box->setDecimals(decimals);
     box->setRange(least, most);
     box->setValue(value);

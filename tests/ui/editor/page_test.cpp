@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -76,11 +77,25 @@ TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   auto* publish = named<QPushButton>(*page, "Publish version 2");
   ASSERT_NE(publish, nullptr);
   EXPECT_TRUE(publish->isEnabled());
-  QTest::keyClick(page.get(), Qt::Key_Z, Qt::ControlModifier);
-  page->model().stack().undo();
+  page->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(page.get()));
+  depth->setFocus();  // the box's own undo of digits stays out of the way
+  QTest::keyClick(depth, Qt::Key_Z, Qt::ControlModifier);
+  // A button pressed by its key shows that for a moment before it acts.
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !page->model().stack().canUndo(); }));
   EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.0);
   EXPECT_DOUBLE_EQ(depth->value(), 2.0);
   EXPECT_FALSE(publish->isEnabled());
+}
+
+TEST_F(EditorPages, a_shape_chosen_in_the_library_is_taken_however_it_was_pressed) {
+  const auto page = open();
+  named<QPushButton>(*page, "Box")->setChecked(true);  // as a screen reader presses it
+  EXPECT_EQ(page->model().scenario().target.shape, "box");
+  EXPECT_EQ(page->stage()->knobs().size(), 4u);
+  page->model().stack().undo();
+  EXPECT_TRUE(named<QPushButton>(*page, "Channel")->isChecked());
+  EXPECT_EQ(page->model().stack().count(), 1);
 }
 
 TEST_F(EditorPages, every_handle_has_a_name_and_answers_to_the_arrow_keys) {
@@ -128,6 +143,15 @@ TEST_F(EditorPages, dragging_a_handle_is_one_step_and_follows_the_hand) {
   EXPECT_EQ(page->model().stack().count(), 1);
   page->model().stack().undo();
   EXPECT_TRUE(page->model().unchanged());
+}
+
+TEST_F(EditorPages, a_reader_meets_a_handle_as_something_to_grip_with_a_value) {
+  const auto page = open();
+  QAccessibleInterface* depth = QAccessible::queryAccessibleInterface(page->stage()->knobs().back());
+  ASSERT_NE(depth, nullptr);
+  EXPECT_EQ(depth->role(), QAccessible::Grip);
+  EXPECT_EQ(depth->text(QAccessible::Name).toStdString(), "Depth");
+  EXPECT_TRUE(depth->text(QAccessible::Value).contains(QStringLiteral("2.00")));
 }
 
 TEST_F(EditorPages, publish_and_try_out_are_off_while_a_check_fails_and_the_reason_is_said) {
@@ -188,7 +212,7 @@ TEST_F(EditorPages, every_control_has_a_name) {
   const auto page = open();
   for (QWidget* w : page->findChildren<QWidget*>()) {
     if (!(w->focusPolicy() & Qt::TabFocus) || qobject_cast<QTabWidget*>(w)) continue;
-    if (w->objectName().startsWith(QStringLiteral("qt_"))) continue;
+    if (w->window() != page->window() || w->objectName().startsWith(QStringLiteral("qt_"))) continue;  // Qt's own parts
     const auto* button = qobject_cast<QAbstractButton*>(w);
     EXPECT_TRUE(!w->accessibleName().isEmpty() || (button && !button->text().isEmpty()))
         << w->metaObject()->className() << " in " << w->parentWidget()->metaObject()->className();
