@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 
+#include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
 #include "ui/app/language.h"
 #include "ui/app/settings.h"
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   if (cusp::is_verb(argc, argv)) return cusp::run_verb(argc, argv);
 
   QApplication app(argc, argv);
+  cusp::install_accessible_parts();
   QCoreApplication::setApplicationName(QStringLiteral("Cusp"));
   QGuiApplication::setDesktopFileName(QStringLiteral("cusp"));
   QCommandLineParser line;
