@@ -1785,6 +1785,22 @@
     <context>
         <name>cusp::LibraryPage</name>
         <message>
+            <source>Discard the draft</source>
+            <translation>Entwurf verwerfen</translation>
+        </message>
+        <message>
+            <source>Discard the draft of %1?</source>
+            <translation>Den Entwurf von %1 verwerfen?</translation>
+        </message>
+        <message>
+            <source>What is published stays as it is.</source>
+            <translation>Was veröffentlicht ist, bleibt, wie es ist.</translation>
+        </message>
+        <message>
+            <source>It was never published: nothing of it is left.</source>
+            <translation>Er wurde nie veröffentlicht: Es bleibt nichts davon.</translation>
+        </message>
+        <message>
             <source>Library</source>
             <translation>Bibliothek</translation>
         </message>

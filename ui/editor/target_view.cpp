@@ -56,10 +56,10 @@ class LineSample : public QWidget {
   bool leeway_;
 };
 
-/// A handle as a screen reader meets it: something to grip, with its place or size as the value.
+/// A handle as a screen reader meets it: something that slides, with its place or size as the value.
 class KnobForReaders : public QAccessibleWidget {
  public:
-  explicit KnobForReaders(QWidget* knob) : QAccessibleWidget(knob, QAccessible::Grip) {}
+  explicit KnobForReaders(QWidget* knob) : QAccessibleWidget(knob, QAccessible::Slider) {}
   QString text(QAccessible::Text what) const override {
     return what == QAccessible::Value ? widget()->accessibleDescription() : QAccessibleWidget::text(what);
   }

@@ -16,11 +16,12 @@ constexpr const char* kBlankExercise = "channel-1";  // a new exercise begins on
 
 }  // namespace
 
-LibraryPage::LibraryPage(Store& store, const Actor& actor, std::filesystem::path database, std::filesystem::path cache,
-                         QWidget* parent)
+LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
+                         std::filesystem::path cache, QWidget* parent)
     : QWidget(parent),
       store_(store),
       actor_(actor),
+      ports_(ports),
       database_(std::move(database)),
       cache_(std::move(cache)),
       model_(new LibraryModel(this)) {
@@ -33,7 +34,9 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, std::filesystem::path
   copy->setAccessibleName(tr("Copy the chosen exercise"));
   QPushButton* fresh = make_button(tr("New exercise"), ButtonKind::standard, u"plus"_qs, QKeySequence::New);
   QPushButton* open = make_button(tr("Open in the editor"), ButtonKind::primary, u"edit"_qs);
-  for (QPushButton* button : {import, copy, fresh, open}) head->buttons()->addWidget(button);
+  discard_ = make_button(tr("Discard the draft"), ButtonKind::erase, u"trash"_qs);
+  connect(discard_, &QPushButton::clicked, this, &LibraryPage::discard_draft);
+  for (QPushButton* button : {discard_, import, copy, fresh, open}) head->buttons()->addWidget(button);
   outer->addWidget(head);
   band_ = new Band;
   outer->addWidget(band_);
@@ -50,7 +53,9 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, std::filesystem::path
   connect(fresh, &QPushButton::clicked, this, &LibraryPage::begin_new);
   connect(open, &QPushButton::clicked, this, &LibraryPage::open_chosen);
   connect(table_, &Table::row_opened, this, &LibraryPage::open_chosen);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &LibraryPage::fit_buttons);
   read();
+  fit_buttons();
   setFocusProxy(table_);
 }
 
@@ -64,6 +69,29 @@ void LibraryPage::read() {
   }
   model_->set_rows(std::move(library->rows));
   table_->choose_row(0);
+}
+
+void LibraryPage::fit_buttons() {
+  const int index = table_->chosen_row();
+  discard_->setVisible(index >= 0 && model_->row(index).draft.has_value());
+}
+
+void LibraryPage::discard_draft() {
+  const int index = table_->chosen_row();
+  if (index < 0 || !model_->row(index).draft) return;
+  const LibraryRow row = model_->row(index);
+  const ScenarioId id = row.draft->id;
+  ports_.ask(this, {tr("Discard the draft of %1?").arg(local(row.draft->title)),
+                    row.exercise ? tr("What is published stays as it is.") : tr("It was never published: nothing of it is left."),
+                    tr("Discard the draft"), true},
+             [this, id, published = row.exercise.has_value()](bool yes) {
+               if (!yes) return;
+               if (const auto done = store_.scenarios.drop_draft(actor_, id); !done) return tell_failure(done.error());
+               std::error_code ignored;  // a volume that stays behind costs room and nothing else
+               if (!published) std::filesystem::remove_all(drafts_folder(database_, id), ignored);
+               read();
+               fit_buttons();
+             });
 }
 
 void LibraryPage::tell_failure(const StorageFailure& failure) {

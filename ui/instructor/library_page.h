@@ -19,8 +19,8 @@ class LibraryPage : public QWidget {
 
  public:
   /// Drafts' volumes lie beside `database`; `cache`: where those of published versions are unpacked.
-  LibraryPage(Store& store, const Actor& actor, std::filesystem::path database, std::filesystem::path cache,
-              QWidget* parent = nullptr);
+  LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
+              std::filesystem::path cache, QWidget* parent = nullptr);
   Table* table() const { return table_; }
   const LibraryModel& model() const { return *model_; }
 
@@ -28,6 +28,8 @@ class LibraryPage : public QWidget {
   void open_chosen();
   void copy_chosen();
   void begin_new();
+  /// Asks; what is published stays.
+  void discard_draft();
 
  Q_SIGNALS:
   void edit_wanted(const cusp::EditorStart& start);
@@ -35,15 +37,18 @@ class LibraryPage : public QWidget {
 
  private:
   void read();
+  void fit_buttons();
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
   void tell_failure(const StorageFailure& failure);
 
   Store& store_;
   Actor actor_;
+  const Ports& ports_;
   std::filesystem::path database_, cache_;
   LibraryModel* model_;
   Table* table_ = nullptr;
   Band* band_ = nullptr;
+  class QPushButton* discard_ = nullptr;
 };
 
 }  // namespace cusp

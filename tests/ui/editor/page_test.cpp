@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/ui/desk_records.h"
 #include "ui/drill/tooth_view.h"
@@ -145,11 +146,11 @@ TEST_F(EditorPages, dragging_a_handle_is_one_step_and_follows_the_hand) {
   EXPECT_TRUE(page->model().unchanged());
 }
 
-TEST_F(EditorPages, a_reader_meets_a_handle_as_something_to_grip_with_a_value) {
+TEST_F(EditorPages, a_reader_meets_a_handle_as_something_that_slides_and_has_a_value) {
   const auto page = open();
   QAccessibleInterface* depth = QAccessible::queryAccessibleInterface(page->stage()->knobs().back());
   ASSERT_NE(depth, nullptr);
-  EXPECT_EQ(depth->role(), QAccessible::Grip);
+  EXPECT_EQ(depth->role(), QAccessible::Slider);
   EXPECT_EQ(depth->text(QAccessible::Name).toStdString(), "Depth");
   EXPECT_TRUE(depth->text(QAccessible::Value).contains(QStringLiteral("2.00")));
 }
@@ -237,8 +238,26 @@ TEST_F(EditorPages, a_file_that_is_no_volume_is_refused_in_words) {
   EXPECT_TRUE(said);
 }
 
+TEST_F(EditorPages, a_draft_is_discarded_only_after_asking_and_what_is_published_stays) {
+  ASSERT_TRUE(records.store().scenarios.save_draft(teacher.actor(), coarse().draft.id, canonical_json(coarse().draft)).has_value());
+  bool answer = false;
+  ports.ask = [&answer](QWidget*, const Question&, std::function<void(bool)> then) { then(answer); };
+  LibraryPage page(records.store(), teacher.actor(), ports, records.file(), folder.path().toStdString());
+  page.show();
+  int drafted = -1;
+  for (int i = 0; i < page.model().rowCount(); ++i) drafted = page.model().row(i).draft ? i : drafted;
+  ASSERT_GE(drafted, 0);
+  page.table()->choose_row(drafted);
+  page.discard_draft();
+  EXPECT_EQ(records.store().scenarios.drafts(teacher.actor())->size(), 1u);
+  answer = true;
+  page.discard_draft();
+  EXPECT_TRUE(records.store().scenarios.drafts(teacher.actor())->empty());
+  EXPECT_EQ(page.model().rowCount(), 3);
+}
+
 TEST_F(EditorPages, the_library_lists_the_builtin_exercises_and_opens_one) {
-  LibraryPage page(records.store(), teacher.actor(), records.file(), folder.path().toStdString());
+  LibraryPage page(records.store(), teacher.actor(), ports, records.file(), folder.path().toStdString());
   page.show();
   EXPECT_EQ(page.model().rowCount(), 3);
   QSignalSpy wanted(&page, &LibraryPage::edit_wanted);
