@@ -190,6 +190,14 @@
     <context>
         <name>cusp::Checks</name>
         <message>
+            <source>The target reaches into the pulp, and opening it fails the go: nobody could pass.</source>
+            <translation>Das Ziel reicht in die Pulpa, und sie zu eröffnen heißt nicht bestehen: Niemand könnte bestehen.</translation>
+        </message>
+        <message>
+            <source>The leeway reaches the pulp: it lies %1 from the target.</source>
+            <translation>Der Spielraum reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
+        </message>
+        <message>
             <source>There is no burr to work with. Add one.</source>
             <translation>Es gibt keinen Bohrer zum Arbeiten. Fügen Sie einen hinzu.</translation>
         </message>

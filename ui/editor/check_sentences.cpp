@@ -83,6 +83,12 @@ QString check_sentence(const Finding& f) {
     return f.path == "/title" ? Words::tr("The title is missing in %1.").arg(language_of(f))
                               : Words::tr("The briefing is missing in %1.").arg(language_of(f));
   }
+  if (c == u"target_opens_pulp") {
+    return Words::tr("The target reaches into the pulp, and opening it fails the go: nobody could pass.");
+  }
+  if (c == u"leeway_opens_pulp") {
+    return Words::tr("The leeway reaches the pulp: it lies %1 from the target.").arg(mm(value));
+  }
   if (c == u"nothing_can_be_cut") return Words::tr("Nothing of this tooth can be cut.");
   return Words::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));
 }

@@ -6,6 +6,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
+#include "scenarios/shapes/outline.h"
 #include "ui/editor/commands.h"
 
 namespace cusp {
@@ -84,7 +85,7 @@ EditorModel::EditorModel(EditorStart start, QObject* parent)
       published_(std::move(start.published)),
       folder_(std::move(start.folder)),
       grown_from_(scenario_.specimen) {
-  findings_ = validate(scenario_);
+  check();
 }
 
 bool EditorModel::edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change) {
@@ -103,16 +104,38 @@ void EditorModel::after_change() {
   if (!(scenario_.specimen == grown_from_)) {
     grown_from_ = scenario_.specimen;
     facts_.reset();
+    pulp_mm_.clear();
     Q_EMIT specimen_changed();
   }
-  findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
+  check();
   Q_EMIT changed();
 }
 
-void EditorModel::set_facts(std::optional<SpecimenFacts> facts) {
+void EditorModel::set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm) {
   facts_ = std::move(facts);
-  findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
+  pulp_mm_ = std::move(pulp_mm);
+  check();
   Q_EMIT changed();
+}
+
+void EditorModel::check() {
+  findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
+  const auto& critical = scenario_.rubric.critical;
+  if (std::ranges::find(critical, "pulp_exposure") == critical.end() || pulp_mm_.empty()) return;
+  const TargetShape shape(scenario_.target);
+  if (shape.empty()) return;
+  double gap = 1e300;
+  bool in_leeway = false;
+  for (const Vec3& p : pulp_mm_) {
+    gap = std::min(gap, shape.distance_mm(p));
+    in_leeway = in_leeway || rounded_corner(shape.outline_mm({p.x, p.y}) - scenario_.leeway.side_mm,
+                                            shape.below_floor_mm(p.z) - scenario_.leeway.floor_mm, shape.corner_mm()) < 0;
+  }
+  if (gap < 0) {
+    findings_.insert(findings_.begin(), {Severity::error, "/target/depth_mm", "target_opens_pulp", {{"value", -gap}}, {}});
+  } else if (in_leeway) {
+    findings_.push_back({Severity::warning, "/leeway/floor_mm", "leeway_opens_pulp", {{"value", gap}}, {}});
+  }
 }
 
 bool EditorModel::unchanged() const {

@@ -64,11 +64,12 @@ class EditorModel : public QObject {
   /// The value of a spin box or a handle has come to rest: the next edit is a step of its own.
   void end_gesture() { ++gesture_; }
 
-  /// Known once the specimen has been grown; nullopt while it is not.
-  void set_facts(std::optional<SpecimenFacts> facts);
+  /// Known once the specimen has been grown; nullopt while it is not. `pulp_mm`: the outermost voxels of its pulp.
+  void set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm = {});
   const std::optional<SpecimenFacts>& facts() const { return facts_; }
 
-  /// Errors first. Without facts the checks that need the specimen are left out.
+  /// Errors first: those of validate(), and where opening the pulp fails the go "target_opens_pulp" (error: nobody could
+  /// pass) and "leeway_opens_pulp". Without facts the checks that need the specimen are left out.
   const std::vector<Finding>& findings() const { return findings_; }
   enum class Standing {
     unchanged,  // equals what is published
@@ -92,12 +93,14 @@ class EditorModel : public QObject {
  private:
   bool edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change);
   void after_change();
+  void check();
 
   Scenario scenario_;
   std::optional<Scenario> published_;
   std::string folder_;
   SpecimenSource grown_from_;  // what specimen_changed() told last
   std::optional<SpecimenFacts> facts_;
+  std::vector<Vec3> pulp_mm_;
   std::vector<Finding> findings_;
   int gesture_ = 0;
   QUndoStack stack_;  // last: its commands refer to scenario_

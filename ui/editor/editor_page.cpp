@@ -100,7 +100,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
     stage_->set_centre(nullptr);
     grown_ = grown;
     stage_->set_specimen(grown);
-    model_->set_facts(grown->facts);
+    model_->set_facts(grown->facts, grown->pulp_mm);
     Q_EMIT ready();
   });
   connect(grower_, &SpecimenGrower::failed, this, [this](const ImportFailure& failure) {

@@ -13,6 +13,28 @@ namespace {
 
 using Grown = Result<std::shared_ptr<const GrownSpecimen>, ImportFailure>;
 
+/// Voxels of a tissue with a neighbour of another.
+std::vector<Vec3> rim_of(const VoxelVolume& volume, Tissue tissue) {
+  const IVec3 n = volume.grid.size;
+  const auto at = [n](int x, int y, int z) {
+    return static_cast<std::size_t>(x) + static_cast<std::size_t>(n.x) * (static_cast<std::size_t>(y) + static_cast<std::size_t>(n.y) * static_cast<std::size_t>(z));
+  };
+  const auto is = [&](int x, int y, int z) {
+    return volume.grid.contains({x, y, z}) && volume.tissue[at(x, y, z)] == tissue && volume.s[at(x, y, z)] >= kHalf;
+  };
+  std::vector<Vec3> out;
+  for (int z = 0; z < n.z; ++z) {
+    for (int y = 0; y < n.y; ++y) {
+      for (int x = 0; x < n.x; ++x) {
+        if (!is(x, y, z)) continue;
+        if (is(x - 1, y, z) && is(x + 1, y, z) && is(x, y - 1, z) && is(x, y + 1, z) && is(x, y, z - 1) && is(x, y, z + 1)) continue;
+        out.push_back(volume.grid.centre_mm({x, y, z}));
+      }
+    }
+  }
+  return out;
+}
+
 Grown grow_now(const SpecimenSource& source, Method method, const std::string& folder, const std::atomic<bool>& cancel,
                const ToothProgress& progress) {
   auto out = std::make_shared<GrownSpecimen>();
@@ -36,6 +58,7 @@ Grown grow_now(const SpecimenSource& source, Method method, const std::string& f
     volume = std::move(*made);
   }
   out->facts = facts_of(volume);
+  out->pulp_mm = rim_of(volume, Tissue::pulp);
   // As build_specimen() of ui/session reads it for this method.
   out->whole =
       std::make_shared<Volume>(Specimen::build(volume, method == Method::surface ? Reading::banded : Reading::filled));

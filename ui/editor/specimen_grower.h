@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
@@ -18,6 +19,7 @@ struct GrownSpecimen {
   SpecimenSource source;
   std::shared_ptr<const Volume> whole;  // nothing cut
   SpecimenFacts facts;
+  std::vector<Vec3> pulp_mm;       // outermost voxels of the pulp
   std::optional<Vec3> central_mm;  // a tooth's central pit
 };
 

@@ -257,13 +257,30 @@ TEST(editor_model, a_block_has_no_pulp_to_protect_or_to_open) {
   EXPECT_TRUE(model.scenario().rubric.critical.empty());
 }
 
+TEST(editor_model, a_target_that_opens_a_pulp_that_must_stay_closed_is_never_published) {
+  EditorModel model(class_one());
+  const Vec3 on_line = model.scenario().target.paths[0][4];  // (0.2, -0.15), floor at 2.4
+  model.set_facts(facts_of_36(), {{on_line.x, on_line.y, 1.5}});
+  EXPECT_TRUE(model.findings().empty());
+  ASSERT_TRUE(model.set_depth_mm(2.5));  // floor 1.7, leeway down to 1.4
+  ASSERT_EQ(model.findings().size(), 1u);
+  EXPECT_EQ(model.findings()[0].code, "leeway_opens_pulp");
+  EXPECT_NEAR(model.findings()[0].args.at("value"), 0.2, 1e-9);
+  EXPECT_TRUE(model.publishable());
+  ASSERT_TRUE(model.set_depth_mm(2.8));  // floor 1.4
+  EXPECT_EQ(model.findings()[0].code, "target_opens_pulp");
+  EXPECT_FALSE(model.publishable());
+  ASSERT_TRUE(model.set_critical("pulp_exposure", false));  // as where the pulp is to be reached
+  EXPECT_TRUE(model.publishable());
+}
+
 TEST(check_sentences, every_code_of_the_checks_has_words) {
   for (const char* code :
        {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "no_criteria", "weight_zero",
         "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
         "voxel_mismatch", "feature_thin", "burr_small", "neck_wider_than_ball", "burr_wider_than_target",
         "corner_below_burr", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
-        "nothing_can_be_cut", "tissue_unused"}) {
+        "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp"}) {
     const QString said = check_sentence({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
     EXPECT_TRUE(said.endsWith(u'.')) << code;
     EXPECT_FALSE(said.contains(QLatin1String(code))) << code;
