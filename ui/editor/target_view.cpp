@@ -476,10 +476,41 @@ void TargetView::place_all() {
       tag->show();
       tag->raise();
     }
-    if (tag == width_tag_) tag->move((*at + QPointF(px(18), px(18))).toPoint());
-    if (tag == depth_tag_) tag->move((*at + QPointF(-px(18) - tag->width(), px(18))).toPoint());
+  }
+  for (std::size_t i = 0; i < handles_.size(); ++i) {
+    QLabel* tag = handles_[i].kind == TargetHandle::Kind::depth                                                  ? depth_tag_
+                  : handles_[i].kind == TargetHandle::Kind::width || handles_[i].kind == TargetHandle::Kind::size_y ? width_tag_
+                                                                                                                  : nullptr;
+    if (tag && tag->isVisibleTo(this)) place_tag(tag, knobs_[i]->geometry().center());
   }
   for (HandleKnob* knob : knobs_) knob->raise();
+}
+
+void TargetView::place_tag(QLabel* tag, QPoint at) {
+  // The nearest place about the handle where it covers no other: below first, where the hand's shadow does not fall.
+  static constexpr std::array<QPointF, 6> kWays = {
+      QPointF(-0.8, 0.6), QPointF(0.8, 0.6), QPointF(0, 1), QPointF(-1, -0.3), QPointF(1, -0.3), QPointF(0, -1)};
+  const auto free = [&](const QRect& room) {
+    if (!rect().contains(room)) return false;
+    for (const QWidget* other : {static_cast<QWidget*>(depth_tag_), static_cast<QWidget*>(width_tag_),
+                                 static_cast<QWidget*>(tools_), static_cast<QWidget*>(legend_)}) {
+      if (other != tag && other->isVisibleTo(this) && other->geometry().intersects(room)) return false;
+    }
+    return std::ranges::none_of(knobs_, [&](const HandleKnob* knob) {
+      return knob->isVisibleTo(this) && knob->geometry().intersects(room);
+    });
+  };
+  for (int far = px(24); far <= px(160); far += px(8)) {
+    for (const QPointF& way : kWays) {
+      QRect room(QPoint(), tag->size());
+      const QPointF reach(way.x() * (far + tag->width() / 2.0), way.y() * (far + tag->height() / 2.0));
+      room.moveCenter((QPointF(at) + reach).toPoint());
+      if (!free(room)) continue;
+      tag->move(room.topLeft());
+      return;
+    }
+  }
+  tag->move(at + QPoint(px(18), px(18)));
 }
 
 void TargetView::resizeEvent(QResizeEvent* event) {

@@ -43,6 +43,7 @@ class TargetView : public QWidget {
   friend class HandleKnob;
   void follow_model();
   void place_all();
+  void place_tag(QLabel* tag, QPoint at);
   void look_at_target();
   void run_next();
   void apply(const TargetHandle& handle, const Target& from, Vec3 to_mm);
