@@ -1,0 +1,148 @@
+// A handle on the target: how it looks, is dragged, and answers to the arrow keys.
+
+#include <QKeyEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/drill/tooth_view.h"
+#include "ui/editor/target_view.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kBody = 14, kWhole = 22;                // px: a handle, and the room of its focus ring
+constexpr double kStepMm = 0.05, kFineStepMm = 0.01;  // of an arrow key
+
+}  // namespace
+
+HandleKnob::HandleKnob(TargetView& stage, int) : QWidget(&stage), stage_(stage) {
+  setFocusPolicy(Qt::StrongFocus);
+  setFixedSize(px(kWhole), px(kWhole));
+  setCursor(Qt::SizeAllCursor);
+  fit_mask();
+}
+
+void HandleKnob::fit_mask() {
+  const int edge = hasFocus() ? 0 : (px(kWhole) - px(kBody)) / 2;
+  const QRect room = rect().adjusted(edge, edge, -edge, -edge);
+  setMask(handle_.kind == TargetHandle::Kind::depth ? QRegion(room, QRegion::Ellipse) : QRegion(room));
+}
+
+void HandleKnob::set_handle(const TargetHandle& handle, const QString& name, const QString& value) {
+  const bool other = handle.kind != handle_.kind;
+  handle_ = handle;
+  setAccessibleName(name);
+  setAccessibleDescription(value);
+  setToolTip(name + u": "_qs + value);
+  if (other) fit_mask();
+}
+
+void HandleKnob::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  const ToothColours& c = ToothColours::get();
+  p.fillRect(rect(), hasFocus() ? tokens().accent : c.casing);
+  p.setRenderHint(QPainter::Antialiasing);
+  const double edge = (px(kWhole) - px(kBody)) / 2.0;
+  const QRectF body = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
+  const bool round = handle_.kind == TargetHandle::Kind::depth;
+  const auto fill = [&](const QRectF& room, const QColor& colour) {
+    p.setPen(Qt::NoPen);
+    p.setBrush(colour);
+    if (round) {
+      p.drawEllipse(room);
+    } else {
+      p.drawRect(room);
+    }
+  };
+  if (hasFocus()) fill(body.adjusted(-2, -2, 2, 2), Tokens::light().surface);
+  fill(body, c.casing);
+  fill(body.adjusted(px(2), px(2), -px(2), -px(2)), Tokens::light().surface);
+}
+
+void HandleKnob::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return event->ignore();
+  stage_.model_.end_gesture();
+  start_ = handle_;
+  start_target_ = stage_.model_.scenario().target;
+  start_at_ = mapToParent(event->position());
+  dragging_ = true;
+}
+
+void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
+  if (!dragging_) return;
+  const QPointF now = mapToParent(event->position());
+  Vec3 to = start_.at_mm;
+  if (start_.kind == TargetHandle::Kind::depth) {
+    const auto from = stage_.view_->project(start_.at_mm), below = stage_.view_->project(start_.at_mm - Vec3(0, 0, 1));
+    if (!from || !below) return;
+    const QPointF by = now - start_at_, down = *below - *from;  // px of one millimetre deeper
+    const double length2 = QPointF::dotProduct(down, down);
+    // Seen from above a depth has no length in the picture: then down the screen is deeper.
+    const double scale = stage_.view_->camera().px_per_mm(std::min(stage_.width(), stage_.height()));
+    to.z -= length2 > 16.0 ? QPointF::dotProduct(by, down) / length2 : by.y() / std::max(scale, 1.0);
+  } else {
+    const auto a = stage_.on_plane(start_at_), b = stage_.on_plane(now);
+    if (!a || !b) return;
+    to += *b - *a;
+  }
+  stage_.apply(start_, start_target_, to);
+}
+
+void HandleKnob::mouseReleaseEvent(QMouseEvent*) {
+  dragging_ = false;
+  stage_.model_.end_gesture();
+}
+
+void HandleKnob::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  if (key == Qt::Key_Delete && handle_.kind == TargetHandle::Kind::point) {
+    stage_.model_.remove_point(handle_.path, handle_.point);
+    return;
+  }
+  const int x = key == Qt::Key_Right ? 1 : key == Qt::Key_Left ? -1 : 0;
+  const int y = key == Qt::Key_Up ? 1 : key == Qt::Key_Down ? -1 : 0;
+  if (x == 0 && y == 0) return QWidget::keyPressEvent(event);
+  const double step = event->modifiers() & Qt::ShiftModifier ? kFineStepMm : kStepMm;
+  if (!event->isAutoRepeat()) stage_.model_.end_gesture();
+  Vec3 to = handle_.at_mm;
+  const Target target = stage_.model_.scenario().target;
+  switch (handle_.kind) {
+    case TargetHandle::Kind::point: {
+      // The specimen's own axis that lies nearest to what the key says on the screen.
+      const Vec3 right = stage_.view_->camera().right();
+      const bool along_x = std::abs(right.x) >= std::abs(right.y);
+      const Vec3 axis = along_x ? Vec3(right.x >= 0 ? 1 : -1, 0, 0) : Vec3(0, right.y >= 0 ? 1 : -1, 0);
+      const double turn = stage_.view_->camera().mirrored() ? -1 : 1;
+      const Vec3 away(-axis.y * turn, axis.x * turn, 0);
+      to += step * (static_cast<double>(x) * axis + static_cast<double>(y) * away);
+      break;
+    }
+    case TargetHandle::Kind::width: {
+      // Half of it on either side: the step is of the width.
+      Target wider = target;
+      wider.width_mm = std::max(target.width_mm + (x + y) * step, kLeastHandleMm);
+      stage_.model_.set_width_mm(std::round(wider.width_mm * 1e4) / 1e4);
+      return;
+    }
+    case TargetHandle::Kind::size_x: to.x += (x + y) * step / 2; break;
+    case TargetHandle::Kind::size_y: to.y += (x + y) * step / 2; break;
+    case TargetHandle::Kind::depth: to.z += (x + y) * step; break;
+  }
+  stage_.apply(handle_, target, to);
+}
+
+void HandleKnob::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  fit_mask();
+  raise();
+}
+
+void HandleKnob::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  stage_.model_.end_gesture();
+  fit_mask();
+}
+
+}  // namespace cusp
