@@ -1,6 +1,9 @@
-/// What assistive technology sees of the main window and of areas that scroll. In place of Qt's own, which (6.4) read past
-/// the end of their list of parts when one goes between the question how many there are and the question for the last
-/// one: a scroll bar that hides while a screen reader looks around would end the program.
+/// What assistive technology sees where Qt's own (6.4) falls short.
+/// - The main window and areas that scroll read past the end of their list of parts when one goes between the question how
+///   many there are and the question for the last one: a scroll bar that hides while a screen reader looks round would end
+///   the program.
+/// - A button that stays down is only set down, as if nobody had pressed it: nothing that listens for a press happens. One
+///   with a menu waits in it before it answers, and the screen reader with it.
 #pragma once
 
 namespace cusp {
