@@ -119,7 +119,7 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   auto* clock_sign = new QLabel(bar);
   clock_sign->setPixmap(icon_pixmap(QStringLiteral("clock"), Ink::text2, 16, devicePixelRatioF()));
   in.clock = make_label(format_clock(0), TextRole::live, true);
-  in.clock->setAccessibleName(tr("Time"));
+  in.clock->setAccessibleDescription(tr("Time"));
   in.clock->setMinimumWidth(QFontMetrics(font_of(TextRole::live, true)).horizontalAdvance(QStringLiteral("00:00:00")));
   top->addWidget(clock_sign);
   top->addWidget(in.clock);

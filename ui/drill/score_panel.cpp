@@ -147,7 +147,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   auto* line = new QHBoxLayout;
   line->setSpacing(px(8));
   percent_ = make_label({}, TextRole::page_title, true);
-  percent_->setAccessibleName(tr("Target removed"));
+  percent_->setAccessibleDescription(tr("Target removed"));
   line->addWidget(percent_);
   line->addWidget(make_label(tr("of the target removed"), TextRole::caption, false, "text2"), 1);
   static_cast<QVBoxLayout*>(part->layout())->addLayout(line);
@@ -164,7 +164,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
     lay->addWidget(sign);
     lay->addWidget(make_label(name), 1);
     *value = make_value();
-    (*value)->setAccessibleName(name);
+    (*value)->setAccessibleDescription(name);
     lay->addWidget(*value);
     to->addWidget(holder);
     return holder;
@@ -214,7 +214,7 @@ void ScorePanel::set_exercise(const Scenario& scenario, bool has_target, bool ha
     TissueRow r{t.tissue, new Bar(role_of(t.tissue), this), make_value()};
     const QString name = tissue_name(t.tissue);
     r.bar->setAccessibleName(name);
-    r.value->setAccessibleName(name);
+    r.value->setAccessibleDescription(name);
     tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), at, 0);
     tissue_grid_->addWidget(make_label(name), at, 1);
     tissue_grid_->addWidget(r.bar, at, 2);
