@@ -1,0 +1,39 @@
+"""A day at the school, on one screen and one file of records: the first start, a student, a teacher, the administrator.
+
+    /usr/bin/python3 tests/outside/desktop/a_day.py build/release/cusp
+"""
+import sys
+import time
+
+import administrator
+import desk
+import instructor
+import school
+import student
+
+
+def main():
+    desk.on_own_bus()
+    begin = time.monotonic()
+
+    def done(what):
+        print(f"{time.monotonic() - begin:5.1f} s  {what}", flush=True)
+
+    with desk.Desk(sys.argv[1]) as own:
+        program = own.start()
+        school.first_start(program)
+        done("the first start made an administrator, a teacher and a student")
+        points = student.visit(program)
+        done(f"the student drilled {student.EXERCISE}: {points} points, on the report and in the history")
+        said = instructor.visit(program)
+        done(f"the teacher made a channel {instructor.DEPTH_MM} mm deep, tried it out ({', '.join(said)}) and published it")
+        program.close()
+
+        program = own.start()
+        row = administrator.visit(program, points)
+        done(f"the administrator, after a new start, exported {row}")
+        program.close()
+
+
+if __name__ == "__main__":
+    main()

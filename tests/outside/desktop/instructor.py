@@ -1,0 +1,68 @@
+"""A teacher changes the depth of a target, tries the exercise out, and publishes it as a new version.
+
+    /usr/bin/python3 tests/outside/desktop/instructor.py build/release/cusp
+"""
+import re
+import sys
+
+import desk
+import school
+
+EXERCISE = "Straight channel, level 1"
+DEPTH_MM = "1.50"  # it ships with 2.00
+
+
+def visit(program):
+    school.sign_in_staff(program, *school.TEACHER[1:])
+    school.page(program, "Library")
+    school.row_of(program, "Exercises", EXERCISE)[0].click()
+    program.press("Open in the editor")
+    editor = program.find(None, "Editor")
+    publish = program.find("push button", re.compile("^Publish version"), within=editor)
+    desk.check(not publish.has("ENABLED"), "nothing was changed, and still it could be published")
+
+    depth = program.find("spin button", "Depth", within=editor)
+    desk.check(depth.value == 2.0, f"the channel ships 2.0 mm deep, the editor says {depth.value}")
+    depth.click()
+    program.keys("ctrl+a")
+    program.screen.x("type", "--delay", 8, DEPTH_MM)
+    program.keys("Return")
+    desk.until("the depth to be taken", lambda: depth.value == float(DEPTH_MM))
+    # One step back and forth: what was typed is one edit.
+    program.press("Undo", within=editor)
+    desk.until("the depth to be as before", lambda: depth.value == 2.0)
+    program.press("Redo", within=editor)
+    desk.until("the depth to be changed again", lambda: depth.value == float(DEPTH_MM))
+
+    desk.until("the try-out to be ready", lambda: program.find("push button", "Try out", editor).has("ENABLED"))
+    program.press("Try out")
+    program.find("label", "Try-out: nothing is kept")
+    desk.until("the block to be ready", lambda: program.find("push button", "Finish").has("ENABLED"))
+    school.drill(program, least_mm3=0.2)
+    school.finish(program)
+    depth_row = [cell.name for cell in school.row_of(program, "Criteria", "Floor depth, mean")]
+    program.keys("alt+Left")
+
+    editor = program.find(None, "Editor")
+    depth = program.find("spin button", "Depth", within=editor)
+    desk.check(depth.value == float(DEPTH_MM), f"after the try-out the depth is {depth.value}")
+    program.press(re.compile("^Publish version 2"), within=editor)
+    program.find("label", re.compile(r"^Version 2 is published\."))
+    program.keys("alt+Left")
+    row = [cell.name for cell in school.row_of(program, "Exercises", EXERCISE)]
+    desk.check("2" in row and "Published" in row, f"the library says {row}")
+    school.sign_out(program)
+    return depth_row
+
+
+def main():
+    desk.on_own_bus()
+    with desk.Desk(sys.argv[1]) as own:
+        program = own.start()
+        school.first_start(program)
+        print(f"tried out and published; the try-out said {visit(program)}")
+        program.close()
+
+
+if __name__ == "__main__":
+    main()

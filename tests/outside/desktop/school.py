@@ -1,0 +1,136 @@
+"""The school of these tests: who is there, and how they come to the window and leave it."""
+import re
+
+from desk import check, until
+
+ADMINISTRATOR = ("Ada Lindqvist", "ada", "quartz lamp 9")
+TEACHER = ("Jonas Weber", "weber", "copper lamp 7")
+STUDENT = ("Mira Okafor", "20267314", "314159")
+
+ACCOUNT = re.compile("^Account of ")
+CHOICE = re.compile("^(check box|radio button)$")  # a button that stays down
+
+
+def first_start(program):
+    """The first start makes the administrator, who adds a teacher and a student, and signs out."""
+    name, number, password = ADMINISTRATOR
+    program.find("label", "First start")
+    program.find("text", "Your name").type(name)
+    program.find("text", "User name").type(number)
+    program.find("password text", re.compile("^Password, at least")).type(password)
+    program.find("password text", "Password again").type(password)
+    program.press("Make the administrator")
+    program.find("table", "People")
+    add_person(program, *STUDENT, "Student", "PIN, six digits")
+    add_person(program, *TEACHER, "Teacher", "Password, at least 8 characters")
+    sign_out(program)
+
+
+def add_person(program, name, number, secret, role, secret_label):
+    program.press("Add a person")
+    program.labelled("combo box", "Role").choose(role)
+    program.find("text", "Name").type(name)
+    program.find("text", "Number or user name").type(number)
+    program.find("password text", secret_label).type(secret)
+    program.press("Add")
+    program.find("label", f"{name} is added.")
+    program.find("table cell", name, within=program.find("table", "People"))
+
+
+def sign_in_student(program, number=STUDENT[1], pin=STUDENT[2]):
+    program.press("Student", CHOICE)
+    program.find("text", "Student number").type(number)
+    program.find("password text", "PIN, digit 1 of 6").focus()
+    program.screen.x("type", "--delay", 8, pin)
+    program.press("Sign in")
+
+
+def sign_in_staff(program, number, password):
+    program.press("Staff", CHOICE)
+    program.find("text", "User name").type(number)
+    program.find("password text", "Password").type(password)
+    program.press("Sign in")
+
+
+def sign_out(program):
+    program.menu(ACCOUNT, "Up", "Return")  # the last of the account's menu
+    program.find("label", "Sign in")
+
+
+def page(program, name):
+    """Goes to a page by the bar at the side."""
+    program.press(name, CHOICE, within=program.find(None, "Pages"))
+
+
+def home(program):
+    """Back from the report, and from the briefing behind it, to the pages."""
+    def back():
+        if program.here(None, "Pages"):
+            return True
+        program.here("push button", "Back").click()
+        return False
+    until("the pages", back)
+
+
+def row_of(program, table, *words):
+    """The cells of the first row that shows all `words`."""
+    def look():
+        found = program.here("table", table)
+        if found is None:
+            return None
+        cells = {}
+        for cell in program.all("table cell", within=found):
+            cells.setdefault(cell.box()[1], []).append(cell)
+        for row in cells.values():
+            names = [cell.name for cell in row]
+            if all(any(word in name for name in names) for word in words):
+                return row
+        return None
+    return until(f"a row with {', '.join(words)} in {table!r}", look)
+
+
+def begin(program, exercise):
+    """From the list of exercises over the briefing to the drilling screen, ready to drill."""
+    page(program, "Exercises")
+    row_of(program, "Exercises", exercise)[0].click()
+    program.keys("Return")
+    program.press("Start")
+    until("the tooth to be ready", lambda: program.find("push button", "Finish").has("ENABLED"))
+
+
+def removed_mm3(program):
+    """What is gone so far, as the panel says it."""
+    tissues = ("Enamel", "Dentine", "Plastic", "Cementum", "Pulp", "Bone")
+    return sum(bar.value for bar in program.all("progress bar") if bar.name in tissues)
+
+
+def drill(program, least_mm3):
+    """Holds the left button on the middle of the target and moves about until the panel says that `least_mm3` are gone."""
+    x, y = program.find(None, "Tooth").middle()
+    program.screen.x("mousemove", x, y, "mousedown", 1)
+    sway = [0, 6, 12, 18, 24, 18, 12, 6, 0, -6, -12, -18, -24, -18, -12, -6]
+    step = iter(range(1 << 30))
+
+    def enough():
+        program.screen.x("mousemove", x + sway[next(step) % len(sway)], y)
+        return removed_mm3(program) >= least_mm3
+    until(f"{least_mm3} mm3 to be drilled away", enough)
+    program.screen.x("mouseup", 1)
+
+
+def finish(program):
+    """Finishes the go and says yes."""
+    program.press("Finish")
+    question = program.find("alert")
+    program.find("label", "Finish and see the result?", within=question)
+    program.press("Finish", within=question)
+    program.find(None, "Report")
+
+
+def points_on_report(program):
+    """The large number, and whether the go is passed."""
+    line = program.find("label", re.compile("^of 100 points"), within=program.find(None, "Report"))
+    number = program.here("label", re.compile(r"^\d+(\.\d)?$"), within=program.find(None, "Report"))
+    check(number, f"no points stand before {line.name!r}")
+    chip = program.find(None, re.compile("^(Passed|Not passed)$"), within=program.find(None, "Report"))
+    return number.name, chip.name

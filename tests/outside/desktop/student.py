@@ -1,0 +1,43 @@
+"""A student signs in, drills the class I, finishes, reads the grade off the report and finds it in the history.
+
+    /usr/bin/python3 tests/outside/desktop/student.py build/release/cusp
+"""
+import sys
+
+import desk
+import school
+
+EXERCISE = "Class I, tooth 36"
+
+
+def visit(program):
+    """Returns the points, as the report has them."""
+    school.sign_in_student(program)
+    program.find(None, "Next exercise")
+    school.begin(program, EXERCISE)
+    school.drill(program, least_mm3=0.2)
+    school.finish(program)
+    points, verdict = school.points_on_report(program)
+    desk.check(verdict == "Not passed", f"0.2 mm3 of a cavity should not pass, the report says {verdict}")
+    criteria = school.row_of(program, "Criteria", "Target removed")
+    desk.check(any("%" in cell.name for cell in criteria), f"the share has no unit: {[c.name for c in criteria]}")
+
+    school.home(program)
+    school.page(program, "My results")
+    row = [cell.name for cell in school.row_of(program, "My results", EXERCISE)]
+    desk.check(any(name.split(" ")[0] == points for name in row), f"the report said {points}, the history says {row}")
+    school.sign_out(program)
+    return points
+
+
+def main():
+    desk.on_own_bus()
+    with desk.Desk(sys.argv[1]) as own:
+        program = own.start()
+        school.first_start(program)
+        print(f"the report and the history say {visit(program)} points")
+        program.close()
+
+
+if __name__ == "__main__":
+    main()

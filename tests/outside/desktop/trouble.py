@@ -1,0 +1,86 @@
+"""What goes wrong at a desk: records that cannot be kept, a wrong password, and the power going while somebody drills.
+
+    /usr/bin/python3 tests/outside/desktop/trouble.py build/release/cusp
+"""
+import json
+import re
+import subprocess
+import sys
+
+import desk
+import school
+
+EXERCISE = "Straight channel, level 1"
+
+
+def no_place_for_records(own):
+    """In /sys not even root may make a file."""
+    kept, own.database = own.database, "/sys/cusp.db"
+    program = own.start()
+    program.find("push button", "Try again")
+    said = [w for w in program.texts() if "/sys" in w or "cusp.db" in w]
+    desk.check(said, f"nothing names the place: {program.texts()}")
+    program.close()
+    own.database = kept
+    return " / ".join(said)
+
+
+def wrong_secrets(program):
+    school.sign_in_student(program, pin="999999")
+    program.find("label", re.compile("^Number and PIN do not match"))
+    school.sign_in_staff(program, school.TEACHER[1], "tin lamp 123")
+    said = program.find("label", re.compile("(?i)password.*(match|wrong|not|fit)")).name
+    desk.check(program.here(None, "Pages") is None, "a wrong password led inside")
+    return said
+
+
+def broken_off(own, program):
+    """Killed while drilling; after the next start the go is there, as interrupted, and can be graded."""
+    school.sign_in_student(program)
+    school.begin(program, EXERCISE)
+    x, y = program.find(None, "Tooth").middle()
+    program.screen.x("mousemove", x, y, "mousedown", 1)
+    # A second of the go lies in the file: what is killed now was being kept.
+    desk.until("something to be drilled away", lambda: school.removed_mm3(program) >= 0.05)
+    desk.until("the clock to pass two seconds", lambda: clock_s(program) >= 2)
+    program.kill()
+    own.screen.x("mouseup", 1)
+
+    program = own.start()
+    school.sign_in_student(program)
+    school.page(program, "My results")
+    row = [cell.name for cell in school.row_of(program, "My results", EXERCISE)]
+    desk.check(any("nterrupted" in name for name in row), f"a go that broke off is shown as {row}")
+    program.close()
+
+    def verb(*arguments):
+        done = subprocess.run([own.binary, *arguments], capture_output=True, text=True, timeout=desk.LIMIT_S,
+                              input=school.TEACHER[2] + "\n")
+        desk.check(done.returncode == 0, f"{arguments}: {done.stderr}")
+        return json.loads(done.stdout)
+    goes = verb("history", own.database, "list", "--as", school.TEACHER[1], "--json", "-")
+    rows = goes if isinstance(goes, list) else next(v for v in goes.values() if isinstance(v, list))
+    session = rows[0].get("session", rows[0].get("id"))
+    graded = verb("grade", own.database, session, "--as", school.TEACHER[1], "--json", "-")
+    return f"shown as {row}, graded with {graded.get('score')} points"
+
+
+def clock_s(program):
+    """The clock of the drilling screen."""
+    text = next((w.name for w in program.all("label", re.compile(r"\d+:\d\d$"))), "0:00")
+    minutes, seconds = re.search(r"(\d+):(\d\d)$", text).groups()
+    return 60 * int(minutes) + int(seconds)
+
+
+def main():
+    desk.on_own_bus()
+    with desk.Desk(sys.argv[1]) as own:
+        print("no place for records:", no_place_for_records(own), flush=True)
+        program = own.start()
+        school.first_start(program)
+        print("a wrong password:", wrong_secrets(program), flush=True)
+        print("killed while drilling:", broken_off(own, program), flush=True)
+
+
+if __name__ == "__main__":
+    main()
