@@ -19,8 +19,9 @@ Ports Ports::of_the_system() {
     box->setText(QStringLiteral("<b>%1</b>").arg(question.what.toHtmlEscaped()));
     box->setInformativeText(question.more);
     QPushButton* act = box->addButton(question.act, QMessageBox::AcceptRole);
-    act->setProperty("kind", question.erases ? u"erase"_qs : u"primary"_qs);
+    set_kind(act, question.erases ? "erase" : "primary");
     QPushButton* stay = box->addButton(QMessageBox::Cancel);
+    stay->setIcon({});  // the style's own sign is of another family
     box->setDefaultButton(question.erases ? stay : act);
     box->setEscapeButton(stay);
     QObject::connect(box, &QMessageBox::finished, box, [box, act, then] { then(box->clickedButton() == act); });
