@@ -15,8 +15,9 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
       if (scenario.method == Method::surface) {
         errors.shift_mm = {0.25, 0.35, 0.0};
-        errors.wider_mm = 0.3;
-        style.muscles.tremor_mm = 0.12;
+        errors.wider_mm = 0.15;
+        style.muscles.tremor_mm = 0.08;
+        errors.bolder = 1.6;
         style.wander_mm = 0.4;  // does not wait until the burr is back on its line
       } else {
         // A narrow pit: further off, nothing of it would be drilled at all.
@@ -24,6 +25,8 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
         style.muscles.tremor_mm = 0.05;
       }
       style.correct_per_s = 4.0;
+      style.patience_s = 1.5;
+      style.most_s = 450.0;  // stops when it looks done
       break;
     case HandFault::too_deep:
       errors.deeper_mm = 0.8;

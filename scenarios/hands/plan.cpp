@@ -13,8 +13,8 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-/// Depth of a layer and distance of neighbouring loops, in burr radii: the ball leaves ridges of step² / 8r.
-constexpr double kLayerRadii = 0.6;
+/// Depth of a layer in burr radii, and below the distance of neighbouring loops: the ball leaves ridges of step² / 8r.
+constexpr double kLayerRadii = 0.75;
 /// Where the burr steps from voxel to voxel a layer is deep enough for its widest part to have a wall before it: against
 /// a slope the paper's proxy climbs out instead of cutting. Its ridges are then below a voxel.
 constexpr double kSteppedLayerRadii = 1.2;
@@ -221,7 +221,7 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
     if (plan.strokes.empty()) plan.start_mm = Vec3(lines.front().front(), above);
     go(lines.front().front(), above, false);
     go(lines.front().front(), std::max(top, floor) + 0.1, false);
-    const int layers = std::max(1, static_cast<int>(std::ceil((top - floor) / (layer_radii * r))));
+    const int layers = std::max(1, static_cast<int>(std::ceil((top - floor) / (errors.bolder * layer_radii * r))));
     for (int layer = 1; layer <= layers; ++layer) {
       const double z = layer == layers ? floor : top - (top - floor) * layer / layers;
       for (const Line& line : lines) {

@@ -26,6 +26,7 @@ struct PlanErrors {
   double deeper_mm = 0;       // floor below the target's (negative: above)
   Vec3 shift_mm{0.0};         // the whole outline
   double wider_mm = 0;        // walls further out (negative: further in)
+  double bolder = 1;          // layers this much deeper than they should be
   bool drill_to_pulp = false; // at last, from the floor down into the pulp's nearest place
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/volume/specimen.h"
@@ -28,13 +29,18 @@ class PulpIndex {
   const std::vector<IVec3>& surface_voxels() const noexcept { return voxels_; }
 
  private:
-  struct Bin {
-    Vec3 low, high;          // mm, round the voxels' cubes
-    std::size_t first, last;  // in voxels_
+  /// Box round what lies below; a leaf holds voxels, a branch its two halves.
+  struct Node {
+    Vec3 low, high;                     // mm, round the voxels' cubes
+    std::size_t first = 0, last = 0;    // leaf: in voxels_
+    std::int32_t left = -1, right = -1; // branch: in nodes_
   };
+  std::int32_t grow(std::span<Node> leaves);
+
   Grid grid_;
   std::vector<IVec3> voxels_;
-  std::vector<Bin> bins_;
+  std::vector<Node> nodes_;
+  std::int32_t root_ = -1;
 };
 
 class Reference {

@@ -13,11 +13,6 @@ class ShareSink final : public PlaceSink {
   ShareSink(const Reference& reference, RegionShares& shares)
       : PlaceSink(reference.shape(), reference.leeway()), reference_(reference), shares_(shares) {}
 
-  void cell(Vec3 low, Vec3 high) override {
-    PlaceSink::cell(low, high);
-    pulp_asked_ = false;
-    pulp_near_ = false;
-  }
   void face(const std::array<Vec3, 3>& corners, double mm2, Tissue tissue) override {
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     double d = 0;
@@ -33,19 +28,15 @@ class ShareSink final : public PlaceSink {
     shares_.removed_mm3[static_cast<std::size_t>(place)] += mm3;
     shares_.tissue_mm3[index_of(tissue)] += mm3;
   }
-  /// The faces of a cell are looked at only where the cell can hold a nearer place than the one known.
+  /// A distance changes no faster than its place: what was asked last bounds its neighbours, and most need no asking.
   void pulp(const std::array<Vec3, 3>& corners) {
-    if (!pulp_asked_) {
-      pulp_asked_ = true;
-      const double reach = 0.8661 * (high_.x - low_.x);
-      const double limit = shares_.pulp_mm + reach;
-      pulp_near_ = reference_.pulp().distance_mm(0.5 * (low_ + high_), limit) < limit;
-    }
-    if (!pulp_near_) return;
+    constexpr double kBeyondMm = 0.5;  // asked a little further than needed, so that the bound lasts
     for (const Vec3& p : corners) {
-      const double mm = reference_.pulp().distance_mm(p, shares_.pulp_mm);
-      if (mm < shares_.pulp_mm) {
-        shares_.pulp_mm = mm;
+      if (asked_mm_ - glm::length(p - asked_at_) >= shares_.pulp_mm) continue;
+      asked_mm_ = reference_.pulp().distance_mm(p, shares_.pulp_mm + kBeyondMm);
+      asked_at_ = p;
+      if (asked_mm_ < shares_.pulp_mm) {
+        shares_.pulp_mm = asked_mm_;
         shares_.pulp_at_mm = p;
       }
     }
@@ -53,7 +44,8 @@ class ShareSink final : public PlaceSink {
 
   const Reference& reference_;
   RegionShares& shares_;
-  bool pulp_asked_ = false, pulp_near_ = false;
+  Vec3 asked_at_{0.0};
+  double asked_mm_ = -1.0;  // a lower bound of the distance to the pulp there
 };
 
 /// Removed border between tissues: it is known to a voxel only, which the uncertainty owns up to.

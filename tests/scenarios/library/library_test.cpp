@@ -132,7 +132,7 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
   // A change of any value is a new version: raise `version` in the file and take the new hash from here.
   const std::pair<std::string_view, std::string_view> hashes[] = {
       {"channel-1", "a2c613018c7411850333640b96871b531ddc164333e05e2ddbf8ff9f45df61be"},
-      {"class-1-36", "5257ebd8ded9eb3821240517bef67c4a0f3bbd4da537f2a4ab9ee22ea9e37fe2"},
+      {"class-1-36", "61bcca482db25a3a6518de54380f155408ca85f492dbfa5f7a99f4bec3e04896"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
   };
   for (const auto& [key, hash] : hashes) EXPECT_EQ(content_hash(*load_builtin(key)).hex(), hash) << key;
