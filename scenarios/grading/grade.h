@@ -26,8 +26,9 @@ struct CriterionGrade {
   Measure measure;
   std::string band;                // "ideal", "acceptable", "fail", "borderline" (edge nearer than the uncertainty), "not_measured"
   double points = 0, points_max = 0;
-  std::string reason_code;         // "full", "too_deep", "too_shallow", "too_little", "too_much", "not_measured", ...
-  std::map<std::string, double> reason_args;  // "value", "limit", "lost"
+  std::string reason_code;         // "full", "too_deep", "too_shallow", "too_little", "too_much", "little_drilled" or
+                                   // "not_measured"
+  std::map<std::string, double> reason_args;  // "value", "limit", "lost"; of little_drilled "share" (0 to 1), "lost"
 };
 
 struct Grade {
@@ -37,7 +38,8 @@ struct Grade {
   bool passed = false;
   std::vector<std::string> critical;      // critical events that happened
   std::vector<CriterionGrade> criteria;   // in the rubric's order
-  std::string evaluator = "1";            // version of the metrics code; rises when a figure changes
+  std::string evaluator = "2";            // version of measuring and marking; rises when a figure changes.
+                                          // 2: what is kept intact counts in proportion to what was drilled
 };
 
 }  // namespace cusp

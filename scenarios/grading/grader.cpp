@@ -1,6 +1,7 @@
 #include "scenarios/grading/grader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "scenarios/grading/bands.h"
@@ -14,7 +15,26 @@ const Measure* find(const std::vector<Measure>& measures, std::string_view metri
   return it == measures.end() ? nullptr : &*it;
 }
 
-CriterionGrade grade_one(const Criterion& criterion, const Measure* measure) {
+/// Whether a tooth that nobody touched earns points here: the burr went nowhere it should not, because it went nowhere.
+/// Of an untouched tooth depth, excess, push and time are 0, and the dentine over the pulp is whole.
+bool earned_by_doing_nothing(const Criterion& criterion) {
+  const std::string_view metric = criterion.metric;
+  if (metric == "remaining_over_pulp") return true;
+  if (metric == "target_removed" || metric == "undercut") return false;
+  return share_of_points(criterion.bands, 0.0) > 0.0;
+}
+
+/// How much of the target that earns full points was drilled, 0 to 1; 1 where the rubric does not ask for it.
+double share_drilled(const Rubric& rubric, const std::vector<Measure>& measures) {
+  const auto asked = std::find_if(rubric.criteria.begin(), rubric.criteria.end(),
+                                  [](const Criterion& c) { return c.metric == "target_removed"; });
+  const Measure* removed = find(measures, "target_removed");
+  if (asked == rubric.criteria.end() || removed == nullptr || !removed->measured) return 1.0;
+  if (!(removed->value < asked->bands.ideal_lo)) return std::isfinite(removed->value) ? 1.0 : 0.0;
+  return std::max(0.0, removed->value) / asked->bands.ideal_lo;
+}
+
+CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, double share) {
   CriterionGrade out;
   out.id = criterion.metric;
   if (measure == nullptr || !measure->measured) {
@@ -29,18 +49,24 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure) {
   const Bands& bands = criterion.bands;
   const double value = measure->value;
   out.points_max = criterion.weight;
-  out.points = criterion.weight * share_of_points(bands, value);
+  const double within_bands = criterion.weight * share_of_points(bands, value);
+  out.points = earned_by_doing_nothing(criterion) ? within_bands * share : within_bands;
   out.band = band_of(bands, value, measure->uncertainty);
   if (out.points == out.points_max) {
     out.reason_code = "full";
     out.reason_args = {{"value", value}};
     return out;
   }
+  const double lost = out.points_max - out.points;
+  if (within_bands - out.points > out.points_max - within_bands) {
+    out.reason_code = "little_drilled";
+    out.reason_args = {{"share", share}, {"lost", lost}};
+    return out;
+  }
   const bool depth = criterion.metric.starts_with("depth_");
   const bool above = value > bands.ideal_hi;
   out.reason_code = above ? (depth ? "too_deep" : "too_much") : (depth ? "too_shallow" : "too_little");
-  out.reason_args = {
-      {"value", value}, {"limit", above ? bands.ideal_hi : bands.ideal_lo}, {"lost", out.points_max - out.points}};
+  out.reason_args = {{"value", value}, {"limit", above ? bands.ideal_hi : bands.ideal_lo}, {"lost", lost}};
   return out;
 }
 
@@ -49,9 +75,10 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure) {
 Grade grade(const Scenario& scenario, const std::vector<Measure>& measures) {
   Grade out;
   out.pass_mark = scenario.rubric.pass;
+  const double share = share_drilled(scenario.rubric, measures);
   double points = 0, most = 0;
   for (const Criterion& criterion : scenario.rubric.criteria) {
-    out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric)));
+    out.criteria.push_back(grade_one(criterion, find(measures, criterion.metric), share));
     points += out.criteria.back().points;
     most += out.criteria.back().points_max;
   }

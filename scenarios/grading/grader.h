@@ -11,8 +11,14 @@ namespace cusp {
 /// points_max 0 and says so. Passed: at least one criterion measured, score >= pass and no critical event. A critical key
 /// happened when its measure is above its uncertainty. The order of `measures` does not matter.
 ///
+/// What is kept intact counts in proportion to what was drilled. Where the rubric asks for target_removed and that was
+/// measured, share = min(1, target_removed / its ideal_lo) scales the points of every criterion that a tooth nobody
+/// touched would earn: remaining_over_pulp, and whatever gives points at 0 (overcut_*, depth_most, force_*, time), but
+/// target_removed and undercut themselves. At share 1 nothing changes.
+///
 /// reason_code: full, too_much, too_little (args value, limit = the ideal edge that was missed, lost = points),
-/// too_deep, too_shallow (the same, for depth_*), not_measured (no args).
+/// too_deep, too_shallow (the same, for depth_*), not_measured (no args), little_drilled (args share,
+/// lost) where the share takes more points than the criterion's own bands do.
 [[nodiscard]] Grade grade(const Scenario& scenario, const std::vector<Measure>& measures);
 
 }  // namespace cusp

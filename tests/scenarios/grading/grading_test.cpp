@@ -129,6 +129,103 @@ TEST(Grade, DoesNotDependOnTheOrderOfTheMeasures) {
   EXPECT_EQ(grade(scenario(), m).score, score);
 }
 
+/// Weights and bands of the class I exercise.
+Scenario class_one() {
+  Scenario s;
+  s.rubric.pass = 70;
+  s.rubric.criteria = {{"target_removed", 30, {80, 90, 97, 100, 100, 100}},
+                       {"depth_mean", 15, {1.2, 1.5, 1.65, 1.95, 2.1, 2.6}},
+                       {"depth_most", 10, {0, 0, 0, 2.1, 2.3, 2.8}},
+                       {"overcut_leeway_floor", 5, {0, 0, 0, 0.6, 1.2, 2.5}},
+                       {"overcut_leeway_side", 5, {0, 0, 0, 2.5, 5, 10}},
+                       {"overcut_beyond_floor", 15, {0, 0, 0, 0.05, 0.5, 2}},
+                       {"overcut_beyond_side", 15, {0, 0, 0, 0.3, 1.5, 5}},
+                       {"remaining_over_pulp", 5, {0.3, 0.5, 1, 100, 100, 100}}};
+  return s;
+}
+
+/// A go without any fault but that only `percent` of the target is out.
+std::vector<Measure> faultless(double percent) {
+  return {value("target_removed", percent),     value("depth_mean", percent > 0 ? 1.8 : 0.0),
+          value("depth_most", percent > 0 ? 1.9 : 0.0), value("overcut_leeway_floor", 0),
+          value("overcut_leeway_side", 0),      value("overcut_beyond_floor", 0),
+          value("overcut_beyond_side", 0),      value("remaining_over_pulp", 1.6)};
+}
+
+TEST(Grade, AToothThatNobodyTouchedEarnsNothing) {
+  const Grade g = grade(class_one(), faultless(0));
+  EXPECT_EQ(g.score, 0.0);
+  for (const CriterionGrade& c : g.criteria) EXPECT_EQ(c.points, 0.0) << c.id;
+  EXPECT_EQ(g.criteria[7].reason_code, "little_drilled");
+  EXPECT_EQ(g.criteria[7].reason_args, (std::map<std::string, double>{{"share", 0.0}, {"lost", 5.0}}));
+}
+
+TEST(Grade, WhatIsKeptIntactCountsInProportionToWhatWasDrilled) {
+  // Kept intact: 10 + 5 + 5 + 15 + 15 + 5 = 55 points. 48.5 is half of the 97 that earn full points.
+  const Grade half = grade(class_one(), faultless(48.5));
+  EXPECT_NEAR(half.score, 55.0 / 2 + 15.0, 1e-12);
+  EXPECT_FALSE(half.passed);
+  EXPECT_EQ(half.criteria[0].reason_code, "too_little");
+  EXPECT_EQ(half.criteria[1].reason_code, "full");  // an untouched tooth has no mean depth to be praised for
+  EXPECT_EQ(half.criteria[5].reason_code, "little_drilled");
+  EXPECT_DOUBLE_EQ(half.criteria[5].reason_args.at("share"), 0.5);
+  EXPECT_DOUBLE_EQ(half.criteria[5].reason_args.at("lost"), 7.5);
+  EXPECT_EQ(half.criteria[5].band, "ideal");  // the value itself is
+  // A scratch: 4.3 of 97, which scored 69 when what is kept intact counted whole.
+  EXPECT_NEAR(grade(class_one(), faultless(4.3)).score, 55.0 * 4.3 / 97 + 15.0, 1e-12);
+}
+
+TEST(Grade, FromTheIdealOnTheShareChangesNothing) {
+  for (const double percent : {97.0, 98.0, 100.0}) EXPECT_EQ(grade(class_one(), faultless(percent)).score, 100.0);
+}
+
+TEST(Grade, TheGreaterOfTheTwoLossesIsTheReason) {
+  std::vector<Measure> m = faultless(87.3);                  // share 0.9
+  m[6] = value("overcut_beyond_side", 1.5);                  // half of 15 by its bands, then a tenth of that
+  m[4] = value("overcut_leeway_side", 2.6);                  // 0.05 of 5 by its bands, a tenth of the rest by the share
+  const Grade g = grade(class_one(), m);
+  EXPECT_NEAR(g.criteria[6].points, 7.5 * 0.9, 1e-12);
+  EXPECT_EQ(g.criteria[6].reason_code, "too_much");
+  EXPECT_NEAR(g.criteria[6].reason_args.at("lost"), 15 - 6.75, 1e-12);  // all of it, not only the bands'
+  EXPECT_EQ(g.criteria[4].reason_code, "little_drilled");
+}
+
+TEST(Grade, WithoutATargetCriterionOrItsMeasureNothingIsScaled) {
+  Scenario s = class_one();
+  std::vector<Measure> m = faultless(10);
+  m[0] = missing("target_removed");
+  EXPECT_EQ(grade(s, m).score, 100.0);
+  s.rubric.criteria.erase(s.rubric.criteria.begin());
+  EXPECT_EQ(grade(s, faultless(10)).score, 100.0);
+}
+
+TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleHand) {
+  Scenario s;
+  s.rubric.criteria = {{"target_removed", 10, kRemoved},
+                       {"time", 10, {0, 0, 0, 300, 400, 600}},
+                       {"force_peak", 10, {0, 0, 0, 1.5, 2, 3}},
+                       {"removed_enamel", 10, {0, 0, 0, 5, 8, 12}},
+                       {"removed_carious_dentine", 10, {1, 2, 3, 5, 6, 8}},  // has to come out: its bands say enough
+                       {"undercut", 10, {0, 0, 0, 1, 2, 4}}};
+  const Grade idle = grade(s, {value("target_removed", 0), value("time", 0), value("force_peak", 0),
+                               value("removed_enamel", 0), value("removed_carious_dentine", 0), value("undercut", 40)});
+  EXPECT_EQ(idle.score, 0.0);
+  const Grade half = grade(s, {value("target_removed", 48.5), value("removed_carious_dentine", 4), value("undercut", 0.5)});
+  EXPECT_EQ(half.criteria[4].points, 10.0);
+  EXPECT_EQ(half.criteria[5].points, 10.0);
+}
+
+TEST(Grade, PointsRiseWithTheShareAndNeverJump) {
+  double last = 15.0;
+  for (double percent = 0.5; percent <= 100; percent += 0.5) {
+    const double score = grade(class_one(), faultless(percent)).score;
+    EXPECT_GE(score, last);
+    // Steepest between 90 and 97: 0.5 · (15/7 + 55/97) = 1.36; the first step starts from 15 for the depth.
+    EXPECT_LT(score - last, 2.0) << percent;
+    last = score;
+  }
+}
+
 TEST(ReportJson, HasTheFieldsOfTheDesignInItsOrder) {
   std::vector<Measure> m = {value("target_removed", 98.25, 0.5), missing("depth_mean"), value("overcut_beyond_side", 0)};
   m[0].where_mm = Vec3(1, 2, 3);
