@@ -9,11 +9,11 @@ namespace cusp {
 
 enum class StorageError : std::uint8_t {
   // Opening
-  not_found,       // no such file (open only), folder or row
+  not_found,       // no such file (open only), folder (Failure::detail "folder") or row
   not_a_database,  // the file is not SQLite, or is SQLite of another program
   newer_schema,    // written by a newer version of the program; nothing was touched
   network_drive,   // lies on a drive where write-ahead logging is unsafe
-  read_only,       // file, folder or disk cannot be written
+  read_only,       // file, folder or disk cannot be written; Failure::detail "new file": none can be made there
   // Any time
   disk_full,  // nothing of the transaction was written
   io,         // the disk failed; nothing of the transaction was written

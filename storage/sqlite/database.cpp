@@ -98,7 +98,7 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
   if (!existed && options.access != Access::create) return fail(StorageError::not_found, file.string());
   if (existed && !fs::is_regular_file(file, ignored)) return fail(StorageError::not_a_database, file.string());
   const fs::path folder = fs::absolute(file, ignored).parent_path();
-  if (!fs::is_directory(folder, ignored)) return fail(StorageError::not_found, folder.string());
+  if (!fs::is_directory(folder, ignored)) return fail(StorageError::not_found, folder.string(), "folder");
   const auto& on_network = options.on_network_drive;
   if (on_network ? on_network(folder) : on_network_drive(folder)) {
     return fail(StorageError::network_drive, folder.string());
@@ -183,6 +183,9 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
   // SQLite only says "cannot open" where its log finds no place.
   const bool vague = ready.error().code == StorageError::not_found || ready.error().code == StorageError::io;
   if (vague && (!can_write(folder) || (existed && !can_write(file)))) ready.error().code = StorageError::read_only;
+  // The folder is there and still no file came of it: some (/sys) admit none, even to one who may write anything.
+  if (!existed && ready.error().code == StorageError::not_found) ready.error().code = StorageError::read_only;
+  if (!existed && ready.error().code == StorageError::read_only) ready.error().detail = "new file";
   return std::unexpected(ready.error());
 }
 

@@ -114,6 +114,14 @@ TEST(Opening, what_is_not_there_is_not_found) {
   EXPECT_FALSE(fs::exists(folder / "none.db"));
 }
 
+TEST(Opening, a_place_where_no_file_can_be_made_is_told_as_such) {
+  if (!fs::is_directory("/proc")) GTEST_SKIP() << "no folder here admits no file to everybody";
+  const auto refused = Database::open("/proc/cusp.db");  // "no such file" to SQLite, for root as for all others
+  EXPECT_EQ(code_of(refused), StorageError::read_only);
+  EXPECT_EQ(refused.error().detail, "new file");
+  EXPECT_EQ(refused.error().where, "/proc/cusp.db");
+}
+
 TEST(Opening, a_network_drive_is_refused_before_anything_is_made) {
   const Folder folder;
   DatabaseOptions options;
