@@ -1,6 +1,7 @@
 #include "ui/drill/coach.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cusp {
 namespace {
@@ -8,6 +9,7 @@ namespace {
 constexpr double kThinMm = 0.5;          // dentine over the pulp that is worth a word
 constexpr double kReachedMm = 0.1;       // this near the floor it is reached: a tenth is what the gauge shows
 constexpr double kAlmostAllPercent = 97;
+constexpr double kWritingMm = 1e-9;      // the rounding of decimal figures: 0.5 - 0.3 is 0.2 all the same
 constexpr double kFirstMm3 = 0.01;       // less is a touch, not a cut
 
 }  // namespace
@@ -29,6 +31,25 @@ CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& le
   if (!live.output.contact) return {};
   if (left > kReachedMm) return {Coach::deeper, left};
   return {Coach::sideways, 0};
+}
+
+CoachTone tone_of(const CoachLine& line, const Leeway& leeway) noexcept {
+  switch (line.what) {
+    case Coach::pulp_open:
+    case Coach::outside: return CoachTone::bad;
+    case Coach::too_deep: return line.mm > leeway.floor_mm + kWritingMm ? CoachTone::bad : CoachTone::look;
+    case Coach::over_pulp: return CoachTone::look;
+    case Coach::begin:
+    case Coach::deeper:
+    case Coach::sideways:
+    case Coach::finish:
+    case Coach::carry_on: break;
+  }
+  return CoachTone::good;
+}
+
+bool worth_saying(const CoachLine& spoken, const CoachLine& line) noexcept {
+  return line.what != spoken.what || std::abs(line.mm - spoken.mm) >= kWorthSayingMm - kWritingMm;
 }
 
 }  // namespace cusp

@@ -21,11 +21,23 @@ enum class Coach : std::uint8_t {
   carry_on,      // lifted, or no target
 };
 
+/// How the sentence is signed: on the way, worth a look, or wrong.
+enum class CoachTone : std::uint8_t { good, look, bad };
+
 struct CoachLine {
   Coach what = Coach::carry_on;
   double mm = 0;
   friend bool operator==(const CoachLine&, const CoachLine&) = default;
 };
+
+/// Below the floor is worth a look within the leeway and wrong beyond it.
+CoachTone tone_of(const CoachLine& line, const Leeway& leeway) noexcept;
+
+/// Whether `line` is to be spoken after `spoken` was: something else, or the same but by kWorthSayingMm apart.
+bool worth_saying(const CoachLine& spoken, const CoachLine& line) noexcept;
+
+/// mm: twice what the sentence shows as its last digit; every tenth would talk without a pause.
+inline constexpr double kWorthSayingMm = 0.2;
 
 /// `burr_radius_mm`: of the burr in use.
 CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double burr_radius_mm);

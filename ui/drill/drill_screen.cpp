@@ -309,7 +309,11 @@ void DrillScreen::look() {
   if (in.input) in.input->set_enabled(!stopped);
   if (in.live.phase != in.shown_phase) {
     in.shown_phase = in.live.phase;
-    in.pause->setText(stopped ? tr("Go on") : tr("Pause"));
+    const QString act = stopped ? tr("Go on") : tr("Pause");
+    in.pause->setIcon(icon(stopped ? QStringLiteral("play") : QStringLiteral("pause")));
+    in.pause->setText(u' ' + act);  // as make_button: the style leaves no room after the sign
+    in.pause->setAccessibleName(act);
+    in.pause->setToolTip(QStringLiteral("%1 (%2)").arg(act, QKeySequence(Qt::Key_P).toString(QKeySequence::NativeText)));
     in.pause->setShortcut(Qt::Key_P);  // a new text takes the shortcut away
   }
   // The clock of the exercise has run out, or inputs could not be kept: the go is graded as it stands.

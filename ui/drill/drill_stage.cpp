@@ -123,13 +123,14 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   auto* coach_row = new QHBoxLayout(coach_card_);
   coach_row->setContentsMargins(px(16), px(8), px(16), px(8));
   coach_row->setSpacing(px(12));
-  auto* sign = new QLabel(coach_card_);
-  sign->setPixmap(icon_pixmap(QStringLiteral("chevron_right"), Ink::good, 18, devicePixelRatioF()));
-  sign->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  coach_row->addWidget(sign);
+  coach_sign_ = new QLabel(coach_card_);
+  coach_sign_->setObjectName(QStringLiteral("coach_sign"));
+  coach_sign_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  coach_row->addWidget(coach_sign_);
   coach_ = make_label({}, TextRole::live, true);
   coach_->setAccessibleName(tr("Coach"));
   coach_row->addWidget(coach_, 1);
+  sign_coach(CoachTone::good);
   coach_card_->hide();
 
   legend_ = make_card(this);
@@ -206,7 +207,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   compass_->setVisible(is_tooth);
   coach_card_->show();
   wanted_push_->setVisible(by_mouse);
-  said_ = {Coach::carry_on, -1};
+  said_ = spoken_ = {Coach::carry_on, -1};
   want_sections();
   place_all();
 }
@@ -257,6 +258,15 @@ QString DrillStage::coach_text(const CoachLine& line) const {
   return {};
 }
 
+void DrillStage::sign_coach(CoachTone tone) {
+  const QString name = tone == CoachTone::bad    ? QStringLiteral("cross")
+                       : tone == CoachTone::look ? QStringLiteral("warning")
+                                                 : QStringLiteral("chevron_right");
+  const Ink ink = tone == CoachTone::bad ? Ink::bad : tone == CoachTone::look ? Ink::look : Ink::good;
+  coach_sign_->setPixmap(icon_pixmap(name, ink, 18, devicePixelRatioF()));
+  set_ink(coach_, tone == CoachTone::bad ? "bad" : tone == CoachTone::look ? "look" : "text");
+}
+
 void DrillStage::show_values(const LiveView& live) {
   live_ = live;
   depth_->set_value(live.burr_depth_mm < 0 ? std::nullopt : std::optional(live.burr_depth_mm));
@@ -279,11 +289,13 @@ void DrillStage::show_values(const LiveView& live) {
   CoachLine line = coach(live, look_->shape(), leeway_, radius);
   line.mm = std::round(line.mm * 10) / 10;
   if (line == said_) return;
-  const bool other = line.what != said_.what;
   said_ = line;
   coach_->setText(coach_text(line));
+  sign_coach(tone_of(line, leeway_));
   place_all();
-  if (other) announce(coach_, coach_->text());
+  if (!worth_saying(spoken_, line)) return;
+  spoken_ = line;
+  announce(coach_, coach_->text());
 }
 
 void DrillStage::show_stopped(Stop stop, const QString& where, Fault fault) {

@@ -58,12 +58,13 @@ class DrillStage : public QWidget {
   void place_all();
   void want_sections();
   QString coach_text(const CoachLine& line) const;
+  void sign_coach(CoachTone tone);
 
   ToothView* view_;
   QFrame *tools_, *coach_card_, *legend_, *stop_card_;
   QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_;
   Gauge *depth_, *push_;
-  QLabel *coach_, *wanted_push_, *stop_title_, *stop_more_;
+  QLabel *coach_sign_, *coach_, *wanted_push_, *stop_title_, *stop_more_;
   QPushButton *stop_go_on_, *stop_leave_;
   Compass* compass_;
   QWidget* centre_ = nullptr;
@@ -71,7 +72,7 @@ class DrillStage : public QWidget {
   Leeway leeway_;
   std::vector<Burr> burrs_;
   LiveView live_;
-  CoachLine said_;
+  CoachLine said_, spoken_;  // shown; last told to a screen reader
   Stop stop_ = Stop::none;
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
   int preset_ = 0;

@@ -73,5 +73,25 @@ TEST(Coach, without_a_target_it_has_nothing_to_say) {
   EXPECT_EQ(coach(drilling({0, 0, -1}, kRadius), TargetShape(Target{}), kLeeway, kRadius).what, Coach::carry_on);
 }
 
+TEST(Coach, below_the_floor_is_worth_a_look_within_the_leeway_and_wrong_beyond_it) {
+  EXPECT_EQ(tone_of({Coach::too_deep, 0.2}, kLeeway), CoachTone::look);
+  EXPECT_EQ(tone_of({Coach::too_deep, 0.3}, kLeeway), CoachTone::look);
+  EXPECT_EQ(tone_of({Coach::too_deep, 2.7}, kLeeway), CoachTone::bad);
+  EXPECT_EQ(tone_of({Coach::outside, 0.4}, kLeeway), CoachTone::bad);
+  EXPECT_EQ(tone_of({Coach::pulp_open, 0}, kLeeway), CoachTone::bad);
+  EXPECT_EQ(tone_of({Coach::over_pulp, 0.4}, kLeeway), CoachTone::look);
+  for (const Coach good : {Coach::begin, Coach::deeper, Coach::sideways, Coach::finish, Coach::carry_on}) {
+    EXPECT_EQ(tone_of({good, 0.6}, kLeeway), CoachTone::good);
+  }
+}
+
+TEST(Coach, speaks_again_when_the_kind_changes_or_the_value_by_two_tenths) {
+  EXPECT_TRUE(worth_saying({Coach::deeper, 0.6}, {Coach::sideways, 0.6}));
+  EXPECT_FALSE(worth_saying({Coach::too_deep, 0.3}, {Coach::too_deep, 0.4}));
+  EXPECT_TRUE(worth_saying({Coach::too_deep, 0.3}, {Coach::too_deep, 0.5}));
+  EXPECT_TRUE(worth_saying({Coach::deeper, 0.5}, {Coach::deeper, 0.3}));
+  EXPECT_FALSE(worth_saying({Coach::finish, 0}, {Coach::finish, 0}));
+}
+
 }  // namespace
 }  // namespace cusp

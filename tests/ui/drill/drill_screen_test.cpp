@@ -90,7 +90,7 @@ TEST_F(Screen, pause_says_so_and_the_same_key_goes_on) {
   begin("channel-1");
   const auto button = [this](const QString& text) {
     for (QPushButton* b : screen->findChildren<QPushButton*>()) {
-      if (b->text() == text && b->isVisible()) return true;
+      if (b->accessibleName() == text && b->text().trimmed() == text && b->isVisible()) return true;
     }
     return false;
   };
