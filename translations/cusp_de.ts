@@ -1472,7 +1472,7 @@
         </message>
         <message>
             <source>Student</source>
-            <translation>Studierende</translation>
+            <translation>Student/in</translation>
         </message>
         <message>
             <source>Exercise</source>
@@ -2414,16 +2414,19 @@
             <translation>Beim nächsten Mal</translation>
         </message>
         <message>
-            <source>%1: %2 points lost. %3. %4</source>
-            <translation>%1: %2 Punkte verloren. %3. %4</translation>
+            <source>%1. %2. %3</source>
+            <translation>%1. %2. %3</translation>
         </message>
         <message>
             <source>Every criterion has its full points.</source>
             <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
         </message>
-        <message>
-            <source>Best before: %1 points on %2; today %3.</source>
-            <translation>Bester davor: %1 Punkte am %2; heute %3.</translation>
+        <message numerus="yes">
+            <source>Best before: %1 point(s) on %2; today %3.</source>
+            <translation>
+                <numerusform>Bester davor: %1 Punkt am %2; heute %3.</numerusform>
+                <numerusform>Bester davor: %1 Punkte am %2; heute %3.</numerusform>
+            </translation>
         </message>
         <message>
             <source>0.5 mm and more left standing</source>
@@ -2521,10 +2524,6 @@
             <translation>Beim nächsten Mal</translation>
         </message>
         <message>
-            <source>%1: %2 points lost</source>
-            <translation>%1: %2 Punkte verloren</translation>
-        </message>
-        <message>
             <source>Every criterion has its full points.</source>
             <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
         </message>
@@ -2589,7 +2588,7 @@
         </message>
         <message>
             <source>Least dentine over pulp</source>
-            <translation>Dünnstes Dentin über der Pulpa</translation>
+            <translation>Dentin über Pulpa, min.</translation>
         </message>
         <message>
             <source>Removed so far</source>
@@ -2673,6 +2672,22 @@
         <message>
             <source>%1 was not found. Nothing was changed.</source>
             <translation>%1 wurde nicht gefunden. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>The database’s folder is not there.</source>
+            <translation>Den Ordner der Datenbank gibt es nicht.</translation>
+        </message>
+        <message>
+            <source>There is no folder %1. Make it, or choose another place with --db.</source>
+            <translation>Es gibt keinen Ordner %1. Legen Sie ihn an, oder wählen Sie mit --db einen anderen Ort.</translation>
+        </message>
+        <message>
+            <source>The database cannot be made there.</source>
+            <translation>Die Datenbank lässt sich dort nicht anlegen.</translation>
+        </message>
+        <message>
+            <source>No file can be made at %1. Choose another place with --db.</source>
+            <translation>Unter %1 lässt sich keine Datei anlegen. Wählen Sie mit --db einen anderen Ort.</translation>
         </message>
         <message>
             <source>This file is not a Cusp database.</source>
@@ -3108,11 +3123,11 @@
         </message>
         <message>
             <source>Student</source>
-            <translation>Studierende</translation>
+            <translation>Student/in</translation>
         </message>
         <message>
             <source>Teacher</source>
-            <translation>Lehrende</translation>
+            <translation>Lehrkraft</translation>
         </message>
         <message>
             <source>Administrator</source>
@@ -3248,7 +3263,7 @@
         </message>
         <message>
             <source>Dentine over pulp</source>
-            <translation>Dentin über der Pulpa</translation>
+            <translation>Dentin über Pulpa</translation>
         </message>
         <message>
             <source>Time</source>
@@ -3303,12 +3318,27 @@
             <translation>%1, %2 flacher als %3</translation>
         </message>
         <message>
-            <source>%1, %2 above %3</source>
-            <translation>%1, %2 über %3</translation>
+            <source>%1; full points up to %2</source>
+            <translation>%1; volle Punktzahl bis %2</translation>
         </message>
         <message>
-            <source>%1, %2 below %3</source>
-            <translation>%1, %2 unter %3</translation>
+            <source>%1 removed; full points from %2</source>
+            <translation>%1 abgetragen; volle Punktzahl ab %2</translation>
+        </message>
+        <message>
+            <source>%1; full points from %2</source>
+            <translation>%1; volle Punktzahl ab %2</translation>
+        </message>
+        <message>
+            <source>Counts only as far as the target is drilled: %1</source>
+            <translation>Zählt nur, soweit das Ziel abgetragen ist: %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %2 point(s) lost</source>
+            <translation>
+                <numerusform>%1: %2 Punkt verloren</numerusform>
+                <numerusform>%1: %2 Punkte verloren</numerusform>
+            </translation>
         </message>
         <message>
             <source>Turn the view and look for what still stands inside the target line.</source>
@@ -3593,7 +3623,7 @@
         </message>
         <message>
             <source>Student</source>
-            <translation>Studierende</translation>
+            <translation>Student/in</translation>
         </message>
         <message>
             <source>Staff</source>
@@ -3783,7 +3813,7 @@
         </message>
         <message>
             <source>This station has no exercise that can be read. Ask your teacher.</source>
-            <translation>Diese Station hat keine lesbare Übung. Fragen Sie Ihre Lehrenden.</translation>
+            <translation>Diese Station hat keine lesbare Übung. Fragen Sie Ihre Lehrkraft.</translation>
         </message>
         <message>
             <source>Every go is kept, also one that broke off.</source>
@@ -3912,7 +3942,7 @@ Ihr bester davor</translation>
         </message>
         <message>
             <source>From your teacher</source>
-            <translation>Von Ihren Lehrenden</translation>
+            <translation>Von Ihrer Lehrkraft</translation>
         </message>
         <message>
             <source>on your go of %1</source>
@@ -3920,7 +3950,7 @@ Ihr bester davor</translation>
         </message>
         <message>
             <source>Teacher</source>
-            <translation>Lehrende</translation>
+            <translation>Lehrkraft</translation>
         </message>
     </context>
     <context>

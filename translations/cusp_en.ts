@@ -111,6 +111,26 @@
         </message>
     </context>
     <context>
+        <name>cusp::Report</name>
+        <message numerus="yes">
+            <source>Best before: %1 point(s) on %2; today %3.</source>
+            <translation>
+                <numerusform>Best before: %1 point on %2; today %3.</numerusform>
+                <numerusform>Best before: %1 points on %2; today %3.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Sentences</name>
+        <message numerus="yes">
+            <source>%1: %2 point(s) lost</source>
+            <translation>
+                <numerusform>%1: %2 point lost</numerusform>
+                <numerusform>%1: %2 points lost</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::StartPage</name>
         <message numerus="yes">
             <source>Time earns no points. %1 only, %n go(es).</source>

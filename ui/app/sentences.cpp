@@ -35,6 +35,10 @@ Told tell(const StorageFailure& f) {
   const QString where = place(f.where);
   switch (f.code) {
     case StorageError::not_found:
+      if (f.detail == "folder") {
+        return {Words::tr("The database’s folder is not there."),
+                Words::tr("There is no folder %1. Make it, or choose another place with --db.").arg(where)};
+      }
       return {Words::tr("The record is not there."), Words::tr("%1 was not found. Nothing was changed.").arg(where)};
     case StorageError::not_a_database:
       return {Words::tr("This file is not a Cusp database."),
@@ -46,6 +50,10 @@ Told tell(const StorageFailure& f) {
       return {Words::tr("The database lies on a network drive."),
               Words::tr("%1 would not be safe there. Move it to this computer’s own disk.").arg(where)};
     case StorageError::read_only:
+      if (f.detail == "new file") {
+        return {Words::tr("The database cannot be made there."),
+                Words::tr("No file can be made at %1. Choose another place with --db.").arg(where)};
+      }
       return {Words::tr("The database cannot be written."),
               Words::tr("%1 or its folder is read-only. Nothing was changed.").arg(where)};
     case StorageError::disk_full:
@@ -358,6 +366,18 @@ QString with_unit(double value, const QString& unit) {
 
 }  // namespace
 
+namespace {
+
+/// As many decimals as keep value and limit apart, up to three, and never fewer than `least`: "96.97", not "97", of 97.
+QString apart_from(double value, double limit, const QString& unit, int least) {
+  int decimals = least;
+  const auto same = [&](int n) { return format_number(value, n) == format_number(limit, n); };
+  while (decimals < 3 && same(decimals)) ++decimals;
+  return format_value({value, std::nullopt, unit, decimals});
+}
+
+}  // namespace
+
 QString wanted_text(const Criterion& c) {
   const QString unit = metric_unit(c.metric);
   const Bands& b = c.bands;
@@ -376,6 +396,11 @@ QString reason_text(const CriterionGrade& g) {
     return it == g.reason_args.end() ? 0.0 : it->second;
   };
   const QString unit = text(g.measure.unit);
+  if (g.reason_code == "little_drilled") {
+    // Down to the tenth: "100 %" is never said where points are missing.
+    const double percent = std::floor(arg("share") * 1000 + 1e-6) / 10;
+    return Words::tr("Counts only as far as the target is drilled: %1").arg(with_unit(percent, u"%"_qs));
+  }
   const double value = arg("value"), limit = arg("limit");
   const QString v = format({value, std::nullopt, unit, 2}), l = with_unit(limit, unit);
   const QString apart = format({std::abs(value - limit), std::nullopt, unit, 2});
@@ -383,13 +408,25 @@ QString reason_text(const CriterionGrade& g) {
   if (g.reason_code == "not_measured") return Words::tr("Could not be measured");
   if (g.reason_code == "too_deep") return Words::tr("%1, %2 deeper than %3").arg(v, apart, l);
   if (g.reason_code == "too_shallow") return Words::tr("%1, %2 short of %3").arg(v, apart, l);
-  if (g.reason_code == "too_much") return Words::tr("%1, %2 above %3").arg(v, apart, l);
-  if (g.reason_code == "too_little") return Words::tr("%1, %2 below %3").arg(v, apart, l);
+  const QString whole = apart_from(value, limit, unit, unit == u"%" ? 1 : 2);
+  if (g.reason_code == "too_much") return Words::tr("%1; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_little") {
+    return g.id == "target_removed" ? Words::tr("%1 removed; full points from %2").arg(whole, l)
+                                    : Words::tr("%1; full points from %2").arg(whole, l);
+  }
   return text(g.reason_code);
 }
 
+int point_forms(double points) { return format_points(points) == format_points(1) ? 1 : 2; }
+
+QString lost_text(const CriterionGrade& g) {
+  const double lost = g.points_max - g.points;
+  return Words::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id), format_points(lost));
+}
+
 QString advice_text(const CriterionGrade& g) {
-  if (g.reason_code == "full" || g.reason_code == "not_measured") return {};
+  // What was drilled too little is advised about once, by the target's own criterion.
+  if (g.reason_code == "full" || g.reason_code == "not_measured" || g.reason_code == "little_drilled") return {};
   const std::string& m = g.id;
   if (m == "target_removed") return Words::tr("Turn the view and look for what still stands inside the target line.");
   if (m == "overcut_leeway_floor" || m == "overcut_beyond_floor")

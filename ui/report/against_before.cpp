@@ -1,6 +1,9 @@
 #include "ui/report/against_before.h"
 
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
+#include <algorithm>
 
 #include "ui/app/sentences.h"
 #include "ui/widgets/format.h"
@@ -10,6 +13,7 @@ namespace cusp {
 namespace {
 
 constexpr int kRow = 23;  // px at 100 %
+constexpr double kMostForNames = 0.55;  // of the width: the lines keep a third beside the figures
 
 QString with_sign(double points) {
   if (std::abs(points) < 0.05) return u"0"_qs;
@@ -35,11 +39,30 @@ AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, QWidget* par
 
 QSize AgainstBefore::sizeHint() const { return {px(250), px(kRow) * std::max<int>(1, static_cast<int>(rows_.size()))}; }
 
+double AgainstBefore::names_width() const {
+  const QFontMetrics metrics(font_of(TextRole::body));
+  int widest = 0;
+  for (const Row& r : rows_) widest = std::max(widest, metrics.horizontalAdvance(r.name));
+  return std::min<double>(widest + px(9), width() * kMostForNames);
+}
+
+bool AgainstBefore::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const int row = help->pos().y() / px(kRow);
+    if (row >= 0 && row < rows_.size()) {
+      QToolTip::showText(help->globalPos(), rows_[row].name, this);
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
 void AgainstBefore::paintEvent(QPaintEvent*) {
   const Tokens& t = tokens();
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const double name = width() * 0.46, number = px(44);
+  const double name = names_width(), number = px(44);
   for (int i = 0; i < rows_.size(); ++i) {
     const Row& r = rows_[i];
     const double y = px(kRow) * (i + 0.5);

@@ -24,8 +24,12 @@ class AgainstBefore : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
+  /// Width of the names: what the longest needs, up to the share that the lines can spare.
+  double names_width() const;
+
   QVector<Row> rows_;
 };
 

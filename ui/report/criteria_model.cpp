@@ -1,6 +1,7 @@
 #include "ui/report/criteria_model.h"
 
 #include "ui/app/sentences.h"
+#include "ui/report/report_data.h"
 #include "ui/widgets/format.h"
 
 namespace cusp {
@@ -15,7 +16,7 @@ int CriteriaModel::columnCount(const QModelIndex& parent) const { return parent.
 
 Bar::Role CriteriaModel::bar_role(int row) const {
   const CriterionGrade& c = criterion(row);
-  if (c.points_max - c.points < 1e-9) return Bar::Role::good;
+  if (c.points_max - c.points < kLeastLoss) return Bar::Role::good;
   return c.points < c.points_max / 2 ? Bar::Role::bad : Bar::Role::look;
 }
 
@@ -51,7 +52,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
     case BoldRole: return index.column() == kPoints && marked;
     case QuietRole: return !marked && index.column() == kPoints;
     case Qt::ToolTipRole:
-      return c.band == "borderline" ? tr("An edge of the marking is nearer than the figure is known.") : reason_text(c);
+      return c.band == "borderline" && c.reason_code != "little_drilled" ? tr("An edge of the marking is nearer than the figure is known.") : reason_text(c);
     case Qt::AccessibleTextRole:
       if (index.column() == kSign) {
         if (!marked) return tr("not marked");

@@ -56,9 +56,11 @@ ReportData gather_report(const RunResult& result, Store* store, const Actor* rea
 std::vector<const CriterionGrade*> lost_points(const Grade& grade) {
   std::vector<const CriterionGrade*> lost;
   for (const CriterionGrade& c : grade.criteria) {
-    if (c.points_max - c.points > 1e-9) lost.push_back(&c);
+    if (c.points_max - c.points >= kLeastLoss) lost.push_back(&c);
   }
-  std::stable_sort(lost.begin(), lost.end(), [](const CriterionGrade* a, const CriterionGrade* b) {
+  const auto follows = [](const CriterionGrade* c) { return c->reason_code == "little_drilled"; };
+  std::stable_sort(lost.begin(), lost.end(), [&](const CriterionGrade* a, const CriterionGrade* b) {
+    if (follows(a) != follows(b)) return follows(b);
     return a->points_max - a->points > b->points_max - b->points;
   });
   return lost;

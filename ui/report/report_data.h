@@ -28,7 +28,10 @@ struct ReportData {
 /// `store` and `reader` may be null: then only the result itself is shown.
 ReportData gather_report(const RunResult& result, Store* store, const Actor* reader);
 
-/// Criteria that lost points, the dearest first.
+/// Points: a smaller loss does not show in figures with one decimal.
+inline constexpr double kLeastLoss = 0.05;
+
+/// Criteria that lost points, the dearest first; after them those that lost theirs only because little was drilled.
 std::vector<const CriterionGrade*> lost_points(const Grade& grade);
 
 /// "Fri 20 Nov, 10:14 · Practice, go 7".

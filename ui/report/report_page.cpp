@@ -218,8 +218,7 @@ QWidget* ReportPage::make_next_time() {
     line->addWidget(sign, 0, Qt::AlignTop);
     auto* text = new QVBoxLayout;
     text->setSpacing(0);
-    QLabel* head = make_label(tr("%1: %2 points lost").arg(metric_name(c->id), format_points(c->points_max - c->points)),
-                              TextRole::body, true);
+    QLabel* head = make_label(lost_text(*c), TextRole::body, true);
     head->setWordWrap(true);
     text->addWidget(head);
     for (const QString& sentence : {reason_text(*c) + u'.', advice_text(*c)}) {

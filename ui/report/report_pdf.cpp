@@ -161,16 +161,15 @@ void write_next_time(Paper& paper, const ReportData& d, const Tokens& t) {
   int shown = 0;
   for (const CriterionGrade* c : lost_points(d.result.grade)) {
     if (++shown > 4) break;
-    paper.write(Words::tr("%1: %2 points lost. %3. %4")
-                    .arg(metric_name(c->id), format_points(c->points_max - c->points), reason_text(*c), advice_text(*c)),
-                x, w, 11, false, t.text);
+    paper.write(Words::tr("%1. %2. %3").arg(lost_text(*c), reason_text(*c), advice_text(*c)).trimmed(), x, w, 11, false,
+                t.text);
     paper.skip(3);
   }
   if (shown == 0) paper.write(Words::tr("Every criterion has its full points."), x, w, 11, false, t.text);
   if (d.before) {
     paper.skip(8);
     const double apart = d.result.grade.score - d.before->score;
-    paper.write(Words::tr("Best before: %1 points on %2; today %3.")
+    paper.write(Words::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
                     .arg(format_points(d.before->score), format_day(d.before_when),
                          (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)),
                 x, w, 11, false, t.text2);

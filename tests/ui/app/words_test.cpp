@@ -72,6 +72,68 @@ TEST(Sentences, reasons_name_value_limit_and_what_lies_between) {
   EXPECT_EQ(text.replace(QChar(0x00A0), u' ').toStdString(), "2.41 mm, 0.41 mm deeper than 2 mm");
 }
 
+std::string reason(CriterionGrade grade) {
+  QString text = reason_text(grade);
+  for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+  return text.replace(QChar(0x00A0), u' ').toStdString();
+}
+
+TEST(Sentences, what_was_too_little_or_too_much_is_said_with_what_earns_full_points) {
+  CriterionGrade g;
+  const auto set = [&](const char* id, const char* unit, const char* code, double value, double limit) {
+    g.id = id;
+    g.measure.unit = unit;
+    g.reason_code = code;
+    g.reason_args = {{"value", value}, {"limit", limit}};
+  };
+  set("target_removed", "%", "too_little", 0.2, 97);
+  EXPECT_EQ(reason(g), "0.2 % removed; full points from 97 %");
+  set("target_removed", "%", "too_little", 96.97, 97);
+  EXPECT_EQ(reason(g), "96.97 % removed; full points from 97 %");  // never "97.0 %; from 97 %"
+  set("remaining_over_pulp", "mm", "too_little", 0.4, 1);
+  EXPECT_EQ(reason(g), "0.40 mm; full points from 1 mm");
+  set("overcut_beyond_side", "mm3", "too_much", 2.5, 0.3);
+  EXPECT_EQ(reason(g), "2.50 mm³; full points up to 0.3 mm³");
+}
+
+TEST(Sentences, little_drilled_is_said_to_the_tenth_and_advised_about_by_the_target_alone) {
+  CriterionGrade g;
+  g.id = "overcut_beyond_floor";
+  g.reason_code = "little_drilled";
+  g.reason_args = {{"share", 4.3 / 97}, {"lost", 14.335}};
+  EXPECT_EQ(reason(g), "Counts only as far as the target is drilled: 4.4 %");
+  g.reason_args["share"] = 87.3 / 97;
+  EXPECT_EQ(reason(g), "Counts only as far as the target is drilled: 90 %");
+  g.reason_args["share"] = 96.999 / 97;
+  EXPECT_EQ(reason(g), "Counts only as far as the target is drilled: 99.9 %");  // points are missing
+  EXPECT_TRUE(advice_text(g).isEmpty());
+}
+
+TEST(Sentences, one_point_is_singular_and_fractions_are_not) {
+  CriterionGrade g;
+  g.id = "time";
+  g.points_max = 10;
+  for (const auto& [points, said] : {std::pair{9.0, "Time: 1 point lost"}, std::pair{8.5, "Time: 1.5 points lost"},
+                                     std::pair{9.5, "Time: 0.5 points lost"}, std::pair{9.02, "Time: 1 point lost"},
+                                     std::pair{4.0, "Time: 6 points lost"}}) {
+    g.points = points;
+    EXPECT_EQ(lost_text(g).toStdString(), said);
+  }
+}
+
+TEST(Sentences, a_place_for_a_database_that_admits_no_file_is_not_called_missing) {
+  const auto line = [](StorageError code, const char* detail) {
+    QString text = tell(StorageFailure{code, "/sys/cusp.db", detail}).line();
+    for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+    return text.toStdString();
+  };
+  EXPECT_EQ(line(StorageError::read_only, "new file"),
+            "The database cannot be made there. No file can be made at /sys/cusp.db. Choose another place with --db.");
+  EXPECT_EQ(line(StorageError::not_found, "folder"),
+            "The database’s folder is not there. There is no folder /sys/cusp.db. Make it, or choose another place with "
+            "--db.");
+}
+
 TEST(Sentences, every_metric_and_tissue_has_a_name) {
   for (const char* metric : {"target_removed", "overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor",
                              "overcut_beyond_side", "undercut", "depth_least", "depth_mean", "depth_most",

@@ -71,6 +71,21 @@ TEST(ReportData, losses_come_dearest_first) {
   EXPECT_EQ(lost[0]->id, "target_removed");
 }
 
+TEST(ReportData, what_was_lost_because_little_was_drilled_comes_after_what_was_done_and_nothings_are_left_out) {
+  Grade grade = test::sample_grade(70);
+  grade.criteria[0].points = 5;  // 15 lost against 6
+  grade.criteria[0].reason_code = "little_drilled";
+  CriterionGrade nothing = grade.criteria[1];
+  nothing.id = "depth_mean";
+  nothing.points = 9.97;  // prints as 10 of 10
+  grade.criteria.push_back(nothing);
+  const auto lost = lost_points(grade);
+  ASSERT_EQ(lost.size(), 2u);
+  EXPECT_EQ(lost[0]->id, "depth_most");
+  EXPECT_EQ(lost[1]->id, "target_removed");
+  EXPECT_EQ(CriteriaModel(grade, {}).bar_role(2), Bar::Role::good);
+}
+
 TEST(ReportData, gathers_student_go_and_the_best_before_from_the_records) {
   test::DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
