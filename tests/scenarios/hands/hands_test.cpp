@@ -188,7 +188,8 @@ TEST(Faults, OffTheOutlineIsGradedAtTheSide) {
   const go::Result r = bench.run("off_outline");
   EXPECT_FALSE(r.grade.passed);
   EXPECT_EQ(Bench::reason(r, "overcut_beyond_side"), "too_much");
-  EXPECT_EQ(Bench::reason(r, "overcut_beyond_floor"), "full");
+  // The floor was kept, but that counts only as far as the target came out.
+  EXPECT_EQ(Bench::reason(r, "overcut_beyond_floor"), "little_drilled");
 }
 
 TEST(Faults, ThePulpIsACriticalEventThoughTheScoreStands) {
