@@ -238,9 +238,18 @@ class Program:
         os.makedirs(env["XDG_RUNTIME_DIR"], mode=0o700, exist_ok=True)
         env.update({k: str(v) for k, v in environment.items()})
         self.log = open(os.path.join(folder, "program.log"), "a")
-        self.process = subprocess.Popen([binary, "--db", database], env=env, stdout=self.log, stderr=self.log,
-                                        stdin=subprocess.DEVNULL)
-        self.root = until("the program's window", self._find_root)
+        # Now and then the accessibility bus misses a program that starts (seen once in a dozen days): started again.
+        for attempt in range(3):
+            self.process = subprocess.Popen([binary, "--db", database], env=env, stdout=self.log, stderr=self.log,
+                                            stdin=subprocess.DEVNULL)
+            try:
+                self.root = until("the program's window", self._find_root, 20 if attempt < 2 else None)
+                break
+            except Missing:
+                self.process.kill()
+                self.process.wait()
+                if attempt == 2:
+                    raise
         self.find("frame", "Cusp")
 
     def _find_root(self):
