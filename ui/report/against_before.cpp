@@ -13,7 +13,7 @@ namespace cusp {
 namespace {
 
 constexpr int kRow = 23;  // px at 100 %
-constexpr double kMostForNames = 0.55;  // of the width: the lines keep a third beside the figures
+constexpr double kMostForNames = 0.58;  // of the width: the longest German name fits in a window of 1280
 
 QString with_sign(double points) {
   if (std::abs(points) < 0.05) return u"0"_qs;
