@@ -12,6 +12,12 @@ namespace {
 constexpr std::uint64_t kMarkTicks = 1000;  // as the loop's
 // Nobody wakes the mirror, for that would be a system call in the tick: it looks again after this.
 constexpr std::chrono::milliseconds kNap{2};
+// With more inputs than this waiting, the newest state is a few milliseconds of work away: it is shown instead of an old
+// one, unless that would put it off for longer than kMostPutOffUs of session time.
+constexpr std::size_t kFewInputs = 8;
+constexpr std::uint64_t kMostPutOffUs = 50'000;
+// So far behind, showing would make it later still.
+constexpr std::size_t kManyInputs = 200;
 }  // namespace
 
 Mirror::Mirror(StepState state, HandOver& hand_over, const MirrorSettings& settings)
@@ -94,9 +100,13 @@ std::uint64_t Mirror::pump() {
   while (hand_over_.inputs.pop(input)) {
     one(input);
     ++done;
-    // Running behind, the picture waits: a show for each 25 ms would make it later still. Without a thread nothing does.
-    const bool behind = thread_.joinable() && hand_over_.inputs.size() > 200;
-    if (state_.last().elapsed_us >= next_show_us_ && !behind) show(false);
+    const std::uint64_t now_us = state_.last().elapsed_us;
+    if (now_us < next_show_us_) continue;
+    const std::size_t waiting = hand_over_.inputs.size();
+    // Without a thread nothing runs behind.
+    const bool in_time = !thread_.joinable() || waiting <= kFewInputs ||
+                         (waiting <= kManyInputs && now_us >= next_show_us_ + kMostPutOffUs);
+    if (in_time) show(false);
   }
   compare();
   return done;

@@ -33,7 +33,7 @@ class MirrorObserver {
     static_cast<void>(input);
     static_cast<void>(after);
   }
-  /// About every 25 ms of session time: the whole state, with its volume.
+  /// About every show_every_us of session time: the whole state, with its volume. Later when it runs behind.
   virtual void on_state(const StepState& state, const StateNews& news) = 0;
 };
 
