@@ -9,6 +9,11 @@
 
 namespace cusp {
 
+namespace {
+// Of session time. A frame takes some 30 ms under software OpenGL: what it shows is then a third of one old at most.
+constexpr std::uint32_t kShowUs = 10'000;
+}  // namespace
+
 struct ExerciseRun::Inner {
   Inner(RunPlan p, RunSetup s, HapticPort& device_port) : plan(std::move(p)), setup(std::move(s)), port(device_port) {}
 
@@ -63,11 +68,13 @@ Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& p
   run.follower = std::make_unique<RunFollower>(run.setup.reference, *run.setup.mirror_start, run.recorder.get(),
                                                run.setup.process, [&run] { run.loop->pause(); });
   run.loop = std::make_unique<HapticLoop>(port, std::move(*run.setup.loop_start));
-  run.mirror = std::make_unique<Mirror>(std::move(*run.setup.mirror_start), run.loop->hand_over());
+  run.mirror = std::make_unique<Mirror>(std::move(*run.setup.mirror_start), run.loop->hand_over(),
+                                        MirrorSettings{.show_every_us = kShowUs});
   run.setup.loop_start.reset();
   run.setup.mirror_start.reset();
-  run.mirror->add(*run.follower);
+  // The picture before the scores.
   for (Observer* observer : run.plan.observers) run.mirror->add(*observer);
+  run.mirror->add(*run.follower);
   run.rate_at = std::chrono::steady_clock::now();
   run.mirror->start();
   run.loop->start();

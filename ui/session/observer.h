@@ -15,7 +15,7 @@
 
 namespace cusp {
 
-/// Called on the mirror's thread about every 25 ms of session time with the state and the bricks that changed: the place
+/// Called on the mirror's thread about every 10 ms of session time with the state and the bricks that changed: the place
 /// to rebuild surface patches from (state.volume() is consistent for the length of the call). on_tick may stay as it is.
 using Observer = MirrorObserver;
 

@@ -7,6 +7,7 @@ namespace cusp {
 namespace {
 constexpr std::uint64_t kSecondUs = 1'000'000;
 constexpr std::uint64_t kKeyStateUs = 5'000'000;  // a jump in a replay is then at most 5,000 ticks
+constexpr std::uint64_t kScoresUs = 100'000;      // as often as they are read; the picture of the tooth comes first
 constexpr std::size_t kMostInputsASecond = 60'000;
 
 std::uint64_t next_multiple(std::uint64_t now, std::uint64_t step) { return (now / step + 1) * step; }
@@ -105,7 +106,10 @@ std::vector<RemovedTissue> RunFollower::removed() const {
 }
 
 void RunFollower::on_state(const StepState& state, const StateNews& news) {
-  update_scores(state);
+  if (state.last().elapsed_us >= next_scores_us_ || news.first || news.last) {
+    next_scores_us_ = state.last().elapsed_us + kScoresUs;
+    update_scores(state);
+  }
   if (recorder_) {
     if (news.last) flush(state);
     if (recorder_->state() == RecordingState::failed && hold_) hold_();

@@ -58,6 +58,7 @@ class RunFollower final : public MirrorObserver {
 
   RecordedSecond second_;
   std::uint64_t next_second_us_, next_key_us_;
+  std::uint64_t next_scores_us_ = 0;
   double impulse_n_us_ = 0;
   std::uint64_t contact_us_ = 0;
 
