@@ -51,7 +51,7 @@ class DrillFeed : public Observer {
 
   // Mirror's thread only.
   TickTimes changes_;
-  std::uint64_t cutting_ticks_ = 0;
+  std::optional<std::uint64_t> revisions_;                    // of all bricks together, after the last tick
   std::optional<Clock::duration> least_lead_, least_before_;  // wall clock less session clock: this half second, the last
   Clock::time_point lead_since_{};
   Clock::time_point section_at_{};
