@@ -49,8 +49,9 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
                                               const DeviceLimits& device) {
   GuardSettings guard;
   guard.limit_n = device.max_force_n;
-  // A mouse has no motor: a late tick cannot push a hand, and a busy desktop's stalls are no faults then.
+  // A mouse and a script have no motor: a late tick cannot push a hand, and a busy desktop's stalls are no faults then.
   if (device.device_class == "pointer") guard.late_ms = 250.0;
+  if (device.device_class == "scripted") guard.late_ms = 1000.0;
   return build_scene(scenario, std::move(specimen), device, guard);
 }
 
