@@ -238,7 +238,7 @@ class Program:
         os.makedirs(env["XDG_RUNTIME_DIR"], mode=0o700, exist_ok=True)
         env.update({k: str(v) for k, v in environment.items()})
         self.log = open(os.path.join(folder, "program.log"), "a")
-        # Now and then the accessibility bus misses a program that starts (seen once in a dozen days): started again.
+        # Now and then the accessibility bus misses a program that starts (seen once): started again.
         for attempt in range(3):
             self.process = subprocess.Popen([binary, "--db", database], env=env, stdout=self.log, stderr=self.log,
                                             stdin=subprocess.DEVNULL)
