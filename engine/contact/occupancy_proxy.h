@@ -30,6 +30,8 @@ class OccupancyProxy {
 
   /// Cutting voxels that hit at the pose of the last solve, one voxel further; at most as many as the tool has.
   std::span<const IVec3> hit_voxels() const noexcept { return {hit_.data(), hit_count_}; }
+  /// Every voxel that the tool's cutting part covers with its pivot on the way loses all its density. False: no room.
+  bool remove_along(Volume& volume, std::size_t burr, Vec3 from, Vec3 to) noexcept;
   Occupancy& occupancy() noexcept { return occupancy_; }
   const Occupancy& occupancy() const noexcept { return occupancy_; }
 

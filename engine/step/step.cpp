@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/removal/carve.h"
 #include "engine/step/state.h"
 #include "engine/volume/hash.h"
 
@@ -105,6 +106,20 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
 }
 
 }  // namespace
+
+bool cut_along(StepState& outer, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept {
+  StepState::Inner& state = outer.inner();
+  const Burr& shape = state.scene->burrs[burr];
+  if (state.surface) {
+    const bool room = end_stroke(state);
+    const Carved carved = carve_sweep(state.volume, from_mm, to_mm, shape.radius_mm);
+    if (carved.any) state.surface->changed(state.volume, carved.low, carved.high);
+    state.memory.add(from_mm, to_mm, shape.radius_mm);
+    state.memory.lift();
+    return room && !carved.overflow;
+  }
+  return state.occupancy->remove_along(state.volume, burr, from_mm, to_mm);
+}
 
 StepOutput step(StepState& outer, const StepInput& input) noexcept {
   StepState::Inner& state = outer.inner();

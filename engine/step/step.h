@@ -69,6 +69,11 @@ class StepState {
   std::unique_ptr<Inner> inner_;
 };
 
+/// A cut whose path is known, as if the burr had been led along it: for benches and tests, which know its exact surface.
+/// Banded readings carve the swept ball; filled ones lose the voxels that the voxelised burr covers on its way. The
+/// proxy stays where it is. False when the volume had no room.
+bool cut_along(StepState& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept;
+
 /// Haptic thread. One tick.
 StepOutput step(StepState& state, const StepInput& input) noexcept;
 
