@@ -17,19 +17,23 @@ namespace cusp {
 inline constexpr int kEngineVersion = 1;
 
 /// How contact is found (design, "Contact methods").
-enum class Method : std::uint8_t { occupancy, occupancy_pivot, surface };
+enum class Method : std::uint8_t { occupancy, occupancy_pivot, surface, ray, penalty, gradient };
 
 constexpr std::string_view key_of(Method m) noexcept {
   switch (m) {
     case Method::occupancy: return "occupancy";
     case Method::occupancy_pivot: return "occupancy-pivot";
     case Method::surface: return "surface";
+    case Method::ray: return "ray";
+    case Method::penalty: return "penalty";
+    case Method::gradient: return "gradient";
   }
   return "surface";
 }
-/// The paper's method wears voxels; the surface method carves a distance.
+/// The paper's method and the ray proxy wear voxels; the others read and carve a distance.
 constexpr Reading reading_of(Method m) noexcept {
-  return m == Method::surface ? Reading::banded : Reading::filled;
+  return m == Method::occupancy || m == Method::occupancy_pivot || m == Method::ray ? Reading::filled
+                                                                                     : Reading::banded;
 }
 
 /// What a tissue feels like and how fast a burr goes through it at full wear.
