@@ -24,14 +24,23 @@ OccupancyProxy::OccupancyProxy(const Scene& scene, const Volume& volume, bool pi
   hit_.resize(most);
   low_ = volume.grid().size;
   high_ = IVec3(-1);
-  IVec3 v;
-  for (v.z = 0; v.z < volume.grid().size.z; ++v.z)
-    for (v.y = 0; v.y < volume.grid().size.y; ++v.y)
-      for (v.x = 0; v.x < volume.grid().size.x; ++v.x)
-        if (volume.specimen().s(v) > 0) {
-          low_ = glm::min(low_, v);
-          high_ = glm::max(high_, v);
-        }
+  const Specimen& specimen = volume.specimen();
+  const IVec3 n = specimen.brick_count();
+  for (int brick = 0; brick < n.x * n.y * n.z; ++brick) {
+    const IVec3 corner = specimen.brick_at(brick) * kBrickEdge;
+    if (specimen.uniform(brick)) {
+      if (specimen.s_in(brick, 0) == 0) continue;
+      low_ = glm::min(low_, corner);
+      high_ = glm::max(high_, corner + (kBrickEdge - 1));
+      continue;
+    }
+    for (int o = 0; o < kBrickVoxels; ++o)
+      if (specimen.s_in(brick, o) > 0) {
+        const IVec3 v = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
+        low_ = glm::min(low_, v);
+        high_ = glm::max(high_, v);
+      }
+  }
 }
 
 bool OccupancyProxy::free(const VoxelTool& tool, IVec3 pivot) const noexcept {

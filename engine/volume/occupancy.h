@@ -1,5 +1,7 @@
 /// The paper's occupancy map: external (empty), internal (no external neighbour) and boundary voxels over the 26
-/// neighbours, kept current as voxels vanish. Bits by brick; outside the box all is external. Thread: the volume's owner.
+/// neighbours, kept current as voxels vanish. Outside the box all is external. Bits by brick, 128 bytes each; bricks
+/// that are wholly empty or wholly occupied share theirs, so that memory grows with the surface. Thread: the volume's
+/// owner.
 #pragma once
 
 #include <cstdint>
@@ -13,37 +15,45 @@ enum class VoxelClass : std::uint8_t { external, boundary, internal };
 
 class Occupancy {
  public:
+  /// Reserves bits for as many bricks as the volume has cut room for.
   explicit Occupancy(const Volume& volume);
 
   bool occupied(IVec3 v) const noexcept {
     if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= size_.x || v.y >= size_.y || v.z >= size_.z) return false;
-    return bit(occupied_, v);
+    return (occupied_[word(place_[brick(v)], v)] & mask(v)) != 0;
   }
-  VoxelClass of(IVec3 v) const noexcept {
-    return !occupied(v) ? VoxelClass::external : bit(boundary_, v) ? VoxelClass::boundary : VoxelClass::internal;
-  }
+  VoxelClass of(IVec3 v) const noexcept;
   /// Haptic thread. The voxel has lost its last density: its internal neighbours become boundary.
+  /// Pre: the volume holds a cut for the voxel's brick, so that there is room for it here.
   void vanish(IVec3 v) noexcept;
 
- private:
-  bool bit(const std::vector<std::uint64_t>& words, IVec3 v) const noexcept {
-    return words[word(v)] >> (brick_offset(v.x & 7, v.y & 7, v.z & 7) & 63) & 1;
-  }
-  std::size_t word(IVec3 v) const noexcept {
-    const IVec3 b(v.x >> 3, v.y >> 3, v.z >> 3);
-    return (static_cast<std::size_t>(b.x) +
-            static_cast<std::size_t>(bricks_.x) *
-                (static_cast<std::size_t>(b.y) + static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(b.z))) *
-               8 +
-           static_cast<std::size_t>(v.z & 7);
-  }
-  static std::uint64_t mask(IVec3 v) noexcept {
-    return std::uint64_t{1} << (brick_offset(v.x & 7, v.y & 7, v.z & 7) & 63);
+  std::size_t bytes() const noexcept {
+    return place_.size() * sizeof(std::int32_t) + (occupied_.size() + boundary_.size()) * sizeof(std::uint64_t);
   }
 
+ private:
+  static constexpr std::int32_t kEmpty = 0, kWhole = 1;  // places of the bits that uniform bricks share
+
+  std::size_t brick(IVec3 v) const noexcept {
+    return static_cast<std::size_t>(v.x >> 3) +
+           static_cast<std::size_t>(bricks_.x) *
+               (static_cast<std::size_t>(v.y >> 3) + static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(v.z >> 3));
+  }
+  static std::size_t word(std::int32_t place, IVec3 v) noexcept {
+    return static_cast<std::size_t>(place) * 8 + static_cast<std::size_t>(v.z & 7);
+  }
+  static std::uint64_t mask(IVec3 v) noexcept { return std::uint64_t{1} << ((v.x & 7) | (v.y & 7) << 3); }
+
+  /// Slice z (-1 to 8) of a brick's occupied voxels that have occupied neighbours along x and y too.
+  std::uint64_t inner_slice(IVec3 brick, int z) const noexcept;
+  /// Finds the boundary of a brick anew from it and its neighbours.
+  void classify(IVec3 brick, std::int32_t place) noexcept;
+
   IVec3 size_, bricks_;
-  std::vector<std::uint64_t> occupied_;  // [brick][z]: 64 bits of an 8 x 8 slice, x fastest
-  std::vector<std::uint64_t> boundary_;
+  std::vector<std::int32_t> place_;      // [brick]: place of its bits
+  std::vector<std::uint64_t> occupied_;  // [place][z]: 64 bits of an 8 x 8 slice, x fastest
+  std::vector<std::uint64_t> boundary_;  // [place][z]; of a whole brick not kept: its neighbours tell
+  std::int32_t used_ = 2;                // places taken
 };
 
 }  // namespace cusp

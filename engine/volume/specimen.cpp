@@ -1,80 +1,135 @@
 #include "engine/volume/specimen.h"
 
-#include <array>
+#include <algorithm>
 
 #include "engine/volume/hash.h"
 
 namespace cusp {
 
-std::shared_ptr<const Specimen> Specimen::build(const VoxelVolume& dense, Reading reading) {
+namespace {
+
+/// What a specimen keeps of a brick: nothing outside the grid, no tissue where s = 0 and the other way round, s of a
+/// filled reading 0 or 1.
+void settle(BrickVoxels& voxels, const Grid& grid, IVec3 corner, Reading reading) {
+  const IVec3 end = grid.size - corner;
+  const bool inside = end.x >= kBrickEdge && end.y >= kBrickEdge && end.z >= kBrickEdge;
+  for (int o = 0; o < kBrickVoxels; ++o) {
+    const auto at = static_cast<std::size_t>(o);
+    std::uint16_t& s = voxels.s[at];
+    Tissue& t = voxels.tissue[at];
+    if (!inside && ((o & 7) >= end.x || (o >> 3 & 7) >= end.y || o >> 6 >= end.z)) s = 0;
+    if (reading == Reading::filled) s = s >= kHalf ? kSolid : std::uint16_t{0};
+    if (s == 0) t = Tissue::empty;
+    if (t == Tissue::empty) s = 0;
+  }
+}
+
+bool all_alike(const BrickVoxels& voxels) {
+  const auto& [s, tissue] = voxels;
+  if (s[0] != 0 && s[0] != kSolid) return false;
+  return std::all_of(s.begin(), s.end(), [&s](std::uint16_t v) { return v == s[0]; }) &&
+         std::all_of(tissue.begin(), tissue.end(), [&tissue](Tissue t) { return t == tissue[0]; });
+}
+
+/// The one tissue of all that is there; empty where several are mixed.
+Tissue only_one(const BrickVoxels& voxels) {
+  Tissue only = Tissue::empty;
+  for (const Tissue t : voxels.tissue) {
+    if (t == Tissue::empty || t == only) continue;
+    if (only != Tissue::empty) return Tissue::empty;
+    only = t;
+  }
+  return only;
+}
+
+}  // namespace
+
+std::shared_ptr<const Specimen> Specimen::build(const Grid& grid, Reading reading, const BrickSource& source,
+                                                std::map<std::uint8_t, std::string> names) {
   auto specimen = std::make_shared<Specimen>();
   Specimen& out = *specimen;
-  out.grid_ = dense.grid;
+  out.grid_ = grid;
   out.reading_ = reading;
-  out.names_ = dense.names;
-  out.bricks_ = (dense.grid.size + 7) / 8;
-  out.table_.resize(static_cast<std::size_t>(out.bricks_.x) * static_cast<std::size_t>(out.bricks_.y) *
+  out.names_ = std::move(names);
+  out.bricks_ = (grid.size + 7) / 8;
+  out.place_.resize(static_cast<std::size_t>(out.bricks_.x) * static_cast<std::size_t>(out.bricks_.y) *
                     static_cast<std::size_t>(out.bricks_.z));
 
-  std::array<std::uint16_t, kBrickVoxels> s{};
-  std::array<Tissue, kBrickVoxels> tissue{};
   Hash64 hash;
-  for (int i = 0; i < 3; ++i) hash.add(static_cast<std::uint64_t>(dense.grid.size[i]));
-  hash.add_double(dense.grid.voxel_mm);
-  for (int i = 0; i < 3; ++i) hash.add_double(dense.grid.origin_mm[i]);
+  for (int i = 0; i < 3; ++i) hash.add(static_cast<std::uint64_t>(grid.size[i]));
+  hash.add_double(grid.voxel_mm);
+  for (int i = 0; i < 3; ++i) hash.add_double(grid.origin_mm[i]);
   hash.add(static_cast<std::uint64_t>(reading));
 
-  for (int b = 0; b < static_cast<int>(out.table_.size()); ++b) {
-    const IVec3 corner = out.brick_at(b) * kBrickEdge;
-    for (int z = 0; z < 8; ++z)
-      for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 8; ++x) {
-          const auto at = static_cast<std::size_t>(brick_offset(x, y, z));
-          const IVec3 v = corner + IVec3(x, y, z);
-          std::uint16_t value = 0;
-          Tissue t = Tissue::empty;
-          if (dense.grid.contains(v)) {
-            const std::size_t i = dense.grid.index(v);
-            value = dense.s[i];
-            if (reading == Reading::filled) value = value >= kHalf ? kSolid : std::uint16_t{0};
-            t = value == 0 ? Tissue::empty : dense.tissue[i];
-            if (t == Tissue::empty) value = 0;
-          }
-          s[at] = value;
-          tissue[at] = t;
-        }
-    bool uniform = s[0] == 0 || s[0] == kSolid;
-    for (std::size_t i = 1; uniform && i < s.size(); ++i) uniform = s[i] == s[0] && tissue[i] == tissue[0];
-    Entry& entry = out.table_[static_cast<std::size_t>(b)];
-    if (uniform) {
-      entry = {-1, s[0], tissue[0]};
-      if (s[0] != 0) {
+  BrickVoxels voxels;
+  for (int b = 0; b < static_cast<int>(out.place_.size()); ++b) {
+    const IVec3 brick = out.brick_at(b);
+    const IVec3 corner = brick * kBrickEdge;
+    std::optional<Tissue> alike = source(brick, voxels);
+    const IVec3 end = grid.size - corner;
+    if (alike && *alike != Tissue::empty && (end.x < kBrickEdge || end.y < kBrickEdge || end.z < kBrickEdge)) {
+      voxels.s.fill(kSolid);  // solid as far as the grid goes
+      voxels.tissue.fill(*alike);
+      alike.reset();
+    }
+    if (!alike) {
+      settle(voxels, grid, corner, reading);
+      if (all_alike(voxels)) alike = voxels.tissue[0];
+    }
+    std::int32_t& place = out.place_[static_cast<std::size_t>(b)];
+    if (alike) {
+      place = place_of(*alike);
+      if (*alike != Tissue::empty) {
         hash.add(static_cast<std::uint64_t>(b));
-        hash.add(0x10000u | static_cast<std::uint64_t>(tissue[0]));
+        hash.add(0x10000u | static_cast<std::uint64_t>(*alike));
       }
-    } else {
-      entry.slot = static_cast<std::int32_t>(out.s_.size() / kBrickVoxels);
-      out.s_.insert(out.s_.end(), s.begin(), s.end());
-      out.tissue_.insert(out.tissue_.end(), tissue.begin(), tissue.end());
-      hash.add(static_cast<std::uint64_t>(b));
-      hash.add_u16(s);
-      for (std::size_t i = 0; i < tissue.size(); i += 8) {
-        std::uint64_t word = 0;
-        for (std::size_t j = 0; j < 8; ++j) word |= static_cast<std::uint64_t>(tissue[i + j]) << (8 * j);
-        hash.add(word);
-      }
+      continue;
+    }
+    place = static_cast<std::int32_t>(out.tissues_.size());
+    out.s_.insert(out.s_.end(), voxels.s.begin(), voxels.s.end());
+    Tissues& tissues = out.tissues_.emplace_back();
+    tissues.only = only_one(voxels);
+    if (tissues.only == Tissue::empty) {
+      tissues.mixed = static_cast<std::int32_t>(out.tissue_.size() / kBrickVoxels);
+      out.tissue_.insert(out.tissue_.end(), voxels.tissue.begin(), voxels.tissue.end());
+    }
+    hash.add(static_cast<std::uint64_t>(b));
+    hash.add_u16(voxels.s);
+    for (std::size_t i = 0; i < voxels.tissue.size(); i += 8) {
+      std::uint64_t word = 0;
+      for (std::size_t j = 0; j < 8; ++j) word |= static_cast<std::uint64_t>(voxels.tissue[i + j]) << (8 * j);
+      hash.add(word);
     }
   }
   out.s_.shrink_to_fit();
+  out.tissues_.shrink_to_fit();
   out.tissue_.shrink_to_fit();
   out.hash_ = hash.value();
   if (reading == Reading::banded) out.surface_ = BaseSurface::of(out);
   return specimen;
 }
 
+std::shared_ptr<const Specimen> Specimen::build(const VoxelVolume& dense, Reading reading) {
+  const Grid& grid = dense.grid;
+  const auto brick_of = [&dense, &grid](IVec3 brick, BrickVoxels& voxels) -> std::optional<Tissue> {
+    const IVec3 corner = brick * kBrickEdge;
+    const IVec3 end = glm::min(grid.size - corner, IVec3(kBrickEdge));
+    for (int z = 0; z < end.z; ++z)
+      for (int y = 0; y < end.y; ++y) {
+        const std::size_t from = grid.index(corner + IVec3(0, y, z));
+        const auto to = static_cast<std::size_t>(brick_offset(0, y, z));
+        const auto count = static_cast<std::size_t>(end.x);
+        std::copy_n(&dense.s[from], count, &voxels.s[to]);
+        std::copy_n(&dense.tissue[from], count, &voxels.tissue[to]);
+      }
+    return std::nullopt;
+  };
+  return build(grid, reading, brick_of, dense.names);
+}
+
 std::size_t Specimen::bytes() const noexcept {
-  return table_.size() * sizeof(Entry) + s_.size() * sizeof(std::uint16_t) + tissue_.size() * sizeof(Tissue) +
-         surface_.bytes();
+  return place_.size() * sizeof(std::int32_t) + s_.size() * sizeof(std::uint16_t) + tissues_.size() * sizeof(Tissues) +
+         tissue_.size() * sizeof(Tissue) + surface_.bytes();
 }
 
 VoxelVolume Specimen::dense() const {

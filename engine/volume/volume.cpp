@@ -9,30 +9,31 @@ namespace cusp {
 Volume::Volume(std::shared_ptr<const Specimen> specimen) : specimen_(std::move(specimen)) {
   const IVec3 n = specimen_->brick_count();
   const auto bricks = static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z);
-  slot_.assign(bricks, -1);
-  revision_.assign(bricks, 0);
   // A burr cuts tissue, and its band reaches one brick further.
-  cuttable_.assign(bricks, 0);
+  slot_.assign(bricks, kOutOfReach);
   for (int b = 0; b < static_cast<int>(bricks); ++b) {
     if (specimen_->uniform(b) && specimen_->s_in(b, 0) == 0) continue;
     const IVec3 at = specimen_->brick_at(b);
-    for (int z = -1; z <= 1; ++z)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-          const int i = specimen_->brick_index(at + IVec3(x, y, z));
-          if (i >= 0) cuttable_[static_cast<std::size_t>(i)] = 1;
-        }
+    const IVec3 low = glm::max(at - 1, IVec3(0));
+    const IVec3 high = glm::min(at + 1, n - 1);
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y) {
+        const auto row = static_cast<std::size_t>(specimen_->brick_index({0, y, z}));
+        for (int x = low.x; x <= high.x; ++x) slot_[row + static_cast<std::size_t>(x)] = kUncut;
+      }
   }
-  capacity_ = static_cast<std::size_t>(std::count(cuttable_.begin(), cuttable_.end(), 1));
+  capacity_ = std::min(kMostCutBricks, static_cast<std::size_t>(std::count(slot_.begin(), slot_.end(), kUncut)));
   cut_.assign(capacity_ * kBrickVoxels, kSolid);
+  revision_.assign(capacity_, 0);
   cut_order_.reserve(capacity_);
 }
 
 std::uint16_t* Volume::cut_for_writing(int brick) noexcept {
-  std::int32_t& slot = slot_[static_cast<std::size_t>(brick)];
+  std::int16_t& slot = slot_[static_cast<std::size_t>(brick)];
   if (slot < 0) {
-    if (cuttable_[static_cast<std::size_t>(brick)] == 0 || cut_order_.size() == capacity_) return nullptr;
-    slot = static_cast<std::int32_t>(cut_order_.size());
+    if (slot == kOutOfReach || cut_order_.size() == capacity_) return nullptr;
+    slot = static_cast<std::int16_t>(cut_order_.size());
+    revision_[cut_order_.size()] = loaded_;
     cut_order_.push_back(brick);
     if (specimen_->reading() == Reading::filled) {
       for (int o = 0; o < kBrickVoxels; ++o)
@@ -66,8 +67,8 @@ std::uint64_t Volume::hash() const noexcept {
 }
 
 std::size_t Volume::bytes() const noexcept {
-  return slot_.size() * sizeof(std::int32_t) + revision_.size() * sizeof(std::uint32_t) +
-         cut_.size() * sizeof(std::uint16_t) + capacity_ * sizeof(std::int32_t) + cuttable_.size();
+  return slot_.size() * sizeof(std::int16_t) + cut_.size() * sizeof(std::uint16_t) +
+         capacity_ * (sizeof(std::uint32_t) + sizeof(std::int32_t));
 }
 
 VoxelVolume Volume::dense() const {
@@ -113,13 +114,18 @@ bool Volume::load_cuts(std::span<const std::byte> bytes) {
   std::int64_t last = -1;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t brick = get(4 + i * kEach, 4);
-    if (brick <= last || brick >= static_cast<std::int64_t>(slot_.size())) return false;
+    if (brick <= last || brick >= static_cast<std::int64_t>(slot_.size()) ||
+        !cuttable(static_cast<int>(brick)))
+      return false;
     last = brick;
   }
-  std::fill(slot_.begin(), slot_.end(), -1);
+  for (const std::int32_t brick : cut_order_) {
+    loaded_ = std::max(loaded_, revision(brick));
+    slot_[static_cast<std::size_t>(brick)] = kUncut;
+  }
+  ++loaded_;
   std::fill(cut_.begin(), cut_.end(), kSolid);
   cut_order_.clear();
-  for (auto& r : revision_) ++r;
   for (std::size_t i = 0; i < count; ++i) {
     std::uint16_t* values = cut_for_writing(static_cast<int>(get(4 + i * kEach, 4)));
     for (std::size_t o = 0; o < kBrickVoxels; ++o)

@@ -3,6 +3,7 @@
 /// holds the worn fraction itself. One writer thread; memory is taken at construction, none while cutting.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -13,9 +14,13 @@
 
 namespace cusp {
 
+/// Bricks that a volume reserves cut room for, at most: 32 MB. At voxels of 0.04 mm they hold 1,074 mm3 of cuts, more
+/// than a molar's crown; a scene of a few million voxels has fewer bricks than that and reserves for all of them.
+inline constexpr std::size_t kMostCutBricks = 32768;
+
 class Volume {
  public:
-  /// Reserves room for every brick that holds tissue or touches one that does.
+  /// Reserves room for every brick that holds tissue or touches one that does, kMostCutBricks at most.
   explicit Volume(std::shared_ptr<const Specimen> specimen);
 
   const Specimen& specimen() const noexcept { return *specimen_; }
@@ -37,7 +42,7 @@ class Volume {
     return b < 0 ? kSolid : cut_in(b, brick_offset(v.x & 7, v.y & 7, v.z & 7));
   }
   std::uint16_t cut_in(int brick, int offset) const noexcept {
-    const std::int32_t slot = slot_[static_cast<std::size_t>(brick)];
+    const int slot = slot_[static_cast<std::size_t>(brick)];
     return slot < 0 ? kSolid : cut_[static_cast<std::size_t>(slot) * kBrickVoxels + static_cast<std::size_t>(offset)];
   }
   /// Tissue that was there at the start (removal never renames a voxel).
@@ -50,24 +55,27 @@ class Volume {
   /// Bricks with a cut field, in the order in which they were first cut.
   std::span<const std::int32_t> cut_bricks() const noexcept { return cut_order_; }
   /// Place of a brick's cut values, dense from 0 in the order of first cutting; -1 where nothing was cut.
-  int cut_slot(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)]; }
+  int cut_slot(int brick) const noexcept { return std::max<int>(slot_[static_cast<std::size_t>(brick)], kUncut); }
   std::size_t cut_capacity() const noexcept { return capacity_; }
   /// False where no tissue is within a brick's reach: nothing there can be cut.
-  bool cuttable(int brick) const noexcept { return cuttable_[static_cast<std::size_t>(brick)] != 0; }
+  bool cuttable(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)] != kOutOfReach; }
   bool has_cut(int brick) const noexcept { return slot_[static_cast<std::size_t>(brick)] >= 0; }
   /// The 512 cut values of a brick, nullptr where nothing was cut.
   const std::uint16_t* cut_of(int brick) const noexcept {
-    const std::int32_t slot = slot_[static_cast<std::size_t>(brick)];
+    const int slot = slot_[static_cast<std::size_t>(brick)];
     return slot < 0 ? nullptr : &cut_[static_cast<std::size_t>(slot) * kBrickVoxels];
   }
   /// Rises whenever a value of this brick changes; 0 while untouched. For drawing and for caches.
-  std::uint32_t revision(int brick) const noexcept { return revision_[static_cast<std::size_t>(brick)]; }
+  std::uint32_t revision(int brick) const noexcept {
+    const int slot = slot_[static_cast<std::size_t>(brick)];
+    return slot < 0 ? loaded_ : revision_[static_cast<std::size_t>(slot)];
+  }
 
   /// Haptic thread. The cut values of a brick for writing, made solid at first touch. nullptr when the reserved room is
   /// spent (counted by the step as an overflow; tests want none).
   std::uint16_t* cut_for_writing(int brick) noexcept;
-  /// Haptic thread. To be called once after a brick was written.
-  void touched(int brick) noexcept { ++revision_[static_cast<std::size_t>(brick)]; }
+  /// Haptic thread. To be called once after a brick was written. Pre: has_cut(brick).
+  void touched(int brick) noexcept { ++revision_[static_cast<std::size_t>(slot_[static_cast<std::size_t>(brick)])]; }
 
   /// The same on every machine for the same specimen and the same cuts, whatever their order.
   std::uint64_t hash() const noexcept;
@@ -83,12 +91,15 @@ class Volume {
 
  private:
   std::shared_ptr<const Specimen> specimen_;
-  std::vector<std::int32_t> slot_;       // [brick]: place in cut_, -1 uncut
-  std::vector<std::uint32_t> revision_;  // [brick]
+  static constexpr std::int16_t kUncut = -1, kOutOfReach = -2;
+  static_assert(kMostCutBricks <= 32768, "a slot's number is kept in 16 bits");
+
+  std::vector<std::int16_t> slot_;       // [brick]: place in cut_, kUncut, or kOutOfReach of any tissue
   std::vector<std::uint16_t> cut_;       // [slot][512]
-  std::vector<std::int32_t> cut_order_;  // capacity reserved
-  std::vector<std::uint8_t> cuttable_;   // [brick]
+  std::vector<std::uint32_t> revision_;  // [slot]
+  std::vector<std::int32_t> cut_order_;  // [slot]: its brick; capacity reserved
   std::size_t capacity_ = 0;             // slots
+  std::uint32_t loaded_ = 0;             // revision of all bricks since the last load
 };
 
 }  // namespace cusp
