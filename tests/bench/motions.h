@@ -1,0 +1,37 @@
+/// How the device point moves: slides at a constant speed along a shape's legs, presses from just above a spot.
+#pragma once
+
+#include "engine/step/step.h"
+#include "tests/bench/shapes.h"
+
+namespace cusp::bench {
+
+inline constexpr std::uint32_t kTickUs = 1000;
+inline constexpr int kPresses = 2000;
+
+/// Quantised as a device's sample is.
+StepInput input_at(Vec3 device_mm, bool cut = false);
+
+/// Endless; the same seed gives the same points.
+class Slide {
+ public:
+  Slide(const Shape& shape, double speed_mm_s, std::uint64_t seed);
+  /// The first device point, then one a tick.
+  Vec3 next();
+
+ private:
+  const Shape& shape_;
+  double per_tick_mm_;
+  Random random_;
+  Leg leg_;
+  double done_mm_ = 0.0;
+  bool first_ = true;
+};
+
+/// Leads the burr from wherever it is, in ticks of at most 0.25 mm, and lets it arrive. Used between measurements.
+void lead(StepState& state, Vec3 to_mm);
+
+/// Puts a fresh or used state at the first point of a slide or the start of a press: by way of home and `before`.
+void bring(StepState& state, const Shape& shape, Vec3 before);
+
+}  // namespace cusp::bench

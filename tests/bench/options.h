@@ -1,0 +1,48 @@
+/// What was asked of a verb. Filters that are not given leave the verb's own set.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cusp::bench {
+
+struct Options {
+  std::vector<std::string> methods;
+  std::vector<std::string> shapes;
+  std::vector<std::string> motions;
+  std::vector<double> speeds_mm_s;
+  std::vector<double> burr_radii_mm;
+  std::vector<double> voxels_mm;
+  double budget_s = 1.0;     // wall clock a row; the number of presses and ticks follows from it
+  std::uint64_t seed = 1;    // of every random choice: the same seed, the same inputs
+  std::string json;          // file, "-" for stdout, empty for a table
+  std::string out;           // chart: folder
+};
+
+inline bool asked(const std::vector<std::string>& filter, std::string_view value) {
+  if (filter.empty()) return true;
+  for (const std::string& f : filter)
+    if (f == value) return true;
+  return false;
+}
+
+/// Within 0.5 %: 0.078 means 10/128.
+inline bool same(double a, double b) { return std::fabs(a - b) <= 0.005 * std::fabs(b); }
+
+/// The verb's own values, or those asked for: a voxel size or a burr that is no default may be asked for as well.
+inline std::vector<double> chosen(const std::vector<double>& filter, const std::vector<double>& standard) {
+  if (filter.empty()) return standard;
+  std::vector<double> out;
+  for (const double f : filter) {
+    double value = f;
+    for (const double s : standard)
+      if (same(f, s)) value = s;
+    out.push_back(value);
+  }
+  return out;
+}
+
+}  // namespace cusp::bench

@@ -1,0 +1,70 @@
+#include "tests/bench/program.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "tests/bench/accuracy.h"
+#include "tests/bench/names.h"
+#include "tests/bench/options.h"
+
+namespace cusp::bench {
+
+namespace {
+
+struct Verb {
+  const char* name;
+  const char* about;
+  int (*run)(const Options&);
+  bool writes_folder;  // takes --out
+};
+
+constexpr Verb kVerbs[] = {
+    {"accuracy", "every contact method against the exact proxy of a ball burr", run_accuracy, false},
+};
+
+void add_options(CLI::App& app, Options& options, bool writes_folder) {
+  const std::vector<std::string> methods(kMethodNames.begin(), kMethodNames.end());
+  const std::vector<std::string> shapes(kShapeNames.begin(), kShapeNames.end());
+  app.add_option("--method", options.methods, "only this method (repeatable)")->check(CLI::IsMember(methods));
+  app.add_option("--shape", options.shapes, "only this shape (repeatable)")->check(CLI::IsMember(shapes));
+  app.add_option("--motion", options.motions, "press or slide (repeatable)")
+      ->check(CLI::IsMember(std::vector<std::string>{"press", "slide"}));
+  app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));
+  app.add_option("--burr-radius-mm", options.burr_radii_mm, "burr radii (repeatable)")->check(CLI::Range(0.05, 5.0));
+  app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")
+      ->check(CLI::Range(0.01, 1.0));
+  app.add_option("--budget-s", options.budget_s, "wall clock a row, 1 unless given")->check(CLI::Range(0.001, 3600.0));
+  app.add_option("--seed", options.seed, "of every random choice, 1 unless given");
+  app.add_option("--json", options.json, "write rows as JSON to a file, or to stdout for -");
+  if (writes_folder) app.add_option("--out", options.out, "folder for the files")->required();
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> args) {
+  CLI::App app{"Cusp's evidence: how fast and how exact each contact method is", "cusp-bench"};
+  app.require_subcommand(1);
+  Options options;
+  const Verb* chosen_verb = nullptr;
+  for (const Verb& verb : kVerbs) {
+    CLI::App* sub = app.add_subcommand(verb.name, verb.about);
+    add_options(*sub, options, verb.writes_folder);
+    sub->callback([&chosen_verb, &verb] { chosen_verb = &verb; });
+  }
+  try {
+    std::reverse(args.begin(), args.end());  // CLI11 takes them from the back
+    app.parse(args);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e, std::cout, std::cerr) == 0 ? kDone : kUsage;  // --help is a ParseError that is none
+  }
+  try {
+    return chosen_verb->run(options);
+  } catch (const std::exception& e) {
+    std::cerr << "cusp-bench: " << e.what() << '\n';
+    return kFailed;
+  }
+}
+
+}  // namespace cusp::bench

@@ -1,0 +1,129 @@
+/// What a measurement came to: one flat row for each method, shape, motion, burr and voxel size, as JSON and CSV.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <iosfwd>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+
+namespace cusp::bench {
+
+inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+
+/// A number that is NaN, a count below zero and an empty string are absent: left out of JSON, empty in CSV.
+struct Row {
+  std::string method;   // occupancy, occupancy-pivot, ray, penalty, gradient, surface
+  std::string shape;    // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel
+  std::string variant;  // of a channel: straight, oblique, slot
+  std::string motion;   // press, slide
+  std::string task;     // rate: displacement, exploration, perforation
+  double speed_mm_s = kAbsent;
+  double burr_radius_mm = kAbsent;
+  double voxel_mm = kAbsent;
+  std::int64_t seed = -1;
+  bool unresolved = false;       // a feature thinner than 2.5 voxels, or a radius below 3: outside every goal
+  std::int64_t samples = -1;     // ticks (slide) or presses that stand in the means
+  std::int64_t skipped = -1;     // not averaged: exact force below 50 um of spring
+  double angle_deg_mean = kAbsent;   // between the method's force and the exact one
+  double angle_deg_p95 = kAbsent;
+  double angle_deg_max = kAbsent;
+  double depth_um_mean = kAbsent;    // |exact signed clearance| of the burr at the method's proxy
+  double depth_um_p95 = kAbsent;
+  double depth_um_max = kAbsent;
+  double lag_um_mean = kAbsent;      // channel: how much further behind the device, along the axis, than the exact proxy
+  double lag_um_max = kAbsent;
+  double pose_um_mean = kAbsent;     // distance between the method's proxy and the exact one
+  double pose_um_max = kAbsent;
+  double force_error_percent_rms = kAbsent;       // |force - exact| over the exact force's rms
+  double force_step_excess_mn_p99 = kAbsent;      // rise from tick to tick over the exact proxy's, 1 N/mm
+  double follow_ticks = kAbsent;     // where the exact minimum vanishes: ticks until the method follows, mean
+  std::int64_t infeasible_ticks = -1;
+  std::int64_t max_candidates = -1;
+  double updates_per_s = kAbsent;
+  double tick_us_p50 = kAbsent;
+  double tick_us_p99 = kAbsent;
+  double tick_us_p999 = kAbsent;
+  double tick_us_p9999 = kAbsent;
+  double tick_us_max = kAbsent;
+  double voxels_changed = kAbsent;      // rate: a tick
+  double cells_changed = kAbsent;       // rate: a tick
+  double ratio_to_occupancy = kAbsent;  // rate: updates_per_s over the occupancy proxy's in the same run
+  double cached_share = kAbsent;        // rate: ticks answered from the cached clearance, 0 to 1
+  std::int64_t volume_voxels = -1;      // scale
+  double memory_mb = kAbsent;           // scale
+};
+
+/// Calls visit(name, member) for each field, in the order in which files have them.
+template <class R, class Visit>
+void for_each_field(R& row, Visit&& visit) {
+  visit("method", row.method);
+  visit("shape", row.shape);
+  visit("variant", row.variant);
+  visit("motion", row.motion);
+  visit("task", row.task);
+  visit("speed_mm_s", row.speed_mm_s);
+  visit("burr_radius_mm", row.burr_radius_mm);
+  visit("voxel_mm", row.voxel_mm);
+  visit("seed", row.seed);
+  visit("unresolved", row.unresolved);
+  visit("samples", row.samples);
+  visit("skipped", row.skipped);
+  visit("angle_deg_mean", row.angle_deg_mean);
+  visit("angle_deg_p95", row.angle_deg_p95);
+  visit("angle_deg_max", row.angle_deg_max);
+  visit("depth_um_mean", row.depth_um_mean);
+  visit("depth_um_p95", row.depth_um_p95);
+  visit("depth_um_max", row.depth_um_max);
+  visit("lag_um_mean", row.lag_um_mean);
+  visit("lag_um_max", row.lag_um_max);
+  visit("pose_um_mean", row.pose_um_mean);
+  visit("pose_um_max", row.pose_um_max);
+  visit("force_error_percent_rms", row.force_error_percent_rms);
+  visit("force_step_excess_mn_p99", row.force_step_excess_mn_p99);
+  visit("follow_ticks", row.follow_ticks);
+  visit("infeasible_ticks", row.infeasible_ticks);
+  visit("max_candidates", row.max_candidates);
+  visit("updates_per_s", row.updates_per_s);
+  visit("tick_us_p50", row.tick_us_p50);
+  visit("tick_us_p99", row.tick_us_p99);
+  visit("tick_us_p999", row.tick_us_p999);
+  visit("tick_us_p9999", row.tick_us_p9999);
+  visit("tick_us_max", row.tick_us_max);
+  visit("voxels_changed", row.voxels_changed);
+  visit("cells_changed", row.cells_changed);
+  visit("ratio_to_occupancy", row.ratio_to_occupancy);
+  visit("cached_share", row.cached_share);
+  visit("volume_voxels", row.volume_voxels);
+  visit("memory_mb", row.memory_mb);
+}
+
+struct Report {
+  std::string commit;   // of the working tree, "unknown" outside a repository
+  std::string machine;  // the CPU's name
+  std::vector<Row> rows;
+};
+
+enum class RowsError : std::uint8_t { cannot_open, not_json, wrong_type };
+using RowsFailure = Failure<RowsError>;
+
+/// A report about here and now, without rows.
+Report empty_report();
+
+std::string to_json(const Report& report);
+Result<Report, RowsFailure> from_json(const std::string& text);
+/// To a file, or to stdout for "-".
+Result<void, RowsFailure> print_json(const Report& report, const std::string& path);
+Result<Report, RowsFailure> read_json(const std::string& path);
+
+/// First line "# commit …, machine …", then the names, then a line for each row.
+std::string to_csv(const Report& report);
+Result<Report, RowsFailure> from_csv(const std::string& text);
+
+/// For a person: a column for each of the main figures; absent ones as a dash.
+void print_table(const std::vector<Row>& rows, std::ostream& out);
+
+}  // namespace cusp::bench

@@ -1,0 +1,27 @@
+/// What ticks took, measured round step() alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tests/bench/rows.h"
+
+namespace cusp::bench {
+
+/// Pre: not empty; 0 <= share <= 1. The smallest value that at least this share of them does not exceed; sorts.
+double percentile(std::vector<double>& values, double share);
+
+class TickTimes {
+ public:
+  void reserve(std::size_t ticks) { us_.reserve(ticks); }
+  void add_ns(std::int64_t ns) { us_.push_back(static_cast<float>(static_cast<double>(ns) * 1e-3)); }
+  std::size_t count() const { return us_.size(); }
+  double sum_s() const;
+  /// Sets updates_per_s and tick_us_* of the row; nothing when there are no ticks.
+  void fill(Row& row) const;
+
+ private:
+  std::vector<float> us_;
+};
+
+}  // namespace cusp::bench
