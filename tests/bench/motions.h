@@ -1,6 +1,8 @@
 /// How the device point moves: slides at a constant speed along a shape's legs, presses from just above a spot.
 #pragma once
 
+#include <functional>
+
 #include "engine/step/step.h"
 #include "tests/bench/shapes.h"
 
@@ -28,10 +30,13 @@ class Slide {
   bool first_ = true;
 };
 
-/// Leads the burr from wherever it is, in ticks of at most 0.25 mm, and lets it arrive. Used between measurements.
-void lead(StepState& state, Vec3 to_mm);
+/// Steps that are counted or broken on purpose go through here too.
+using Stepper = std::function<StepOutput(StepState&, const StepInput&)>;
 
-/// Puts a fresh or used state at the first point of a slide or the start of a press: by way of home and `before`.
-void bring(StepState& state, const Shape& shape, Vec3 before);
+/// Leads the burr straight from wherever it is and lets it arrive. Used between measurements.
+void lead(StepState& state, const Stepper& stepper, Vec3 to_mm, double per_tick_mm);
+
+/// Puts a fresh or used state at an admissible centre, by way of home.
+void bring(StepState& state, const Stepper& stepper, const Shape& shape, Vec3 centre);
 
 }  // namespace cusp::bench

@@ -134,7 +134,8 @@ Result<Report, RowsFailure> read_json(const std::string& path) {
 std::string to_csv(const Report& report) {
   std::string out = "# commit " + report.commit + ", machine " + report.machine + '\n';
   bool first = true;
-  for_each_field(Row{}, [&](const char* name, const auto&) {
+  const Row none;
+  for_each_field(none, [&](const char* name, const auto&) {
     out += (first ? "" : ",") + std::string(name);
     first = false;
   });

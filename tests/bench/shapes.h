@@ -78,7 +78,7 @@ class Shape {
   double radius_;
 };
 
-/// Pre: name is one of kShapeNames but channel, which channel.h makes. seed: of the shape's own choices.
+/// nullptr for another name, and for channel, whose holes channel.h makes.
 std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm);
 
 /// The specimen of a shape, built at first use; a few are kept.

@@ -1,0 +1,79 @@
+#include "tests/bench/accuracy.h"
+
+#include <iostream>
+
+#include "tests/bench/measure.h"
+#include "tests/bench/names.h"
+#include "tests/bench/program.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kVoxel = 10.0 / 128;  // 128^3 in 10 mm
+
+/// A voxel size and burr at which a shape is measured.
+struct Size {
+  double voxel_mm;
+  double burr_radius_mm;
+};
+
+std::vector<Size> sizes_of(std::string_view shape, const Options& options) {
+  std::vector<Size> out;
+  if (!options.voxels_mm.empty() || !options.burr_radii_mm.empty()) {
+    for (const double voxel : chosen(options.voxels_mm, {kVoxel}))
+      for (const double radius : chosen(options.burr_radii_mm, {0.25, 0.5}))
+        out.push_back({voxel, radius});
+    return out;
+  }
+  out = {{kVoxel, 0.25}, {kVoxel, 0.5}};
+  const bool plain = shape == "face" || shape == "sphere";
+  if (plain) out.insert(out.end(), {{kVoxel, 1.15}, {kVoxel, 3.0}});
+  // One burr for the order of the error: at 0.2 mm the small one is hardly more than a voxel.
+  if (plain || shape == "cylinder") out.insert(out.end(), {{0.2, 0.5}, {0.1, 0.5}, {0.04, 0.5}});
+  return out;
+}
+
+}  // namespace
+
+std::vector<Row> accuracy_rows(const Options& options) {
+  std::vector<Row> rows;
+  Measure what;
+  what.budget_s = options.budget_s;
+  what.seed = options.seed;
+  for (const std::string_view name : kShapeNames) {
+    if (!asked(options.shapes, name)) continue;
+    for (const Size& size : sizes_of(name, options)) {
+      what.voxel_mm = size.voxel_mm;
+      const std::unique_ptr<Shape> shape = make_shape(name, size.burr_radius_mm);
+      if (!shape) continue;
+      for (const Method method : kMethods) {
+        if (!asked(options.methods, key_of(method))) continue;
+        what.method = method;
+        if (asked(options.motions, "press")) rows.push_back(measure_presses(*shape, what));
+        if (!asked(options.motions, "slide")) continue;
+        for (const double speed : chosen(options.speeds_mm_s, {5.0, 50.0, 200.0})) {
+          what.speed_mm_s = speed;
+          rows.push_back(measure_slide(*shape, what));
+        }
+      }
+    }
+  }
+  return rows;
+}
+
+int run_accuracy(const Options& options) {
+  Report report = empty_report();
+  report.rows = accuracy_rows(options);
+  if (options.json.empty()) {
+    print_table(report.rows, std::cout);
+    return kDone;
+  }
+  if (const auto written = print_json(report, options.json); !written) {
+    std::cerr << "cusp-bench: cannot write " << written.error().where << '\n';
+    return kFailed;
+  }
+  return kDone;
+}
+
+}  // namespace cusp::bench

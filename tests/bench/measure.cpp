@@ -1,0 +1,173 @@
+#include "tests/bench/measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "tests/bench/frame.h"
+#include "tests/bench/tick_times.h"
+
+namespace cusp::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kDegrees = 57.295779513082320877;
+constexpr double kAboveMm = 0.05;       // where a press starts
+constexpr double kPressMm = 0.05;       // a tick: 50 mm/s
+constexpr int kFollowMost = 100;        // ticks; a method that has not followed by then is simply wrong
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return sum / static_cast<double>(values.size());
+}
+
+StepOutput timed(const Measure& what, StepState& state, const StepInput& input, TickTimes& times) {
+  const auto before = Clock::now();
+  const StepOutput out = what.stepper(state, input);
+  times.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - before).count());
+  return out;
+}
+
+/// Below the surface for as long as it may be a sample.
+bool too_small(const Exact& exact, Vec3 device) {
+  return !exact.contact || length(exact.pose_mm - device) < kLeastSpringMm;
+}
+
+}  // namespace
+
+void Errors::add(const StepOutput& out, const Exact& exact, double clearance_mm) {
+  const Vec3 force = out.force_raw_n;
+  const Vec3 wanted = exact.pose_mm - out.device_mm;  // 1 N/mm
+  const double sine = length(glm::cross(force, wanted)), cosine = glm::dot(force, wanted);
+  angle_deg_.push_back(length(force) > 1e-9 ? std::atan2(sine, cosine) * kDegrees : 90.0);
+  depth_um_.push_back(std::fabs(clearance_mm) * 1000.0);
+  pose_um_.push_back(length(out.proxy_mm - exact.pose_mm) * 1000.0);
+  error2_ += glm::dot(force - wanted, force - wanted);
+  exact2_ += glm::dot(wanted, wanted);
+  if (steady_) step_mn_.push_back((length(force - last_force_) - length(wanted - last_exact_)) * 1000.0);
+  steady_ = true;
+  last_force_ = force;
+  last_exact_ = wanted;
+}
+
+void Errors::fill(Row& row) {
+  row.samples = static_cast<std::int64_t>(angle_deg_.size());
+  row.skipped = skipped_;
+  row.infeasible_ticks = infeasible_;
+  if (!follow_.empty()) row.follow_ticks = mean(follow_);
+  if (!lag_um_.empty()) {
+    row.lag_um_mean = mean(lag_um_);
+    row.lag_um_max = *std::max_element(lag_um_.begin(), lag_um_.end());
+  }
+  if (angle_deg_.empty()) return;
+  row.angle_deg_mean = mean(angle_deg_);
+  row.angle_deg_p95 = percentile(angle_deg_, 0.95);
+  row.angle_deg_max = angle_deg_.back();
+  row.depth_um_mean = mean(depth_um_);
+  row.depth_um_p95 = percentile(depth_um_, 0.95);
+  row.depth_um_max = depth_um_.back();
+  row.pose_um_mean = mean(pose_um_);
+  row.pose_um_max = *std::max_element(pose_um_.begin(), pose_um_.end());
+  row.force_error_percent_rms = 100.0 * std::sqrt(error2_ / exact2_);
+  if (!step_mn_.empty()) row.force_step_excess_mn_p99 = percentile(step_mn_, 0.99);
+}
+
+Row row_of(const Shape& shape, const Measure& what, std::string_view motion) {
+  Row row;
+  row.method = key_of(what.method);
+  row.shape = shape.name();
+  row.motion = motion;
+  if (motion == "slide") row.speed_mm_s = what.speed_mm_s;
+  row.burr_radius_mm = shape.burr_radius_mm();
+  row.voxel_mm = what.voxel_mm;
+  row.seed = static_cast<std::int64_t>(what.seed);
+  row.unresolved = shape.unresolved(what.voxel_mm);
+  return row;
+}
+
+Row measure_slide(const Shape& shape, const Measure& what) {
+  StepState state(scene_of(shape, what.method, what.voxel_mm));
+  shape.prepare(state);
+  const std::unique_ptr<Truth> truth = shape.truth();
+  Slide slide(shape, what.speed_mm_s, what.seed);
+  const Vec3 first = slide.next();
+  const Vec3 before = shape.before(first);
+  bring(state, what.stepper, shape, before);
+  lead(state, what.stepper, first, kPressMm);
+  truth->start(before);
+  truth->follow(input_at(first).position_mm());
+
+  Errors errors;
+  TickTimes times;
+  times.reserve(static_cast<std::size_t>(what.most_ticks));
+  const double near = std::max(0.05, what.voxel_mm);
+  int following = -1;  // ticks since a minimum vanished
+  const auto end = Clock::now() + std::chrono::duration<double>(what.budget_s);
+  for (std::int64_t tick = 0; tick < what.most_ticks; ++tick) {
+    if (tick % 64 == 0 && Clock::now() >= end) break;
+    const StepInput input = input_at(slide.next());
+    const StepOutput out = timed(what, state, input, times);
+    const Exact exact = truth->follow(input.position_mm());
+    errors.note(out);
+    if (exact.vanished) following = 0;
+    if (following >= 0) {
+      if (length(out.proxy_mm - exact.pose_mm) <= near || following == kFollowMost) {
+        errors.followed(following);
+        following = -1;
+      } else {
+        ++following;
+        errors.skip();
+        continue;
+      }
+    }
+    if (too_small(exact, out.device_mm)) {
+      errors.skip_small();
+      continue;
+    }
+    errors.add(out, exact, truth->clearance_mm(out.proxy_mm));
+  }
+  Row row = row_of(shape, what, "slide");
+  errors.fill(row);
+  times.fill(row);
+  return row;
+}
+
+Row measure_presses(const Shape& shape, const Measure& what) {
+  StepState state(scene_of(shape, what.method, what.voxel_mm));
+  shape.prepare(state);
+  const std::unique_ptr<Truth> truth = shape.truth();
+  Random random(what.seed);
+  Errors errors;
+  TickTimes times;
+  const auto end = Clock::now() + std::chrono::duration<double>(what.budget_s);
+  for (int k = 0; k < kPresses && Clock::now() < end; ++k) {
+    const Spot spot = shape.spot(random);
+    const Vec3 above = spot.centre + spot.normal * kAboveMm;
+    bring(state, what.stepper, shape, above);
+    const Vec3 target = spot.centre - spot.normal * kDepthMm;
+    const int ticks = static_cast<int>(std::ceil(length(target - above) / kPressMm));
+    StepOutput out;
+    for (int t = 1; t <= ticks + 1; ++t) {
+      const double share = std::min(1.0, static_cast<double>(t) / ticks);
+      out = timed(what, state, input_at(above + (target - above) * share), times);
+      errors.note(out);
+    }
+    truth->start(spot.centre);
+    const Exact exact = truth->follow(out.device_mm);
+    errors.skip();
+    if (too_small(exact, out.device_mm)) {
+      errors.skip_small();
+    } else {
+      errors.add(out, exact, truth->clearance_mm(out.proxy_mm));
+    }
+  }
+  Row row = row_of(shape, what, "press");
+  errors.fill(row);
+  times.fill(row);
+  return row;
+}
+
+}  // namespace cusp::bench

@@ -1,0 +1,62 @@
+/// One row of `accuracy`: a method driven along a motion, each tick held against the exact proxy.
+#pragma once
+
+#include <memory>
+
+#include "tests/bench/motions.h"
+#include "tests/bench/rows.h"
+#include "tests/bench/shapes.h"
+
+namespace cusp::bench {
+
+/// What is to be measured. stepper: the product's step unless a test breaks it.
+struct Measure {
+  Method method = Method::surface;
+  double voxel_mm = 10.0 / 128;
+  double speed_mm_s = 50.0;  // slides
+  double budget_s = 1.0;
+  std::uint64_t seed = 1;
+  std::int64_t most_ticks = 400000;  // a slide ends here at the latest
+  Stepper stepper = [](StepState& state, const StepInput& input) { return step(state, input); };
+};
+
+/// Collects errors tick by tick. Angle: between forces; a method without force where there is one counts as 90 degrees.
+class Errors {
+ public:
+  /// A tick that stands in the means. clearance: exact, of the method's proxy.
+  void add(const StepOutput& out, const Exact& exact, double clearance_mm);
+  /// A tick that does not, and breaks the sequence that force steps are taken from.
+  void skip() { steady_ = false; }
+  /// Exact force below 50 um of spring.
+  void skip_small() {
+    ++skipped_;
+    skip();
+  }
+  void followed(int ticks) { follow_.push_back(ticks); }
+  void note(const StepOutput& out) { infeasible_ += out.infeasible ? 1 : 0; }
+  void lag(double excess_mm) { lag_um_.push_back(excess_mm * 1000.0); }
+
+  void fill(Row& row);
+
+ private:
+  std::vector<double> angle_deg_, depth_um_, pose_um_, step_mn_, follow_, lag_um_;
+  double error2_ = 0.0, exact2_ = 0.0;
+  std::int64_t skipped_ = 0, infeasible_ = 0;
+  bool steady_ = false;
+  Vec3 last_force_{0.0}, last_exact_{0.0};
+};
+
+inline constexpr double kLeastSpringMm = 0.05;  // of the exact force, for a sample to count
+
+/// Ticks of 1 ms along the shape's slide, after one leg's start. Where the exact minimum vanishes, ticks until the
+/// method's proxy is within a voxel (at least 50 um) of the exact one are counted apart, 100 at most.
+Row measure_slide(const Shape& shape, const Measure& what);
+
+/// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, and one
+/// tick to rest; the last tick is the sample.
+Row measure_presses(const Shape& shape, const Measure& what);
+
+/// The row's names and sizes.
+Row row_of(const Shape& shape, const Measure& what, std::string_view motion);
+
+}  // namespace cusp::bench

@@ -1,0 +1,51 @@
+#include "tests/bench/motions.h"
+
+#include "tests/bench/frame.h"
+
+namespace cusp::bench {
+
+namespace {
+constexpr double kLeadMm = 1.0;    // a tick, on the way between measurements
+constexpr int kArriveTicks = 200;  // a method that is still on its way after these stays where it is
+}  // namespace
+
+StepInput input_at(Vec3 device_mm, bool cut) {
+  Sample sample;
+  sample.status = Sample::Status::fresh;
+  sample.position_mm = device_mm;
+  sample.buttons = cut ? StepInput::kCut : 0;
+  return quantise(sample, kTickUs, StepInput{});
+}
+
+Slide::Slide(const Shape& shape, double speed_mm_s, std::uint64_t seed)
+    : shape_(shape), per_tick_mm_(speed_mm_s * kTickUs * 1e-6), random_(seed), leg_(shape.leg(random_, nullptr)) {}
+
+Vec3 Slide::next() {
+  if (first_) {
+    first_ = false;
+    return leg_.at(0.0);
+  }
+  done_mm_ += per_tick_mm_;
+  while (done_mm_ > leg_.length_mm) {
+    done_mm_ -= leg_.length_mm;
+    const Vec3 end = leg_.at(leg_.length_mm);
+    leg_ = shape_.leg(random_, &end);
+  }
+  return leg_.at(done_mm_);
+}
+
+void lead(StepState& state, const Stepper& stepper, Vec3 to_mm, double per_tick_mm) {
+  const Vec3 from = state.last().tick == 0 ? to_mm : state.last().device_mm;
+  const int ticks = static_cast<int>(length(to_mm - from) / per_tick_mm) + 1;
+  StepOutput out;
+  for (int k = 1; k <= ticks; ++k)
+    out = stepper(state, input_at(from + (to_mm - from) * (static_cast<double>(k) / ticks)));
+  for (int k = 0; k < kArriveTicks && out.deferred; ++k) out = stepper(state, input_at(to_mm));
+}
+
+void bring(StepState& state, const Stepper& stepper, const Shape& shape, Vec3 centre) {
+  lead(state, stepper, shape.home(), kLeadMm);
+  lead(state, stepper, centre, kLeadMm);
+}
+
+}  // namespace cusp::bench
