@@ -26,7 +26,7 @@ double run_unclocked(Lane& lane, double block_s) {
     spent = seconds(Clock::now() - start);
     batch = static_cast<int>(std::clamp(0.1 * block_s * static_cast<double>(ticks) / spent, 1.0, double{kMostBatch}));
   } while (spent < block_s);
-  lane.untimed += ticks;
+  lane.pace.untimed += ticks;
   return static_cast<double>(ticks) / spent;
 }
 
@@ -38,14 +38,14 @@ void run_clocked(Lane& lane, double block_s) {
     const auto before = Clock::now();
     step(lane.state, input);
     end = Clock::now();
-    if (lane.times.count() < kTicksKept)
-      lane.times.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(end - before).count());
+    if (lane.pace.times.count() < kTicksKept)
+      lane.pace.times.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(end - before).count());
   } while (seconds(end - start) < block_s);
 }
 
 }  // namespace
 
-void Lane::fill(Row& row) const {
+void Pace::fill(Row& row) const {
   times.fill(row);
   row.samples = static_cast<std::int64_t>(times.count()) + untimed;
   if (!rates.empty()) row.updates_per_s = median(rates);
@@ -53,14 +53,14 @@ void Lane::fill(Row& row) const {
 
 void run_lanes(std::span<Lane> lanes, double budget_s) {
   for (Lane& lane : lanes) {
-    lane.times.reserve(std::min(kTicksKept, static_cast<std::size_t>(budget_s * 5e6) + 1024));
+    lane.pace.times.reserve(std::min(kTicksKept, static_cast<std::size_t>(budget_s * 5e6) + 1024));
     run_unclocked(lane, 0.05 * budget_s);
-    lane.untimed = 0;
+    lane.pace.untimed = 0;
   }
   const auto start = Clock::now();
   do {
     for (Lane& lane : lanes) {
-      lane.rates.push_back(run_unclocked(lane, kBlockS));
+      lane.pace.rates.push_back(run_unclocked(lane, kBlockS));
       run_clocked(lane, kBlockS);
     }
   } while (seconds(Clock::now() - start) < budget_s * static_cast<double>(lanes.size()));
@@ -72,10 +72,10 @@ double median(std::vector<double> values) {
   return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-double ratio_of(const Lane& lane, const Lane& to) {
+double ratio_of(const Pace& pace, const Pace& to) {
   std::vector<double> ratios;
-  for (std::size_t i = 0; i < std::min(lane.rates.size(), to.rates.size()); ++i)
-    ratios.push_back(lane.rates[i] / to.rates[i]);
+  for (std::size_t i = 0; i < std::min(pace.rates.size(), to.rates.size()); ++i)
+    ratios.push_back(pace.rates[i] / to.rates[i]);
   return median(std::move(ratios));
 }
 

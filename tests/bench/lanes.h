@@ -27,11 +27,8 @@ class Track {
   std::size_t at_ = 0, step_ = 1;
 };
 
-struct Lane {
-  Lane(StepState s, Track t) : state(std::move(s)), track(std::move(t)) {}
-
-  StepState state;
-  Track track;
+/// What blocks of ticks took.
+struct Pace {
   TickTimes times;            // of the blocks with a clock round each step()
   std::vector<double> rates;  // updates a second of each block without one
   std::int64_t untimed = 0;   // ticks of those
@@ -41,12 +38,18 @@ struct Lane {
   void fill(Row& row) const;
 };
 
+struct Lane {
+  StepState state;
+  Track track;
+  Pace pace;
+};
+
 /// Goes through the lanes in turn, a block without a clock and one with, until budget_s a lane is spent, after as much
 /// again as a twentieth of it for warming up. Ends after a round, so that all lanes have as many blocks.
 void run_lanes(std::span<Lane> lanes, double budget_s);
 
-/// Median over the blocks of one lane's rate over the other's. Pre: both have run together.
-double ratio_of(const Lane& lane, const Lane& to);
+/// Median over the blocks of one's rate over the other's. Pre: both have run together.
+double ratio_of(const Pace& pace, const Pace& to);
 
 double median(std::vector<double> values);
 

@@ -13,6 +13,7 @@ struct Options {
   std::vector<std::string> methods;
   std::vector<std::string> shapes;
   std::vector<std::string> motions;
+  std::vector<std::string> tasks;
   std::vector<double> speeds_mm_s;
   std::vector<double> burr_radii_mm;
   std::vector<double> voxels_mm;
@@ -20,6 +21,7 @@ struct Options {
   std::uint64_t seed = 1;    // of every random choice: the same seed, the same inputs
   std::string json;          // file, "-" for stdout, empty for a table
   std::string out;           // chart: folder
+  std::vector<std::string> from;  // chart: reports to draw instead of measuring
 };
 
 inline bool asked(const std::vector<std::string>& filter, std::string_view value) {

@@ -8,6 +8,7 @@
 #include "tests/bench/accuracy.h"
 #include "tests/bench/names.h"
 #include "tests/bench/options.h"
+#include "tests/bench/rate.h"
 
 namespace cusp::bench {
 
@@ -22,6 +23,7 @@ struct Verb {
 
 constexpr Verb kVerbs[] = {
     {"accuracy", "every contact method against the exact proxy of a ball burr", run_accuracy, false},
+    {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
 };
 
 void add_options(CLI::App& app, Options& options, bool writes_folder) {
@@ -31,6 +33,8 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
   app.add_option("--shape", options.shapes, "only this shape (repeatable)")->check(CLI::IsMember(shapes));
   app.add_option("--motion", options.motions, "press or slide (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"press", "slide"}));
+  app.add_option("--task", options.tasks, "displacement, exploration or perforation (repeatable)")
+      ->check(CLI::IsMember(std::vector<std::string>{"displacement", "exploration", "perforation"}));
   app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));
   app.add_option("--burr-radius-mm", options.burr_radii_mm, "burr radii (repeatable)")->check(CLI::Range(0.05, 5.0));
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")

@@ -1,0 +1,225 @@
+#include "tests/bench/rate.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <chrono>
+#include <iostream>
+#include <stdexcept>
+
+#include "tests/bench/frame.h"
+#include "tests/bench/motions.h"
+#include "tests/bench/names.h"
+#include "tests/bench/pin.h"
+#include "tests/bench/program.h"
+
+namespace cusp::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kTrackTicks = 4096;  // 0.2 m of way; its inputs stay in the second cache
+constexpr int kPerforationBlock = 250;
+
+struct Task {
+  std::string_view task, shape;
+  std::vector<double> radii;
+};
+
+const std::vector<Task>& standard_tasks() {
+  static const std::vector<Task> tasks = {
+      {"displacement", "face", {0.25, 0.5}},
+      {"displacement", "sphere", {0.25, 0.5}},
+      {"displacement", "cylinder", {0.25, 0.5}},
+      {"exploration", "face", {0.25, 0.5, 1.15, 3.0}},
+      {"exploration", "sphere", {0.25, 0.5, 1.15, 3.0}},
+      {"exploration", "cylinder", {0.25, 0.5, 1.15, 3.0}},
+      {"perforation", "face", {0.25, 0.5}},
+  };
+  return tasks;
+}
+
+std::vector<Method> methods_asked(const Options& options) {
+  std::vector<Method> out;
+  for (const Method m : kMethods)
+    if (asked(options.methods, key_of(m))) out.push_back(m);
+  return out;
+}
+
+Row row_of(Method method, const Shape& shape, std::string_view task, double voxel_mm, const Options& options) {
+  Row row;
+  row.method = key_of(method);
+  row.shape = shape.name();
+  row.task = task;
+  row.burr_radius_mm = shape.burr_radius_mm();
+  row.voxel_mm = voxel_mm;
+  row.seed = static_cast<std::int64_t>(options.seed);
+  row.unresolved = shape.unresolved(voxel_mm);
+  return row;
+}
+
+/// What they took into the rows, and how they compare to the occupancy proxy, where it ran as well.
+void fill(std::vector<Row>& rows, const std::vector<Method>& methods, const std::vector<const Pace*>& paces) {
+  for (std::size_t i = 0; i < rows.size(); ++i) paces[i]->fill(rows[i]);
+  for (std::size_t reference = 0; reference < methods.size(); ++reference) {
+    if (methods[reference] != Method::occupancy) continue;
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].ratio_to_occupancy = ratio_of(*paces[i], *paces[reference]);
+  }
+}
+
+std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double speed, double voxel_mm,
+                            const Options& options) {
+  const bool clear = task == "displacement";
+  const std::vector<StepInput> inputs = clear
+                                            ? clear_inputs(shape, speed, kClearMm, options.seed, kTrackTicks)
+                                            : slide_inputs(shape, speed, options.seed, kTrackTicks);
+  const std::vector<Method> methods = methods_asked(options);
+  std::vector<Lane> lanes;
+  lanes.reserve(methods.size());
+  for (const Method method : methods) {
+    Lane& lane = lanes.emplace_back(Lane{StepState(scene_of(shape, method, voxel_mm)), Track(inputs), {}});
+    if (!shape.prepare(lane.state)) throw std::runtime_error("no room to prepare " + shape.name());
+    bring(lane.state, step, shape, shape.before(inputs.front().position_mm()));
+    lead(lane.state, step, inputs.front().position_mm(), speed * 1e-3);
+  }
+  run_lanes(lanes, options.budget_s);
+  std::vector<Row> rows;
+  std::vector<const Pace*> paces;
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    Row& row = rows.emplace_back(row_of(methods[i], shape, task, voxel_mm, options));
+    row.motion = "slide";
+    row.speed_mm_s = speed;
+    paces.push_back(&lanes[i].pace);
+  }
+  fill(rows, methods, paces);
+  return rows;
+}
+
+/// Blocks of ticks instead of milliseconds, because each pass has an end; the passes start at other spots.
+std::vector<Row> perforation_rows(const Shape& face, double voxel_mm, const Options& options) {
+  const std::vector<Method> methods = methods_asked(options);
+  std::vector<Pace> all(methods.size());
+  const auto start = Clock::now();
+  for (std::uint64_t pass = 0; pass == 0 || std::chrono::duration<double>(Clock::now() - start).count() <
+                                                options.budget_s * static_cast<double>(methods.size());
+       ++pass) {
+    std::vector<Perforation> runs;
+    runs.reserve(methods.size());
+    for (const Method method : methods) runs.emplace_back(method, face, voxel_mm, options.seed + pass);
+    for (int done = 0; done < Perforation::kTicks; done += 2 * kPerforationBlock)
+      for (std::size_t i = 0; i < methods.size(); ++i) {
+        Perforation& run = runs[i];
+        Pace& pace = all[i];
+        std::array<StepInput, kPerforationBlock> inputs;
+        for (StepInput& input : inputs) input = run.next();
+        const auto before = Clock::now();
+        for (const StepInput& input : inputs) step(run.state(), input);
+        pace.rates.push_back(kPerforationBlock / std::chrono::duration<double>(Clock::now() - before).count());
+        pace.untimed += kPerforationBlock;
+        for (int k = 0; k < kPerforationBlock; ++k) {
+          const StepInput input = run.next();
+          const auto a = Clock::now();
+          step(run.state(), input);
+          const auto b = Clock::now();
+          pace.times.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(b - a).count());
+        }
+      }
+  }
+  std::vector<Row> rows;
+  std::vector<const Pace*> paces;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    Row& row = rows.emplace_back(row_of(methods[i], face, "perforation", voxel_mm, options));
+    row.speed_mm_s = kAdvanceMmS;
+    paces.push_back(&all[i]);
+    const Changes changes = changes_a_tick(methods[i], face, voxel_mm, 200);
+    row.voxels_changed = changes.voxels;
+    row.cells_changed = changes.cells;
+  }
+  fill(rows, methods, paces);
+  return rows;
+}
+
+void print(const std::vector<Row>& rows) {
+  fmt::print("{:<13}{:<10}{:>6}{:>8}  {:<16}{:>11}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}\n", "task", "shape", "r", "voxel",
+             "method", "updates/s", "ratio", "p50 us", "p99", "p99.9", "max", "voxels");
+  for (const Row& r : rows)
+    fmt::print("{:<13}{:<10}{:>6.2f}{:>8.3f}  {:<16}{:>11.0f}{:>9.3g}{:>9.2f}{:>9.2f}{:>10.2f}{:>10.1f}{:>9.3g}\n", r.task,
+               r.variant.empty() ? r.shape : r.variant, r.burr_radius_mm, r.voxel_mm, r.method, r.updates_per_s,
+               r.ratio_to_occupancy, r.tick_us_p50, r.tick_us_p99, r.tick_us_p999, r.tick_us_max, r.voxels_changed);
+}
+
+}  // namespace
+
+std::vector<StepInput> slide_inputs(const Shape& shape, double speed_mm_s, std::uint64_t seed, std::size_t ticks) {
+  Slide slide(shape, speed_mm_s, seed);
+  std::vector<StepInput> out;
+  for (std::size_t k = 0; k < ticks; ++k) out.push_back(input_at(slide.next()));
+  return out;
+}
+
+std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, double clear_mm, std::uint64_t seed,
+                                    std::size_t ticks) {
+  const auto lifted = [&shape, clear_mm](Vec3 p) {
+    // The surface's normal: the gradient of its distance, which is exact near it.
+    constexpr double kStep = 1e-4;
+    Vec3 n(0.0);
+    for (int a = 0; a < 3; ++a) {
+      Vec3 d(0.0);
+      d[a] = kStep;
+      n[a] = shape.distance_mm(p + d) - shape.distance_mm(p - d);
+    }
+    return p + unit(n) * (shape.burr_radius_mm() + clear_mm - shape.distance_mm(p));
+  };
+  // Further out a way round a shape is longer: the slide below goes as much slower.
+  Slide trial(shape, speed_mm_s, seed);
+  double below = 0.0, above = 0.0;
+  Vec3 last = trial.next();
+  for (std::size_t k = 1; k < ticks; ++k) {
+    const Vec3 p = trial.next();
+    below += length(p - last);
+    above += length(lifted(p) - lifted(last));
+    last = p;
+  }
+  Slide slide(shape, speed_mm_s * below / above, seed);
+  std::vector<StepInput> out;
+  for (std::size_t k = 0; k < ticks; ++k) out.push_back(input_at(lifted(slide.next())));
+  return out;
+}
+
+std::vector<Row> rate_rows(const Options& options) {
+  std::vector<Row> rows;
+  const auto add = [&rows](std::vector<Row> more) { rows.insert(rows.end(), more.begin(), more.end()); };
+  for (const Task& task : standard_tasks()) {
+    if (!asked(options.tasks, task.task) || !asked(options.shapes, task.shape)) continue;
+    if (!asked(options.motions, "slide") && task.task != "perforation") continue;
+    for (const double voxel : chosen(options.voxels_mm, {kRateVoxelMm}))
+      for (const double radius : chosen(options.burr_radii_mm, task.radii)) {
+        const std::unique_ptr<Shape> shape = make_shape(task.shape, radius);
+        if (task.task == "perforation") {
+          add(perforation_rows(*shape, voxel, options));
+          continue;
+        }
+        for (const double speed : chosen(options.speeds_mm_s, {kRateSpeedMmS}))
+          add(slide_rows(*shape, task.task, speed, voxel, options));
+      }
+  }
+  return rows;
+}
+
+int run_rate(const Options& options) {
+  if (!pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
+  Report report = empty_report();
+  report.rows = rate_rows(options);
+  if (options.json.empty()) {
+    print(report.rows);
+    return kDone;
+  }
+  if (const auto written = print_json(report, options.json); !written) {
+    std::cerr << "cusp-bench: cannot write " << written.error().where << '\n';
+    return kFailed;
+  }
+  return kDone;
+}
+
+}  // namespace cusp::bench
