@@ -121,6 +121,7 @@ std::vector<std::byte> StepState::save() const {
   w.u(s.cut_pending ? 1 : 0, 1);
   w.v(s.cut_from);
   for (const double owed : s.owed) w.d(owed);
+  w.v(s.foot);
   w.u(s.memory.open() ? 1 : 0, 1);
   w.u(s.memory.size(), 4);
   for (std::size_t i = 0; i < s.memory.size(); ++i) {
@@ -160,6 +161,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   s.cut_pending = r.u(1) != 0;
   s.cut_from = r.v();
   for (double& owed : s.owed) owed = r.d();
+  s.foot = r.v();
   const bool open = r.u(1) != 0;
   const std::size_t count = r.u(4);
   if (!r.good() || count > r.left() / 56 || s.last.burr >= burrs || index_of(s.last.tissue) >= kTissueCodes ||
@@ -182,7 +184,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   const auto cuts = r.raw(size);
   if (!r.done() || !s.volume.load_cuts(cuts)) return std::nullopt;
   if (s.surface) s.surface->keep(s.volume, *s.scene, kept);
-  if (s.occupancy) s.occupancy = std::make_unique<OccupancyProxy>(*s.scene, s.volume, s.scene->method == Method::occupancy_pivot);
+  s.method->reload(s);
   return out;
 }
 

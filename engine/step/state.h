@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "engine/contact/cut_memory.h"
-#include "engine/contact/occupancy_proxy.h"
 #include "engine/contact/surface_contact.h"
 #include "engine/step/guard.h"
+#include "engine/step/methods.h"
 #include "engine/step/step.h"
 
 namespace cusp {
@@ -22,26 +22,26 @@ struct StepState::Inner {
 
   Vec3 proxy{0.0};
   Vec3 device{0.0};                // of the input before
-  Vec3 cut_pose{0.0};              // surface: the burr's pose as far as removal goes
+  Vec3 cut_pose{0.0};              // banded: the burr's pose as far as removal goes
   Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
   bool started = false;
   bool cut_valid = false;
   bool cut_pending = false;        // the ball has been swept from cut_from to cut_pose and is not carved yet
   Vec3 cut_from{0.0};
-  std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (occupancy)
+  std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (filled)
+  Vec3 foot{0.0};                  // gradient: from the pivot to the point of the burr that was followed last; zero: none
   CutMemory memory;
 
-  // Derived from the volume; one of the two, as the method asks.
-  std::unique_ptr<SurfaceContact> surface;
-  std::unique_ptr<OccupancyProxy> occupancy;
+  // Derived from the volume.
+  std::unique_ptr<SurfaceContact> surface;  // of the surface method alone
+  std::unique_ptr<ContactMethod> method;
 };
 
 /// Surface method: carves what is still pending and ends the stroke (button up, no contact, fault, another burr).
 /// Returns false when the volume had no room.
 bool end_stroke(StepState::Inner& state) noexcept;
 
-/// One tick of each method: contact, removal and raw force into `out`. dt_s is bounded by the guard's late limit.
+/// Surface method: contact, removal and raw force of one tick into `out`. dt_s is bounded by the guard's late limit.
 void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, StepOutput& out) noexcept;
-void step_occupancy(StepState::Inner& state, Vec3 device, bool cut, double dt_s, StepOutput& out) noexcept;
 
 }  // namespace cusp

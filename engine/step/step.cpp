@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/removal/carve.h"
 #include "engine/step/state.h"
 #include "engine/volume/hash.h"
 
@@ -40,11 +39,8 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
 }
 
 StepState::Inner::Inner(std::shared_ptr<const Scene> s) : scene(std::move(s)), volume(scene->specimen) {
-  if (scene->method == Method::surface) {
-    surface = std::make_unique<SurfaceContact>(*scene, volume);
-  } else {
-    occupancy = std::make_unique<OccupancyProxy>(*scene, volume, scene->method == Method::occupancy_pivot);
-  }
+  if (scene->method == Method::surface) surface = std::make_unique<SurfaceContact>(*scene, volume);
+  method = make_method(*this);
 }
 
 StepState::StepState(std::shared_ptr<const Scene> scene) : inner_(std::make_unique<Inner>(std::move(scene))) {}
@@ -71,6 +67,8 @@ std::uint64_t StepState::hash() const noexcept {
   h.add_double(s.guard.ramp_ms);
   h.add_double(s.guard.force_n);
   for (const double owed : s.owed) h.add_double(owed);
+  if (s.scene->method == Method::gradient)
+    for (int i = 0; i < 3; ++i) h.add_double(s.foot[i]);
   // The memory is what the path made it: its length and its end stand for all of it.
   h.add(s.memory.size() * 2 + (s.memory.open() ? 1 : 0));
   if (s.memory.size() > 0) {
@@ -92,7 +90,7 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   const Burr& burr = state.scene->burrs[state.last.burr];
   const Vec3 low = grid.origin_mm - grid.voxel_mm;
   const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
-  if (state.surface && state.surface->fits(state.volume, burr, axis, device)) return device;
+  if (state.method->fits(state, axis, device)) return device;
   // Along the tool's axis until the ball has left the box.
   double leave = 0.0;
   for (int pass = 0; pass < 512; ++pass) {
@@ -108,17 +106,7 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
 }  // namespace
 
 bool cut_along(StepState& outer, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept {
-  StepState::Inner& state = outer.inner();
-  const Burr& shape = state.scene->burrs[burr];
-  if (state.surface) {
-    const bool room = end_stroke(state);
-    const Carved carved = carve_sweep(state.volume, from_mm, to_mm, shape.radius_mm);
-    if (carved.any) state.surface->changed(state.volume, carved.low, carved.high);
-    state.memory.add(from_mm, to_mm, shape.radius_mm);
-    state.memory.lift();
-    return room && !carved.overflow;
-  }
-  return state.occupancy->remove_along(state.volume, burr, from_mm, to_mm);
+  return outer.inner().method->cut_along(outer.inner(), burr, from_mm, to_mm);
 }
 
 StepOutput step(StepState& outer, const StepInput& input) noexcept {
@@ -141,7 +129,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), first);
   if (!first && out.burr != state.last.burr) {
     state.guard.ramp_ms = 0.0;
-    if (state.surface) out.overflow = !end_stroke(state);
+    out.overflow = !state.method->lift(state);
   }
 
   const double dt_ms = std::min(static_cast<double>(input.elapsed_us) * 1e-3, scene.guard.late_ms);
@@ -149,7 +137,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     // The proxy stays; after re-arming it walks to wherever the device is by then.
     out.proxy_mm = first ? device : state.proxy;
     out.faulted = true;
-    if (state.surface) out.overflow = !end_stroke(state);
+    out.overflow = !state.method->lift(state);
     state.velocity = Vec3(0.0);
     guarded(scene.guard, state.guard, Vec3(0.0), dt_ms);
     if (!first) state.device = device;
@@ -163,12 +151,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.last.burr = out.burr;
     state.proxy = first_pose(state, device, scene.tool_axis);
   }
-  const bool cut = input.cutting();
-  if (state.surface) {
-    step_surface(state, device, scene.tool_axis, cut, dt_ms * 1e-3, out);
-  } else {
-    step_occupancy(state, device, cut, dt_ms * 1e-3, out);
-  }
+  state.method->tick(state, {device, scene.tool_axis, input.cutting(), dt_ms * 1e-3}, out);
   out.proxy_mm = state.proxy;
   out.force_n = guarded(scene.guard, state.guard, out.force_raw_n, dt_ms);
   out.faulted = state.guard.fault != Fault::none;

@@ -22,6 +22,11 @@ class Occupancy {
     if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= size_.x || v.y >= size_.y || v.z >= size_.z) return false;
     return (occupied_[word(place_[brick(v)], v)] & mask(v)) != 0;
   }
+  /// Occupied voxels among the eight of a brick's row that holds v: bit i is voxel (v.x & ~7) + i. 0 outside the box.
+  unsigned row(IVec3 v) const noexcept {
+    if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= size_.x || v.y >= size_.y || v.z >= size_.z) return 0;
+    return static_cast<unsigned>(occupied_[word(place_[brick(v)], v)] >> ((v.y & 7) << 3)) & 0xffu;
+  }
   VoxelClass of(IVec3 v) const noexcept;
   /// Haptic thread. The voxel has lost its last density: its internal neighbours become boundary.
   /// Pre: the volume holds a cut for the voxel's brick, so that there is room for it here.

@@ -1,0 +1,145 @@
+#include "engine/contact/gradient_proxy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+
+namespace {
+
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+constexpr double kBallVoxels = 2.0, kHolderVoxels = 3.0;  // spacing of the scan: it finds a direction, the foot is exact
+constexpr int kPasses = 24;             // of one tick
+constexpr double kSettledMm = 1e-5;     // a pass that moves less is the last
+constexpr double kRescanVoxels = 0.5;   // of way
+constexpr double kNearVoxels = 1.5;     // a gap beyond it needs no foot yet: a step is at most a voxel
+constexpr int kFootPasses = 6;
+constexpr double kFootSettled = 1e-6;   // of the normal
+constexpr double kOverlapMm = 0.001;
+
+}  // namespace
+
+GradientProxy::GradientProxy(const Scene& scene, const Volume& volume) : axis_(scene.tool_axis), box_(volume) {
+  const double voxel = volume.grid().voxel_mm;
+  for (const Burr& burr : scene.burrs) {
+    // At least three by three points a side, so that the best of them leads to the foot.
+    const double spacing = std::min(kBallVoxels * voxel, 0.45 * burr.radius_mm);
+    shells_.push_back({shell_of(burr, scene.tool_axis, spacing, kHolderVoxels * voxel), burr.radius_mm,
+                       std::max(burr.neck_radius_mm, burr.shank_radius_mm)});
+  }
+}
+
+GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t burr, Vec3 y) const noexcept {
+  const Shell& shell = shells_[burr];
+  Scan out;
+  out.gap_mm = field.band_mm();
+  if (box_.holds(y, shell.radius_mm)) {
+    for (const PointShell::BallPoint& point : shell.points.ball) {
+      const Vec3 offset = point.out * shell.radius_mm;
+      const double d = field.at(y + offset);
+      if (d < out.gap_mm) out = {offset, d, false};
+    }
+  }
+  const double leaves = box_.leaves(y, axis_, shell.holder_radius_mm);
+  for (const PointShell::HolderPoint& point : shell.points.holder) {
+    if (point.along_mm > leaves) break;
+    const Vec3 p = y + point.offset_mm;
+    if (!box_.holds(p)) continue;
+    const double d = field.at(p);
+    if (d < out.gap_mm) out = {point.offset_mm, d, true};
+  }
+  return out;
+}
+
+GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, double radius_mm, Vec3 y, Vec3 offset) noexcept {
+  Foot out;
+  out.offset = offset;
+  // No point of neck and shank lies inside the ball.
+  out.shank = glm::dot(offset, offset) > radius_mm * radius_mm * (1.0 + 1e-9);
+  if (out.shank) {
+    out.known = field.normal(y + offset, out.n);
+    out.gap_mm = field.at(y + offset);
+    return out;
+  }
+  Vec3 n = offset / -radius_mm;
+  Vec3 before(0.0);
+  for (int pass = 0; pass < kFootPasses; ++pass) {
+    Vec3 m;
+    if (!field.normal(y - n * radius_mm, m)) break;
+    out.known = true;
+    Vec3 change = m - n;
+    // On a feature sharper than the burr the iteration swings: then half the way.
+    if (glm::dot(change, before) < 0.0) change *= 0.5;
+    before = change;
+    n += change;
+    n /= length_of(n);
+    if (glm::dot(change, change) < kFootSettled * kFootSettled) break;
+  }
+  out.n = n;
+  out.offset = n * -radius_mm;
+  out.gap_mm = field.at(y + out.offset);
+  return out;
+}
+
+bool GradientProxy::fits(const Volume& volume, std::size_t burr, Vec3 pose) noexcept {
+  return scan(TrilinearField(volume), burr, pose).gap_mm >= 0.0;
+}
+
+BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 device,
+                                   Vec3& kept) noexcept {
+  BandedContact out;
+  const TrilinearField field(volume);
+  const double voxel = volume.grid().voxel_mm;
+  const double radius = shells_[burr].radius_mm;
+  Vec3 y = from;
+  Foot held;
+  bool touching = false, clipped = false;
+  double clear = 0.0;
+  double since_scan = voxel;  // at once
+  for (int pass = 0; pass < kPasses; ++pass) {
+    Foot found;
+    if (glm::dot(kept, kept) > 0.0) found = foot(field, radius, y, kept);
+    if (since_scan >= kRescanVoxels * voxel) {
+      since_scan = 0.0;
+      const Scan seen = scan(field, burr, y);
+      clear = seen.gap_mm;
+      if (clear < kNearVoxels * voxel) {
+        const Foot other = foot(field, radius, y, seen.offset);
+        if (other.known && (!found.known || other.gap_mm < found.gap_mm - 1e-6)) found = other;
+      } else {
+        found = Foot{};
+      }
+    }
+    Vec3 goal = device;
+    touching = false;
+    if (found.known) {
+      const double towards = glm::dot(found.n, device - y);
+      touching = towards < -found.gap_mm;
+      if (touching) goal = device - found.n * (towards + found.gap_mm);
+    }
+    held = found;
+    kept = found.known ? found.offset : Vec3(0.0);
+    const Vec3 way = goal - y;
+    const double length = length_of(way);
+    const double most = clear > kNearVoxels * voxel ? 0.9 * clear : voxel;
+    clipped = length > most;
+    y = clipped ? y + way * (most / length) : goal;
+    since_scan += clipped ? most : length;
+    if (!clipped && length < kSettledMm) break;
+    if (!clipped && !touching && since_scan < kRescanVoxels * voxel) break;
+  }
+  out.pose_mm = y;
+  out.deferred = clipped;
+  out.touching = touching && length_of(device - y) > 1e-6;
+  if (!out.touching) return out;
+  out.infeasible = held.gap_mm < -kOverlapMm;
+  out.shank = held.shank;
+  out.shank_normal = held.n;
+  out.tissue = field.tissue(y + held.offset - held.n * (0.5 * voxel));
+  if (out.tissue == Tissue::empty) out.tissue = field.tissue(y + held.offset);
+  out.stiffness_n_per_mm = scene.tissues[index_of(out.tissue)].stiffness_n_per_mm;
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,62 @@
+/// Gradient proxy: a god-object on the implicit surface s = 1/2 (Salisbury and Tarr 1997), what users of the usual
+/// libraries get. The field is plain trilinear, its normal a central difference over a voxel. The burr's ball is an offset:
+/// its foot is x = y - r n(x), iterated from the last one. One tangent plane at a time: the deepest of the foot that is
+/// followed and of what a coarse scan of the burr's skin finds (the ball's best direction, made a foot; neck and shank by
+/// their points), scanned again after every half voxel of way. Each pass puts the proxy on the device point's projection
+/// onto that plane, at most a voxel from where it was, so that no wall of two voxels is jumped.
+/// Its limits: where two walls hold the burr it knows one of them, so corners and grooves are entered by the depth to
+/// which the device point is pushed, first into one wall, then into the other; a foot on an edge sharper than a third of
+/// the burr, or in a hole as wide as it, is not found by the iteration; the projections do not settle in a hollow that
+/// leaves the burr less room than it is pushed deep. Thread: haptic; wait-free; memory at construction.
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/banded_contact.h"
+#include "engine/contact/point_shell.h"
+#include "engine/contact/tissue_box.h"
+#include "engine/contact/trilinear_field.h"
+#include "engine/step/scene.h"
+
+namespace cusp {
+
+class GradientProxy {
+ public:
+  GradientProxy(const Scene& scene, const Volume& volume);
+
+  /// kept: from the pivot to the point of the burr that was followed last; zero: none. Part of the step's state.
+  BandedContact solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 device,
+                      Vec3& kept) noexcept;
+  bool fits(const Volume& volume, std::size_t burr, Vec3 pose) noexcept;
+
+  /// The cut pose follows the proxy wholly: both solves of a tick are in the same field, so that their bias cancels.
+  static constexpr bool kFollowsPush = true;
+  /// And is tied to it a little looser than the plain field is exact.
+  static double tie_mm(double /*radius_mm*/, double /*voxel_mm*/) noexcept { return 0.01; }
+
+ private:
+  struct Foot {
+    bool known = false;
+    bool shank = false;
+    Vec3 offset{0.0};    // from the pivot
+    Vec3 n{0.0};         // out of the tissue
+    double gap_mm = 0.0; // between burr and tissue; negative: overlap
+  };
+  struct Scan {
+    Vec3 offset{0.0};
+    double gap_mm = 0.0;
+    bool shank = false;
+  };
+  Scan scan(const TrilinearField& field, std::size_t burr, Vec3 y) const noexcept;
+  static Foot foot(const TrilinearField& field, double radius_mm, Vec3 y, Vec3 offset) noexcept;
+
+  struct Shell {
+    PointShell points;
+    double radius_mm = 0.0, holder_radius_mm = 0.0;
+  };
+  std::vector<Shell> shells_;  // one for each burr of the scene
+  Vec3 axis_;
+  TissueBox box_;
+};
+
+}  // namespace cusp

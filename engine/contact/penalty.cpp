@@ -1,0 +1,117 @@
+#include "engine/contact/penalty.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/contact/trilinear_field.h"
+
+namespace cusp {
+
+namespace {
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+constexpr double kHolderVoxels = 3.0;  // spacing of the neck's and shank's points
+constexpr int kHalvings = 40;          // of the burr's diameter: to 1e-12 mm
+}  // namespace
+
+Penalty::Penalty(const Scene& scene, const Volume& volume)
+    : box_(volume), band_mm_(kBandVoxels * volume.grid().voxel_mm) {
+  const double voxel = volume.grid().voxel_mm;
+  for (const Burr& burr : scene.burrs) {
+    Shell shell;
+    shell.points = shell_of(burr, scene.tool_axis, voxel, kHolderVoxels * voxel);  // a point a voxel, as in VPS
+    shell.radius_mm = burr.radius_mm;
+    shell.deepest_mm = std::min(2.0 * burr.radius_mm, burr.radius_mm + 0.5 * band_mm_);
+    shell.most = response(shell, shell.deepest_mm);
+    shells_.push_back(std::move(shell));
+  }
+}
+
+/// Mean over the sphere of push times the cosine to the plane's normal, for a plane at this depth. With h the height over
+/// the lowest point a sphere has equal skin for equal h: 1/2r of the integral over h of min(d - h, band) (1 - h/r).
+double Penalty::response(const Shell& shell, double depth_mm) const noexcept {
+  const double r = shell.radius_mm;
+  const double top = std::min(depth_mm, 2.0 * r);
+  const double full = std::clamp(depth_mm - band_mm_, 0.0, top);  // below this height the field is clamped
+  const auto rising = [&](double h) {
+    return depth_mm * h - 0.5 * h * h - (0.5 * depth_mm * h * h - h * h * h / 3.0) / r;
+  };
+  const double clamped = band_mm_ * (full - full * full / (2.0 * r));
+  return (clamped + rising(top) - rising(full)) / (2.0 * r);
+}
+
+double Penalty::depth_of(const Shell& shell, double sum_mm) const noexcept {
+  if (sum_mm >= shell.most) return shell.deepest_mm;
+  double low = 0.0, high = shell.deepest_mm;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (response(shell, middle) < sum_mm ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 /*from*/, Vec3 device,
+                             Vec3& /*kept*/) noexcept {
+  BandedContact out;
+  out.pose_mm = device;
+  const Shell& shell = shells_[burr];
+  const TrilinearField field(volume);
+  std::array<double, kTissueCodes> of{};  // push by tissue
+
+  Vec3 ball(0.0);
+  if (box_.holds(device, shell.radius_mm)) {
+    for (const PointShell::BallPoint& point : shell.points.ball) {
+      const Vec3 p = device + point.out * shell.radius_mm;
+      const double d = field.at(p);
+      if (d >= 0.0) continue;
+      const double push = -d * point.share;
+      ball -= point.out * push;
+      of[index_of(field.tissue(p))] += push;
+    }
+  }
+
+  Vec3 holder(0.0);
+  double holder_depth = 0.0;
+  const Burr& shape = scene.burrs[burr];
+  const double leaves =
+      box_.leaves(device, scene.tool_axis, std::max(shape.neck_radius_mm, shape.shank_radius_mm));
+  const double even = shell.points.holder.empty() ? 0.0 : 1.0 / static_cast<double>(shell.points.holder.size());
+  for (const PointShell::HolderPoint& point : shell.points.holder) {
+    if (point.along_mm > leaves) break;
+    const Vec3 p = device + point.offset_mm;
+    if (!box_.holds(p)) continue;
+    const double d = field.at(p);
+    if (d >= 0.0) continue;
+    holder += point.out * d;
+    holder_depth = std::max(holder_depth, -d);
+    of[index_of(field.tissue(p))] -= d * even;
+  }
+
+  Vec3 push(0.0);
+  const double sum = length_of(ball);
+  if (sum > 1e-12) push = ball * (depth_of(shell, sum) / sum);
+  const double holding = length_of(holder);
+  if (holding > 1e-12) {
+    out.shank = true;
+    out.shank_normal = holder / holding;
+    push += out.shank_normal * holder_depth;
+  }
+  if (length_of(push) <= 1e-9) return out;
+
+  double weight = 0.0, stiff = 0.0, heaviest = 0.0;
+  for (std::size_t t = 0; t < of.size(); ++t) {
+    if (of[t] <= 0.0) continue;
+    weight += of[t];
+    stiff += of[t] * scene.tissues[t].stiffness_n_per_mm;
+    if (of[t] > heaviest) {
+      heaviest = of[t];
+      out.tissue = static_cast<Tissue>(t);
+    }
+  }
+  out.touching = true;
+  out.stiffness_n_per_mm = stiff / weight;
+  out.pose_mm = device + push;
+  return out;
+}
+
+}  // namespace cusp

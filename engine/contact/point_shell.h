@@ -1,0 +1,29 @@
+/// Points on a burr's skin: its ball, evenly weighted over the sphere, and its neck and shank, coarser.
+/// Made of + - * / and sqrt alone, so that the same burr has the same points everywhere.
+#pragma once
+
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "engine/tool/burr.h"
+
+namespace cusp {
+
+struct PointShell {
+  struct BallPoint {
+    Vec3 out{0.0};        // unit, from the ball's centre
+    double share = 0.0;   // of the sphere; all shares are 1 together
+  };
+  struct HolderPoint {
+    Vec3 offset_mm{0.0};  // from the pivot
+    Vec3 out{0.0};        // unit normal
+    double along_mm = 0.0;
+  };
+  std::vector<BallPoint> ball;
+  std::vector<HolderPoint> holder;  // in order of along_mm; none inside the ball
+};
+
+/// axis: unit, from the ball towards the shank. Spacings in mm, about. Not for the haptic thread.
+PointShell shell_of(const Burr& burr, Vec3 axis, double ball_spacing_mm, double holder_spacing_mm);
+
+}  // namespace cusp

@@ -1,0 +1,123 @@
+#include "engine/contact/tool_overlap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+
+IVec3 ToolOverlap::voxel_at(const Grid& grid, Vec3 p) noexcept {
+  const Vec3 x = (p - grid.origin_mm) / grid.voxel_mm + 0.5;
+  return {static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)), static_cast<int>(std::floor(x.z))};
+}
+
+std::vector<ToolOverlap::Row> ToolOverlap::rows_of(const std::vector<IVec3>& voxels) {
+  std::vector<Row> out;
+  for (const IVec3& v : voxels) {
+    if (!out.empty() && out.back().z == v.z && out.back().y == v.y && out.back().x1 + 1 == v.x) {
+      out.back().x1 = v.x;
+    } else {
+      out.push_back({v.z, v.y, v.x, v.x});
+    }
+  }
+  return out;
+}
+
+ToolOverlap::ToolOverlap(const Scene& scene, const Volume& volume, bool pivot_only)
+    : occupancy_(volume), tissue_(volume.specimen()), pivot_only_(pivot_only) {
+  std::size_t most = 0;
+  for (const Burr& burr : scene.burrs) {
+    Tool tool;
+    tool.voxels = voxelise(burr, scene.tool_axis, volume.grid().voxel_mm);
+    tool.cutting = rows_of(tool.voxels.cutting);
+    tool.holder = rows_of(tool.voxels.holder);
+    most = std::max(most, tool.voxels.cutting.size());
+    tools_.push_back(std::move(tool));
+  }
+  hit_.resize(most);
+}
+
+bool ToolOverlap::any(const std::vector<Row>& rows, IVec3 pivot) const noexcept {
+  for (const Row& row : rows) {
+    const int z = pivot.z + row.z;
+    if (z > tissue_.high.z) break;  // in order of z: the rest is above all tissue
+    const int y = pivot.y + row.y;
+    if (z < tissue_.low.z || y < tissue_.low.y || y > tissue_.high.y) continue;
+    const int x0 = std::max(pivot.x + row.x0, tissue_.low.x);
+    const int x1 = std::min(pivot.x + row.x1, tissue_.high.x);
+    for (int x = x0; x <= x1; x = (x | 7) + 1) {
+      unsigned mask = 0xffu << (x & 7);
+      if ((x | 7) > x1) mask &= 0xffu >> (7 - (x1 & 7));
+      if (occupancy_.row({x, y, z}) & mask) return true;
+    }
+  }
+  return false;
+}
+
+bool ToolOverlap::free(std::size_t burr, IVec3 pivot) const noexcept {
+  if (occupancy_.occupied(pivot)) return false;
+  if (pivot_only_) return true;
+  return !any(tools_[burr].cutting, pivot) && !any(tools_[burr].holder, pivot);
+}
+
+bool ToolOverlap::apart(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 to) const noexcept {
+  const Grid& grid = volume.grid();
+  const IVec3 a = voxel_at(grid, glm::min(from, to));
+  const IVec3 b = voxel_at(grid, glm::max(from, to));
+  const Burr& shape = scene.burrs[burr];
+  const Vec3 holder = scene.tool_axis * ((shape.neck_length_mm + shape.shank_length_mm) / grid.voxel_mm);
+  const int wide =
+      std::max(tools_[burr].voxels.reach,
+               static_cast<int>(std::ceil(std::max(shape.shank_radius_mm, shape.neck_radius_mm) / grid.voxel_mm))) +
+      1;
+  const IVec3 reach_low = IVec3(glm::floor(glm::min(holder, Vec3(0.0)))) - wide;
+  const IVec3 reach_high = IVec3(glm::ceil(glm::max(holder, Vec3(0.0)))) + wide;
+  for (int i = 0; i < 3; ++i)
+    if (b[i] + reach_high[i] < tissue_.low[i] || a[i] + reach_low[i] > tissue_.high[i]) return true;
+  return false;
+}
+
+void ToolOverlap::hit_further(const Volume& volume, std::size_t burr, Vec3 device, VoxelContact& contact) noexcept {
+  const Grid& grid = volume.grid();
+  const Tool& tool = tools_[burr];
+  const Vec3 push = device - contact.pose_mm;
+  const double most = std::max(std::fabs(push.x), std::max(std::fabs(push.y), std::fabs(push.z)));
+  for (int i = 0; i < 3; ++i) contact.step[i] = push[i] > 0.5 * most ? 1 : push[i] < -0.5 * most ? -1 : 0;
+  const IVec3 pivot = voxel_at(grid, contact.pose_mm) + contact.step;
+  Vec3 sum(0.0);
+  hit_count_ = 0;
+  for (const IVec3& o : tool.voxels.cutting) {
+    if (!occupancy_.occupied(pivot + o)) continue;
+    hit_[hit_count_++] = pivot + o;
+    sum -= Vec3(o) * grid.voxel_mm;
+  }
+  contact.hits = static_cast<int>(hit_count_);
+  if (contact.hits > 0) contact.mean_offset_mm = sum / static_cast<double>(contact.hits);
+  contact.shank = !pivot_only_ && any(tool.holder, pivot);
+}
+
+bool ToolOverlap::remove_along(Volume& volume, std::size_t burr, Vec3 from, Vec3 to) noexcept {
+  const Grid& grid = volume.grid();
+  const Specimen& specimen = volume.specimen();
+  const Vec3 way = to - from;
+  const int samples = static_cast<int>(std::ceil(std::sqrt(glm::dot(way, way)) / (0.25 * grid.voxel_mm))) + 1;
+  bool room = true;
+  for (int i = 0; i <= samples; ++i) {
+    const IVec3 pivot = voxel_at(grid, from + way * (static_cast<double>(i) / samples));
+    for (const IVec3& o : tools_[burr].voxels.cutting) {
+      const IVec3 v = pivot + o;
+      if (!occupancy_.occupied(v)) continue;
+      const int brick = specimen.brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+      std::uint16_t* values = volume.cut_for_writing(brick);
+      if (values == nullptr) {
+        room = false;
+        continue;
+      }
+      values[brick_offset(v.x & 7, v.y & 7, v.z & 7)] = 0;
+      occupancy_.vanish(v);
+      volume.touched(brick);
+    }
+  }
+  return room;
+}
+
+}  // namespace cusp

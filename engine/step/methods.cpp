@@ -1,0 +1,40 @@
+#include "engine/step/methods.h"
+
+#include "engine/removal/carve.h"
+#include "engine/step/state.h"
+
+namespace cusp {
+
+namespace {
+
+/// The surface proxy, whose tick stands in step_surface.cpp.
+class SurfaceMethod final : public ContactMethod {
+ public:
+  void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
+    step_surface(state, tick.device, tick.axis, tick.cut, tick.dt_s, out);
+  }
+  bool lift(StepState::Inner& state) noexcept override { return end_stroke(state); }
+  bool fits(StepState::Inner& state, Vec3 axis, Vec3 pose_mm) noexcept override {
+    return state.surface->fits(state.volume, state.scene->burrs[state.last.burr], axis, pose_mm);
+  }
+  bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
+    const double radius = state.scene->burrs[burr].radius_mm;
+    const bool room = end_stroke(state);
+    const Carved carved = carve_sweep(state.volume, from_mm, to_mm, radius);
+    if (carved.any) state.surface->changed(state.volume, carved.low, carved.high);
+    state.memory.add(from_mm, to_mm, radius);
+    state.memory.lift();
+    return room && !carved.overflow;
+  }
+  void reload(StepState::Inner&) override {}  // what it keeps of the volume stands in state.surface
+};
+
+}  // namespace
+
+std::unique_ptr<ContactMethod> make_method(StepState::Inner& state) {
+  if (state.scene->method == Method::surface) return std::make_unique<SurfaceMethod>();
+  if (reading_of(state.scene->method) == Reading::filled) return make_filled_method(state);
+  return make_banded_method(state);
+}
+
+}  // namespace cusp

@@ -1,0 +1,119 @@
+// One tick of the penalty and of the gradient proxy: contact, the burr's cut pose, contact again in the field that the cut
+// left. Removal follows the surface method (design, "Removal") in its plain form: carved every tick, and without a memory
+// of past poses.
+#include <cmath>
+
+#include "engine/contact/friction.h"
+#include "engine/contact/gradient_proxy.h"
+#include "engine/contact/penalty.h"
+#include "engine/removal/carve.h"
+#include "engine/removal/wear.h"
+#include "engine/step/methods.h"
+#include "engine/step/state.h"
+
+namespace cusp {
+
+namespace {
+
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+constexpr double kLongestCarveMm = 0.2;  // a longer sweep is only the advance: the burr flew, it did not cut there
+
+/// Finder: Penalty or GradientProxy.
+template <class Finder>
+class BandedMethod final : public ContactMethod {
+ public:
+  explicit BandedMethod(const StepState::Inner& state) : finder_(*state.scene, state.volume) {}
+
+  void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
+    const Scene& scene = *state.scene;
+    const Vec3 before = state.proxy;
+    BandedContact contact = finder_.solve(state.volume, scene, out.burr, state.proxy, tick.device, state.foot);
+    state.proxy = contact.pose_mm;
+    const bool wears = tick.cut && contact.touching && !contact.deferred;
+    if (wears) {
+      cut(state, contact, contact.pose_mm - before, tick, out);
+      contact = finder_.solve(state.volume, scene, out.burr, state.proxy, tick.device, state.foot);
+      state.proxy = contact.pose_mm;
+    } else {
+      state.cut_valid = false;
+    }
+
+    out.infeasible = contact.infeasible;
+    out.deferred = contact.deferred;
+    out.shank = contact.shank;
+    out.contact = contact.touching;
+    if (!out.contact) {
+      state.velocity = Vec3(0.0);
+      return;
+    }
+    const Vec3 spring = state.proxy - tick.device;
+    out.tissue = contact.tissue;
+    out.stiffness_n_per_mm = contact.stiffness_n_per_mm;
+    out.force_raw_n = contact.stiffness_n_per_mm * spring;
+    if (scene.friction && tick.dt_s > 0.0) {
+      state.velocity = (state.proxy - before) / tick.dt_s;
+      out.force_raw_n +=
+          coulomb_n(state.velocity, scene.friction_coefficient, contact.stiffness_n_per_mm * length_of(spring));
+    }
+  }
+
+  bool lift(StepState::Inner& state) noexcept override {
+    state.cut_valid = false;
+    return true;
+  }
+  bool fits(StepState::Inner& state, Vec3, Vec3 pose_mm) noexcept override {
+    return finder_.fits(state.volume, state.last.burr, pose_mm);
+  }
+  bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
+    state.cut_valid = false;
+    return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burrs[burr].radius_mm).overflow;
+  }
+  void reload(StepState::Inner&) override {}  // reads the volume itself
+
+ private:
+  /// Eq. (4): moves the cut pose as the contact moved, alpha speed dt further towards the device point, and carves its way.
+  void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick, StepOutput& out) noexcept {
+    const Scene& scene = *state.scene;
+    const double radius = scene.burrs[out.burr].radius_mm;
+    const Vec3 push = tick.device - contact.pose_mm;
+    const double distance = length_of(push);
+    if (!(distance > 1e-6)) return;
+    if (!Finder::kFollowsPush) slid -= push * (glm::dot(slid, push) / (distance * distance));
+    Vec3 pose = state.cut_valid ? state.cut_pose + slid : contact.pose_mm;
+    const Vec3 off = pose - contact.pose_mm;
+    const double apart = length_of(off);
+    const double tie = Finder::tie_mm(radius, state.volume.grid().voxel_mm);
+    if (apart > tie) pose = contact.pose_mm + off * (tie / apart);
+
+    const Vec3 to_device = tick.device - pose;
+    const double gap = length_of(to_device);
+    const Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
+    const double alpha = wear_coefficient(distance, contact.stiffness_n_per_mm, scene.full_force_n);
+    const double own = scene.tissues[index_of(contact.tissue)].speed_mm_s;
+    double advance = alpha * front_speed(state.volume, scene, pose, radius, direction, own) * tick.dt_s;
+    if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
+    if (advance > gap) advance = gap;
+    const Vec3 next = pose + direction * advance;
+    if (advance > 0.0) {
+      const bool whole = state.cut_valid && length_of(next - state.cut_pose) <= kLongestCarveMm;
+      const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, radius);
+      out.overflow = carved.overflow;
+      out.cutting = carved.any;
+      out.advance_mm = advance;
+    }
+    state.cut_pose = next;
+    state.cut_valid = true;
+  }
+
+  Finder finder_;
+};
+
+}  // namespace
+
+std::unique_ptr<ContactMethod> make_banded_method(StepState::Inner& state) {
+  if (state.scene->method == Method::penalty) return std::make_unique<BandedMethod<Penalty>>(state);
+  return std::make_unique<BandedMethod<GradientProxy>>(state);
+}
+
+}  // namespace cusp

@@ -1,0 +1,98 @@
+// One tick of a method on the filled reading: proxy, eq. (1) to (3), eq. (4) and (5) per time.
+#include <cmath>
+
+#include "engine/contact/occupancy_proxy.h"
+#include "engine/contact/ray_proxy.h"
+#include "engine/removal/voxel_wear.h"
+#include "engine/removal/wear.h"
+#include "engine/step/methods.h"
+#include "engine/step/state.h"
+
+namespace cusp {
+
+namespace {
+
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+/// K_T of eq. (3) as the scene's friction coefficient reads it: the push of the mean offset (about the burr's radius)
+/// is this share of the spring's, scaled by alpha, so that it vanishes with the contact.
+Vec3 tool_friction(const Scene& scene, const VoxelContact& contact, double stiffness, double alpha) noexcept {
+  return contact.mean_offset_mm * (scene.friction_coefficient * stiffness * alpha);
+}
+
+/// What follows from the proxy, whichever method found it.
+void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& contact, const Tick& tick,
+            StepOutput& out) noexcept {
+  const Scene& scene = *state.scene;
+  state.proxy = contact.pose_mm;
+  out.deferred = contact.deferred;
+  out.shank = contact.shank;
+  const double distance = length_of(tick.device - state.proxy);
+  out.contact = contact.touching && distance > 1e-9;
+  if (!out.contact) return;
+
+  // K of what is touched: the mean over the voxels that would hit; the most frequent one names the tissue.
+  const Specimen& specimen = state.volume.specimen();
+  std::array<int, kTissueCodes> count{};
+  double sum = 0.0;
+  for (const IVec3& v : overlap.hit_voxels()) {
+    const std::size_t t = index_of(specimen.tissue(v));
+    ++count[t];
+    sum += scene.tissues[t].stiffness_n_per_mm;
+  }
+  std::size_t most = 0;
+  for (std::size_t t = 1; t < count.size(); ++t)
+    if (count[t] > count[most]) most = t;
+  if (contact.hits == 0) {
+    // Held by the holder or round a corner: the softest tissue answers, so that nothing kicks.
+    double least = 0.0;
+    for (std::size_t t = 1; t < kTissueCodes; ++t) {
+      const double k = scene.tissues[t].stiffness_n_per_mm;
+      if (least == 0.0 || k < least) least = k;
+    }
+    sum = least;
+  }
+  const double stiffness = contact.hits > 0 ? sum / contact.hits : sum;
+  out.tissue = static_cast<Tissue>(most);
+  out.stiffness_n_per_mm = stiffness;
+  const double alpha = wear_coefficient(distance, stiffness, scene.full_force_n);
+  out.force_raw_n = stiffness * (state.proxy - tick.device);
+  if (scene.friction && contact.hits > 0) out.force_raw_n += tool_friction(scene, contact, stiffness, alpha);
+
+  if (!tick.cut || contact.hits == 0 || contact.shank) return;
+  const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step, alpha,
+                                     tick.dt_s, state.owed);
+  out.overflow = worn.overflow;
+  out.cutting = worn.any;
+  if (worn.any) out.advance_mm = alpha * scene.tissues[most].speed_mm_s * tick.dt_s;
+}
+
+/// Finder: OccupancyProxy or RayProxy.
+template <class Finder>
+class FilledMethod final : public ContactMethod {
+ public:
+  explicit FilledMethod(const StepState::Inner& state) : finder_(*state.scene, state.volume) {}
+
+  void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
+    const VoxelContact contact = finder_.solve(state.volume, *state.scene, out.burr, state.proxy, tick.device);
+    answer(state, finder_.overlap(), contact, tick, out);
+  }
+  bool lift(StepState::Inner&) noexcept override { return true; }
+  bool fits(StepState::Inner&, Vec3, Vec3) noexcept override { return false; }  // always from above: no voxel is asked
+  bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
+    return finder_.overlap().remove_along(state.volume, burr, from_mm, to_mm);
+  }
+  void reload(StepState::Inner& state) override { finder_ = Finder(*state.scene, state.volume); }
+
+ private:
+  Finder finder_;
+};
+
+}  // namespace
+
+std::unique_ptr<ContactMethod> make_filled_method(StepState::Inner& state) {
+  if (state.scene->method == Method::ray) return std::make_unique<FilledMethod<RayProxy>>(state);
+  return std::make_unique<FilledMethod<OccupancyProxy>>(state);
+}
+
+}  // namespace cusp
