@@ -1,0 +1,48 @@
+/// A tissue boundary drawn in a plane as straight pieces, endless along the third axis, and the curve that the centre of
+/// a burr of radius r cannot cross: offset pieces, arcs about outer corners, trimmed at inner ones.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace cusp::bench {
+
+using Vec2 = glm::dvec2;
+
+class Profile {
+ public:
+  /// Corners from left to right with the tissue on the right hand of the way; first and last reach far out of sight.
+  Profile(std::vector<Vec2> corners, double radius_mm);
+
+  double distance_mm(Vec2 p) const;  // signed, negative in tissue, exact
+
+  /// A place on the offset curve.
+  struct On {
+    std::size_t piece = 0;
+    Vec2 at{0.0};
+    Vec2 normal{0.0};  // out of the tissue
+  };
+  On nearest(Vec2 q) const;
+  /// Downhill from `on` towards q along the curve: the local minimum of the distance to q.
+  On slide(On on, Vec2 q) const;
+
+  struct Piece {
+    bool arc = false;
+    Vec2 a{0.0}, b{0.0};          // ends
+    Vec2 normal{0.0};             // of a straight piece
+    Vec2 middle{0.0};             // of an arc, clockwise from a to b
+    double from = 0.0, to = 0.0;  // its angles, falling
+  };
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+ private:
+  On foot(std::size_t piece, Vec2 q, Vec2 from) const;
+  bool downhill(const Piece& piece, bool at_start, Vec2 q) const;
+
+  std::vector<Vec2> corners_;
+  double radius_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace cusp::bench

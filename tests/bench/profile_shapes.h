@@ -1,0 +1,14 @@
+/// Shapes drawn in a plane: outer edge of 90 degrees, groove of 60, step of 0.5 mm.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "tests/bench/shapes.h"
+
+namespace cusp::bench {
+
+/// nullptr for another name.
+std::unique_ptr<Shape> make_profile_shape(std::string_view name, double burr_radius_mm);
+
+}  // namespace cusp::bench
