@@ -9,6 +9,7 @@
 #include "tests/bench/names.h"
 #include "tests/bench/options.h"
 #include "tests/bench/rate.h"
+#include "tests/bench/scale.h"
 
 namespace cusp::bench {
 
@@ -24,6 +25,7 @@ struct Verb {
 constexpr Verb kVerbs[] = {
     {"accuracy", "every contact method against the exact proxy of a ball burr", run_accuracy, false},
     {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
+    {"scale", "what a tick and a scene cost as the volume grows from 128^3 to 1024^3 voxels", run_scale, false},
 };
 
 void add_options(CLI::App& app, Options& options, bool writes_folder) {

@@ -55,6 +55,7 @@ struct Row {
   double cached_share = kAbsent;        // rate: ticks answered from the cached clearance, 0 to 1
   std::int64_t volume_voxels = -1;      // scale
   double memory_mb = kAbsent;           // scale
+  double cost_to_smallest = kAbsent;    // scale: a tick's cost over the one in the smallest volume, same run
 };
 
 /// Calls visit(name, member) for each field, in the order in which files have them.
@@ -99,6 +100,7 @@ void for_each_field(R& row, Visit&& visit) {
   visit("cached_share", row.cached_share);
   visit("volume_voxels", row.volume_voxels);
   visit("memory_mb", row.memory_mb);
+  visit("cost_to_smallest", row.cost_to_smallest);
 }
 
 struct Report {
