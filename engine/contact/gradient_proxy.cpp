@@ -97,6 +97,8 @@ BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std
   bool touching = false, clipped = false;
   double clear = 0.0;
   double since_scan = voxel;  // at once
+  Vec3 before(0.0);
+  double bound = voxel;
   for (int pass = 0; pass < kPasses; ++pass) {
     Foot found;
     if (glm::dot(kept, kept) > 0.0) found = foot(field, radius, y, kept);
@@ -122,15 +124,18 @@ BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std
     kept = found.known ? found.offset : Vec3(0.0);
     const Vec3 way = goal - y;
     const double length = length_of(way);
-    const double most = clear > kNearVoxels * voxel ? 0.9 * clear : voxel;
+    // Projections that swing (a hollow narrower than the push is deep) are damped: half the last way, and so on.
+    if (touching && glm::dot(way, before) < 0.0) bound = 0.5 * std::min(bound, length_of(before));
+    const double most = clear > kNearVoxels * voxel ? 0.9 * clear : bound;
     clipped = length > most;
+    before = clipped ? way * (most / length) : way;
     y = clipped ? y + way * (most / length) : goal;
     since_scan += clipped ? most : length;
-    if (!clipped && length < kSettledMm) break;
+    if (length < kSettledMm || most < kSettledMm) break;
     if (!clipped && !touching && since_scan < kRescanVoxels * voxel) break;
   }
   out.pose_mm = y;
-  out.deferred = clipped;
+  out.deferred = clipped && bound == voxel;
   out.touching = touching && length_of(device - y) > 1e-6;
   if (!out.touching) return out;
   out.infeasible = held.gap_mm < -kOverlapMm;

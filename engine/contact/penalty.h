@@ -31,7 +31,7 @@ class Penalty {
 
   /// The cut pose follows the reported pose sideways alone: pressed harder, a sum of pushes says another pose although
   /// the burr has not moved.
-  static constexpr bool kFollowsPush = false;
+  static constexpr bool kFollowsSideways = true;
   /// The most by which the reported pose is off in the burr's own hole, sqrt(2 r d / 3) - d, is r / 6; half a voxel more.
   static double tie_mm(double radius_mm, double voxel_mm) noexcept { return radius_mm / 6.0 + 0.5 * voxel_mm; }
 

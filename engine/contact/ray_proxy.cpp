@@ -15,20 +15,28 @@ constexpr int kSlides = 32;            // of one tick: 16 voxels of path
 constexpr int kLifts = 8;              // quarter voxels: over what stands two voxels high
 constexpr double kDropVoxels = 2.5;    // back to the surface after a step: what a lift may have gone up, and a little
 constexpr double kRestVoxels = 1.0 / 64;
+constexpr double kLeastVoxels = 0.001; // of a step that counts
+/// The length of the near voxels' mean over their root mean square distance is about (1 + r / reach) / 2 at a face, half
+/// the square root of two of that in a right angle, less in a groove or a hole. Between the first two lies what counts as
+/// one surface.
+constexpr double kFlat = 0.85;
 /// Voxels whose mean gives the normal lie up to this far from the burr: fewer make the normal step with the voxels, more
-/// round every corner. Measured, face and sphere R 4, r 0.25, 10/128 mm: see the room's README.
+/// round every corner. Mean angle on a face, r 0.25, 10/128 mm: 1.5 gives 2.5 degrees, 2.5 gives 0.8, 3.5 gives 0.6.
 constexpr double kNearVoxels = 2.5;
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// Sum of the positions of a byte's set bits.
-constexpr std::array<std::uint8_t, 256> kPositions = [] {
+/// Sums over a byte's set bits: of their places, and of the squares of these.
+template <unsigned kPower>
+constexpr std::array<std::uint8_t, 256> kSums = [] {
   std::array<std::uint8_t, 256> out{};
   for (unsigned b = 0; b < 256; ++b)
     for (unsigned i = 0; i < 8; ++i)
-      if (b >> i & 1u) out[b] = static_cast<std::uint8_t>(out[b] + i);
+      if (b >> i & 1u) out[b] = static_cast<std::uint8_t>(out[b] + (kPower == 1 ? i : i * i));
   return out;
 }();
+constexpr const auto& kPositions = kSums<1>;
+constexpr const auto& kSquares = kSums<2>;
 
 }  // namespace
 
@@ -36,22 +44,25 @@ RayProxy::RayProxy(const Scene& scene, const Volume& volume) : overlap_(scene, v
   for (const Burr& burr : scene.burrs) {
     const double r = burr.radius_mm / volume.grid().voxel_mm + kNearVoxels;
     const int reach = static_cast<int>(std::ceil(r));
-    std::vector<Row> rows;
+    Near near;
+    const double face = 0.5 * (1.0 + burr.radius_mm / volume.grid().voxel_mm / r);
+    near.flat = kFlat * kFlat * face * face;
     for (int z = -reach; z <= reach; ++z)
       for (int y = -reach; y <= reach; ++y) {
         int x = -1;
         while ((x + 1) * (x + 1) + y * y + z * z <= r * r) ++x;
-        if (x >= 0) rows.push_back({z, y, -x, x});
+        if (x >= 0) near.rows.push_back({z, y, -x, x});
       }
-    near_.push_back(std::move(rows));
+    near_.push_back(std::move(near));
   }
 }
 
-bool RayProxy::normal(std::size_t burr, IVec3 pivot, Vec3& n) const noexcept {
+bool RayProxy::look(std::size_t burr, IVec3 pivot, Side& side) const noexcept {
   const Occupancy& occupancy = overlap_.occupancy();
   int count = 0;
   IVec3 sum(0);
-  for (const Row& row : near_[burr]) {
+  std::int64_t squares = 0;
+  for (const Row& row : near_[burr].rows) {
     const int z = pivot.z + row.z;
     const int y = pivot.y + row.y;
     const int x1 = pivot.x + row.x1;
@@ -61,15 +72,19 @@ bool RayProxy::normal(std::size_t burr, IVec3 pivot, Vec3& n) const noexcept {
       bits &= occupancy.row({x, y, z});
       if (bits == 0) continue;
       const int here = std::popcount(bits);
+      const int from = (x & ~7) - pivot.x;
+      const int places = kPositions[bits & 0xffu];
       count += here;
-      sum.x += kPositions[bits & 0xffu] + ((x & ~7) - pivot.x) * here;
+      sum.x += places + from * here;
       sum.y += row.y * here;
       sum.z += row.z * here;
+      squares += kSquares[bits & 0xffu] + 2 * from * places + (from * from + row.y * row.y + row.z * row.z) * here;
     }
   }
+  if (count == 0) return false;
   const double length = length_of(Vec3(sum));
-  if (count == 0 || length < 0.05 * count) return false;  // nothing there, or alike on all sides
-  n = Vec3(sum) / -length;
+  side.flat = length * length > near_[burr].flat * static_cast<double>(squares) * count;
+  if (length > 0.0) side.n = Vec3(sum) / -length;
   return true;
 }
 
@@ -101,6 +116,56 @@ bool RayProxy::walk(const Grid& grid, std::size_t burr, At& at, Vec3 q) const no
   return true;
 }
 
+bool RayProxy::step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, Vec3 n, Vec3 device) const noexcept {
+  const double quarter = kStepVoxels * grid.voxel_mm;
+  At next = at;
+  if (!walk(grid, burr, next, at.p + move)) {
+    // Up in quarter voxels until there is a way over.
+    At up = at;
+    bool over = false;
+    for (int lift = 1; lift <= kLifts && !over; ++lift) {
+      if (!walk(grid, burr, up, at.p + n * (quarter * lift))) return false;
+      next = up;
+      over = walk(grid, burr, next, up.p + move);
+    }
+    if (!over) return false;
+  }
+  const double above = glm::dot(next.p - device, n);
+  if (above > 0.0) walk(grid, burr, next, next.p - n * std::min(above, kDropVoxels * grid.voxel_mm));
+  at = next;
+  return true;
+}
+
+bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept {
+  const double longest = kSlideVoxels * grid.voxel_mm;
+  const Vec3 gap = device - at.p;
+  double best = length_of(gap) - kLeastVoxels * grid.voxel_mm;
+  At nearest = at;
+  bool found = false;
+  for (int choice = 0; choice < 6; ++choice) {
+    // Without one axis, then along one axis alone.
+    Vec3 part(0.0);
+    if (choice < 3) {
+      part = gap;
+      part[choice] = 0.0;
+    } else {
+      part[choice - 3] = gap[choice - 3];
+    }
+    const double length = length_of(part);
+    if (length < kLeastVoxels * grid.voxel_mm) continue;
+    At next = at;
+    walk(grid, burr, next, at.p + part * (std::min(length, longest) / length));
+    const double distance = length_of(device - next.p);
+    if (distance < best) {
+      best = distance;
+      nearest = next;
+      found = true;
+    }
+  }
+  at = nearest;
+  return found;
+}
+
 VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from,
                              Vec3 device) noexcept {
   VoxelContact out;
@@ -113,46 +178,35 @@ VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size
   At at{from, ToolOverlap::voxel_at(grid, from)};
   bool arrived = walk(grid, burr, at, device);
 
-  Vec3 n(0.0);
-  IVec3 normal_of = at.voxel;
-  bool known = !arrived && normal(burr, at.voxel, n);
+  Side side;
+  IVec3 side_of = at.voxel;
+  bool known = !arrived && look(burr, at.voxel, side);
   Vec3 way(0.0);
   double most = kSlideVoxels * voxel;
   bool moved = false, resting = false;
-  for (int slide = 0; slide < kSlides && known; ++slide) {
-    const Vec3 gap = device - at.p;
-    const Vec3 along = gap - n * glm::dot(gap, n);
-    const double left = length_of(along);
-    // Sent back by the next voxel's normal: shorter steps from here on.
-    if (glm::dot(along, way) < 0.0) most *= 0.5;
-    resting = left < kRestVoxels * voxel || most < kRestVoxels * voxel;
-    if (resting) break;
-    way = along;
-    const Vec3 move = along * (std::min(left, most) / left);
-
+  for (int slide = 0; slide < kSlides && known && !resting; ++slide) {
     At next = at;
-    if (!walk(grid, burr, next, at.p + move)) {
-      // Up in quarter voxels until there is a way over.
-      At up = at;
-      bool over = false;
-      for (int lift = 1; lift <= kLifts && !over; ++lift) {
-        if (!walk(grid, burr, up, at.p + n * (kStepVoxels * voxel * lift))) break;
-        next = up;
-        over = walk(grid, burr, next, up.p + move);
-      }
-      resting = !over;
-      if (!over) break;
+    const Vec3 gap = device - at.p;
+    if (side.flat) {
+      const double out_of = glm::dot(gap, side.n);
+      const Vec3 along = gap - side.n * out_of;
+      const double left = length_of(along);
+      // Sent back by the next voxel's normal: shorter steps from here on.
+      if (glm::dot(along, way) < 0.0) most *= 0.5;
+      way = along;
+      resting = left < kRestVoxels * voxel || most < kRestVoxels * voxel ||
+                !step_over(grid, burr, next, along * (std::min(left, most) / left), side.n, device);
+      const Vec3 rest = device - next.p;
+      resting = resting || length_of(rest - side.n * glm::dot(rest, side.n)) > left - kLeastVoxels * voxel;
+    } else {
+      resting = !step_nearer(grid, burr, next, device);
     }
-    const double above = glm::dot(next.p - device, n);
-    if (above > 0.0) walk(grid, burr, next, next.p - n * std::min(above, kDropVoxels * voxel));
-    const Vec3 rest = device - next.p;
-    resting = length_of(rest - n * glm::dot(rest, n)) > left - 0.001 * voxel;
     if (resting) break;
     at = next;
     moved = true;
-    if (at.voxel != normal_of) {
-      known = normal(burr, at.voxel, n);
-      normal_of = at.voxel;
+    if (at.voxel != side_of) {
+      known = look(burr, at.voxel, side);
+      side_of = at.voxel;
     }
   }
   out.deferred = known && !resting;

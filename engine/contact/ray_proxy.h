@@ -33,11 +33,24 @@ class RayProxy {
   };
   /// From a free position towards q; stops at the last free position. True when q was reached.
   bool walk(const Grid& grid, std::size_t burr, At& at, Vec3 q) const noexcept;
-  /// Out of the tissue about a pivot: away from the mean of the occupied voxels near the burr. False: none, or no side.
-  bool normal(std::size_t burr, IVec3 pivot, Vec3& n) const noexcept;
+  /// What the occupied voxels near the burr say about a pivot.
+  struct Side {
+    Vec3 n{0.0};        // out of the tissue: away from their mean
+    bool flat = false;  // they stand on one side: n is a surface's
+  };
+  /// False when none is near.
+  bool look(std::size_t burr, IVec3 pivot, Side& side) const noexcept;
+  /// One step of the path along a surface: over what stands in the way and down again. False: no way.
+  bool step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, Vec3 n, Vec3 device) const noexcept;
+  /// One step along the voxels' faces to whatever is nearest to the device point. False: nothing is nearer.
+  bool step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept;
 
   ToolOverlap overlap_;
-  std::vector<std::vector<Row>> near_;  // for each burr: a ball a little wider than it
+  struct Near {
+    std::vector<Row> rows;  // of a ball a little wider than the burr
+    double flat = 0.0;      // least square of the mean's length over the mean square that counts as one surface
+  };
+  std::vector<Near> near_;  // one for each burr of the scene
 };
 
 }  // namespace cusp

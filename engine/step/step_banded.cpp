@@ -72,14 +72,14 @@ class BandedMethod final : public ContactMethod {
   void reload(StepState::Inner&) override {}  // reads the volume itself
 
  private:
-  /// Eq. (4): moves the cut pose as the contact moved, alpha speed dt further towards the device point, and carves its way.
+  /// Eq. (4): takes the cut pose along, alpha speed dt further towards the device point, and carves its way.
   void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick, StepOutput& out) noexcept {
     const Scene& scene = *state.scene;
     const double radius = scene.burrs[out.burr].radius_mm;
     const Vec3 push = tick.device - contact.pose_mm;
     const double distance = length_of(push);
     if (!(distance > 1e-6)) return;
-    if (!Finder::kFollowsPush) slid -= push * (glm::dot(slid, push) / (distance * distance));
+    slid = Finder::kFollowsSideways ? slid - push * (glm::dot(slid, push) / (distance * distance)) : Vec3(0.0);
     Vec3 pose = state.cut_valid ? state.cut_pose + slid : contact.pose_mm;
     const Vec3 off = pose - contact.pose_mm;
     const double apart = length_of(off);
