@@ -42,7 +42,8 @@ inline constexpr std::array<std::string_view, 1> kCriticalKeys = {"pulp_exposure
 inline constexpr std::array<std::string_view, 3> kGeneratorKeys = {"paper-block", "block", "tooth"};
 inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};
 inline constexpr std::array<std::string_view, 1> kPhenomenonKeys = {"friction"};
-inline constexpr std::array kMethods = {Method::occupancy, Method::occupancy_pivot, Method::surface};
+inline constexpr std::array kMethods = {Method::occupancy, Method::occupancy_pivot, Method::ray,
+                                        Method::penalty,   Method::gradient,        Method::surface};
 
 /// The metric of a key, with "removed_<tissue>" among them; nullopt when there is none.
 std::optional<MetricKey> metric_from_key(std::string_view key) noexcept;

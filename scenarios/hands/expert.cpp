@@ -6,7 +6,7 @@ HandStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::
   HandStyle style;
   style.muscles.seed = seed;
   style.muscles.tremor_mm = 0.01;  // braced fingers [M]
-  if (scenario.method != Method::surface) {
+  if (reading_of(scenario.method) == Reading::filled) {
     // The proxy goes from voxel to voxel: nothing finer can be felt or aimed at.
     const double voxel = specimen.grid().voxel_mm;
     style.arrive_mm = 1.2 * voxel;
@@ -23,7 +23,7 @@ HandStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::
 Hand expert(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
   PlanErrors none;
   // From voxel to voxel the burr stops up to half a voxel short of a wall.
-  if (scenario.method != Method::surface) none.wider_mm = 0.5 * specimen.grid().voxel_mm;
+  if (reading_of(scenario.method) == Reading::filled) none.wider_mm = 0.5 * specimen.grid().voxel_mm;
   return Hand(plan_target(scenario, specimen, none), steady_style(scenario, specimen, seed), scenario);
 }
 

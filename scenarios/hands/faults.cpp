@@ -13,7 +13,7 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
     case HandFault::novice:
       errors.deeper_mm = 0.9;
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
-      if (scenario.method == Method::surface) {
+      if (reading_of(scenario.method) == Reading::banded) {
         errors.shift_mm = {0.25, 0.35, 0.0};
         errors.wider_mm = 0.15;
         style.muscles.tremor_mm = 0.08;

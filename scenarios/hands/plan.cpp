@@ -207,7 +207,7 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
   const double room = std::max(0.0, shape.half_width_mm() - r + errors.wider_mm);
   const double floor = shape.floor_mm() - errors.deeper_mm + r;  // of the burr's centre
   const double above = highest(specimen, nullptr, 0.0) + r + kClearMm;
-  const double layer_radii = scenario.method == Method::surface ? kLayerRadii : kSteppedLayerRadii;
+  const double layer_radii = reading_of(scenario.method) == Reading::banded ? kLayerRadii : kSteppedLayerRadii;
   const Vec2 shift(errors.shift_mm.x, errors.shift_mm.y);
 
   const auto go = [&plan](Vec2 p, double z, bool cut) { plan.strokes.push_back({Vec3(p, z), cut}); };
@@ -215,7 +215,7 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
   for (std::size_t path = 0; path < paths; ++path) {
     std::vector<Line> lines = lines_of(target, path, room, r, shift);
     if (lines.empty()) continue;
-    if (scenario.method != Method::surface)
+    if (reading_of(scenario.method) == Reading::filled)
       for (Line& line : lines) thin_out(line, specimen.grid().voxel_mm);
     const double top = highest(specimen, &lines, r) + r;
     if (plan.strokes.empty()) plan.start_mm = Vec3(lines.front().front(), above);

@@ -60,8 +60,7 @@ Grown grow_now(const SpecimenSource& source, Method method, const std::string& f
   out->facts = facts_of(volume);
   out->pulp_mm = rim_of(volume, Tissue::pulp);
   // As build_specimen() of ui/session reads it for this method.
-  out->whole =
-      std::make_shared<Volume>(Specimen::build(volume, method == Method::surface ? Reading::banded : Reading::filled));
+  out->whole = std::make_shared<Volume>(Specimen::build(volume, reading_of(method)));
   return std::shared_ptr<const GrownSpecimen>(std::move(out));
 }
 

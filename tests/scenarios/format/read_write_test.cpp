@@ -65,6 +65,23 @@ TEST(ScenarioFile, WhatIsWrittenFitsTheSchema) {
   }
 }
 
+TEST(ScenarioFile, EveryMethodHasItsWord) {
+  // design.md, "Contact methods": five methods, the first of them in two readings.
+  const std::pair<Method, const char*> words[] = {{Method::occupancy, "occupancy"}, {Method::occupancy_pivot, "occupancy-pivot"},
+                                                  {Method::ray, "ray"},             {Method::penalty, "penalty"},
+                                                  {Method::gradient, "gradient"},   {Method::surface, "surface"}};
+  EXPECT_EQ(std::size(words), kMethods.size());
+  for (const auto& [method, word] : words) {
+    json document = sound();
+    document["method"] = word;
+    EXPECT_TRUE(check_schema(document.dump()).empty()) << word;
+    const auto scenario = read_scenario(document.dump());
+    ASSERT_TRUE(scenario) << word;
+    EXPECT_EQ(scenario->method, method) << word;
+    EXPECT_EQ(json::parse(write_scenario(*scenario))["method"], word);
+  }
+}
+
 TEST(ScenarioFile, LeftOutKeysTakeTheirDefaults) {
   json document = sound();
   for (const char* key : {"key", "phenomena", "protected", "limits", "tolerance"}) document.erase(key);
