@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "tests/bench/accuracy.h"
+#include "tests/bench/chart.h"
 #include "tests/bench/names.h"
 #include "tests/bench/options.h"
 #include "tests/bench/rate.h"
@@ -26,6 +27,7 @@ constexpr Verb kVerbs[] = {
     {"accuracy", "every contact method against the exact proxy of a ball burr", run_accuracy, false},
     {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
     {"scale", "what a tick and a scene cost as the volume grows from 128^3 to 1024^3 voxels", run_scale, false},
+    {"chart", "all of it, or what --from names, as the tables and pictures of tests/bench/results", run_chart, true},
 };
 
 void add_options(CLI::App& app, Options& options, bool writes_folder) {
@@ -44,7 +46,9 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
   app.add_option("--budget-s", options.budget_s, "wall clock a row, 1 unless given")->check(CLI::Range(0.001, 3600.0));
   app.add_option("--seed", options.seed, "of every random choice, 1 unless given");
   app.add_option("--json", options.json, "write rows as JSON to a file, or to stdout for -");
-  if (writes_folder) app.add_option("--out", options.out, "folder for the files")->required();
+  if (!writes_folder) return;
+  app.add_option("--out", options.out, "folder for the files")->required();
+  app.add_option("--from", options.from, "draw these instead of measuring: a report of --json, a table, or their folder");
 }
 
 }  // namespace

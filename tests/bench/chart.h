@@ -1,0 +1,31 @@
+/// The verb `chart`: measures (or reads what was measured), and writes the tables and pictures of tests/bench/results.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "tests/bench/figures.h"
+#include "tests/bench/options.h"
+
+namespace cusp::bench {
+
+/// All that the pictures are drawn from.
+struct Evidence {
+  Report accuracy, rate, scale;
+  PaceReport pace;
+  MotionReport motion;
+};
+
+/// Runs every verb that makes rows.
+Evidence measure_all(const Options& options);
+/// Reads reports of --json, and the tables that chart writes; a folder stands for its tables. Rows find their kind by
+/// what they hold, so that one file may bring several.
+Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& from);
+
+/// [name]: text of every file. The same evidence, the same bytes.
+Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence& evidence);
+
+/// Records pace and motion where nothing that was read holds them.
+int run_chart(const Options& options);
+
+}  // namespace cusp::bench

@@ -1,0 +1,36 @@
+/// The pictures that are drawn from rows: the same rows give the same bytes. What is missing is said, nothing is drawn
+/// without it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "tests/bench/rows.h"
+#include "tests/bench/tasks.h"
+
+namespace cusp::bench {
+
+enum class ChartError : std::uint8_t { missing_rows, cannot_read, cannot_write };
+using ChartFailure = Failure<ChartError>;
+using Picture = Result<std::string, ChartFailure>;
+
+/// Mean angle error over face and sphere against updates a second, sliding at 50 mm/s: a mark for each method and voxel
+/// size, the front of the best, and the peers' figures, which were measured elsewhere.
+Picture speed_against_accuracy(const Report& accuracy, double burr_radius_mm);
+
+/// The paper's figure 13: updates a second by task, sampled every 25 ms.
+Picture rates_by_task(const PaceReport& pace);
+/// The paper's figure 14: displacement and force on each axis through the three tasks.
+Picture displacement_and_force(const MotionReport& motion);
+
+/// Angle and depth error of the surface proxy against the voxel size on sphere and cylinder, with the order that fits.
+Picture error_against_voxel(const Report& accuracy);
+
+/// A tick's cost against the burr's radius, against the volume's size, and memory against the volume's size.
+Picture cost_against_size(const Report& rate, const Report& scale);
+
+/// Order p of error = c h^p, by least squares on the logarithms. Pre: at least two points, all positive.
+double fitted_order(const std::vector<std::pair<double, double>>& h_and_error);
+
+}  // namespace cusp::bench

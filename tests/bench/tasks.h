@@ -1,0 +1,53 @@
+/// What the paper's figures 13 and 14 show, recorded on Cusp's methods: the pace of the loop in each task, and a hand's
+/// way and force through them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/step/step.h"
+#include "tests/bench/options.h"
+#include "tests/bench/rows.h"
+
+namespace cusp::bench {
+
+inline constexpr double kSampleS = 0.025;  // the paper samples every 25 ms
+inline constexpr int kSamplesATask = 16;
+
+/// Updates a second over 25 ms of nothing but stepping.
+struct PaceSample {
+  std::string method, task;
+  double time_s = 0.0;  // of stepping since the task began, at the sample's end
+  double updates_per_s = 0.0;
+};
+struct PaceReport {
+  std::string commit, machine;
+  std::vector<PaceSample> samples;
+};
+
+/// One moment of a hand's way, 1 kHz sampled every 25 ms.
+struct MotionSample {
+  std::string method, task;
+  double time_s = 0.0;
+  Vec3 displacement_mm{0.0};  // of the device point from where it began
+  Vec3 force_n{0.0};
+};
+struct MotionReport {
+  std::string commit, machine;
+  std::vector<MotionSample> samples;
+};
+
+/// The paper's "0.5 mm spherical drill bit", read as the larger of the two that it can mean.
+inline constexpr double kPaperBurrMm = 0.5;
+
+/// Surface and occupancy proxy on the face, 128^3 voxels in 10 mm; the two take turns sample by sample.
+PaceReport record_pace();
+/// In a block of K = 1 N/mm that a burr goes through at 1 mm/s. No clock: the same on every machine.
+MotionReport record_motion();
+
+std::string to_csv(const PaceReport& report);
+std::string to_csv(const MotionReport& report);
+Result<PaceReport, RowsFailure> pace_from_csv(const std::string& text);
+Result<MotionReport, RowsFailure> motion_from_csv(const std::string& text);
+
+}  // namespace cusp::bench
