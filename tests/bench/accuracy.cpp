@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "tests/bench/channel.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/names.h"
 #include "tests/bench/program.h"
@@ -11,6 +12,7 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kVoxel = 10.0 / 128;  // 128^3 in 10 mm
+constexpr int kHoles = 30;             // of a channel: ten upright, twenty oblique; sixteen more across a slot
 
 /// A voxel size and burr at which a shape is measured.
 struct Size {
@@ -34,6 +36,22 @@ std::vector<Size> sizes_of(std::string_view shape, const Options& options) {
   return out;
 }
 
+void channel_rows(const Options& options, const Size& size, Measure what, std::vector<Row>& rows) {
+  if (!asked(options.motions, "slide")) return;
+  for (const HoleKind kind : {HoleKind::straight, HoleKind::oblique, HoleKind::slot}) {
+    const int count = kind == HoleKind::straight ? kHoles / 3 : kind == HoleKind::oblique ? 2 * kHoles / 3 : 16;
+    const auto holes = meant_holes(size.burr_radius_mm, kind, options.seed, count);
+    for (const Method method : kMethods) {
+      if (!asked(options.methods, key_of(method))) continue;
+      what.method = method;
+      for (const double speed : chosen(options.speeds_mm_s, {5.0, 50.0, 200.0})) {
+        what.speed_mm_s = speed;
+        rows.push_back(measure_channel(holes, kind, what));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Row> accuracy_rows(const Options& options) {
@@ -45,8 +63,11 @@ std::vector<Row> accuracy_rows(const Options& options) {
     if (!asked(options.shapes, name)) continue;
     for (const Size& size : sizes_of(name, options)) {
       what.voxel_mm = size.voxel_mm;
+      if (name == "channel") {
+        channel_rows(options, size, what, rows);
+        continue;
+      }
       const std::unique_ptr<Shape> shape = make_shape(name, size.burr_radius_mm);
-      if (!shape) continue;
       for (const Method method : kMethods) {
         if (!asked(options.methods, key_of(method))) continue;
         what.method = method;

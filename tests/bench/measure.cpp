@@ -16,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kDegrees = 57.295779513082320877;
 constexpr double kAboveMm = 0.05;       // where a press starts
 constexpr double kPressMm = 0.05;       // a tick: 50 mm/s
+constexpr int kRestTicks = 10;          // before a press is read: some methods arrive late
 constexpr int kFollowMost = 100;        // ticks; a method that has not followed by then is simply wrong
 
 double mean(const std::vector<double>& values) {
@@ -104,7 +105,8 @@ Row measure_slide(const Shape& shape, const Measure& what) {
   TickTimes times;
   times.reserve(static_cast<std::size_t>(what.most_ticks));
   const double near = std::max(0.05, what.voxel_mm);
-  int following = -1;  // ticks since a minimum vanished
+  bool with_exact = false;
+  int following = -1;  // ticks since a minimum vanished in which the method stood with the exact proxy
   const auto end = Clock::now() + std::chrono::duration<double>(what.budget_s);
   for (std::int64_t tick = 0; tick < what.most_ticks; ++tick) {
     if (tick % 64 == 0 && Clock::now() >= end) break;
@@ -112,9 +114,10 @@ Row measure_slide(const Shape& shape, const Measure& what) {
     const StepOutput out = timed(what, state, input, times);
     const Exact exact = truth->follow(input.position_mm());
     errors.note(out);
-    if (exact.vanished) following = 0;
+    if (exact.vanished && with_exact) following = 0;
+    with_exact = length(out.proxy_mm - exact.pose_mm) <= near;
     if (following >= 0) {
-      if (length(out.proxy_mm - exact.pose_mm) <= near || following == kFollowMost) {
+      if (with_exact || following == kFollowMost) {
         errors.followed(following);
         following = -1;
       } else {
@@ -150,7 +153,7 @@ Row measure_presses(const Shape& shape, const Measure& what) {
     const Vec3 target = spot.centre - spot.normal * kDepthMm;
     const int ticks = static_cast<int>(std::ceil(length(target - above) / kPressMm));
     StepOutput out;
-    for (int t = 1; t <= ticks + 1; ++t) {
+    for (int t = 1; t <= ticks + kRestTicks; ++t) {
       const double share = std::min(1.0, static_cast<double>(t) / ticks);
       out = timed(what, state, input_at(above + (target - above) * share), times);
       errors.note(out);

@@ -48,12 +48,12 @@ class Errors {
 
 inline constexpr double kLeastSpringMm = 0.05;  // of the exact force, for a sample to count
 
-/// Ticks of 1 ms along the shape's slide, after one leg's start. Where the exact minimum vanishes, ticks until the
-/// method's proxy is within a voxel (at least 50 um) of the exact one are counted apart, 100 at most.
+/// Ticks of 1 ms along the shape's slide. Where the exact minimum vanishes while the method stands with it, within a
+/// voxel (at least 50 um), the ticks until it does so again are counted apart, 100 at most.
 Row measure_slide(const Shape& shape, const Measure& what);
 
-/// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, and one
-/// tick to rest; the last tick is the sample.
+/// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, and ten
+/// ticks to rest; the last tick is the sample.
 Row measure_presses(const Shape& shape, const Measure& what);
 
 /// The row's names and sizes.

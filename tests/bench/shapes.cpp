@@ -4,6 +4,7 @@
 #include <cmath>
 #include <list>
 
+#include "tests/bench/cut_shape.h"
 #include "tests/bench/profile_shapes.h"
 #include "tests/bench/round_shapes.h"
 
@@ -51,6 +52,7 @@ constexpr std::size_t kKept = 6;
 std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm) {
   if (auto shape = make_round_shape(name, burr_radius_mm)) return shape;
   if (auto shape = make_profile_shape(name, burr_radius_mm)) return shape;
+  if (name == "cut") return make_cut(burr_radius_mm);
   return nullptr;
 }
 

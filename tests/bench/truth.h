@@ -23,12 +23,12 @@ class Truth {
   virtual double clearance_mm(Vec3 centre) const = 0;
 
   /// Device point and proxy at an admissible centre.
-  void start(Vec3 centre) {
+  virtual void start(Vec3 centre) {
     device_ = centre;
     exact_ = {place(centre), false, false};
   }
   /// The device point has moved straight from where it was.
-  Exact follow(Vec3 device) {
+  virtual Exact follow(Vec3 device) {
     Exact out;
     const Vec3 from = device_;
     for (int k = 1; k <= kSubSteps; ++k) {

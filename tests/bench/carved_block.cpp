@@ -1,0 +1,420 @@
+#include "tests/bench/carved_block.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tests/bench/frame.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kTouch = 1e-9;       // mm: a point this close to a face lies on it
+constexpr double kEdgeStep = 0.005;   // mm between points of an edge
+constexpr double kSlack = 0.012;      // mm: what is further away than this cannot bind within one step ...
+constexpr double kTrust = 0.004;      // ... of this length
+constexpr double kNear = 0.08;        // mm: edge points are gathered this far beyond touch
+constexpr double kConformal = 0.02;   // mm: a burr that has no more room than this in a capsule touches it all round
+constexpr int kRing = 64;
+
+Vec3 on_axis(const Capsule& c, Vec3 p) {
+  const Vec3 d = c.b - c.a;
+  return c.a + d * std::clamp(glm::dot(p - c.a, d) / glm::dot(d, d), 0.0, 1.0);
+}
+
+/// Up to three half spaces on whose boundaries the minimum lies, and how hard each pushes.
+struct Binding {
+  Vec3 c{0.0};
+  int count = 0;
+  std::array<std::size_t, 3> which{};
+  std::array<double, 3> weight{};
+};
+
+/// Minimiser over the chosen boundaries; false when one would have to pull.
+bool corner_of(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& few, Binding& on) {
+  double m[3][4];
+  for (int i = 0; i < on.count; ++i) {
+    const HalfSpace& a = few[on.which[static_cast<std::size_t>(i)]];
+    const Vec3 an = inverse * a.n;
+    for (int j = 0; j < on.count; ++j) m[i][j] = glm::dot(an, few[on.which[static_cast<std::size_t>(j)]].n);
+    m[i][on.count] = a.level - glm::dot(a.n, z);
+  }
+  for (int i = 0; i < on.count; ++i) {
+    int best = i;
+    for (int k = i + 1; k < on.count; ++k)
+      if (std::fabs(m[k][i]) > std::fabs(m[best][i])) best = k;
+    if (std::fabs(m[best][i]) < 1e-13) return false;
+    for (int j = 0; j <= on.count; ++j) std::swap(m[i][j], m[best][j]);
+    for (int k = 0; k < on.count; ++k) {
+      if (k == i) continue;
+      const double f = m[k][i] / m[i][i];
+      for (int j = i; j <= on.count; ++j) m[k][j] -= f * m[i][j];
+    }
+  }
+  on.c = z;
+  for (int i = 0; i < on.count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    on.weight[at] = m[i][on.count] / m[i][i];
+    if (on.weight[at] < 0.0) return false;
+    on.c += inverse * (few[on.which[at]].n * on.weight[at]);
+  }
+  return true;
+}
+
+/// Exact for a handful of half spaces: every choice of at most three boundaries is tried.
+Binding nearest_of_few(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& few, const Binding& otherwise) {
+  Binding best = otherwise;
+  const Mat3 metric = glm::inverse(inverse);
+  double least = 1e300;
+  const auto consider = [&](Binding on) {
+    if (!corner_of(z, inverse, few, on)) return;
+    for (const HalfSpace& h : few)
+      if (glm::dot(h.n, on.c) < h.level - 1e-10) return;
+    const double far = glm::dot(on.c - z, metric * (on.c - z));
+    if (far < least) {
+      least = far;
+      best = on;
+    }
+  };
+  const std::size_t n = few.size();
+  for (std::size_t i = 0; i < n; ++i) consider({{}, 1, {i, 0, 0}, {}});
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) consider({{}, 2, {i, j, 0}, {}});
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j)
+      for (std::size_t k = j + 1; k < n; ++k) consider({{}, 3, {i, j, k}, {}});
+  return best;
+}
+
+}  // namespace
+
+Found nearest_in(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& spaces) {
+  // Adds the most violated one to a few until none is; those that do not bind may leave, for the distance only grows.
+  std::vector<HalfSpace> few;
+  Binding on;
+  on.c = z;
+  for (int pass = 0; pass < 200; ++pass) {
+    const HalfSpace* worst = nullptr;
+    double most = 1e-10;
+    for (const HalfSpace& h : spaces) {
+      const double under = h.level - glm::dot(h.n, on.c);
+      if (under > most) {
+        most = under;
+        worst = &h;
+      }
+    }
+    if (worst == nullptr) break;
+    if (few.size() >= 6) {
+      std::vector<HalfSpace> kept;
+      for (int i = 0; i < on.count; ++i) kept.push_back(few[on.which[static_cast<std::size_t>(i)]]);
+      few = std::move(kept);
+    }
+    few.push_back(*worst);
+    on = nearest_of_few(z, inverse, few, on);
+  }
+  Found out{on.c, Mat3(0.0)};
+  for (int i = 0; i < on.count; ++i) out.bend += few[on.which[static_cast<std::size_t>(i)]].bend * on.weight[static_cast<std::size_t>(i)];
+  return out;
+}
+
+CarvedBlock::CarvedBlock(Vec3 normal, double level, std::vector<Capsule> capsules, double radius_mm, double thinner_mm)
+    : normal_(normal), level_(level), capsules_(std::move(capsules)), radius_(radius_mm), thin_(radius_mm - thinner_mm) {
+  const int n = static_cast<int>(capsules_.size());
+  for (int i = 0; i < n; ++i)
+    for (int j = -1; j < i; ++j) trace_pair(i, j);
+}
+
+double CarvedBlock::beyond(int face, Vec3 p, Vec3* gradient) const {
+  if (face < 0) {
+    if (gradient) *gradient = normal_;
+    return glm::dot(normal_, p) - level_;
+  }
+  const Capsule& c = capsules_[static_cast<std::size_t>(face)];
+  const Vec3 d = p - on_axis(c, p);
+  const double far = length(d);
+  if (gradient) *gradient = far > 1e-12 ? -d / far : Vec3(0.0);
+  return c.radius_mm - far;
+}
+
+bool CarvedBlock::stands(Vec3 p, int face_a, int face_b) const {
+  for (int f = -1; f < static_cast<int>(capsules_.size()); ++f)
+    if (f != face_a && f != face_b && beyond(f, p, nullptr) > kTouch) return false;
+  return true;
+}
+
+bool CarvedBlock::onto(int face_a, int face_b, Vec3& p) const {
+  for (int pass = 0; pass < 20; ++pass) {
+    Vec3 ga, gb;
+    const double da = beyond(face_a, p, &ga), db = beyond(face_b, p, &gb);
+    if (std::fabs(da) < 1e-13 && std::fabs(db) < 1e-13) return true;
+    const double ab = glm::dot(ga, gb), det = 1.0 - ab * ab;
+    if (det < 1e-6) return false;
+    p -= ga * ((da - ab * db) / det) + gb * ((db - ab * da) / det);
+  }
+  return std::fabs(beyond(face_a, p, nullptr)) < 1e-11 && std::fabs(beyond(face_b, p, nullptr)) < 1e-11;
+}
+
+void CarvedBlock::trace_pair(int face_a, int face_b) {
+  // Seeds: where the other face changes sides between neighbours of a net over the capsule.
+  const Capsule& c = capsules_[static_cast<std::size_t>(face_a)];
+  const Frame f = Frame::of(c.b - c.a, std::fabs(unit(c.b - c.a).z) < 0.8 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), c.a);
+  const double whole = length(c.b - c.a);
+  constexpr int kAround = 48, kCap = 8;
+  const int along = static_cast<int>(whole / 0.05) + 2;
+  const int rows = along + 2 * kCap;
+  const auto at = [&](int row, int column) {
+    const double phi = 6.283185307179586 * column / kAround;
+    double z = 0.0, rho = c.radius_mm;
+    if (row < kCap || row >= kCap + along) {
+      const double lift = row < kCap ? 1.5707963 * (kCap - row) / kCap : 1.5707963 * (row - kCap - along + 1) / kCap;
+      rho = c.radius_mm * std::cos(lift);
+      z = row < kCap ? -c.radius_mm * std::sin(lift) : whole + c.radius_mm * std::sin(lift);
+    } else {
+      z = whole * (row - kCap) / (along - 1);
+    }
+    return f.to_world({rho * std::cos(phi), rho * std::sin(phi), z});
+  };
+  const std::size_t first = edges_.size();
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < kAround; ++column) {
+      const Vec3 p = at(row, column);
+      const bool here = beyond(face_b, p, nullptr) > 0.0;
+      for (const Vec3 other : {at(row, (column + 1) % kAround), at(std::min(row + 1, rows - 1), column)}) {
+        if ((beyond(face_b, other, nullptr) > 0.0) == here) continue;
+        Vec3 seed = 0.5 * (p + other);
+        if (!onto(face_a, face_b, seed)) continue;
+        if (length(seed - p) > 0.2 || !stands(seed, face_a, face_b)) continue;
+        bool known = false;
+        for (std::size_t k = first; k < edges_.size() && !known; ++k) known = length(edges_[k].at - seed) < 1.5 * kEdgeStep;
+        if (!known) trace(face_a, face_b, seed);
+      }
+    }
+}
+
+void CarvedBlock::trace(int face_a, int face_b, Vec3 seed) {
+  const auto step = [&](Vec3& p, double way) {
+    Vec3 ga, gb;
+    beyond(face_a, p, &ga);
+    beyond(face_b, p, &gb);
+    const Vec3 t = glm::cross(ga, gb);
+    const double size = length(t);
+    if (size < 1e-3) return false;
+    Vec3 next = p + t * (way / size);
+    if (!onto(face_a, face_b, next)) return false;
+    p = next;
+    return true;
+  };
+  /// Where the edge ends between a point that stands and one that does not.
+  const auto last_standing = [&](Vec3 good, Vec3 bad) {
+    for (int k = 0; k < 50; ++k) {
+      Vec3 middle = 0.5 * (good + bad);
+      if (!onto(face_a, face_b, middle)) break;
+      (stands(middle, face_a, face_b) ? good : bad) = middle;
+    }
+    return good;
+  };
+  std::vector<Vec3> run{seed};
+  for (const double way : {kEdgeStep, -kEdgeStep}) {
+    Vec3 p = seed;
+    for (int k = 0; k < 20000; ++k) {
+      const Vec3 from = p;
+      if (!step(p, way)) break;
+      if (!stands(p, face_a, face_b)) {
+        run.push_back(last_standing(from, p));
+        break;
+      }
+      if (way > 0.0 && k > 3 && length(p - seed) < 0.9 * kEdgeStep) {
+        keep_run(run, true);
+        return;
+      }
+      run.push_back(p);
+    }
+    std::reverse(run.begin(), run.end());  // after the second way it runs forward again
+  }
+  keep_run(run, false);
+}
+
+void CarvedBlock::keep_run(const std::vector<Vec3>& points, bool closed) {
+  const int first = static_cast<int>(edges_.size()), n = static_cast<int>(points.size());
+  for (int i = 0; i < n; ++i) {
+    EdgePoint e{points[static_cast<std::size_t>(i)], first + i - 1, first + i + 1};
+    if (i == 0) e.before = closed ? first + n - 1 : -1;
+    if (i == n - 1) e.after = closed ? first : -1;
+    edges_.push_back(e);
+  }
+}
+
+Vec3 CarvedBlock::refined(int i, Vec3 centre) const {
+  const EdgePoint& e = edges_[static_cast<std::size_t>(i)];
+  if (e.before < 0 || e.after < 0) return e.at;
+  const Vec3 p = edges_[static_cast<std::size_t>(e.before)].at, r = edges_[static_cast<std::size_t>(e.after)].at;
+  // A parabola through the three, by its chord lengths, and the foot on it.
+  const double back = -length(e.at - p), on = length(r - e.at);
+  const Vec3 u = (p - e.at) / back, v = (r - e.at) / on;
+  const Vec3 second = (v - u) / (on - back);       // p(s) = at + s (u - back second) + s^2 second
+  const Vec3 slope = u - second * back;
+  double s = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 at = e.at + s * slope + s * s * second - centre;
+    const Vec3 d = slope + 2.0 * s * second;
+    const double bend = glm::dot(d, d) + 2.0 * glm::dot(at, second);
+    if (bend < 1e-9) return e.at;  // no single foot: the burr lies in the edge's own curvature
+    s = std::clamp(s - glm::dot(at, d) / bend, back, on);
+  }
+  return e.at + s * slope + s * s * second;
+}
+
+CarvedBlock::Nearest CarvedBlock::nearest(Vec3 centre) const {
+  const int n = static_cast<int>(capsules_.size());
+  double in_air = -1e300;
+  for (int f = -1; f < n; ++f) in_air = std::max(in_air, beyond(f, centre, nullptr));
+  // In tissue: air is the union of convex bodies, so the nearest of them is as far as it looks.
+  if (in_air <= 0.0) return {in_air - radius_, false};
+  Nearest best{1e300, false};
+  for (int f = -1; f < n; ++f) {
+    Vec3 g;
+    const double far = beyond(f, centre, &g);
+    if (far <= 0.0 || glm::dot(g, g) < 0.5) continue;
+    if (!stands(centre - g * far, f, f)) continue;
+    best.clearance = std::min(best.clearance, far - (f < 0 ? radius_ : thin_));
+  }
+  double least = 1e300;
+  int which = -1;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Vec3 d = edges_[i].at - centre;
+    const double far = glm::dot(d, d);
+    if (far < least) {
+      least = far;
+      which = static_cast<int>(i);
+    }
+  }
+  if (which >= 0) {
+    const double far = length(refined(which, centre) - centre) - thin_;
+    if (far < best.clearance - 1e-9) best = {far, true};
+  }
+  return best;
+}
+
+double CarvedBlock::clearance_mm(Vec3 centre) const { return nearest(centre).clearance; }
+bool CarvedBlock::edge_nearest(Vec3 centre) const { return nearest(centre).edge; }
+
+void CarvedBlock::gather(Vec3 y) {
+  if (length(y - near_centre_) < kNear - kSlack - kEdgeStep) return;
+  near_.clear();
+  near_centre_ = y;
+  const double reach = thin_ + kNear;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Vec3 d = edges_[i].at - y;
+    if (glm::dot(d, d) < reach * reach) near_.push_back(static_cast<int>(i));
+  }
+}
+
+void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
+  out.clear();
+  const auto point = [&](Vec3 p, double radius) {
+    const Vec3 d = y - p;
+    const double far = length(d);
+    if (far > radius + kSlack || far < 1e-9) return false;
+    const Vec3 n = d / far;
+    out.push_back({n, glm::dot(n, p) + radius, (glm::outerProduct(n, n) - Mat3(1.0)) / far});
+    return true;
+  };
+  for (int f = -1; f < static_cast<int>(capsules_.size()); ++f) {
+    Vec3 g;
+    const double far = beyond(f, y, &g);
+    const double radius = f < 0 ? radius_ : thin_;
+    if (far <= 0.0) continue;
+    const bool all_round = f >= 0 && capsules_[static_cast<std::size_t>(f)].radius_mm - thin_ <= kConformal;
+    if (!all_round && far < radius + kSlack && glm::dot(g, g) > 0.5) {
+      const Vec3 foot = y - g * far;
+      if (stands(foot, f, f)) {
+        HalfSpace h{g, glm::dot(g, foot) + radius, Mat3(0.0)};
+        if (f >= 0) {
+          const Capsule& c = capsules_[static_cast<std::size_t>(f)];
+          const Vec3 axis = on_axis(c, y), t = unit(c.b - c.a);
+          h.bend = Mat3(1.0) - glm::outerProduct(g, g);
+          if (axis != c.a && axis != c.b) h.bend -= glm::outerProduct(t, t);
+          h.bend /= std::max(1e-6, length(y - axis));
+        }
+        out.push_back(h);
+      }
+    }
+    if (!all_round) continue;
+    // As wide as the burr: it touches all round, so the foot alone says little.
+    const Capsule& c = capsules_[static_cast<std::size_t>(f)];
+    const Frame frame = Frame::of(c.b - c.a, std::fabs(unit(c.b - c.a).z) < 0.8 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), Vec3(0.0));
+    const Vec3 axis = on_axis(c, y);
+    const auto touch = [&](Vec3 u) {
+      const Vec3 p = axis + c.radius_mm * u;
+      if (stands(p, f, f) && point(p, thin_)) out.back().bend = Mat3(0.0);  // its neighbours answer for the roundness
+    };
+    for (int k = 0; k < kRing; ++k) {
+      const double phi = 6.283185307179586 * k / kRing;
+      touch(frame.direction({std::cos(phi), std::sin(phi), 0.0}));
+    }
+    for (const double side : {-1.0, 1.0}) {
+      if (length(axis - (side < 0.0 ? c.a : c.b)) > 1e-12) continue;
+      constexpr int kRows = 10;
+      for (int row = 1; row <= kRows; ++row) {
+        const double lift = 1.5707963267948966 * row / kRows;
+        const int columns = std::max(1, static_cast<int>(4 * kRows * std::cos(lift)));
+        for (int k = 0; k < columns; ++k) {
+          const double phi = 6.283185307179586 * k / columns;
+          touch(frame.direction({std::cos(phi) * std::cos(lift), std::sin(phi) * std::cos(lift), side * std::sin(lift)}));
+        }
+      }
+    }
+  }
+  for (const int i : near_) {
+    const EdgePoint& e = edges_[static_cast<std::size_t>(i)];
+    const Vec3 d = e.at - y;
+    const double far2 = glm::dot(d, d);
+    const double reach = thin_ + kSlack;
+    if (far2 > reach * reach) continue;
+    if (e.before < 0 || e.after < 0) {
+      point(e.at, thin_);
+      continue;
+    }
+    const Vec3 before = edges_[static_cast<std::size_t>(e.before)].at, after = edges_[static_cast<std::size_t>(e.after)].at;
+    const bool foot = far2 <= glm::dot(before - y, before - y) && far2 <= glm::dot(after - y, after - y);
+    // How far y is on the way to the middle of the edge's own curvature, where every point of it is as near: there the
+    // points themselves stand for the edge, elsewhere the foot, which comes along.
+    const Vec3 curvature = (after + before - 2.0 * e.at) / (0.25 * glm::dot(after - before, after - before));
+    const double share = glm::dot(curvature, y - e.at);
+    if (!foot || share > 0.9 || !point(refined(i, y), thin_)) {
+      point(e.at, thin_);
+      continue;
+    }
+    HalfSpace& h = out.back();
+    const Vec3 tangent = after - before;
+    const Vec3 t = unit(tangent - h.n * glm::dot(h.n, tangent));
+    h.bend += glm::outerProduct(t, t) * ((1.0 + share / (1.0 - share)) / std::sqrt(far2));
+  }
+}
+
+Vec3 CarvedBlock::settle(Vec3 from, Vec3 q, double precision_mm) {
+  constexpr int kPasses = 400;
+  Vec3 y = from;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    gather(y);
+    constraints(y, spaces_);
+    Mat3 metric = Mat3(1.0) + bend_;
+    // An edge that the device point has all but passed leaves no minimum there; keep the metric one.
+    if (glm::determinant(metric) < 0.05 || metric[0][0] < 0.05 || metric[1][1] < 0.05 || metric[2][2] < 0.05)
+      metric = Mat3(1.0);
+    const Mat3 inverse = glm::inverse(metric);
+    const Vec3 z = y + inverse * (q - y);
+    const Found found = nearest_in(z, inverse, spaces_);
+    const Vec3 way = found.c - y;
+    const double far = length(way);
+    bend_ = found.bend;
+    // Where two choices of what holds take turns, half steps end it.
+    const double share = pass < 40 ? 1.0 : 0.5;
+    y = far > kTrust ? y + way * (kTrust / far) : y + way * share;
+    if (far < precision_mm) break;
+  }
+  return y;
+}
+
+}  // namespace cusp::bench

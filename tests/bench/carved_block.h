@@ -1,0 +1,83 @@
+/// What is left of a half space when balls have been swept through it along straight lines, exactly: its faces are the
+/// plane and the inner sides of capsules; its edges, where two of them meet, are traced to points 5 um apart that lie on
+/// both (between them, a parabola through three: 2 nm). All edges are convex, for each face bounds a convex emptiness.
+/// Specimen frame, mm.
+#pragma once
+
+#include <vector>
+
+#include "engine/base/vec.h"
+
+namespace cusp::bench {
+
+struct Capsule {
+  Vec3 a{0.0}, b{0.0};
+  double radius_mm = 0.0;
+};
+
+using Mat3 = glm::dmat3;
+
+/// n . c >= level is admissible; `bend` is how the normal turns: the second derivative of what it stands for, negated.
+struct HalfSpace {
+  Vec3 n{0.0};
+  double level = 0.0;
+  Mat3 bend{0.0};
+};
+
+/// The minimum of (c - z) . H (c - z) over the half spaces' intersection, given H's inverse. bend: the sum of the binding
+/// ones' bends by their weights.
+struct Found {
+  Vec3 c{0.0};
+  Mat3 bend{0.0};
+};
+Found nearest_in(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& spaces);
+
+class CarvedBlock {
+ public:
+  /// Tissue: normal . p <= level. Capsules must not coincide along a stretch (a path's joints do). A ball of radius_mm
+  /// meets the plane; one thinner by thinner_mm meets what was cut: faces of capsules and all edges.
+  CarvedBlock(Vec3 normal, double level, std::vector<Capsule> capsules, double radius_mm, double thinner_mm);
+
+  /// Distance from the ball's surface to the tissue, negative inside.
+  double clearance_mm(Vec3 centre) const;
+  /// True when an edge is what is nearest.
+  bool edge_nearest(Vec3 centre) const;
+
+  /// The local minimum of |c - q| over admissible centres, downhill from the admissible centre `from`, to precision_mm:
+  /// half spaces about where it stands, their curvature taken into the distance's own (Newton), in steps of at most 4 um.
+  Vec3 settle(Vec3 from, Vec3 q, double precision_mm);
+
+  const std::vector<Capsule>& capsules() const { return capsules_; }
+
+ private:
+  struct EdgePoint {
+    Vec3 at{0.0};
+    int before = -1, after = -1;  // along the edge; -1 at its end
+  };
+  struct Nearest {
+    double clearance = 0.0;
+    bool edge = false;
+  };
+  Nearest nearest(Vec3 centre) const;
+  double beyond(int face, Vec3 p, Vec3* gradient) const;  // plane -1; positive in the emptiness
+  bool stands(Vec3 p, int face_a, int face_b) const;      // a point of these faces that nothing else took away
+  bool onto(int face_a, int face_b, Vec3& p) const;       // Newton to both faces
+  void trace_pair(int face_a, int face_b);
+  void trace(int face_a, int face_b, Vec3 seed);
+  void keep_run(const std::vector<Vec3>& points, bool closed);
+  Vec3 refined(int edge_point, Vec3 centre) const;
+  void gather(Vec3 y);
+  void constraints(Vec3 y, std::vector<HalfSpace>& out) const;
+
+  Vec3 normal_;
+  double level_;
+  std::vector<Capsule> capsules_;
+  double radius_, thin_;
+  std::vector<EdgePoint> edges_;
+  std::vector<int> near_;       // edge points about near_centre_
+  Vec3 near_centre_{1e9};
+  std::vector<HalfSpace> spaces_;
+  Mat3 bend_{0.0};              // of what held the last pose
+};
+
+}  // namespace cusp::bench

@@ -1,0 +1,83 @@
+#include "tests/bench/channel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/contact/surface_contact.h"
+#include "tests/bench/tick_times.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kMeantMm = 0.05;
+constexpr double kLeadMm = 0.02;  // a tick, into the hole and aside
+
+const char* name_of(HoleKind kind) {
+  return kind == HoleKind::straight ? "straight" : kind == HoleKind::oblique ? "oblique" : "slot";
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, std::uint64_t seed, int count) {
+  std::vector<std::shared_ptr<const Hole>> out;
+  for (; static_cast<int>(out.size()) < count; ++seed) {
+    auto hole = std::make_shared<const Hole>(r, kind, seed, SurfaceContact::kClearanceMm);
+    const Hole wider(r, kind, seed, 1.5 * SurfaceContact::kClearanceMm);
+    const auto a = hole->truth(), b = wider.truth();
+    a->start(hole->bottom());
+    b->start(hole->bottom());
+    Random none(0);
+    const Leg leg = hole->leg(none, nullptr);
+    bool meant = true;
+    for (double s = 0.0; s < leg.length_mm && meant; s += 0.05) {
+      const Vec3 device = input_at(leg.at(s)).position_mm();
+      meant = length(a->follow(device).pose_mm - b->follow(device).pose_mm) < kMeantMm;
+    }
+    if (meant) out.push_back(std::move(hole));
+  }
+  return out;
+}
+
+Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, HoleKind kind, const Measure& what) {
+  using Clock = std::chrono::steady_clock;
+  Errors errors;
+  TickTimes times;
+  for (const auto& hole : holes) {
+    StepState state(scene_of(*hole, what.method, what.voxel_mm));
+    hole->prepare(state);
+    Random none(0);
+    const Leg leg = hole->leg(none, nullptr);
+    bring(state, what.stepper, *hole, hole->outside());
+    lead(state, what.stepper, hole->bottom(), kLeadMm);
+    lead(state, what.stepper, leg.at(0.0), kLeadMm);
+    const auto truth = hole->truth();
+    truth->start(hole->bottom());
+    truth->follow(input_at(leg.at(0.0)).position_mm());
+    errors.skip();
+    const double per_tick = what.speed_mm_s * kTickUs * 1e-6;
+    for (double s = per_tick; s <= leg.length_mm; s += per_tick) {
+      const StepInput input = input_at(leg.at(s));
+      const auto before = Clock::now();
+      const StepOutput out = what.stepper(state, input);
+      times.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - before).count());
+      const Exact exact = truth->follow(input.position_mm());
+      errors.note(out);
+      const auto behind = [&](Vec3 pose) { return std::fabs(glm::dot(out.device_mm - pose, hole->axis())); };
+      errors.lag(std::max(0.0, behind(out.proxy_mm) - behind(exact.pose_mm)));
+      if (!exact.contact || length(exact.pose_mm - out.device_mm) < kLeastSpringMm) {
+        errors.skip_small();
+      } else {
+        errors.add(out, exact, truth->clearance_mm(out.proxy_mm));
+      }
+    }
+  }
+  Row row = row_of(*holes.front(), what, "slide");
+  row.variant = name_of(kind);
+  errors.fill(row);
+  times.fill(row);
+  return row;
+}
+
+}  // namespace cusp::bench

@@ -1,0 +1,19 @@
+/// The shape `channel`: thirty random holes in turn, as one row a kind.
+#pragma once
+
+#include <vector>
+
+#include "tests/bench/cut_shape.h"
+#include "tests/bench/measure.h"
+
+namespace cusp::bench {
+
+/// Holes that are meant: those in which the exact proxy of a burr with half again the clearance never stands more than
+/// 50 um from that of the surface proxy's own clearance. From seed on, `count` of them.
+std::vector<std::shared_ptr<const Hole>> meant_holes(double burr_radius_mm, HoleKind kind, std::uint64_t seed, int count);
+
+/// Each hole: cut, the burr led to its end, pulled aside by 0.1 mm, out along the axis and back in. Lag: how much further
+/// behind the device point, along the axis, the method's proxy stands than the exact one.
+Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, HoleKind kind, const Measure& what);
+
+}  // namespace cusp::bench

@@ -1,0 +1,61 @@
+/// Blocks that a burr has cut along known paths: `cut`, three scratches across each other that a smaller burr slides
+/// over, and the holes of `channel`, in which the burr that cut them is pulled out and pushed back.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "tests/bench/carved_truth.h"
+#include "tests/bench/frame.h"
+#include "tests/bench/shapes.h"
+
+namespace cusp::bench {
+
+/// An oblique face and what has been swept through it. Cuts are made by cut_along in pieces of 0.1 mm, which together
+/// are the same capsule.
+class CutBlock : public Shape {
+ public:
+  double distance_mm(Vec3 p) const override { return frame_.to_local(p).z; }
+  std::string key() const override { return "face"; }
+  bool prepare(StepState& state) const override;
+  std::unique_ptr<Truth> truth() const override { return std::make_unique<CarvedTruth>(block_, memory_); }
+  const std::vector<Capsule>& capsules() const { return block_->capsules(); }
+
+ protected:
+  CutBlock(std::string name, double burr_radius_mm) : Shape(std::move(name), burr_radius_mm) {}
+  /// capsules in the frame's own axes. thinner_mm: the burr's clearance against cuts.
+  void carve(std::vector<Capsule> local, double thinner_mm);
+
+  Frame frame_ = oblique_frame();
+  std::shared_ptr<CarvedBlock> block_;
+  std::shared_ptr<CarvedMemory> memory_ = std::make_shared<CarvedMemory>();
+};
+
+/// Scratches of a burr half again as wide, 0.2 to 0.45 mm deep at most, meeting in a triangle.
+std::unique_ptr<Shape> make_cut(double burr_radius_mm);
+
+enum class HoleKind { straight, oblique, slot };
+
+/// A hole of the burr's own width, by seed: 0.4 to 1.3 mm deep along its axis, upright (within 5 degrees of the face's
+/// normal), oblique (10 to 70 degrees), or the latter across an older slot.
+class Hole : public CutBlock {
+ public:
+  Hole(double burr_radius_mm, HoleKind kind, std::uint64_t seed, double thinner_mm);
+
+  Vec3 tool_axis() const override { return axis_; }
+  Vec3 home() const override { return mouth_ + axis_ * 8.0; }
+  double cutter_radius_mm() const override { return 0.0; }  // the burr itself
+  Spot spot(Random&) const override { return {bottom_, axis_}; }
+  Leg leg(Random&, const Vec3*) const override;
+  Vec3 before(Vec3) const override { return bottom_; }
+
+  Vec3 axis() const { return axis_; }      // out of the hole
+  Vec3 bottom() const { return bottom_; }  // centre of the burr at the end of its cut
+  Vec3 outside() const { return mouth_ + axis_ * (3.0 * burr_radius_mm()); }
+  Vec3 pull() const { return pull_; }      // 0.1 mm across
+
+ private:
+  Vec3 axis_{0.0}, bottom_{0.0}, mouth_{0.0}, pull_{0.0};
+};
+
+}  // namespace cusp::bench
