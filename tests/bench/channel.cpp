@@ -14,11 +14,11 @@ namespace {
 constexpr double kMeantMm = 0.05;
 constexpr double kLeadMm = 0.02;  // a tick, into the hole and aside
 
+}  // namespace
+
 const char* name_of(HoleKind kind) {
   return kind == HoleKind::straight ? "straight" : kind == HoleKind::oblique ? "oblique" : "slot";
 }
-
-}  // namespace
 
 std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, std::uint64_t seed, int count) {
   std::vector<std::shared_ptr<const Hole>> out;

@@ -8,6 +8,9 @@
 
 namespace cusp::bench {
 
+/// As rows have it in "variant".
+const char* name_of(HoleKind kind);
+
 /// Holes that are meant: those in which the exact proxy of a burr with half again the clearance never stands more than
 /// 50 um from that of the surface proxy's own clearance. From seed on, `count` of them.
 std::vector<std::shared_ptr<const Hole>> meant_holes(double burr_radius_mm, HoleKind kind, std::uint64_t seed, int count);

@@ -45,6 +45,12 @@ void run_clocked(Lane& lane, double block_s) {
 
 }  // namespace
 
+void Pace::append(const Pace& other) {
+  times.append(other.times);
+  rates.insert(rates.end(), other.rates.begin(), other.rates.end());
+  untimed += other.untimed;
+}
+
 void Pace::fill(Row& row) const {
   times.fill(row);
   row.samples = static_cast<std::int64_t>(times.count()) + untimed;

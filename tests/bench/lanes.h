@@ -33,6 +33,7 @@ struct Pace {
   std::vector<double> rates;  // updates a second of each block without one
   std::int64_t untimed = 0;   // ticks of those
 
+  void append(const Pace& other);
   /// Sets samples, updates_per_s (the median of the blocks without a clock in them, so that the clock's own 20 ns or so
   /// are not counted) and tick_us_* (with it) of the row.
   void fill(Row& row) const;

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "tests/bench/channel.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/names.h"
@@ -21,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kTrackTicks = 4096;  // 0.2 m of way; its inputs stay in the second cache
 constexpr int kPerforationBlock = 250;
+constexpr int kHolesAKind = 4;
 
 struct Task {
   std::string_view task, shape;
@@ -35,6 +37,7 @@ const std::vector<Task>& standard_tasks() {
       {"exploration", "face", {0.25, 0.5, 1.15, 3.0}},
       {"exploration", "sphere", {0.25, 0.5, 1.15, 3.0}},
       {"exploration", "cylinder", {0.25, 0.5, 1.15, 3.0}},
+      {"exploration", "channel", {0.25, 0.5}},
       {"perforation", "face", {0.25, 0.5}},
   };
   return tasks;
@@ -91,6 +94,42 @@ std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double sp
     row.motion = "slide";
     row.speed_mm_s = speed;
     paces.push_back(&lanes[i].pace);
+  }
+  fill(rows, methods, paces);
+  return rows;
+}
+
+/// In and out of holes that the burr cut, pulled aside by 0.1 mm: from the end to where the ball's centre passes the face.
+std::vector<Row> channel_rows(double radius, HoleKind kind, double speed, double voxel_mm, const Options& options) {
+  const std::vector<Method> methods = methods_asked(options);
+  const auto holes = meant_holes(radius, kind, options.seed, kHolesAKind);
+  std::vector<Pace> all(methods.size());
+  for (const auto& hole : holes) {
+    Random none(0);
+    const Leg leg = hole->leg(none, nullptr);
+    const double inside = length(hole->outside() - hole->bottom()) - 3.0 * radius;
+    std::vector<StepInput> inputs;
+    for (double s = 0.0; s <= inside; s += speed * kTickUs * 1e-6) inputs.push_back(input_at(leg.at(s)));
+    std::vector<Lane> lanes;
+    lanes.reserve(methods.size());
+    for (const Method method : methods) {
+      Lane& lane = lanes.emplace_back(Lane{StepState(scene_of(*hole, method, voxel_mm)), Track(inputs), {}});
+      if (!hole->prepare(lane.state)) throw std::runtime_error("no room to prepare channel");
+      bring(lane.state, step, *hole, hole->outside());
+      lead(lane.state, step, hole->bottom(), 0.02);
+      lead(lane.state, step, inputs.front().position_mm(), 0.02);
+    }
+    run_lanes(lanes, options.budget_s / kHolesAKind);
+    for (std::size_t i = 0; i < lanes.size(); ++i) all[i].append(lanes[i].pace);
+  }
+  std::vector<Row> rows;
+  std::vector<const Pace*> paces;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    Row& row = rows.emplace_back(row_of(methods[i], *holes.front(), "exploration", voxel_mm, options));
+    row.variant = name_of(kind);
+    row.motion = "slide";
+    row.speed_mm_s = speed;
+    paces.push_back(&all[i]);
   }
   fill(rows, methods, paces);
   return rows;
@@ -195,6 +234,12 @@ std::vector<Row> rate_rows(const Options& options) {
     if (!asked(options.motions, "slide") && task.task != "perforation") continue;
     for (const double voxel : chosen(options.voxels_mm, {kRateVoxelMm}))
       for (const double radius : chosen(options.burr_radii_mm, task.radii)) {
+        if (task.shape == "channel") {
+          for (const double speed : chosen(options.speeds_mm_s, {kRateSpeedMmS}))
+            for (const HoleKind kind : {HoleKind::straight, HoleKind::oblique, HoleKind::slot})
+              add(channel_rows(radius, kind, speed, voxel, options));
+          continue;
+        }
         const std::unique_ptr<Shape> shape = make_shape(task.shape, radius);
         if (task.task == "perforation") {
           add(perforation_rows(*shape, voxel, options));

@@ -120,6 +120,20 @@ TEST(Rate, without_the_occupancy_proxy_there_is_no_ratio) {
   EXPECT_GT(rows[0].voxels_changed, 0.0);
 }
 
+TEST(Rate, explores_every_kind_of_channel) {
+  Options options;
+  options.budget_s = 0.002;
+  options.shapes = {"channel"};
+  options.burr_radii_mm = {0.25};
+  options.methods = {"occupancy"};
+  const std::vector<Row> rows = rate_rows(options);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].variant, "straight");
+  EXPECT_EQ(rows[1].variant, "oblique");
+  EXPECT_EQ(rows[2].variant, "slot");
+  for (const Row& row : rows) EXPECT_EQ(row.shape, "channel");
+}
+
 class Blocks : public testing::TestWithParam<Reading> {};
 INSTANTIATE_TEST_SUITE_P(Readings, Blocks, testing::Values(Reading::banded, Reading::filled));
 
