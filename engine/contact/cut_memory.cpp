@@ -48,7 +48,7 @@ void CutMemory::rebuild() noexcept {
   for (std::size_t i = 0; i < count_; ++i) link(static_cast<std::int32_t>(i));
 }
 
-void CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
+bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
   if (count_ == kSegments) {
     const std::size_t keep = count_ / 2;
     std::copy(segments_.begin() + static_cast<std::ptrdiff_t>(count_ - keep),
@@ -66,7 +66,7 @@ void CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
       if (glm::dot(along, along) <= kLongestMm * kLongestMm && glm::dot(off, off) < kStraightMm * kStraightMm) {
         last.b = to;
         link(static_cast<std::int32_t>(count_ - 1));
-        return;
+        return true;
       }
     }
   }
@@ -74,22 +74,39 @@ void CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
   link(static_cast<std::int32_t>(count_));
   ++count_;
   open_ = true;
+  return false;
 }
 
-int CutMemory::near(Vec3 y, double radius_mm, std::array<Vec3, 24>& out) const noexcept {
+int CutMemory::near(Vec3 y, double radius_mm, std::array<Vec3, kMost>& out) const noexcept {
   int found = 0;
   std::int32_t last = -1;
   int visited = 0;
-  for (std::int32_t n = heads_[bucket(cell_of(y, kCellMm))]; n >= 0 && found < 24 && visited < 256; ++visited) {
+  for (std::int32_t n = heads_[bucket(cell_of(y, kCellMm))]; n >= 0 && found + 1 < kMost && visited < 256; ++visited) {
     const Node& node = nodes_[static_cast<std::size_t>(n)];
     n = node.next;
     if (node.segment == last) continue;
     last = node.segment;
     const Segment& s = segments_[static_cast<std::size_t>(node.segment)];
     if (s.radius_mm < radius_mm) continue;
-    const Vec3 p = nearest_on(s, y);
-    const Vec3 d = p - y;
-    if (glm::dot(d, d) <= kReachMm * kReachMm) out[static_cast<std::size_t>(found++)] = p;
+    // The part of the segment inside the ball of reach about y.
+    const Vec3 along = s.b - s.a;
+    const Vec3 from = s.a - y;
+    const double square = glm::dot(along, along);
+    const double outside = glm::dot(from, from) - kReachMm * kReachMm;
+    if (square < 1e-18) {
+      if (outside <= 0.0) out[static_cast<std::size_t>(found++)] = s.a;
+      continue;
+    }
+    const double half = glm::dot(along, from) / square;
+    const double root2 = half * half - outside / square;
+    if (root2 < 0.0) continue;
+    const double root = std::sqrt(root2);
+    double t0 = -half - root, t1 = -half + root;
+    if (t0 > 1.0 || t1 < 0.0) continue;
+    t0 = t0 < 0.0 ? 0.0 : t0;
+    t1 = t1 > 1.0 ? 1.0 : t1;
+    out[static_cast<std::size_t>(found++)] = s.a + along * t0;
+    if (t1 > t0) out[static_cast<std::size_t>(found++)] = s.a + along * t1;
   }
   return found;
 }

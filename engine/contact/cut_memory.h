@@ -19,13 +19,14 @@ class CutMemory {
 
   CutMemory();
 
-  /// The burr's centre moved, cutting, from a to b.
-  void add(Vec3 from, Vec3 to, double radius_mm) noexcept;
+  /// The burr's centre moved, cutting, from a to b. True when that only lengthened the last segment.
+  bool add(Vec3 from, Vec3 to, double radius_mm) noexcept;
   /// The path is broken: the next segment starts anew (button up, burr changed).
   void lift() noexcept { open_ = false; }
 
-  /// Nearest points to y of the newest segments within reach, cut by a burr at least as wide; at most 24 of them.
-  int near(Vec3 y, double radius_mm, std::array<Vec3, 24>& out) const noexcept;
+  /// Ends of what lies within reach of y of the newest segments, cut by a burr at least as wide; at most kMost of them.
+  static constexpr int kMost = 24;
+  int near(Vec3 y, double radius_mm, std::array<Vec3, kMost>& out) const noexcept;
 
   struct Segment {
     Vec3 a{0.0}, b{0.0};

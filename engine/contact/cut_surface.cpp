@@ -1,39 +1,36 @@
 #include "engine/contact/cut_surface.h"
 
 #include <algorithm>
-
-#include "engine/volume/cell_field.h"
+#include <bit>
 
 namespace cusp {
 
 namespace {
-/// Crossing cells kept at once: a cavity of 60 mm2 at 0.04 mm voxels has about 60,000.
-constexpr std::size_t kPool = 120000;
-/// The cut's surface passes between the eight corners.
-bool crossed(const Volume& volume, int brick, int offset) noexcept {
-  const std::uint16_t* values = volume.cut_of(brick);
-  const bool first = values[offset] >= kHalf;
-  if ((offset & 7) != 7 && (offset >> 3 & 7) != 7 && offset >> 6 != 7) {
-    for (int i = 1; i < 8; ++i)
-      if ((values[offset + (i & 1) + (i >> 1 & 1) * 8 + (i >> 2) * 64] >= kHalf) != first) return true;
-    return false;
-  }
-  const IVec3 cell =
-      volume.specimen().brick_at(brick) * kBrickEdge + IVec3(offset & 7, offset >> 3 & 7, offset >> 6);
-  for (int i = 1; i < 8; ++i)
-    if ((volume.cut(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) >= kHalf) != first) return true;
-  return false;
-}
-
+/// Features kept at once: a cavity of 60 mm2 at 0.04 mm voxels has about 60,000, and pages are two thirds full.
+constexpr std::size_t kPages = 14000;
+/// A cell has at most a point of each surface and an edge.
+constexpr std::size_t kMostFeatures = 3 * static_cast<std::size_t>(kBrickVoxels);
+/// s beyond which no surface crosses the cells that touch the voxel (1.8 voxels).
+constexpr std::uint16_t kLeast = 11000, kMost = 54500;
 }  // namespace
 
 CutSurface::CutSurface(const Volume& volume)
-    : entry_(volume.cut_capacity() * kBrickVoxels, kStale | kNoEntry),
-      pool_(std::min(kPool, volume.cut_capacity() * kBrickVoxels)) {}
+    : slots_(volume.cut_capacity()),
+      made_(kMostFeatures),
+      merged_(kMostFeatures),
+      kept_pages_(std::min(kPages, volume.cut_capacity() * 8)) {
+  pages_.resize(kept_pages_ + kMostFeatures / kPage);
+  free_.reserve(kept_pages_);
+  forget();
+}
 
 void CutSurface::forget() noexcept {
-  std::fill(entry_.begin(), entry_.end(), kStale | kNoEntry);
-  used_ = 0;
+  for (Slot& slot : slots_) {
+    for (std::uint64_t& word : slot.stale) word = ~std::uint64_t{0};
+    slot.first = -1;
+  }
+  free_.clear();
+  for (std::size_t i = kept_pages_; i-- > 0;) free_.push_back(static_cast<std::int32_t>(i));
 }
 
 void CutSurface::changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
@@ -45,112 +42,216 @@ void CutSurface::changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
       for (int bx = low.x >> 3; bx <= high.x >> 3; ++bx) {
         const int brick = specimen.brick_index({bx, by, bz});
         if (brick < 0 || volume.cut_slot(brick) < 0) continue;
-        std::uint32_t* entry = &entry_[static_cast<std::size_t>(volume.cut_slot(brick)) * kBrickVoxels];
+        Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
         const IVec3 corner = IVec3(bx, by, bz) * kBrickEdge;
         const IVec3 a = glm::max(low - corner, IVec3(0));
         const IVec3 b = glm::min(high - corner, IVec3(7));
-        for (int z = a.z; z <= b.z; ++z)
-          for (int y = a.y; y <= b.y; ++y)
-            for (int x = a.x; x <= b.x; ++x) entry[brick_offset(x, y, z)] |= kStale;
+        std::uint64_t row = 0;
+        for (int x = a.x; x <= b.x; ++x) row |= std::uint64_t{1} << x;
+        std::uint64_t slice = 0;
+        for (int y = a.y; y <= b.y; ++y) slice |= row << (8 * y);
+        for (int z = a.z; z <= b.z; ++z) slot.stale[z] |= slice;
       }
 }
 
-const CutFeature* CutSurface::at(const Volume& volume, int brick, int offset) noexcept {
-  const std::size_t i =
-      static_cast<std::size_t>(volume.cut_slot(brick)) * kBrickVoxels + static_cast<std::size_t>(offset);
-  std::uint32_t& entry = entry_[i];
-  if (entry & kStale) {
-    CutFeature fresh;
-    if (crossed(volume, brick, offset))
-      fresh = compute(volume, volume.specimen().brick_at(brick) * kBrickEdge +
-                                  IVec3(offset & 7, offset >> 3 & 7, offset >> 6));
-    std::uint32_t place = entry & ~kStale;
-    if (place == kNoEntry) {
-      if (!fresh.has_point && !fresh.has_edge) {
-        entry = kNoEntry;
-        return nullptr;
+std::int32_t CutSurface::first(const Volume& volume, int brick) noexcept {
+  Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
+  std::uint64_t any = 0;
+  for (const std::uint64_t word : slot.stale) any |= word;
+  if (any != 0) refresh(volume, brick, slot);
+  return slot.first;
+}
+
+void CutSurface::decode(const Volume& volume, IVec3 brick) noexcept {
+  const Specimen& specimen = volume.specimen();
+  const auto values_of = [&](IVec3 at) {
+    const int b = specimen.brick_index(at);
+    return b < 0 ? nullptr : volume.cut_of(b);
+  };
+  for (int nz = -1; nz <= 1; ++nz)
+    for (int ny = -1; ny <= 1; ++ny)
+      for (int nx = -1; nx <= 1; ++nx) {
+        const std::uint16_t* values = values_of(brick + IVec3(nx, ny, nz));
+        const IVec3 from(nx < 0 ? 7 : 0, ny < 0 ? 7 : 0, nz < 0 ? 7 : 0);
+        const IVec3 to(nx > 0 ? 1 : 7, ny > 0 ? 1 : 7, nz > 0 ? 1 : 7);
+        for (int z = from.z; z <= to.z; ++z)
+          for (int y = from.y; y <= to.y; ++y) {
+            double* row = &samples_[(nx * 8 + 1) + kSide * ((ny * 8 + y + 1) + kSide * (nz * 8 + z + 1))];
+            if (values != nullptr) {
+              const std::uint16_t* s = values + (y << 3 | z << 6);
+              for (int x = from.x; x <= to.x; ++x) row[x] = distance_from_solid(s[x]);
+            } else {
+              for (int x = from.x; x <= to.x; ++x) row[x] = -kBandVoxels;
+            }
+          }
       }
-      if (used_ == pool_.size()) {  // no room to keep it: answered all the same, and asked again next time
-        scratch_at_ ^= 1;
-        scratch_[scratch_at_] = fresh;
-        return &scratch_[scratch_at_];
-      }
-      place = used_++;
-    }
-    pool_[place] = fresh;
-    entry = place;
+}
+
+void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
+  const IVec3 at = volume.specimen().brick_at(brick);
+  const IVec3 corner = at * kBrickEdge;
+  const std::uint16_t* values = volume.cut_of(brick);
+  const auto is_stale = [&slot](int o) { return slot.stale[o >> 6] >> (o & 63) & 1; };
+
+  // What is still true, in cell order; its pages are free for the new list.
+  std::size_t old = 0;
+  for (std::int32_t p = slot.first; p >= 0;) {
+    const Page& page = pages_[static_cast<std::size_t>(p)];
+    for (int i = 0; i < page.count; ++i)
+      if (!is_stale(page.feature[i].cell)) made_[old++] = {{page.x[i], page.y[i], page.z[i]}, page.feature[i]};
+    if (p < static_cast<std::int32_t>(kept_pages_)) free_.push_back(p);
+    p = page.next;
   }
-  if (entry == kNoEntry) return nullptr;
-  const CutFeature& f = pool_[entry];
-  return f.has_point || f.has_edge ? &f : nullptr;
+  made_count_ = old;
+
+  // The cells that are not, in cell order.
+  bool decoded = false;
+  const BasePoints points = volume.specimen().surface().in(brick);
+  int next_point = 0;
+  for (int z = 0; z < 8; ++z) {
+    for (std::uint64_t left = slot.stale[z]; left != 0; left &= left - 1) {
+      const int o = z << 6 | std::countr_zero(left);
+      while (next_point < points.count && points.normal[next_point].cell < o) ++next_point;
+      if (next_point < points.count && points.normal[next_point].cell == o) {
+        if (!decoded) decode(volume, at);
+        decoded = true;
+        make_base(volume, points, next_point);
+      }
+      if (values[o] < kLeast || values[o] > kMost) continue;
+      if (!decoded) decode(volume, at);
+      decoded = true;
+      make_cell(volume, corner, o);
+    }
+    slot.stale[z] = 0;
+  }
+
+  // Both in cell order: merge.
+  std::size_t a = 0, b = old, n = 0;
+  while (a < old || b < made_count_) {
+    const bool take_old = b >= made_count_ || (a < old && made_[a].feature.cell < made_[b].feature.cell);
+    merged_[n++] = take_old ? made_[a++] : made_[b++];
+  }
+
+  // Into pages; where no room is left, into those that serve one brick until the next is asked.
+  const std::size_t needed = (n + kPage - 1) / kPage;
+  const bool room = needed <= free_.size();
+  slot.first = -1;
+  std::int32_t* link = &slot.first;
+  for (std::size_t i = 0, k = 0; i < n; i += kPage, ++k) {
+    std::int32_t p = static_cast<std::int32_t>(kept_pages_ + k);
+    if (room) {
+      p = free_.back();
+      free_.pop_back();
+    }
+    Page& page = pages_[static_cast<std::size_t>(p)];
+    page.count = static_cast<std::int32_t>(std::min<std::size_t>(kPage, n - i));
+    page.next = -1;
+    for (int j = 0; j < page.count; ++j) {
+      const Made& m = merged_[i + static_cast<std::size_t>(j)];
+      page.x[j] = m.at.x;
+      page.y[j] = m.at.y;
+      page.z[j] = m.at.z;
+      page.feature[j] = m.feature;
+    }
+    *link = p;
+    link = &page.next;
+  }
+  if (!room)
+    for (std::uint64_t& word : slot.stale) word = ~std::uint64_t{0};
 }
 
-CutFeature CutSurface::compute(const Volume& volume, IVec3 cell) noexcept {
-  CutFeature out;
+void CutSurface::make_base(const Volume& volume, const BasePoints& points, int i) noexcept {
+  const int o = points.normal[i].cell;
+  const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
+  const Vec3f place(points.x[i], points.y[i], points.z[i]);
+  Made& made = made_[made_count_];
+  made = Made{};
+  made.at = place;
+  made.feature.normal = points.normal[i].unit();
+  made.feature.field = Field::base;
+  made.feature.tissue = points.tissue[i];
+  made.feature.cell = static_cast<std::uint16_t>(o);
   CellField cut;
-  cut.load(volume, Field::cut, cell);
+  cut.load(&samples_[local.x + kSide * (local.y + kSide * local.z)], kSide, kSide * kSide);
+  Vec3 g;
+  const double d = cut.eval(Vec3(place) - Vec3(local), g);
+  if (d > 0.0) return;  // the cut has taken it
+  const double length = std::sqrt(glm::dot(g, g));
+  if (d > -2.5 && length > 0.25) {
+    made.feature.near_other = true;
+    made.feature.other_d_mm = static_cast<float>(d * volume.grid().voxel_mm / length);
+    made.feature.other_normal = Vec3f(g / length);
+  }
+  ++made_count_;
+}
+
+void CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexcept {
+  const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
+  const IVec3 cell = corner + local;
+  const double* low = &samples_[local.x + kSide * (local.y + kSide * local.z)];
+  const double* first = low + 1 + kSide + kSide * kSide;
+  const bool inside = *first > 0.0;
+  bool crossed = false;
+  for (int i = 1; i < 8; ++i)
+    crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
+  if (!crossed) return;
+  CellField cut;
+  cut.load(low, kSide, kSide * kSide);
   // Deep in the specimen its own surface is further than 2.5 voxels: nothing of it to keep.
+  const Specimen& specimen = volume.specimen();
   bool deep = true;
-  for (int i = 0; i < 8 && deep; ++i)
-    deep = volume.specimen().s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) == kSolid;
+  for (int i = 0; i < 8 && deep; ++i) deep = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) == kSolid;
   CellField base;
   if (!deep) base.load(volume, Field::base, cell);
   const double voxel = volume.grid().voxel_mm;
+  const auto tissue_at = [&](Vec3 under) {
+    Tissue tissue = volume.tissue(cell_of_voxels(under + 0.5));
+    for (int i = 0; i < 8 && tissue == Tissue::empty; ++i)
+      tissue = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
+    return tissue;
+  };
   // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
   Vec3 f, n;
   if (cell_point(cut, f, n)) {
     Vec3 g(0.0);
     const double other = deep ? -kBandVoxels : base.eval(f, g);
     if (other <= 0.0) {
-      out.has_point = true;
-      out.point = Vec3f(f);
-      out.normal = Vec3f(n);
+      Made& made = made_[made_count_++];
+      made = Made{};
+      made.at = Vec3f(Vec3(local) + f);
+      made.feature.normal = Vec3f(n);
+      made.feature.cell = static_cast<std::uint16_t>(offset);
+      made.feature.tissue = tissue_at(Vec3(cell) + f - 0.5 * n);
       const double length = std::sqrt(glm::dot(g, g));
       if (other > -2.5 && length > 0.25) {
-        out.near_other = true;
-        out.other_d_mm = static_cast<float>(other * voxel / length);
-        out.other_normal = Vec3f(g / length);
-      }
-    }
-    const Vec3 under = Vec3(cell) + f - 0.5 * n;
-    const IVec3 v(static_cast<int>(std::floor(under.x + 0.5)), static_cast<int>(std::floor(under.y + 0.5)),
-                  static_cast<int>(std::floor(under.z + 0.5)));
-    out.tissue = volume.tissue(v);
-    if (out.tissue == Tissue::empty) {
-      for (int i = 0; i < 8 && out.tissue == Tissue::empty; ++i)
-        out.tissue = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
-    }
-  }
-  if (!deep && base.crossed()) {
-    Vec3 e(0.5), gb(0.0), gc(0.0);
-    bool good = true;
-    for (int pass = 0; pass < 5 && good; ++pass) {
-      const double db = base.eval(e, gb);
-      const double dc = cut.eval(e, gc);
-      const double bb = glm::dot(gb, gb), cc = glm::dot(gc, gc), bc = glm::dot(gb, gc);
-      const double det = bb * cc - bc * bc;
-      if (!(det > 1e-3)) {
-        good = false;
-        break;
-      }
-      e -= gb * ((db * cc - dc * bc) / det) + gc * ((dc * bb - db * bc) / det);
-      for (int a = 0; a < 3; ++a) good = good && e[a] > -0.1 && e[a] < 1.1;
-    }
-    if (good) {
-      const Vec3 t = glm::cross(gb, gc);
-      const double length = std::sqrt(glm::dot(t, t));
-      if (length > 1e-3) {
-        out.has_edge = true;
-        out.edge = Vec3f(e);
-        out.tangent = Vec3f(t / length);
-        if (out.tissue == Tissue::empty) {
-          for (int i = 0; i < 8 && out.tissue == Tissue::empty; ++i)
-            out.tissue = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
-        }
+        made.feature.near_other = true;
+        made.feature.other_d_mm = static_cast<float>(other * voxel / length);
+        made.feature.other_normal = Vec3f(g / length);
       }
     }
   }
-  return out;
+  if (deep || !base.crossed()) return;
+  Vec3 e(0.5), gb(0.0), gc(0.0);
+  for (int pass = 0; pass < 5; ++pass) {
+    const double db = base.eval(e, gb);
+    const double dc = cut.eval(e, gc);
+    const double bb = glm::dot(gb, gb), cc = glm::dot(gc, gc), bc = glm::dot(gb, gc);
+    const double det = bb * cc - bc * bc;
+    if (!(det > 1e-3)) return;
+    e -= gb * ((db * cc - dc * bc) / det) + gc * ((dc * bb - db * bc) / det);
+    for (int a = 0; a < 3; ++a)
+      if (!(e[a] > -0.1 && e[a] < 1.1)) return;
+  }
+  const Vec3 t = glm::cross(gb, gc);
+  const double length = std::sqrt(glm::dot(t, t));
+  if (!(length > 1e-3)) return;
+  Made& made = made_[made_count_++];
+  made = Made{};
+  made.at = Vec3f(Vec3(local) + e);
+  made.feature.normal = Vec3f(t / length);
+  made.feature.edge = true;
+  made.feature.cell = static_cast<std::uint16_t>(offset);
+  made.feature.tissue = tissue_at(Vec3(cell) + e);
 }
 
 }  // namespace cusp

@@ -1,49 +1,80 @@
-/// The surface that the burr has left, as points and edges: one of each at most for a cell. Computed when contact asks
-/// for it, kept until a voxel that it was read from changes. What it answers depends on the volume alone, so that an
-/// incremental answer equals a full rebuild bit for bit. Fixed memory. Thread: haptic.
+/// The surface of a brick that a burr has reached, as points and edges in cell order: what is left of the specimen's own
+/// points, the cut's points, and the edges where both meet. Computed when contact asks for a brick, kept until a voxel
+/// that it was read from changes. What it answers depends on the volume alone, so that an incremental answer equals a
+/// full rebuild bit for bit. Fixed memory, in pages of eight features. Thread: haptic.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
 namespace cusp {
 
-/// Places in voxels from the cell's lower corner.
 struct CutFeature {
-  Vec3f point{0.0f}, normal{0.0f};    // of the cut's surface, where the base is solid; normal into the void
-  Vec3f edge{0.0f}, tangent{0.0f};    // where both surfaces meet in this cell
-  Vec3f other_normal{0.0f};           // of the base near the point
-  float other_d_mm = 0.0f;            // distance of the point to the base's surface, negative inside
-  Tissue tissue = Tissue::empty;      // just under the point
-  bool has_point = false, has_edge = false, near_other = false;
+  Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
+  Vec3f other_normal{0.0f};     // of the other field near a point
+  float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside
+  std::uint16_t cell = 0;       // brick_offset of the cell's lower corner
+  Field field = Field::cut;     // which surface it lies on
+  Tissue tissue = Tissue::empty;
+  bool edge = false;
+  bool near_other = false;
 };
 
 class CutSurface {
  public:
+  static constexpr int kPage = 8;
+  /// Place i is (x[i], y[i], z[i]) in voxels from the brick's first voxel centre.
+  struct Page {
+    float x[kPage], y[kPage], z[kPage];
+    CutFeature feature[kPage];
+    std::int32_t count = 0;
+    std::int32_t next = -1;
+  };
+
   explicit CutSurface(const Volume& volume);
 
   /// Voxels low..high (inclusive) of the cut field have changed.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
-  /// The feature of a cell in a brick that has a cut; nullptr where its cell is not crossed.
-  /// Pre: volume.cut_slot(brick) >= 0.
-  const CutFeature* at(const Volume& volume, int brick, int offset) noexcept;
+  /// First page of a brick's features, brought up to date; -1 when it has none. Valid until the next call.
+  /// Pre: volume.has_cut(brick).
+  std::int32_t first(const Volume& volume, int brick) noexcept;
+  const Page& page(std::int32_t i) const noexcept { return pages_[static_cast<std::size_t>(i)]; }
 
   /// Everything is to be read anew (after the volume was loaded).
   void forget() noexcept;
 
- private:
-  static constexpr std::uint32_t kStale = 0x80000000u;
-  static constexpr std::uint32_t kNoEntry = 0x7FFFFFFFu;
-  static CutFeature compute(const Volume& volume, IVec3 cell) noexcept;
+  /// Features of all kept bricks; for benches.
+  std::size_t bytes() const noexcept { return slots_.size() * sizeof(Slot) + pages_.size() * sizeof(Page); }
 
-  std::vector<std::uint32_t> entry_;  // [slot][512]
-  std::vector<CutFeature> pool_;
-  std::uint32_t used_ = 0;
-  CutFeature scratch_[2];
-  int scratch_at_ = 0;
+ private:
+  struct Slot {
+    std::uint64_t stale[8];  // by cell, one word for each slice
+    std::int32_t first = -1;
+  };
+  struct Made {
+    Vec3f at{0.0f};
+    CutFeature feature;
+  };
+  /// The brick's samples and one more below, two above: what its cells' stencils read.
+  static constexpr int kSide = 11;
+
+  void refresh(const Volume& volume, int brick, Slot& slot) noexcept;
+  void decode(const Volume& volume, IVec3 brick) noexcept;
+  void make_cell(const Volume& volume, IVec3 corner, int offset) noexcept;
+  void make_base(const Volume& volume, const BasePoints& points, int i) noexcept;
+
+  std::vector<Slot> slots_;
+  std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
+  std::vector<std::int32_t> free_;
+  std::vector<Made> made_;    // of the brick being refreshed
+  std::vector<Made> merged_;
+  std::size_t made_count_ = 0;
+  std::size_t kept_pages_ = 0;
+  double samples_[kSide * kSide * kSide];
 };
 
 }  // namespace cusp

@@ -2,6 +2,10 @@
 
 #include <cmath>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace cusp {
 
 namespace {
@@ -49,33 +53,63 @@ Split split(const Vec3* normals, int count, Vec3 n) noexcept {
 constexpr double kPair = 1e-10;
 constexpr double kTriple = 1e-14;
 
-}  // namespace
+/// The point nearest to q on all of the planes given, if every multiplier is positive: a start for the search.
+bool on_all(Vec3 q, const Vec3* n, const double* c, int count, PlaneSearch& out) noexcept {
+  if (count == 1) {
+    out.weight[0] = c[0] - glm::dot(n[0], q);
+    out.y = q + n[0] * out.weight[0];
+    return out.weight[0] > 0.0;
+  }
+  if (count == 2) {
+    const double g = glm::dot(n[0], n[1]), det = 1.0 - g * g;
+    if (det < kPair) return false;
+    const double a = c[0] - glm::dot(n[0], q), b = c[1] - glm::dot(n[1], q);
+    out.weight[0] = (a - g * b) / det;
+    out.weight[1] = (b - g * a) / det;
+    out.y = q + n[0] * out.weight[0] + n[1] * out.weight[1];
+    return out.weight[0] > 0.0 && out.weight[1] > 0.0;
+  }
+  const Vec3 c12 = glm::cross(n[1], n[2]), c20 = glm::cross(n[2], n[0]), c01 = glm::cross(n[0], n[1]);
+  const double det = glm::dot(n[0], c12);
+  if (det * det < 1e-10) return false;  // nearly in one plane: the search sorts them out better
+  out.y = (c12 * c[0] + c20 * c[1] + c01 * c[2]) / det;
+  const Vec3 d = out.y - q;
+  out.weight[0] = glm::dot(d, c12) / det;
+  out.weight[1] = glm::dot(d, c20) / det;
+  out.weight[2] = glm::dot(d, c01) / det;
+  return out.weight[0] > 0.0 && out.weight[1] > 0.0 && out.weight[2] > 0.0;
+}
 
-PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double tolerance_mm) noexcept {
+/// Goldfarb and Idnani from a point that is best for its active planes. Planes: n(i), c(i), worst(y).
+template <class Planes>
+PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noexcept {
   PlaneSearch out;
   out.y = q;
   Vec3 normal[3];
-  const int n_planes = static_cast<int>(planes.size());
-  for (int round = 0; round < 48; ++round) {
-    int worst = -1;
-    double most = -tolerance_mm;
-    for (int i = 0; i < n_planes; ++i) {
-      const Plane& p = planes[static_cast<std::size_t>(i)];
-      const double slack = p.n.x * out.y.x + p.n.y * out.y.y + p.n.z * out.y.z - p.c;
-      if (slack < most) {
-        bool is_active = false;
-        for (int a = 0; a < out.active; ++a) is_active = is_active || out.index[a] == i;
-        if (is_active) continue;
-        most = slack;
-        worst = i;
-      }
+  int count = 0;
+  double c[3];
+  for (const int i : start) {
+    if (count == 3) break;
+    normal[count] = planes.n(i);
+    c[count] = planes.c(i);
+    out.index[count++] = i;
+  }
+  if (count > 0) {
+    if (on_all(q, normal, c, count, out)) {
+      out.active = count;
+    } else {
+      out.y = q;
     }
+  }
+  for (int round = 0; round < 48; ++round) {
+    const int worst = planes.worst(out);
     if (worst < 0) return out;
 
-    const Plane& add = planes[static_cast<std::size_t>(worst)];
+    const Vec3 add_n = planes.n(worst);
+    const double add_c = planes.c(worst);
     double gained = 0.0;
     for (int inner = 0; inner < 4; ++inner) {
-      const Split s = split(normal, out.active, add.n);
+      const Split s = split(normal, out.active, add_n);
       const double room = glm::dot(s.z, s.z);
       const bool dependent = out.active == 3 || room < (out.active == 2 ? kTriple : kPair);
       // Longest step that keeps every multiplier from turning negative.
@@ -94,7 +128,7 @@ PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double toleranc
         out.feasible = false;
         return out;
       }
-      const double slack = glm::dot(add.n, out.y) - add.c;
+      const double slack = glm::dot(add_n, out.y) - add_c;
       const double t_full = dependent ? 0.0 : -slack / room;
       const bool full = !dependent && (drop < 0 || t_full <= t_drop);
       const double t = full ? t_full : t_drop;
@@ -102,7 +136,7 @@ PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double toleranc
       for (int a = 0; a < out.active; ++a) out.weight[a] -= t * s.r[a];
       gained += t;
       if (full) {
-        normal[out.active] = add.n;
+        normal[out.active] = add_n;
         out.index[out.active] = worst;
         out.weight[out.active] = gained;
         ++out.active;
@@ -118,6 +152,96 @@ PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double toleranc
   }
   out.feasible = false;
   return out;
+}
+
+/// The most violated of some planes that is not active yet; the lowest of equals.
+template <class Slack>
+int worst_of(int count, const PlaneSearch& at, double tolerance_mm, Slack&& slack_of) noexcept {
+  int worst = -1;
+  double most = -tolerance_mm;
+  for (int i = 0; i < count; ++i) {
+    const double slack = slack_of(i);
+    if (!(slack < most)) continue;
+    bool is_active = false;
+    for (int a = 0; a < at.active; ++a) is_active = is_active || at.index[a] == i;
+    if (is_active) continue;
+    most = slack;
+    worst = i;
+  }
+  return worst;
+}
+
+struct FewPlanes {
+  std::span<const Plane> planes;
+  double tolerance;
+  Vec3 n(int i) const noexcept { return planes[static_cast<std::size_t>(i)].n; }
+  double c(int i) const noexcept { return planes[static_cast<std::size_t>(i)].c; }
+  int worst(const PlaneSearch& at) const noexcept {
+    return worst_of(static_cast<int>(planes.size()), at, tolerance, [&](int i) {
+      const Plane& p = planes[static_cast<std::size_t>(i)];
+      return p.n.x * at.y.x + p.n.y * at.y.y + p.n.z * at.y.z - p.c;
+    });
+  }
+};
+
+struct ManyPlanes {
+  const PlaneSet& planes;
+  double tolerance;
+  Vec3 n(int i) const noexcept { return planes.n(static_cast<std::size_t>(i)); }
+  double c(int i) const noexcept { return planes.c(static_cast<std::size_t>(i)); }
+  int worst(const PlaneSearch& at) const noexcept {
+    const int found = planes.worst(at.y, tolerance);
+    for (int a = 0; a < at.active; ++a)
+      if (at.index[a] == found)  // an active plane, by rounding: the others one by one
+        return worst_of(static_cast<int>(planes.size()), at, tolerance,
+                        [&](int i) { return planes.slack(static_cast<std::size_t>(i), at.y); });
+    return found;
+  }
+};
+
+}  // namespace
+
+PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double tolerance_mm) noexcept {
+  return search(q, FewPlanes{planes, tolerance_mm}, {});
+}
+
+PlaneSearch closest_point(Vec3 q, const PlaneSet& planes, double tolerance_mm, std::span<const int> start) noexcept {
+  return search(q, ManyPlanes{planes, tolerance_mm}, start);
+}
+
+int PlaneSet::worst(Vec3 y, double tolerance_mm) const noexcept {
+  const int count = static_cast<int>(count_);
+  double most[2] = {-tolerance_mm, -tolerance_mm};
+  double at[2] = {-1.0, -1.0};
+#if defined(__SSE2__)
+  // Two lanes, each with the first of its worst; the portable path below goes through the same comparisons.
+  const __m128d yx = _mm_set1_pd(y.x), yy = _mm_set1_pd(y.y), yz = _mm_set1_pd(y.z), two = _mm_set1_pd(2.0);
+  __m128d low = _mm_set1_pd(-tolerance_mm), where = _mm_set1_pd(-1.0), index = _mm_set_pd(1.0, 0.0);
+  const __m128d end = _mm_set1_pd(static_cast<double>(count));
+  for (int i = 0; i < count; i += 2) {
+    const __m128d slack = _mm_sub_pd(
+        _mm_add_pd(_mm_add_pd(_mm_mul_pd(_mm_loadu_pd(&nx_[static_cast<std::size_t>(i)]), yx),
+                              _mm_mul_pd(_mm_loadu_pd(&ny_[static_cast<std::size_t>(i)]), yy)),
+                   _mm_mul_pd(_mm_loadu_pd(&nz_[static_cast<std::size_t>(i)]), yz)),
+        _mm_loadu_pd(&c_[static_cast<std::size_t>(i)]));
+    const __m128d less = _mm_and_pd(_mm_cmplt_pd(slack, low), _mm_cmplt_pd(index, end));
+    low = _mm_or_pd(_mm_and_pd(less, slack), _mm_andnot_pd(less, low));
+    where = _mm_or_pd(_mm_and_pd(less, index), _mm_andnot_pd(less, where));
+    index = _mm_add_pd(index, two);
+  }
+  _mm_storeu_pd(most, low);
+  _mm_storeu_pd(at, where);
+#else
+  for (int i = 0; i < count; ++i) {
+    const double value = slack(static_cast<std::size_t>(i), y);
+    if (value < most[i & 1]) {
+      most[i & 1] = value;
+      at[i & 1] = i;
+    }
+  }
+#endif
+  const bool second = at[1] >= 0.0 && (at[0] < 0.0 || most[1] < most[0] || (most[1] == most[0] && at[1] < at[0]));
+  return static_cast<int>(second ? at[1] : at[0]);
 }
 
 }  // namespace cusp

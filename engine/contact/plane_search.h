@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/base/vec.h"
 
@@ -26,5 +27,57 @@ struct PlaneSearch {
 
 /// tolerance_mm: a plane counts as violated below -tolerance.
 PlaneSearch closest_point(Vec3 q, std::span<const Plane> planes, double tolerance_mm) noexcept;
+
+/// Many planes, laid out for two and four at a time. Room is taken at construction.
+class PlaneSet {
+ public:
+  explicit PlaneSet(std::size_t room) : nx_(room + 3), ny_(room + 3), nz_(room + 3), c_(room + 3) {}
+  void clear() noexcept { count_ = 0; }
+  /// Pre: size() < room.
+  void add(Vec3 n, double c) noexcept {
+    nx_[count_] = n.x;
+    ny_[count_] = n.y;
+    nz_[count_] = n.z;
+    c_[count_++] = c;
+  }
+  std::size_t size() const noexcept { return count_; }
+  Vec3 n(std::size_t i) const noexcept { return {nx_[i], ny_[i], nz_[i]}; }
+  double c(std::size_t i) const noexcept { return c_[i]; }
+  void set_c(std::size_t i, double c) noexcept { c_[i] = c; }
+  void set(std::size_t i, Vec3 n, double c) noexcept {
+    nx_[i] = n.x;
+    ny_[i] = n.y;
+    nz_[i] = n.z;
+    c_[i] = c;
+  }
+  double slack(std::size_t i, Vec3 y) const noexcept { return nx_[i] * y.x + ny_[i] * y.y + nz_[i] * y.z - c_[i]; }
+  /// Index of the plane that y violates most, by more than tolerance; the lowest of equals; -1 when none.
+  int worst(Vec3 y, double tolerance_mm) const noexcept;
+  /// c of planes from..to - 1 lowered to what each of the places satisfies with slack_mm to spare; calls relaxed(i) for those.
+  template <class Relaxed>
+  void recede_to(std::span<const Vec3> places, double slack_mm, std::size_t from, std::size_t to,
+                 Relaxed&& relaxed) noexcept {
+    if (places.empty()) return;
+    for (std::size_t i = from; i < to; ++i) {
+      double least = c_[i];
+      for (const Vec3& p : places) {
+        const double reached = nx_[i] * p.x + ny_[i] * p.y + nz_[i] * p.z - slack_mm;
+        least = reached < least ? reached : least;
+      }
+      if (least < c_[i]) {
+        c_[i] = least;
+        relaxed(i);
+      }
+    }
+  }
+
+ private:
+  std::vector<double> nx_, ny_, nz_, c_;
+  std::size_t count_ = 0;
+};
+
+/// As above. `start`: planes thought to be active (of an earlier search of much the same planes), at most 3; the answer
+/// is the same, it is only found sooner.
+PlaneSearch closest_point(Vec3 q, const PlaneSet& planes, double tolerance_mm, std::span<const int> start) noexcept;
 
 }  // namespace cusp

@@ -12,23 +12,26 @@ namespace {
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 constexpr double kTolerance = 1e-7;         // mm: planes closer than a tenth of a nanometre count as met
-constexpr double kLongestStep = 0.08;       // mm: one search looks no further
 constexpr double kSameNormal = 0.9396926;   // cos 20 deg: planes of one smooth surface
 constexpr double kTurned = 0.8480481;       // cos 32 deg: a normal that turns further belongs to something else
 constexpr double kPlaneReach = 0.8;         // voxels from its point within which a plane stands for the surface
-constexpr double kSlowStep = 0.016;          // mm in a tick (16 mm/s): below, what was gathered is kept ...
-constexpr double kSlowMargin = 0.024;        // ... for as long as the burr stays this near to where it was
+constexpr double kSlowStep = 0.016;         // mm in a tick (16 mm/s): below, candidates are gathered ...
+constexpr double kSlowMargin = 0.024;       // ... for as long as the burr stays this near; else for two steps
 constexpr int kSearches = 16;               // steps of the proxy in a tick, the rest next tick
 constexpr double kTogether = 2e-3;          // mm: slack that a polished pose may take from a plane it leaves out
 constexpr double kMemorySlack = 5e-4;       // mm
+constexpr double kPredicted = 0.35;         // of a step: how far a burr may be from where its device's move takes it
+constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has arrived
+constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
+constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less has arrived
 
 /// Crossing cells within reach of the widest burr: the ball's own area twice over (two fields), and the shank's.
 std::size_t candidate_room(const Scene& scene) {
   const double h = scene.specimen->grid().voxel_mm;
   double most = 0.0;
   for (const Burr& burr : scene.burrs) {
-    const double r = (burr.radius_mm + 0.1) / h;
-    const double shank = (burr.neck_radius_mm + 0.1) * burr.neck_length_mm / (h * h);
+    const double r = (burr.radius_mm + 0.2) / h;
+    const double shank = (burr.neck_radius_mm + 0.2) * burr.neck_length_mm / (h * h);
     most = std::max(most, 4.0 * 3.15 * r * r * 3.0 + 6.3 * shank * 1.5);
   }
   return std::clamp<std::size_t>(static_cast<std::size_t>(most) + 2048, 4096, 65536);
@@ -39,94 +42,156 @@ std::size_t candidate_room(const Scene& scene) {
 SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume)
     : voxel_mm_(scene.specimen->grid().voxel_mm),
       candidates_(candidate_room(scene)),
+      place_x_(candidates_.size() + 7),
+      place_y_(candidates_.size() + 7),
+      place_z_(candidates_.size() + 7),
+      near_(candidates_.size()),
       planes_(candidates_.size()),
       origins_(candidates_.size()),
-      cut_(volume) {}
+      cut_(volume) {
+  const Specimen& specimen = volume.specimen();
+  const IVec3 n = specimen.brick_count();
+  boxes_.resize(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
+  bricks_low_ = n;
+  bricks_high_ = IVec3(-1);
+  for (int b = 0; b < static_cast<int>(boxes_.size()); ++b) {
+    const BasePoints points = specimen.surface().in(b);
+    for (int i = 0; i < points.count; ++i)
+      boxes_[static_cast<std::size_t>(b)].add({points.x[i], points.y[i], points.z[i]});
+    if (!volume.cuttable(b)) continue;
+    bricks_low_ = glm::min(bricks_low_, specimen.brick_at(b));
+    bricks_high_ = glm::max(bricks_high_, specimen.brick_at(b));
+  }
+}
 
-void SurfaceContact::planes(const Burr& burr, Vec3 axis, Vec3 y, double r_base, double r_cut,
-                            double slack_mm) noexcept {
-  plane_count_ = 0;
-  const double lateral_most = kPlaneReach * voxel_mm_;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Candidate& c = candidates_[i];
-    const double r = c.field == Field::base ? r_base : r_cut;
-    Plane plane;
-    bool trusted = false;
-    if (c.kind == Kind::surface) {
-      const Vec3 d = y - c.point;
-      const double height = glm::dot(c.normal, d);
-      const Vec3 lateral = d - c.normal * height;
-      if (height > 0.0 && glm::dot(lateral, lateral) <= lateral_most * lateral_most &&
-          !(c.near_other && c.other_d_mm + glm::dot(c.other_normal, lateral) > 0.0)) {
-        plane.n = c.normal;
-        plane.c = glm::dot(c.normal, c.point) + r;
-        trusted = true;
-      } else {
-        const double distance = length_of(d);
-        if (distance < 1e-9) continue;
-        plane.n = d / distance;
-        plane.c = glm::dot(plane.n, c.point) + r;
-      }
-    } else if (c.kind == Kind::edge) {
-      double t = glm::dot(y - c.point, c.normal);
-      const double half = 0.7 * voxel_mm_;
-      t = t < -half ? -half : t > half ? half : t;
-      const Vec3 on = c.point + c.normal * t;
-      const Vec3 d = y - on;
+void SurfaceContact::PointsBox::add(Vec3f p) noexcept {
+  for (int a = 0; a < 3; ++a) {
+    const int below = static_cast<int>((p[a] + 0.25f) * 16.0f);
+    from[a] = static_cast<std::uint8_t>(std::min<int>(from[a], below));
+    to[a] = static_cast<std::uint8_t>(std::max<int>(to[a], below + 1));
+  }
+}
+
+void SurfaceContact::forget() noexcept {
+  cut_.forget();
+  fields_.forget_cut();
+  gathered_.valid = free_.valid = false;
+  free_pause_ = 0;
+}
+
+/// The plane that keeps the burr off one candidate, seen from y; false where it is further than slack_mm off.
+bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
+                              bool& trusted) const noexcept {
+  const double r = c.field == Field::base ? tool.r_base : tool.r_cut;
+  trusted = false;
+  if (c.kind == Kind::shank) {
+    // Neck and shank: capsules along the axis; the nearer of the two holds the point off.
+    const Burr& burr = *tool.burr;
+    const double along = glm::dot(c.point - y, tool.axis);
+    bool any = false;
+    double best = 0.0;
+    for (int part = 0; part < 2; ++part) {
+      const double from = part == 0 ? 0.0 : burr.neck_length_mm + burr.shank_radius_mm;
+      const double to = part == 0 ? burr.neck_length_mm : burr.neck_length_mm + burr.shank_length_mm;
+      const double radius = part == 0 ? burr.neck_radius_mm : burr.shank_radius_mm;
+      const double t = along < from ? from : along > to ? to : along;
+      const Vec3 d = y + tool.axis * t - c.point;
       const double distance = length_of(d);
       if (distance < 1e-9) continue;
+      const double gap = distance - radius;
+      if (any && gap >= best) continue;
+      any = true;
+      best = gap;
       plane.n = d / distance;
-      plane.c = glm::dot(plane.n, on) + r;
-    } else {
-      // Neck and shank: capsules along the axis; the nearer of the two holds the point off.
-      const double along = glm::dot(c.point - y, axis);
-      bool any = false;
-      double best = 0.0;
-      for (int part = 0; part < 2; ++part) {
-        const double from = part == 0 ? 0.0 : burr.neck_length_mm + burr.shank_radius_mm;
-        const double to = part == 0 ? burr.neck_length_mm : burr.neck_length_mm + burr.shank_length_mm;
-        const double radius = part == 0 ? burr.neck_radius_mm : burr.shank_radius_mm;
-        const double t = along < from ? from : along > to ? to : along;
-        const Vec3 d = y + axis * t - c.point;
-        const double distance = length_of(d);
-        if (distance < 1e-9) continue;
-        const double gap = distance - radius;
-        if (any && gap >= best) continue;
-        any = true;
-        best = gap;
-        plane.n = d / distance;
-        plane.c = glm::dot(plane.n, c.point - axis * t) + radius;
+    }
+    if (!any || best > slack_mm) return false;
+    plane.c = glm::dot(plane.n, y) - best;
+    return true;
+  }
+  const double plane_reach_mm = kPlaneReach * voxel_mm_;
+  Vec3 d = y - c.point;
+  if (c.kind == Kind::surface) {
+    const double square = glm::dot(d, d);
+    const Vec3 n(c.normal);
+    const double height = glm::dot(n, d);
+    if (height > 0.0 && square - height * height <= plane_reach_mm * plane_reach_mm) {
+      bool beyond = false;
+      if (c.near_other) {
+        const Vec3 other(c.other_normal);
+        beyond = c.other_d_mm + glm::dot(other, d) - height * glm::dot(other, n) > 0.0;
       }
-      if (!any) continue;
+      if (!beyond) {
+        const double slack = height - r;
+        if (slack > slack_mm) return false;
+        plane.n = n;
+        plane.c = glm::dot(n, y) - slack;
+        trusted = true;
+        return true;
+      }
     }
-    if (glm::dot(plane.n, y) - plane.c > slack_mm) continue;
-    plane.from = static_cast<std::int32_t>(i);
-    planes_[plane_count_] = plane;
-    origins_[plane_count_] = {static_cast<std::int32_t>(i), trusted, false};
-    ++plane_count_;
+  } else {
+    const Vec3 tangent(c.normal);
+    double t = glm::dot(d, tangent);
+    const double half = 0.7 * voxel_mm_;
+    t = t < -half ? -half : t > half ? half : t;
+    d -= tangent * t;
+  }
+  const double square = glm::dot(d, d);
+  const double far = r + slack_mm;
+  if (square > far * far || square < 1e-18) return false;
+  const double distance = std::sqrt(square);
+  plane.n = d / distance;
+  plane.c = glm::dot(plane.n, y) - (distance - r);
+  return true;
+}
+
+/// Planes of near_[from..to), added to those that are there.
+void SurfaceContact::planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept {
+  for (std::size_t i = from; i < to; ++i) {
+    Plane plane;
+    bool trusted = false;
+    if (!plane_of(tool, candidates_[static_cast<std::size_t>(near_[i])], y, slack_mm, plane, trusted)) continue;
+    origins_[planes_.size()] = {near_[i], trusted, false};
+    planes_.add(plane.n, plane.c);
   }
 }
 
-void SurfaceContact::relax_by_memory(const CutMemory& memory, Vec3 y, double radius) noexcept {
-  std::array<Vec3, 24> past;
-  const int n = memory.near(y, radius, past);
-  if (n == 0) return;
-  for (std::size_t i = 0; i < plane_count_; ++i) {
-    Plane& plane = planes_[i];
-    double least = plane.c;
-    for (int m = 0; m < n; ++m) {
-      const double reached = glm::dot(plane.n, past[static_cast<std::size_t>(m)]) - kMemorySlack;
-      least = reached < least ? reached : least;
-    }
-    if (least < plane.c) {
-      plane.c = least;
-      origins_[i].relaxed = true;
-    }
-  }
+void SurfaceContact::relax_by_memory(std::size_t from, std::size_t to) noexcept {
+  planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, kMemorySlack, from, to,
+                    [&](std::size_t i) { origins_[i].relaxed = true; });
 }
 
-SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, Vec3 y, Vec3 device, const PlaneSearch& found,
-                                                double r_base, double r_cut) const noexcept {
+/// A tangent follows its pose; planes of the field and of the foot stay.
+void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
+  if (origins_[i].trusted_plane) return;
+  Plane plane;
+  bool trusted = false;
+  const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
+  if (!plane_of(tool, c, y, 1.0, plane, trusted)) return;
+  planes_.set(i, plane.n, plane.c);
+  origins_[i].trusted_plane = trusted;
+  relax_by_memory(i, i + 1);
+}
+
+/// The search among planes_, begun with those that held the pose before.
+PlaneSearch SurfaceContact::search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept {
+  PlaneSearch found = closest_point(device, planes_, kTolerance, {held_.plane, static_cast<std::size_t>(held_.count)});
+  if (!found.feasible) {
+    // Tangents of points contradict each other: what the pose already stands in cannot be asked of it.
+    infeasible = true;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+      const double at = glm::dot(planes_.n(i), y);
+      if (at < planes_.c(i)) planes_.set_c(i, at);
+    }
+    found = closest_point(device, planes_, kTolerance, {});
+  }
+  held_.count = found.active;
+  for (int a = 0; a < found.active; ++a) held_.plane[a] = found.index[a];
+  return found;
+}
+
+SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device,
+                                                const PlaneSearch& found) noexcept {
   Polished out;
   // Active planes of one smooth surface stand for one contact: their mean normal, corrected on the field itself.
   struct Group {
@@ -142,14 +207,14 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, Vec3 y, Ve
     const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
     if (!origin.trusted_plane || origin.relaxed || c.near_other) return out;
     int g = 0;
-    while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > kSameNormal)) ++g;
+    while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > static_cast<float>(kSameNormal))) ++g;
     if (g == groups) {
       group[groups] = Group{};
       group[groups].field = c.field;
       ++groups;
     }
     const double w = found.weight[a] > 1e-12 ? found.weight[a] : 1e-12;
-    group[g].normal += c.normal * w;
+    group[g].normal += Vec3(c.normal) * w;
     group[g].weight += w;
     if (w > group[g].heaviest) {
       group[g].heaviest = w;
@@ -160,21 +225,22 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, Vec3 y, Ve
 
   // Wholly enclosed contact has no single foot to correct.
   int tight = 0;
-  for (std::size_t i = 0; i < plane_count_; ++i) {
-    if (glm::dot(planes_[i].n, found.y) - planes_[i].c > 0.003) continue;
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    if (planes_.slack(i, found.y) > 0.003) continue;
     bool apart = true;
-    for (int g = 0; g < groups; ++g) apart = apart && glm::dot(planes_[i].n, group[g].normal) < kSameNormal;
+    for (int g = 0; g < groups; ++g) apart = apart && glm::dot(planes_.n(i), group[g].normal) < kSameNormal;
     if (apart && ++tight >= 4) return out;
   }
 
   Plane corrected[3];
   Vec3 at = found.y;
   PlaneSearch search = found;
-  for (int pass = 0; pass < 4; ++pass) {
+  double before = 0.01;
+  for (int pass = 0; pass < 5; ++pass) {
     for (int g = 0; g < groups; ++g) {
-      const double r = group[g].field == Field::base ? r_base : r_cut;
+      const double r = group[g].field == Field::base ? tool.r_base : tool.r_cut;
       const Vec3 x = at - group[g].normal * r;
-      const FieldPoint field = field_at(volume, group[g].field, x);
+      const FieldPoint field = fields_.at(volume, group[g].field, x);
       if (!field.known || std::fabs(field.d_mm) > 0.3 * voxel_mm_ || glm::dot(field.normal, group[g].normal) < kTurned)
         return out;
       group[g].normal = field.normal;
@@ -187,19 +253,19 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, Vec3 y, Ve
     const double moved = length_of(search.y - at);
     at = search.y;
     if (length_of(at - y) > kLongestStep + voxel_mm_ || length_of(at - found.y) > voxel_mm_) return out;
-    if (moved < 1e-7) break;
+    // Each pass leaves the same share of the error before: the next one would move by moved^2 / before.
+    if (moved * moved < kPolishedMm * before || moved < kPolishedMm) break;
+    before = moved;
   }
   // What the polish left out must still be clear of the ball.
-  for (std::size_t i = 0; i < plane_count_; ++i) {
+  for (std::size_t i = 0; i < planes_.size(); ++i) {
+    if (planes_.slack(i, at) >= -kTogether) continue;
     const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
-    if (c.kind != Kind::surface) {
-      if (glm::dot(planes_[i].n, at) - planes_[i].c < -kTogether) return out;
-      continue;
-    }
-    bool apart = true;
+    bool same = false;
     for (int g = 0; g < groups; ++g)
-      apart = apart && !(group[g].field == c.field && glm::dot(c.normal, group[g].normal) > kTurned);
-    if (apart && glm::dot(planes_[i].n, at) - planes_[i].c < -kTogether) return out;
+      same = same || (c.kind == Kind::surface && group[g].field == c.field &&
+                      glm::dot(Vec3(c.normal), group[g].normal) > kTurned);
+    if (!same) return out;
   }
   out.accepted = true;
   out.search = search;
@@ -210,115 +276,133 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, Vec3 y, Ve
   return out;
 }
 
-void SurfaceContact::keep(const Volume& volume, const Scene& scene, const Kept& kept) noexcept {
-  cut_.forget();
-  kept_ = kept;
-  if (!kept.valid) return;
-  const Burr& burr = scene.burrs[kept.burr];
-  gather(volume, burr, scene.tool_axis, kept.centre, burr.radius_mm + kept.margin_mm, kept.margin_mm, true);
-  gathered_ = count_;
+void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept {
+  out.shank = false;
+  out.active = found.active;
+  for (int a = 0; a < found.active; ++a) {
+    const auto i = static_cast<std::size_t>(found.index[a]);
+    const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
+    out.normal[a] = planes_.n(i);
+    out.weight[a] = found.weight[a];
+    out.tissue[a] = c.tissue;
+    if (c.kind == Kind::shank) {
+      out.shank = true;
+      out.shank_normal = out.normal[a];
+    }
+  }
+  if (!polished.accepted) return;
+  out.active = polished.search.active;
+  for (int a = 0; a < out.active; ++a) {
+    out.normal[a] = polished.normal[a];
+    out.weight[a] = polished.search.weight[a];
+    out.tissue[a] = candidates_[static_cast<std::size_t>(polished.candidate[a])].tissue;
+  }
 }
 
 Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
-                              Vec3 from, Vec3 device, double reach_mm, const CutMemory* memory) noexcept {
+                              Vec3 from, Vec3 device, Vec3 ahead, double reach_mm,
+                              const CutMemory* memory) noexcept {
   const Burr& burr = scene.burrs[burr_index];
   Contact out;
-  out.pose_mm = from;
-  if (clear_path(volume, burr, axis, from, device)) {
-    out.pose_mm = device;
+  out.pose_mm = device;
+  if (free_.valid && free_.burr == burr_index && free_.holds(from) && free_.holds(device)) {
+    ++answered_free_;
     return out;
   }
+  if (clear_path(volume, burr, axis, from, device)) return out;
+  const Tool tool{&burr, axis, burr_index, burr.radius_mm, burr.radius_mm - kClearanceMm};
   overflow_ = false;
-  const double r_base = burr.radius_mm;
-  const double r_cut = burr.radius_mm - kClearanceMm;
   double step = std::min(kLongestStep, std::max(0.004, reach_mm));
   Vec3 y = from;
   bool arrived = false;
+  bool with_foot = false;
 
   for (int search = 0; search < kSearches && !arrived; ++search) {
     const Vec3 centre = y;
-    if (!(kept_.valid && kept_.burr == burr_index && length_of(y - kept_.centre) + step <= kept_.margin_mm)) {
-      // A small step looks a little further than it must, so that the next ones find all they need.
-      kept_ = {y, step < kSlowStep ? kSlowMargin : step, burr_index, true};
-      gather(volume, burr, axis, y, burr.radius_mm + kept_.margin_mm, kept_.margin_mm, true);
-      gathered_ = count_;
+    const bool at_hand =
+        gathered_.valid && gathered_.burr == burr_index && length_of(y - gathered_.centre) + step <= gathered_.margin_mm;
+    // It looks a little further than this step must, so that the next ones find all they need.
+    if (!at_hand) gather(volume, tool, y, step < kSlowStep ? kSlowMargin : 2.0 * step);
+    const std::size_t at_hand_count = count_;
+    select(tool, centre, step);
+    const std::size_t near_count = near_count_;
+    if (near_count == 0 && inside_tissue(volume, y)) {
+      // Deep in tissue where there is no surface to follow.
+      out.infeasible = true;
+      break;
     }
-    if (gathered_ == 0) {
-      // Nothing near: free space, or deep in tissue where there is no surface to follow.
-      const Vec3 x = (y - volume.grid().origin_mm) / voxel_mm_;
-      const IVec3 v(static_cast<int>(std::floor(x.x + 0.5)), static_cast<int>(std::floor(x.y + 0.5)),
-                    static_cast<int>(std::floor(x.z + 0.5)));
-      if (volume.s(v) >= kHalf) {
-        out.infeasible = true;
+    // Surfaces that a burr left may hug it: then the point under the push is asked for from the beginning.
+    with_foot = with_foot || near_cut_;
+    held_.count = 0;
+    double before = 0.0, last_moved = 1.0;
+    double limit = kPredicted * step + 0.005;
+    Vec3 at = y;        // where planes are laid: first where the device's own move would take the burr, then where it is
+    if (search == 0) {
+      const double length = length_of(ahead);
+      if (length > 2.0 * kSettledMm) at += length > step ? ahead * (step / length) : ahead;
+    }
+    bool left = false;  // the step ends before the search does
+    for (int pass = 0; pass < 10; ++pass) {
+      if (last_moved > kSettledMm) {
+        near_count_ = near_count;
+        held_.count = 0;
+        planes_.clear();
+        planes(tool, at, 0, near_count, limit);
+        if (with_foot) {
+          foot(volume, tool, at, device);
+          for (std::size_t i = at_hand_count; i < count_; ++i) near_[near_count_++] = static_cast<std::int32_t>(i);
+          planes(tool, at, near_count, near_count_, limit);
+          count_ = at_hand_count;
+        }
+        past_count_ = memory ? memory->near(at, burr.radius_mm, past_) : 0;
+        relax_by_memory(0, planes_.size());
+      } else {
+        // It has nearly come to rest: only the tangents that hold it need to turn with it.
+        for (int a = 0; a < held_.count; ++a) turn(tool, at, static_cast<std::size_t>(held_.plane[a]));
+      }
+      const PlaneSearch found = search_planes(y, device, out.infeasible);
+      if (!found.feasible) {
+        arrived = true;
         break;
       }
-    }
-    bool left = false;  // the search ran out of what it gathered
-    for (int pass = 0; pass < 8; ++pass) {
-      count_ = gathered_;
-      foot(volume, y, device, burr.radius_mm);
-      planes(burr, axis, y, r_base, r_cut, 2.0 * step);
-      if (memory) relax_by_memory(*memory, y, burr.radius_mm);
-      const std::span<Plane> all(planes_.data(), plane_count_);
-      PlaneSearch found = closest_point(device, all, kTolerance);
-      if (!found.feasible) {
-        // Tangents of points contradict each other: what the pose already stands in cannot be asked of it.
-        out.infeasible = true;
-        for (Plane& plane : all) plane.c = std::min(plane.c, glm::dot(plane.n, y));
-        found = closest_point(device, all, kTolerance);
-        if (!found.feasible) {
-          arrived = true;
-          break;
-        }
+      const double off = length_of(found.y - at);
+      if (off > limit && limit < 2.0 * step) {
+        // Further than planes were laid for: all that the step can reach.
+        limit = 2.0 * step;
+        last_moved = 1.0;
+        continue;
       }
-      Vec3 target = found.y;
       bool only_planes = true;
       for (int a = 0; a < found.active; ++a)
         only_planes = only_planes && origins_[static_cast<std::size_t>(found.index[a])].trusted_plane;
+      Vec3 target = found.y;
       const double whole = length_of(target - centre);
-      const bool clipped = whole > step;
+      left = whole > step;
       Polished polished;
-      if (clipped) {
-        target = centre + (target - centre) * (step / whole);
-      } else if (found.active > 0 && only_planes) {
-        polished = polish(volume, y, device, found, r_base, r_cut);
-        if (polished.accepted) target = polished.search.y;
+      if (!left && found.active > 0 && only_planes) polished = polish(volume, tool, y, device, found);
+      if (found.active > 0 && !polished.accepted && !with_foot) {
+        // Not one smooth foot for each plane: from here on the point under the push is asked for as well.
+        with_foot = true;
+        left = false;
+        last_moved = 1.0;
+        at = y;
+        limit = 2.0 * step;
+        continue;
       }
-      const double moved = length_of(target - y);
+      if (left) target = centre + (target - centre) * (step / whole);
+      if (polished.accepted) target = polished.search.y;
       y = target;
-
-      out.active = found.active;
-      out.shank = false;
-      for (int a = 0; a < found.active; ++a) {
-        const Candidate& c = candidates_[static_cast<std::size_t>(origins_[static_cast<std::size_t>(found.index[a])].candidate)];
-        out.normal[a] = planes_[static_cast<std::size_t>(found.index[a])].n;
-        out.weight[a] = found.weight[a];
-        out.tissue[a] = c.tissue;
-        if (c.kind == Kind::shank) {
-          out.shank = true;
-          out.shank_normal = out.normal[a];
-        }
-      }
-      if (polished.accepted) {
-        out.active = polished.search.active;
-        for (int a = 0; a < out.active; ++a) {
-          out.normal[a] = polished.normal[a];
-          out.weight[a] = polished.search.weight[a];
-          out.tissue[a] = candidates_[static_cast<std::size_t>(polished.candidate[a])].tissue;
-        }
-      }
-      if (clipped) {
-        left = true;
-        break;
-      }
-      if (polished.accepted && moved < 0.06) {
+      held_.fresh = !polished.accepted && !left;
+      note(found, polished, out);
+      if (left) break;
+      const double moved = length_of(target - at);
+      at = y;
+      // Passes shrink the error like moved / before; a plane that was laid moved away is off by moved^2 / 2r only.
+      if ((polished.accepted && moved < 0.06) || moved < kArrivedMm || moved * moved < kArrivedMm * before) {
         arrived = true;
         break;
       }
-      if (moved < 2e-6) {
-        arrived = true;
-        break;
-      }
+      before = last_moved = moved;
     }
     if (!left) arrived = true;
     step = kLongestStep;
@@ -326,30 +410,59 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
   out.pose_mm = y;
   out.deferred = !arrived;
   out.overflow = overflow_;
+  if (out.active == 0 && arrived && !out.infeasible) {
+    if (free_pause_ > 0) {
+      --free_pause_;
+    } else {
+      find_free(volume, tool, y);
+    }
+  }
   return out;
+}
+
+Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
+                                  const Contact& before, Vec3 device, double advance_mm, const CutMemory& memory) noexcept {
+  // The field is the same: only the stroke's memory lets planes recede that are laid already.
+  if (held_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
+    Contact out;
+    past_count_ = memory.near(before.pose_mm, scene.burrs[burr_index].radius_mm, past_);
+    relax_by_memory(0, planes_.size());
+    const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
+    if (found.feasible && !out.infeasible && length_of(found.y - before.pose_mm) <= 2.0 * advance_mm + kSettledMm) {
+      out.pose_mm = found.y;
+      note(found, Polished{}, out);
+      return out;
+    }
+  }
+  return solve(volume, scene, burr_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004, &memory);
 }
 
 bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept {
   if (clear_path(volume, burr, axis, pose, pose)) return true;
-  const Vec3 x = (pose - volume.grid().origin_mm) / voxel_mm_;
-  if (volume.s({static_cast<int>(std::floor(x.x + 0.5)), static_cast<int>(std::floor(x.y + 0.5)),
-                static_cast<int>(std::floor(x.z + 0.5))}) >= kHalf)
-    return false;
-  kept_.valid = false;
-  gather(volume, burr, axis, pose, burr.radius_mm + voxel_mm_, voxel_mm_, true);
-  planes(burr, axis, pose, burr.radius_mm, burr.radius_mm - kClearanceMm, 0.0);
-  return plane_count_ == 0;
+  if (inside_tissue(volume, pose)) return false;
+  const Tool tool{&burr, axis, kNoBurr, burr.radius_mm, burr.radius_mm - kClearanceMm};
+  gather(volume, tool, pose, voxel_mm_);
+  select(tool, pose, voxel_mm_);
+  planes_.clear();
+  planes(tool, pose, 0, near_count_, 0.0);
+  gathered_.valid = false;
+  return planes_.size() == 0;
 }
 
 bool SurfaceContact::push_out(const Volume& volume, Vec3 pose, double radius_mm, Vec3& out) noexcept {
-  static const Burr none{};
   constexpr double kMost = 0.02;
-  kept_.valid = false;
-  gather(volume, none, Vec3(0.0, 0.0, 1.0), pose, radius_mm + kMost + 0.01, 0.0, false);
+  Burr ball;
+  ball.radius_mm = radius_mm;
+  const Tool tool{&ball, Vec3(0.0, 0.0, 1.0), kNoBurr, radius_mm, radius_mm};
+  count_ = 0;
+  gathered_.valid = false;
+  gather_ball(volume, tool, pose, kMost + 0.01);
+  for (std::size_t i = 0; i < count_; ++i) near_[i] = static_cast<std::int32_t>(i);
   Vec3 y = pose;
   for (int pass = 0; pass < 4; ++pass) {
-    planes(none, Vec3(0.0, 0.0, 1.0), y, radius_mm, radius_mm, 0.1);
-    const PlaneSearch found = closest_point(pose, {planes_.data(), plane_count_}, kTolerance);
+    planes_.clear();
+    planes(tool, y, 0, count_, 0.1);
+    const PlaneSearch found = closest_point(pose, planes_, kTolerance, {});
     if (!found.feasible || length_of(found.y - pose) > kMost) return false;
     const double moved = length_of(found.y - y);
     y = found.y;

@@ -35,10 +35,15 @@ class SurfaceContact {
 
   SurfaceContact(const Scene& scene, const Volume& volume);
 
-  /// From `from` (admissible) towards `device`. reach_mm: how far one search looks, about the device's own move.
-  /// memory: past cut poses, or nullptr.
-  Contact solve(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, Vec3 from, Vec3 device, double reach_mm,
-                const CutMemory* memory) noexcept;
+  /// From `from` (admissible) towards `device`. ahead: how the device has moved since, where the search begins to look.
+  /// reach_mm: how far one search looks, about as long. memory: past cut poses, or nullptr.
+  Contact solve(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, Vec3 from, Vec3 device, Vec3 ahead,
+                double reach_mm, const CutMemory* memory) noexcept;
+
+  /// Contact again after a cut that the field does not hold yet, from `before`, what solve() answered last: the memory
+  /// alone has grown, by advance_mm.
+  Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, const Contact& before,
+                    Vec3 device, double advance_mm, const CutMemory& memory) noexcept;
 
   /// True when the burr at this pose is in free space: ball, neck and shank clear of tissue.
   bool fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept;
@@ -46,34 +51,44 @@ class SurfaceContact {
   /// Nearest pose to `pose` at which a ball of `radius_mm` (and no shank) fits; false when there is none within 20 um.
   bool push_out(const Volume& volume, Vec3 pose, double radius_mm, Vec3& out) noexcept;
 
-  /// To be told of every change of the cut field: voxels low..high, inclusive.
+  /// To be told of every change of the cut field: voxels low..high, inclusive. Cutting only takes tissue away, so what
+  /// was clear stays clear.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
     cut_.changed(volume, low, high);
-    kept_.valid = false;
+    fields_.forget_cut();
+    gathered_.valid = false;
   }
 
-  /// What the last search gathered stands until the burr has left its middle or the field changes. Which candidates are
-  /// at hand is part of what the next step depends on, so key states hold it; keep() gathers the same ones again.
-  struct Kept {
-    Vec3 centre{0.0};
-    double margin_mm = 0.0;
-    std::uint16_t burr = 0;
-    bool valid = false;
-  };
-  const Kept& kept() const noexcept { return kept_; }
-  void keep(const Volume& volume, const Scene& scene, const Kept& kept) noexcept;
+  /// Everything kept is to be found anew (after the volume was loaded). What is kept never changes an answer.
+  void forget() noexcept;
+
+  /// Ticks that the cached clearance answered; for benches.
+  std::uint64_t answered_free() const noexcept { return answered_free_; }
+  /// Most candidates that one search has looked at; for benches.
+  std::size_t most_candidates() const noexcept { return most_candidates_; }
 
  private:
+  static constexpr double kLongestStep = 0.08;      // mm: one search looks no further
+  static constexpr std::uint16_t kNoBurr = 0xffff;  // of a ball that no scene names
   enum class Kind : std::uint8_t { surface, edge, shank };
   struct Candidate {
     Vec3 point{0.0};
-    Vec3 normal{0.0};        // surface; tangent for an edge
-    Vec3 other_normal{0.0};
-    double other_d_mm = 0.0;
+    Vec3f normal{0.0f};        // surface; tangent for an edge
+    Vec3f other_normal{0.0f};
+    float other_d_mm = 0.0f;
     Kind kind = Kind::surface;
     Field field = Field::base;
     Tissue tissue = Tissue::empty;
     bool near_other = false;
+  };
+  /// Box about the points of a brick, in sixteenths of a voxel from a quarter voxel below its first voxel.
+  struct PointsBox {
+    std::uint8_t from[3] = {255, 255, 255};
+    std::uint8_t to[3] = {0, 0, 0};
+    bool empty() const noexcept { return from[0] > to[0]; }
+    Vec3 low() const noexcept { return Vec3(from[0], from[1], from[2]) * 0.0625 - 0.25; }
+    Vec3 high() const noexcept { return Vec3(to[0], to[1], to[2]) * 0.0625 - 0.25; }
+    void add(Vec3f p) noexcept;
   };
   /// How a plane came to be, beside Plane itself.
   struct Origin {
@@ -87,31 +102,86 @@ class SurfaceContact {
     Vec3 normal[3];
     std::int32_t candidate[3] = {0, 0, 0};
   };
+  /// A burr as the solve sees it.
+  struct Tool {
+    const Burr* burr = nullptr;
+    Vec3 axis{0.0};
+    std::uint16_t index = 0;
+    double r_base = 0.0, r_cut = 0.0;
+  };
+  /// Candidates at hand: all that a ball of radius + margin about `centre` reaches, and the shank with the same margin.
+  struct Gathered {
+    Vec3 centre{0.0};
+    double margin_mm = 0.0;
+    std::uint16_t burr = 0;
+    bool valid = false;
+  };
+  /// Poses known to be free: within margin of centre, the whole burr beyond a plane that no tissue nearby passes.
+  struct FreeSpace {
+    Vec3 centre{0.0}, n{0.0};
+    double margin_mm = 0.0, c = 0.0;
+    std::uint16_t burr = 0;
+    bool valid = false, bounded = false;
+    bool holds(Vec3 p) const noexcept {
+      const Vec3 d = p - centre;
+      return glm::dot(d, d) <= margin_mm * margin_mm && (!bounded || glm::dot(n, p) >= c);
+    }
+  };
 
-  void gather(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 centre, double ball_reach,
-              double shank_reach, bool with_shank) noexcept;
-  void gather_ball_brick(const Volume& volume, int brick, Vec3 centre, double reach) noexcept;
-  void gather_shank_brick(const Volume& volume, int brick, const Burr& burr, Vec3 axis, Vec3 centre,
-                          double reach) noexcept;
-  bool add(const Candidate& candidate) noexcept;
-  bool base_candidate(const Volume& volume, int brick, IVec3 cell, const BasePoint& point, Candidate& out) noexcept;
-  void foot(const Volume& volume, Vec3 pose, Vec3 device, double radius) noexcept;
-  void planes(const Burr& burr, Vec3 axis, Vec3 y, double r_base, double r_cut, double slack_mm) noexcept;
-  void relax_by_memory(const CutMemory& memory, Vec3 y, double radius) noexcept;
-  Polished polish(const Volume& volume, Vec3 y, Vec3 device, const PlaneSearch& found, double r_base,
-                  double r_cut) const noexcept;
+  bool points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept;
+  void gather(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept;
+  void gather_ball(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
+  template <class Visit>
+  void shank_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double reach, Visit&& visit) const noexcept;
+  template <class Choose, class Visit>
+  void features(const Volume& volume, int brick, Choose&& choose, Visit&& visit) noexcept;
+  void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
+  template <class Visit>
+  void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
+  template <class Visit>
+  void near_features(const Volume& volume, int brick, Vec3 centre, double reach, Visit&& visit) noexcept;
+  void add(const Candidate& candidate) noexcept;
+  void select(const Tool& tool, Vec3 centre, double step) noexcept;
+  void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
+  void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;
+  void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
+  bool plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
+  void relax_by_memory(std::size_t from, std::size_t to) noexcept;
+  void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
+  PlaneSearch search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept;
+  Polished polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device, const PlaneSearch& found) noexcept;
+  void note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept;
   bool clear_path(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 from, Vec3 to) const noexcept;
+  bool inside_tissue(const Volume& volume, Vec3 pose) const noexcept;
 
   double voxel_mm_;
-  std::vector<Candidate> candidates_;
-  std::vector<Plane> planes_;
-  std::vector<Origin> origins_;
-  std::size_t count_ = 0;     // candidates, with those of the foot
-  std::size_t gathered_ = 0;  // without
-  Kept kept_;
-  std::size_t plane_count_ = 0;
+  std::vector<PointsBox> boxes_;       // [brick]: where the specimen's own points lie
+  IVec3 bricks_low_{0}, bricks_high_{0};  // bricks that hold a surface or can be cut
+  std::vector<Candidate> candidates_;  // at hand, then those of the foot
+  std::vector<float> place_x_, place_y_, place_z_;  // of the same, in voxels from where they were gathered
+  std::vector<std::int32_t> near_;     // of them, within reach of this search
+  PlaneSet planes_;
+  std::vector<Origin> origins_;        // of planes_
+  std::size_t count_ = 0, ball_count_ = 0, near_count_ = 0;
+  Gathered gathered_;
+  FreeSpace free_;
+  int free_pause_ = 0;                 // looks to skip before trying again
+  std::uint64_t answered_free_ = 0;
+  std::size_t most_candidates_ = 0;
   bool overflow_ = false;
+  bool edges_ = false;                 // edges may be among the candidates at hand
+  bool near_cut_ = false;              // a surface that a burr left is among those near
+  /// Of this solve's last pass: planes that hold the pose, and whether planes_ are those it came from.
+  struct Held {
+    int plane[3] = {0, 0, 0};
+    int count = 0;
+    bool fresh = false;
+  };
+  Held held_;
+  std::array<Vec3, CutMemory::kMost> past_;          // poses of the stroke's memory near the pose
+  int past_count_ = 0;
   CutSurface cut_;
+  FieldCells fields_;
 };
 
 }  // namespace cusp

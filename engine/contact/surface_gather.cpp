@@ -1,14 +1,20 @@
-// Candidates of the surface proxy: which points, edges and normals of the two fields may touch within one step.
+// Candidates of the surface proxy: which points, edges and normals of the two fields may touch within one step; and the
+// free space in which none does.
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/near_points.h"
 #include "engine/contact/surface_contact.h"
 
 namespace cusp {
 
 namespace {
 
-double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+/// Voxels that single precision may be off by in `for_near`, and then some.
+constexpr double kLoose = 1e-3;
+constexpr double kFreeMargin = 0.5;   // mm: how far a look for free space goes
+constexpr double kLeastFree = 0.02;   // mm: less is not worth keeping
+constexpr int kPause = 16;            // looks that are skipped where there was too little
 
 /// Squared distance of a point to a box.
 double box_distance2(Vec3 p, Vec3 low, Vec3 high) noexcept {
@@ -21,227 +27,336 @@ double box_distance2(Vec3 p, Vec3 low, Vec3 high) noexcept {
 }
 
 IVec3 brick_floor(const Grid& grid, Vec3 p) noexcept {
-  const Vec3 x = (p - grid.origin_mm) / (grid.voxel_mm * kBrickEdge);
-  return {static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)), static_cast<int>(std::floor(x.z))};
+  return cell_of_voxels((p - grid.origin_mm) * (1.0 / (grid.voxel_mm * kBrickEdge)));
 }
 
-}  // namespace
-
-bool SurfaceContact::add(const Candidate& candidate) noexcept {
-  if (count_ == candidates_.size()) {
-    overflow_ = true;
-    return false;
+/// Capsules of the neck and the shank. Up to `inner` along the axis the neck lies within the ball, which answers for it.
+struct ShankReach {
+  ShankReach(const Burr& b, Vec3 along, Vec3 at, double margin_mm) noexcept : burr(b), axis(along), centre(at), reach(margin_mm) {
+    const double inner = b.neck_radius_mm + margin_mm;
+    const double r2 = b.radius_mm * b.radius_mm - inner * inner;
+    from = r2 > 0.0 ? std::sqrt(r2) : 0.0;
   }
-  candidates_[count_++] = candidate;
-  return true;
-}
-
-bool SurfaceContact::base_candidate(const Volume& volume, int brick, IVec3 cell, const BasePoint& point,
-                                    Candidate& out) noexcept {
-  const Grid& grid = volume.grid();
-  out = Candidate{};
-  out.point = grid.origin_mm + grid.voxel_mm * (Vec3(cell) + Vec3(point.offset));
-  out.normal = Vec3(point.normal);
-  out.kind = Kind::surface;
-  out.field = Field::base;
-  out.tissue = point.tissue;
-  // Where the cut is near, the point may be gone, or its plane end at the cut's edge.
-  const IVec3 v = cell + IVec3(point.offset.x > 0.5f, point.offset.y > 0.5f, point.offset.z > 0.5f);
-  const bool same_brick = (v.x >> 3) == (cell.x >> 3) && (v.y >> 3) == (cell.y >> 3) && (v.z >> 3) == (cell.z >> 3);
-  if (same_brick && !volume.has_cut(brick)) return true;
-  const std::uint16_t s = volume.cut(v);
-  if (s == kSolid) return true;
-  if (distance_from_solid(s) > 1.0) return false;
-  CellField cut;
-  cut.load(volume, Field::cut, cell);
-  Vec3 g;
-  const double d = cut.eval(Vec3(point.offset), g);
-  if (d > 0.0) return false;
-  const double length = length_of(g);
-  if (d > -2.5 && length > 0.25) {
-    out.near_other = true;
-    out.other_d_mm = d * grid.voxel_mm / length;
-    out.other_normal = g / length;
-  }
-  return true;
-}
-
-void SurfaceContact::gather_ball_brick(const Volume& volume, int brick, Vec3 centre, double reach) noexcept {
-  const Grid& grid = volume.grid();
-  const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
-  const double reach2 = reach * reach;
-  Candidate candidate;
-  for (const BasePoint& point : volume.specimen().surface().in(brick)) {
-    const IVec3 cell = corner + IVec3(point.cell & 7, point.cell >> 3 & 7, point.cell >> 6);
-    const Vec3 d = grid.origin_mm + grid.voxel_mm * (Vec3(cell) + Vec3(point.offset)) - centre;
-    if (glm::dot(d, d) > reach2) continue;
-    if (base_candidate(volume, brick, cell, point, candidate)) add(candidate);
-  }
-  const std::uint16_t* values = volume.cut_of(brick);
-  if (values == nullptr) return;
-  // Cells whose middle is further than reach and half a cell's diagonal hold nothing.
-  const double far = reach + 1.2 * grid.voxel_mm;
-  const double far2 = far * far;
-  const Vec3 local = (centre - grid.centre_mm(corner)) / grid.voxel_mm - 0.5;
-  const double far_v2 = far2 / (grid.voxel_mm * grid.voxel_mm);
-  for (int z = 0; z < 8; ++z) {
-    const double dz = z - local.z;
-    if (dz * dz > far_v2) continue;
-    for (int y = 0; y < 8; ++y) {
-      const double dy = y - local.y;
-      const double dyz = dz * dz + dy * dy;
-      if (dyz > far_v2) continue;
-      for (int x = 0; x < 8; ++x) {
-        const int o = brick_offset(x, y, z);
-        if (values[o] < 11000 || values[o] > 54500) continue;
-        const double dx = x - local.x;
-        if (dyz + dx * dx > far_v2) continue;
-        const CutFeature* f = cut_.at(volume, brick, o);
-        if (f == nullptr) continue;
-        const Vec3 base(corner + IVec3(x, y, z));
-        if (f->has_point) {
-          candidate = Candidate{};
-          candidate.point = grid.origin_mm + grid.voxel_mm * (base + Vec3(f->point));
-          const Vec3 d = candidate.point - centre;
-          if (glm::dot(d, d) <= reach2) {
-            candidate.normal = Vec3(f->normal);
-            candidate.field = Field::cut;
-            candidate.tissue = f->tissue;
-            candidate.near_other = f->near_other;
-            candidate.other_normal = Vec3(f->other_normal);
-            candidate.other_d_mm = f->other_d_mm;
-            add(candidate);
-          }
-        }
-        if (f->has_edge) {
-          candidate = Candidate{};
-          candidate.kind = Kind::edge;
-          candidate.point = grid.origin_mm + grid.voxel_mm * (base + Vec3(f->edge));
-          candidate.normal = Vec3(f->tangent);
-          candidate.field = Field::cut;
-          candidate.tissue = f->tissue;
-          const Vec3 d = candidate.point - centre;
-          if (glm::dot(d, d) <= far2) add(candidate);
-        }
-      }
-    }
-  }
-}
-
-void SurfaceContact::gather_shank_brick(const Volume& volume, int brick, const Burr& burr, Vec3 axis, Vec3 centre,
-                                        double reach) noexcept {
-  const Grid& grid = volume.grid();
-  const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
-  // Up to here the neck lies within the ball, which answers for it.
-  const double inner = burr.neck_radius_mm + reach;
-  const double r2 = burr.radius_mm * burr.radius_mm - inner * inner;
-  const double from = r2 > 0.0 ? std::sqrt(r2) : 0.0;
-  const auto touches = [&](Vec3 p) {
+  bool touches(Vec3 p) const noexcept {
     const Vec3 d = p - centre;
     const double t = glm::dot(d, axis);
     if (t < from || t > burr.neck_length_mm + burr.shank_length_mm + reach) return false;
     const double off2 = glm::dot(d, d) - t * t;
     const double wide = (t > burr.neck_length_mm - reach ? burr.shank_radius_mm : burr.neck_radius_mm) + reach;
     return off2 <= wide * wide;
-  };
-  Candidate candidate;
-  for (const BasePoint& point : volume.specimen().surface().in(brick)) {
-    const IVec3 cell = corner + IVec3(point.cell & 7, point.cell >> 3 & 7, point.cell >> 6);
-    if (!touches(grid.origin_mm + grid.voxel_mm * (Vec3(cell) + Vec3(point.offset)))) continue;
-    if (!base_candidate(volume, brick, cell, point, candidate)) continue;
-    candidate.kind = Kind::shank;
-    add(candidate);
   }
-  const std::uint16_t* values = volume.cut_of(brick);
-  if (values == nullptr) return;
-  for (int o = 0; o < kBrickVoxels; ++o) {
-    if (values[o] < 11000 || values[o] > 54500) continue;
-    const IVec3 cell = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
-    if (!touches(grid.centre_mm(cell) + 0.5 * grid.voxel_mm)) continue;
-    const CutFeature* f = cut_.at(volume, brick, o);
-    if (f == nullptr) continue;
-    candidate = Candidate{};
-    candidate.kind = Kind::shank;
-    candidate.field = Field::cut;
-    candidate.tissue = f->tissue;
-    candidate.point = grid.origin_mm + grid.voxel_mm * (Vec3(cell) + Vec3(f->has_point ? f->point : f->edge));
-    if (touches(candidate.point)) add(candidate);
+  const Burr& burr;
+  Vec3 axis, centre;
+  double reach;
+  double from = 0.0;
+};
+
+}  // namespace
+
+void SurfaceContact::add(const Candidate& candidate) noexcept {
+  if (count_ == candidates_.size()) {
+    overflow_ = true;
+    return;
+  }
+  const Vec3f place((candidate.point - gathered_.centre) * (1.0 / voxel_mm_));
+  place_x_[count_] = place.x;
+  place_y_[count_] = place.y;
+  place_z_[count_] = place.z;
+  candidates_[count_++] = candidate;
+}
+
+/// Calls chosen(x, y, z, count, corner mm, visit(i)) with the places of a brick's points and edges, in voxels from its
+/// first voxel, in cell order, and visit(place mm, feature) for those that it lets through.
+template <class Choose, class Visit>
+void SurfaceContact::features(const Volume& volume, int brick, Choose&& choose, Visit&& visit) noexcept {
+  const Grid& grid = volume.grid();
+  const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(volume.specimen().brick_at(brick) * kBrickEdge);
+  if (!volume.has_cut(brick)) {
+    const BasePoints points = volume.specimen().surface().in(brick);
+    choose(points.x, points.y, points.z, points.count, corner_mm, [&](int i) {
+      CutFeature feature;
+      feature.normal = points.normal[i].unit();
+      feature.field = Field::base;
+      feature.tissue = points.tissue[i];
+      visit(corner_mm + grid.voxel_mm * Vec3(points.x[i], points.y[i], points.z[i]), feature);
+    });
+    return;
+  }
+  for (std::int32_t p = cut_.first(volume, brick); p >= 0;) {
+    const CutSurface::Page& page = cut_.page(p);
+    choose(page.x, page.y, page.z, page.count, corner_mm, [&](int i) {
+      visit(corner_mm + grid.voxel_mm * Vec3(page.x[i], page.y[i], page.z[i]), page.feature[i]);
+    });
+    p = page.next;
   }
 }
 
-void SurfaceContact::gather(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 centre, double ball_reach,
-                            double shank_reach, bool with_shank) noexcept {
-  count_ = 0;
+/// Calls visit(place mm, feature) for the points and edges of a brick within reach (mm) of a place.
+template <class Visit>
+void SurfaceContact::near_features(const Volume& volume, int brick, Vec3 centre, double reach, Visit&& visit) noexcept {
+  const double per_mm = 1.0 / voxel_mm_;
+  const double wide = reach * per_mm + kLoose;
+  const auto wide2 = static_cast<float>(wide * wide);
+  features(
+      volume, brick,
+      [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
+        for_near(x, y, z, count, Vec3f((centre - corner_mm) * per_mm), wide2, pass);
+      },
+      visit);
+}
+
+/// The box (mm) about the points of a brick; false where it has none. A brick that was cut fills its own.
+bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept {
+  const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
+  const Grid& grid = volume.grid();
+  const Vec3 corner = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
+  if (volume.has_cut(brick)) {
+    low = corner - 0.2 * grid.voxel_mm;
+    high = corner + 8.2 * grid.voxel_mm;
+    return true;
+  }
+  if (box.empty()) return false;
+  low = corner + grid.voxel_mm * box.low();
+  high = corner + grid.voxel_mm * box.high();
+  return true;
+}
+
+/// Calls visit(brick) for each brick, in index order, with points that may lie within reach of a place.
+template <class Visit>
+void SurfaceContact::ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept {
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
-  const double edge = grid.voxel_mm * kBrickEdge;
-  const auto used = [&](int brick) { return specimen.s_of(brick) != nullptr || volume.has_cut(brick); };
-  {
-    const double wide = ball_reach + grid.voxel_mm * 1.2;
-    const IVec3 low = glm::max(brick_floor(grid, centre - wide), IVec3(0));
-    const IVec3 high = glm::min(brick_floor(grid, centre + wide), specimen.brick_count() - 1);
-    for (int z = low.z; z <= high.z; ++z)
-      for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) {
-          const int brick = specimen.brick_index({x, y, z});
-          if (!used(brick)) continue;
-          const Vec3 corner = grid.origin_mm + edge * Vec3(x, y, z);
-          if (box_distance2(centre, corner, corner + edge) > wide * wide) continue;
-          gather_ball_brick(volume, brick, centre, ball_reach);
-        }
-  }
-  if (!with_shank) return;
-  const Vec3 top = centre + axis * (burr.neck_length_mm + burr.shank_length_mm);
-  const double wide = std::max(burr.neck_radius_mm, burr.shank_radius_mm) + shank_reach + grid.voxel_mm;
-  const IVec3 low = glm::max(brick_floor(grid, glm::min(centre, top) - wide), IVec3(0));
-  const IVec3 high = glm::min(brick_floor(grid, glm::max(centre, top) + wide), specimen.brick_count() - 1);
-  const double half_diagonal = 0.8661 * edge;
+  // A cell's point may stand a tenth of a voxel outside its cell, and the brick's last cells end a voxel beyond it.
+  const double wide = reach + 0.2 * grid.voxel_mm;
+  const IVec3 low = glm::max(brick_floor(grid, centre - wide), bricks_low_);
+  const IVec3 high = glm::min(brick_floor(grid, centre + wide), bricks_high_);
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x) {
         const int brick = specimen.brick_index({x, y, z});
-        if (!used(brick)) continue;
-        const Vec3 middle = grid.origin_mm + edge * (Vec3(x, y, z) + 0.5) - centre;
-        const double t = glm::dot(middle, axis);
-        if (t < -half_diagonal) continue;
-        const double radius = t + half_diagonal > burr.neck_length_mm - shank_reach ? wide
-                              : burr.neck_radius_mm + shank_reach + grid.voxel_mm;
-        const double off = radius + half_diagonal;
-        if (glm::dot(middle, middle) - t * t > off * off) continue;
-        gather_shank_brick(volume, brick, burr, axis, centre, shank_reach);
+        Vec3 a, b;
+        if (!points_box(volume, brick, {x, y, z}, a, b) || box_distance2(centre, a, b) > reach * reach) continue;
+        visit(brick);
       }
 }
 
-void SurfaceContact::foot(const Volume& volume, Vec3 pose, Vec3 device, double radius) noexcept {
+void SurfaceContact::gather_ball(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
+  // An edge, which only a cut brick has, holds 0.7 voxel either way along its tangent.
+  const double reach = tool.burr->radius_mm + margin_mm;
+  const double edge_reach = reach + 0.7 * voxel_mm_;
+  edges_ = false;
+  ball_bricks(volume, centre, edge_reach, [&](int brick) {
+    const bool cut = volume.has_cut(brick);
+    edges_ = edges_ || cut;
+    near_features(volume, brick, centre, cut ? edge_reach : reach, [&](Vec3 point, const CutFeature& f) {
+      Candidate candidate;
+      candidate.point = point;
+      candidate.normal = f.normal;
+      candidate.other_normal = f.other_normal;
+      candidate.other_d_mm = f.other_d_mm;
+      candidate.kind = f.edge ? Kind::edge : Kind::surface;
+      candidate.field = f.field;
+      candidate.tissue = f.tissue;
+      candidate.near_other = f.near_other;
+      add(candidate);
+    });
+  });
+}
+
+/// Calls visit(brick) for each brick, in index order, whose surface may be within reach of the neck or the shank.
+template <class Visit>
+void SurfaceContact::shank_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double reach,
+                                  Visit&& visit) const noexcept {
+  const Specimen& specimen = volume.specimen();
+  const Grid& grid = volume.grid();
+  const Burr& burr = *tool.burr;
+  const Vec3 axis = tool.axis;
+  const double neck = burr.neck_length_mm, length = neck + burr.shank_length_mm;
+  const double from = ShankReach(burr, axis, centre, reach).from;
+  const double slim = burr.neck_radius_mm + reach, thick = std::max(burr.shank_radius_mm, burr.neck_radius_mm) + reach;
+  const double slack = 0.2 * grid.voxel_mm;
+  const auto box = [&](double low_t, double high_t, double radius, IVec3& low, IVec3& high) {
+    const Vec3 a = centre + axis * low_t, b = centre + axis * high_t;
+    low = glm::max(brick_floor(grid, glm::min(a, b) - (radius + slack)), bricks_low_);
+    high = glm::min(brick_floor(grid, glm::max(a, b) + (radius + slack)), bricks_high_);
+  };
+  // The neck's box and the shank's, as one walk in index order.
+  IVec3 neck_low, neck_high, shank_low, shank_high;
+  box(from, neck, slim, neck_low, neck_high);
+  box(neck - reach, length + reach, thick, shank_low, shank_high);
+  const bool shank = shank_low.x <= shank_high.x && shank_low.y <= shank_high.y && shank_low.z <= shank_high.z;
+  const IVec3 low = shank ? glm::min(neck_low, shank_low) : neck_low;
+  const IVec3 high = shank ? glm::max(neck_high, shank_high) : neck_high;
+  for (int z = low.z; z <= high.z; ++z)
+    for (int y = low.y; y <= high.y; ++y) {
+      const int row = specimen.brick_index({0, y, z});
+      for (int x = low.x; x <= high.x; ++x) {
+        Vec3 a, b;
+        if (!points_box(volume, row + x, {x, y, z}, a, b)) continue;
+        const Vec3 middle = 0.5 * (a + b) - centre, half = 0.5 * (b - a);
+        const double t = glm::dot(middle, axis);
+        const double along = half.x * std::fabs(axis.x) + half.y * std::fabs(axis.y) + half.z * std::fabs(axis.z);
+        if (t + along < from || t - along > length + reach) continue;
+        const double wide = t + along > neck - reach ? thick : slim;
+        const double diagonal2 = glm::dot(half, half);
+        const double off2 = glm::dot(middle, middle) - t * t;
+        // off > wide + diagonal, squared twice so that no root is taken: (a + b)^2 <= 2 a^2 + 2 b^2.
+        if (off2 > 2.0 * (wide * wide + diagonal2)) continue;
+        visit(row + x);
+      }
+    }
+}
+
+void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept {
+  const Burr& burr = *tool.burr;
+  const double per_mm = 1.0 / voxel_mm_;
+  TwoCylinders shape;
+  shape.axis = Vec3f(tool.axis);
+  const double slim = (burr.neck_radius_mm + reach) * per_mm + kLoose;
+  const double thick = (burr.shank_radius_mm + reach) * per_mm + kLoose;
+  shape.narrow2 = static_cast<float>(slim * slim);
+  shape.wide2 = static_cast<float>(thick * thick);
+  shape.from = static_cast<float>(ShankReach(burr, tool.axis, centre, reach).from * per_mm - kLoose);
+  shape.wide_from = static_cast<float>((burr.neck_length_mm - reach) * per_mm - kLoose);
+  shape.to = static_cast<float>((burr.neck_length_mm + burr.shank_length_mm + reach) * per_mm + kLoose);
+  shank_bricks(volume, tool, centre, reach, [&](int brick) {
+    features(
+        volume, brick,
+        [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
+          shape.at = Vec3f((centre - corner_mm) * per_mm);
+          for_inside(x, y, z, count, shape, pass);
+        },
+        [&](Vec3 point, const CutFeature& f) {
+          Candidate candidate;
+          candidate.point = point;
+          candidate.normal = f.normal;
+          candidate.kind = Kind::shank;
+          candidate.field = f.field;
+          candidate.tissue = f.tissue;
+          add(candidate);
+        });
+  });
+}
+
+void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
+  count_ = 0;
+  gathered_ = {centre, margin_mm, tool.index, true};
+  gather_ball(volume, tool, centre, margin_mm);
+  ball_count_ = count_;
+  gather_shank(volume, tool, centre, margin_mm);
+}
+
+void SurfaceContact::select(const Tool& tool, Vec3 centre, double step) noexcept {
+  near_count_ = 0;
+  near_cut_ = false;
+  const double ball = tool.burr->radius_mm + step;
+  const double edge = ball + 0.7 * voxel_mm_;
+  const double ball2 = ball * ball, edge2 = edge * edge;
+  const double wide = (edges_ ? edge : ball) / voxel_mm_ + kLoose;
+  for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_),
+           Vec3f((centre - gathered_.centre) / voxel_mm_), static_cast<float>(wide * wide), [&](int i) {
+             const Candidate& c = candidates_[static_cast<std::size_t>(i)];
+             const Vec3 d = c.point - centre;
+             if (glm::dot(d, d) > (c.kind == Kind::surface ? ball2 : edge2)) return;
+             near_[near_count_++] = i;
+             near_cut_ = near_cut_ || c.field == Field::cut;
+           });
+  if (count_ > ball_count_) {
+    const ShankReach shank(*tool.burr, tool.axis, centre, step);
+    for (std::size_t i = ball_count_; i < count_; ++i)
+      if (shank.touches(candidates_[i].point)) near_[near_count_++] = static_cast<std::int32_t>(i);
+  }
+  if (near_count_ > most_candidates_) most_candidates_ = near_count_;
+}
+
+void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
+  free_.valid = false;
+  free_pause_ = kPause;
+  // A plane square to the nearest point, moved up to the highest point of every brick in reach of ball, neck and shank,
+  // and half a voxel more for what stands between points.
+  const Burr& burr = *tool.burr;
+  const double r = burr.radius_mm;
+  double nearest2 = 1e300;
+  Vec3 nearest(0.0);
+  ball_bricks(volume, pose, r + kFreeMargin, [&](int brick) {
+    const double near = std::min(r + kFreeMargin, nearest2 < 1e200 ? std::sqrt(nearest2) : 1e3);
+    near_features(volume, brick, pose, near, [&](Vec3 point, const CutFeature&) {
+      const Vec3 d = pose - point;
+      const double d2 = glm::dot(d, d);
+      if (d2 < nearest2) {
+        nearest2 = d2;
+        nearest = d;
+      }
+    });
+  });
+  FreeSpace found{pose, tool.axis, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false};
+  if (nearest2 < 1e200) {
+    found.bounded = true;
+    found.n = nearest / std::sqrt(nearest2);
+  }
+  double highest = -1e300;
+  const Vec3f n(found.n);
+  const auto raise = [&](int brick) {
+    features(
+        volume, brick,
+        [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&&) {
+          if (count == 0) return;
+          found.bounded = true;
+          const double height = glm::dot(found.n, corner_mm) + voxel_mm_ * highest_along(x, y, z, count, n);
+          highest = height > highest ? height : highest;
+        },
+        [](Vec3, const CutFeature&) {});
+  };
+  ball_bricks(volume, pose, r + kFreeMargin, raise);
+  shank_bricks(volume, tool, pose, kFreeMargin, raise);
+  if (found.bounded) {
+    const double up = glm::dot(found.n, tool.axis);
+    if (up < 0.0) return;
+    // The lowest place of each part along n, from the pose; the highest asks for the least.
+    const double across2 = 1.0 - up * up;
+    const double across = across2 > 0.0 ? std::sqrt(across2) : 0.0;
+    const double neck = -across * burr.neck_radius_mm - up * burr.neck_radius_mm;
+    const double shank = up * burr.neck_length_mm - across * burr.shank_radius_mm;
+    const double lowest = std::min(-r, std::min(neck, shank));
+    found.c = highest + 0.5 * voxel_mm_ + 0.01 - lowest;
+    if (glm::dot(found.n, pose) - found.c < kLeastFree) return;
+  }
+  free_ = found;
+  free_pause_ = 0;
+}
+
+void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept {
   // The point under the ball in the direction of the push, which no cell's own point need be near.
   const Vec3 push = device - pose;
-  const double length = length_of(push);
+  const double length = std::sqrt(glm::dot(push, push));
   if (length < 1e-6) return;
-  Vec3 x = pose + push * (radius / length);
+  const Vec3 x = pose + push * (tool.burr->radius_mm / length);
   for (const Field field : {Field::base, Field::cut}) {
-    FieldPoint at = field_at(volume, field, x);
+    FieldPoint at = fields_.at(volume, field, x);
     if (!at.known || at.d_mm > voxel_mm_ || at.d_mm < -voxel_mm_) continue;
     const Vec3 p = x - at.normal * at.d_mm;
-    at = field_at(volume, field, p);
+    at = fields_.at(volume, field, p);
     if (!at.known || at.d_mm > 0.3 * voxel_mm_ || at.d_mm < -0.3 * voxel_mm_) continue;
     Candidate candidate;
     candidate.point = p - at.normal * at.d_mm;
-    candidate.normal = at.normal;
+    candidate.normal = Vec3f(at.normal);
     candidate.field = field;
     // Gone where the other field is empty.
-    const FieldPoint other = field_at(volume, field == Field::base ? Field::cut : Field::base, candidate.point);
+    const FieldPoint other = fields_.at(volume, field == Field::base ? Field::cut : Field::base, candidate.point);
     if (other.d_mm > 0.0) continue;
     if (other.known && other.d_mm > -2.5 * voxel_mm_) {
       candidate.near_other = true;
-      candidate.other_d_mm = other.d_mm;
-      candidate.other_normal = other.normal;
+      candidate.other_d_mm = static_cast<float>(other.d_mm);
+      candidate.other_normal = Vec3f(other.normal);
     }
     const Vec3 under = (candidate.point - at.normal * (0.5 * voxel_mm_) - volume.grid().origin_mm) / voxel_mm_;
-    candidate.tissue = volume.tissue({static_cast<int>(std::floor(under.x + 0.5)),
-                                      static_cast<int>(std::floor(under.y + 0.5)),
-                                      static_cast<int>(std::floor(under.z + 0.5))});
+    candidate.tissue = volume.tissue(cell_of_voxels(under + 0.5));
     add(candidate);
   }
+}
+
+bool SurfaceContact::inside_tissue(const Volume& volume, Vec3 pose) const noexcept {
+  return volume.s(cell_of_voxels((pose - volume.grid().origin_mm) / voxel_mm_ + 0.5)) >= kHalf;
 }
 
 bool SurfaceContact::clear_path(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 from, Vec3 to) const noexcept {

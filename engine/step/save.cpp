@@ -129,11 +129,6 @@ std::vector<std::byte> StepState::save() const {
     w.v(s.memory.segment(i).b);
     w.d(s.memory.segment(i).radius_mm);
   }
-  const SurfaceContact::Kept kept = s.surface ? s.surface->kept() : SurfaceContact::Kept{};
-  w.v(kept.centre);
-  w.d(kept.margin_mm);
-  w.u(kept.burr, 2);
-  w.u(kept.valid ? 1 : 0, 1);
   const std::vector<std::byte> cuts = s.volume.save_cuts();
   w.u(cuts.size(), 8);
   w.raw(cuts);
@@ -174,16 +169,10 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
     segment.radius_mm = r.d();
   }
   s.memory.load(segments, open);
-  SurfaceContact::Kept kept;
-  kept.centre = r.v();
-  kept.margin_mm = r.d();
-  kept.burr = static_cast<std::uint16_t>(r.u(2));
-  kept.valid = r.u(1) != 0;
-  if (!r.good() || kept.burr >= burrs || !(kept.margin_mm >= 0.0 && kept.margin_mm < 1.0)) return std::nullopt;
   const std::size_t size = r.u(8);
   const auto cuts = r.raw(size);
   if (!r.done() || !s.volume.load_cuts(cuts)) return std::nullopt;
-  if (s.surface) s.surface->keep(s.volume, *s.scene, kept);
+  if (s.surface) s.surface->forget();
   s.method->reload(s);
   return out;
 }

@@ -1,5 +1,6 @@
 // One tick of the surface method: contact, the cut pose, contact again in the field that the cut left.
 // Design, "Removal"; facts: contact trials, "Cutting tick".
+#include <algorithm>
 #include <cmath>
 
 #include "engine/removal/carve.h"
@@ -14,9 +15,9 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 
 constexpr double kTieMm = 0.005;        // the cut pose stays this close to the proxy
 constexpr double kLongestCarveMm = 0.2; // a longer sweep is only the advance: the burr flew, it did not cut there
-/// The stroke is carved in pieces of this length, not each micrometre anew: meanwhile the memory of the stroke keeps its
-/// poses admissible. A piece is straight: on a bend of 0.5 mm it is off by 0.02 um.
-constexpr double kCarveMm = 0.008;
+/// A stroke is carved in pieces, not each micrometre anew: meanwhile its memory keeps its poses admissible. A piece ends
+/// where the stroke is no longer straight to 0.1 um, or after half a voxel, at most this.
+constexpr double kLongestPieceMm = 0.04;
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.0002;
 constexpr double kFrictionSpeed = 2.0;  // mm/s at which the Coulomb force is whole
@@ -63,7 +64,8 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   const double reach = 1.1 * length_of(device - state.device) + 0.004;
   const Vec3 before = state.proxy;
 
-  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, reach, &state.memory);
+  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach,
+                                  &state.memory);
   out.infeasible = contact.infeasible;
   out.overflow = contact.overflow;
   const Vec3 slid = contact.pose_mm - state.proxy;
@@ -118,13 +120,15 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
         if (state.cut_pending) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
         state.memory.lift();
       }
+      const bool straight = state.memory.add(from, next, burr.radius_mm);
+      if (state.cut_pending && !straight) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
       if (!state.cut_pending) state.cut_from = from;
-      state.memory.add(from, next, burr.radius_mm);
       state.cut_pose = next;
       state.cut_pending = true;
       out.cutting = true;
       out.advance_mm = advance;
-      if (length_of(next - state.cut_from) >= kCarveMm)
+      const double piece = std::min(kLongestPieceMm, 0.5 * state.volume.grid().voxel_mm);
+      if (length_of(next - state.cut_from) >= piece)
         out.overflow = !carve_pending(state, burr.radius_mm, &out.cutting) || out.overflow;
     } else {
       if (state.cut_pending) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
@@ -132,7 +136,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     }
     state.cut_valid = true;
 
-    contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, advance + 0.004, &state.memory);
+    contact = surface.after_cut(state.volume, scene, out.burr, axis, contact, device, advance, state.memory);
     out.infeasible = out.infeasible || contact.infeasible;
     out.overflow = out.overflow || contact.overflow;
     state.proxy = contact.pose_mm;

@@ -34,6 +34,15 @@ class CellField {
       return brick < 0 ? Source{nullptr, 0} : Source{specimen.s_of(brick), specimen.s_in(brick, 0)};
     });
   }
+  /// From samples decoded beforehand: `low` is the one at cell - (1,1,1), rows stride_y apart, slices stride_z.
+  void load(const double* low, int stride_y, int stride_z) noexcept {
+    for (const Row& row : kRows) {
+      const double* from = low + row.y * stride_y + row.z * stride_z;
+      double* to = &d_[4 * (row.y + 4 * row.z)];
+      for (int x = 0; x < 4; ++x) to[x] = from[x];
+    }
+    correct();
+  }
 
   /// True when the surface d = 0 passes between the corners.
   bool crossed() const noexcept {
@@ -177,26 +186,61 @@ struct FieldPoint {
   bool known = false;  // inside the band and with a gradient
 };
 
-/// The corrected field at a place in mm.
-inline FieldPoint field_at(const Volume& volume, Field field, Vec3 at_mm) noexcept {
-  const Grid& grid = volume.grid();
-  const Vec3 x = (at_mm - grid.origin_mm) / grid.voxel_mm;
-  const IVec3 cell(static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
-                   static_cast<int>(std::floor(x.z)));
-  CellField f;
-  f.load(volume, field, cell);
-  FieldPoint out;
-  Vec3 g;
-  const double d = f.eval(x - Vec3(cell), g);
-  out.d_mm = d * grid.voxel_mm;
-  const double length = std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
-  if (f.in_band() && length > 0.25) {
-    out.normal = g / length;
-    out.d_mm /= length;
-    out.known = true;
-  }
-  return out;
+/// The cell of a place in voxels: floor without a call into libm.
+inline IVec3 cell_of_voxels(Vec3 x) noexcept {
+  IVec3 cell(static_cast<int>(x.x), static_cast<int>(x.y), static_cast<int>(x.z));
+  cell.x -= x.x < cell.x;
+  cell.y -= x.y < cell.y;
+  cell.z -= x.z < cell.z;
+  return cell;
 }
+
+/// Cells of both fields that were read last, so that a polish pays once for the cell that it stays in. A cache only:
+/// the answers are those of the field. Not for sharing between threads.
+class FieldCells {
+ public:
+  /// The corrected field at a place in mm.
+  FieldPoint at(const Volume& volume, Field field, Vec3 at_mm) noexcept {
+    const Grid& grid = volume.grid();
+    const double per_mm = 1.0 / grid.voxel_mm;
+    const Vec3 x = (at_mm - grid.origin_mm) * per_mm;
+    const IVec3 cell = cell_of_voxels(x);
+    Entry& e = entry_[(static_cast<unsigned>(cell.x) ^ static_cast<unsigned>(cell.y) << 1 ^
+                       static_cast<unsigned>(cell.z) << 2 ^ (field == Field::cut ? 5u : 0u)) % kEntries];
+    if (!e.valid || e.field != field || e.cell != cell) {
+      e.values.load(volume, field, cell);
+      e.in_band = e.values.in_band();
+      e.valid = true;
+      e.field = field;
+      e.cell = cell;
+    }
+    FieldPoint out;
+    Vec3 g;
+    const double d = e.values.eval(x - Vec3(cell), g);
+    out.d_mm = d * grid.voxel_mm;
+    const double length = std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
+    if (e.in_band && length > 0.25) {
+      out.normal = g / length;
+      out.d_mm /= length;
+      out.known = true;
+    }
+    return out;
+  }
+  /// The cut has changed (or the whole volume).
+  void forget_cut() noexcept {
+    for (Entry& e : entry_) e.valid = e.valid && e.field != Field::cut;
+  }
+
+ private:
+  static constexpr unsigned kEntries = 8;
+  struct Entry {
+    IVec3 cell{0};
+    Field field = Field::base;
+    bool valid = false, in_band = false;
+    CellField values;
+  };
+  Entry entry_[kEntries];
+};
 
 /// The surface point of a crossed cell: Newton on the cell's own polynomial from the foot of its centre on the corners'
 /// mean plane, kept within 0.6 voxel of the centre. In fractions of the cell; false where it does not come to d = 0 there.

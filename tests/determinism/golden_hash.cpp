@@ -60,9 +60,9 @@ std::uint64_t run(Method method, bool cut) {
   return hash.value();
 }
 
-TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 10496120323967449531ull); }
-TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 1457776713677368547ull); }
-TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 10958262487172426539ull); }
+TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 3036245789827802023ull); }
+TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 17804326776987742604ull); }
+TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 13368864739615615157ull); }
 
 }  // namespace
 }  // namespace cusp

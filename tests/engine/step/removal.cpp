@@ -52,6 +52,7 @@ TEST(SurfaceRemoval, a_drilled_hole_is_the_swept_ball) {
   approach(state, {0, 0, 3.0}, {0, 0, 2.15});
   StepOutput out;
   for (int k = 0; k < 400; ++k) out = step(state, input_at({0, 0, 2.15 - 0.004 * k}, true));
+  out = step(state, input_at({0, 0, 2.15 - 0.004 * 399}));  // the pedal up: what was pending is carved
   // Below the face the hole's wall is a capsule about the axis: every surface point stands at the ball's radius.
   double sum = 0.0, most = 0.0;
   int count = 0;
