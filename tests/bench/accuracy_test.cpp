@@ -1,0 +1,145 @@
+// What is measured is what is wrong: a perfect method has no error, a broken one is caught.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/bench/accuracy.h"
+#include "tests/bench/frame.h"
+#include "tests/bench/measure.h"
+
+namespace cusp::bench {
+namespace {
+
+/// Coarse voxels and few ticks: quick. The bound is on ticks, so no clock decides.
+Measure quick(Method method = Method::surface) {
+  Measure what;
+  what.method = method;
+  what.voxel_mm = 0.2;
+  what.budget_s = 1e9;
+  what.most_ticks = 600;
+  return what;
+}
+
+/// The goals of the surface proxy on a flat face (0.05 degrees, 0.05 um) as one verdict.
+bool passes(const Row& row) {
+  return row.samples > 100 && row.angle_deg_mean < 0.05 && row.depth_um_mean < 0.05 && row.infeasible_ticks == 0;
+}
+
+Stepper broken(const std::function<void(StepOutput&)>& how) {
+  return [how](StepState& state, const StepInput& input) {
+    StepOutput out = step(state, input);
+    if (out.contact) how(out);
+    return out;
+  };
+}
+
+TEST(Accuracy, of_the_surface_proxy_passes_on_a_face_and_in_a_corner) {
+  EXPECT_TRUE(passes(measure_slide(*make_shape("face", 0.5), quick())));
+  EXPECT_TRUE(passes(measure_slide(*make_shape("corner", 0.5), quick())));
+}
+
+TEST(Accuracy, catches_a_flipped_normal) {
+  Measure what = quick();
+  what.stepper = broken([](StepOutput& out) {
+    out.force_raw_n = -out.force_raw_n;
+    out.proxy_mm = 2.0 * out.device_mm - out.proxy_mm;
+  });
+  const Row row = measure_slide(*make_shape("face", 0.5), what);
+  EXPECT_FALSE(passes(row));
+  EXPECT_NEAR(row.angle_deg_mean, 180.0, 0.1);
+  EXPECT_NEAR(row.depth_um_mean, 600.0, 0.5);  // 0.3 mm to the wrong side
+}
+
+TEST(Accuracy, catches_a_dropped_plane) {
+  const auto shape = make_shape("corner", 0.5);
+  // The normal of one wall: from a spot that touches no other.
+  const auto truth = shape->truth();
+  Random random(1);
+  Vec3 wall(0.0);
+  while (length(wall) == 0.0) {
+    const Spot spot = shape->spot(random);
+    if (std::fabs(truth->clearance_mm(spot.centre + spot.normal * 0.01) - 0.01) < 1e-9) wall = spot.normal;
+  }
+  Measure what = quick();
+  what.stepper = broken([wall](StepOutput& out) {
+    const double push = glm::dot(out.force_raw_n, wall);
+    out.force_raw_n -= wall * push;
+    out.proxy_mm -= wall * push;
+  });
+  EXPECT_FALSE(passes(measure_slide(*shape, what)));
+}
+
+TEST(Accuracy, reads_half_a_degree_as_half_a_degree_and_a_micrometre_as_one) {
+  Measure what = quick();
+  const auto shape = make_shape("face", 0.5);
+  const Vec3 n = shape->tool_axis();
+  const Vec3 aside = unit(glm::cross(n, Vec3(1.0, 0.0, 0.0)));
+  const double tilt = std::tan(0.5 / 57.295779513);
+  what.stepper = broken([&](StepOutput& out) {
+    out.force_raw_n += aside * (glm::dot(out.force_raw_n, n) * tilt);
+    out.proxy_mm -= n * 0.001;
+  });
+  const Row row = measure_slide(*shape, what);
+  EXPECT_NEAR(row.angle_deg_mean, 0.5, 0.01);   // the method's own 0.002 degrees beside
+  EXPECT_NEAR(row.depth_um_mean, 1.0, 0.01);    // and 0.001 um
+  EXPECT_NEAR(row.force_error_percent_rms, 100.0 * tilt, 0.05);
+}
+
+TEST(Accuracy, of_the_exact_proxy_itself_is_nothing_so_truth_is_taken_from_the_quantised_input) {
+  // A method that answers with the exact proxy of the very input it was given, on a shape that turns its normal.
+  const auto shape = make_shape("sphere", 0.5);
+  const auto truth = shape->truth();
+  bool begun = false;
+  Measure what = quick();
+  what.stepper = [&](StepState& state, const StepInput& input) {
+    StepOutput out = step(state, input);
+    if (!begun) truth->start(input.position_mm());
+    begun = true;
+    const Exact exact = truth->follow(input.position_mm());
+    out.proxy_mm = exact.pose_mm;
+    out.force_raw_n = exact.pose_mm - out.device_mm;
+    return out;
+  };
+  const Row row = measure_slide(*shape, what);
+  EXPECT_LT(row.angle_deg_max, 1e-6);  // 0.05 um of rounding would be 0.01 degrees of 0.3 mm
+  EXPECT_LT(row.depth_um_max, 1e-6);
+  EXPECT_LT(std::fabs(row.force_step_excess_mn_p99), 1e-6);
+}
+
+TEST(Accuracy, counts_a_missing_force_as_wrong) {
+  Measure what = quick();
+  what.stepper = broken([](StepOutput& out) { out.force_raw_n = Vec3(0.0); });
+  EXPECT_DOUBLE_EQ(measure_slide(*make_shape("face", 0.5), what).angle_deg_mean, 90.0);
+}
+
+TEST(Accuracy, of_the_occupancy_proxy_is_worse_than_that_of_the_surface_proxy) {
+  const auto shape = make_shape("sphere", 0.5);
+  EXPECT_GT(measure_slide(*shape, quick(Method::occupancy)).angle_deg_mean,
+            50.0 * measure_slide(*shape, quick()).angle_deg_mean);  // measured: 17 against 0.01 degrees
+}
+
+TEST(Accuracy, calls_features_unresolved_that_are_thinner_than_two_and_a_half_voxels) {
+  EXPECT_FALSE(make_shape("wall", 0.25)->unresolved(0.078125));  // 0.2 mm are 2.56 of them
+  EXPECT_TRUE(make_shape("wall", 0.25)->unresolved(0.1));
+  EXPECT_FALSE(make_shape("pit", 0.25)->unresolved(0.078125));   // 0.3 mm: 3.84
+  EXPECT_TRUE(make_shape("pit", 0.25)->unresolved(0.2));
+  EXPECT_FALSE(make_shape("face", 0.25)->unresolved(0.2));
+}
+
+TEST(Accuracy, gives_a_row_for_each_that_is_asked_for) {
+  Options options;
+  options.methods = {"surface", "occupancy"};
+  options.shapes = {"face"};
+  options.voxels_mm = {0.2};
+  options.burr_radii_mm = {0.5};
+  options.budget_s = 0.001;
+  const std::vector<Row> rows = accuracy_rows(options);  // press, and slides at three speeds
+  ASSERT_EQ(rows.size(), 8u);
+  EXPECT_EQ(rows[0].method, "occupancy");
+  EXPECT_EQ(rows[0].motion, "press");
+  EXPECT_EQ(rows[4].method, "surface");
+  EXPECT_EQ(rows[7].speed_mm_s, 200.0);
+}
+
+}  // namespace
+}  // namespace cusp::bench

@@ -1,0 +1,108 @@
+// Files of rows, and what the program answers to a command line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/bench/program.h"
+#include "tests/bench/rows.h"
+#include "tests/bench/tick_times.h"
+
+namespace cusp::bench {
+namespace {
+
+Report some() {
+  Report report{"0123456789abcdef", "A CPU (R) @ 2 GHz", {}};
+  Row row;
+  row.method = "surface";
+  row.shape = "channel";
+  row.variant = "oblique";
+  row.motion = "slide";
+  row.speed_mm_s = 50.0;
+  row.burr_radius_mm = 0.25;
+  row.voxel_mm = 0.078125;
+  row.seed = 1;
+  row.samples = 1234;
+  row.skipped = 0;
+  row.angle_deg_mean = 0.00213;
+  row.infeasible_ticks = 0;
+  row.unresolved = true;
+  report.rows = {row, Row{}};
+  return report;
+}
+
+void expect_equal(const Report& a, const Report& b) {
+  EXPECT_EQ(a.commit, b.commit);
+  EXPECT_EQ(a.machine, b.machine);
+  ASSERT_EQ(a.rows.size(), b.rows.size());
+  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+    std::vector<std::string> left, right;
+    const auto text = [](std::vector<std::string>& out) {
+      return [&out](const char*, const auto& value) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
+          out.push_back(value);
+        } else {
+          out.push_back(std::to_string(value));
+        }
+      };
+    };
+    for_each_field(a.rows[i], text(left));
+    for_each_field(b.rows[i], text(right));
+    EXPECT_EQ(left, right);
+  }
+}
+
+TEST(Rows, come_back_from_json_and_from_csv) {
+  const auto json = from_json(to_json(some()));
+  ASSERT_TRUE(json);
+  expect_equal(some(), *json);
+  const auto csv = from_csv(to_csv(some()));
+  ASSERT_TRUE(csv);
+  expect_equal(some(), *csv);
+}
+
+TEST(Rows, leave_out_what_is_absent_and_keep_a_zero) {
+  const std::string text = to_json(some());
+  EXPECT_NE(text.find("\"infeasible_ticks\": 0"), std::string::npos);
+  EXPECT_EQ(text.find("lag_um_mean"), std::string::npos);
+  EXPECT_EQ(text.find("null"), std::string::npos);
+}
+
+TEST(Rows, that_are_no_json_or_of_wrong_types_are_refused) {
+  EXPECT_EQ(from_json("{").error().code, RowsError::not_json);
+  EXPECT_EQ(from_json("[]").error().code, RowsError::not_json);
+  EXPECT_EQ(from_json(R"({"rows": [{"samples": "many"}]})").error().code, RowsError::wrong_type);
+  EXPECT_EQ(read_json("/nowhere/rows.json").error().code, RowsError::cannot_open);
+  EXPECT_EQ(from_csv("method,samples\nsurface\n").error().code, RowsError::wrong_type);
+  EXPECT_EQ(from_csv("method,samples\nsurface,many\n").error().code, RowsError::wrong_type);
+}
+
+TEST(TickTimes, give_percentiles_that_so_many_do_not_exceed) {
+  TickTimes times;
+  for (int i = 1; i <= 1000; ++i) times.add_ns(i * 1000);
+  Row row;
+  times.fill(row);
+  EXPECT_DOUBLE_EQ(row.tick_us_p50, 500.0);
+  EXPECT_DOUBLE_EQ(row.tick_us_p999, 999.0);
+  EXPECT_DOUBLE_EQ(row.tick_us_max, 1000.0);
+  EXPECT_NEAR(row.updates_per_s, 1000.0 / 0.5005, 1e-3);  // 1 + 2 + … + 1000 us
+}
+
+TEST(Program, answers_wrong_usage_with_2_and_help_with_0) {
+  EXPECT_EQ(run_program({}), kUsage);
+  EXPECT_EQ(run_program({"polish"}), kUsage);
+  EXPECT_EQ(run_program({"accuracy", "--method", "best"}), kUsage);
+  EXPECT_EQ(run_program({"accuracy", "--shape", "cube"}), kUsage);
+  EXPECT_EQ(run_program({"accuracy", "--voxel-mm", "-1"}), kUsage);
+  EXPECT_EQ(run_program({"accuracy", "--budget-s", "soon"}), kUsage);
+  EXPECT_EQ(run_program({"--help"}), kDone);
+  EXPECT_EQ(run_program({"accuracy", "--help"}), kDone);
+}
+
+TEST(Program, fails_with_1_when_its_file_cannot_be_written) {
+  EXPECT_EQ(run_program({"accuracy", "--shape", "face", "--method", "surface", "--motion", "press", "--voxel-mm", "0.2",
+                         "--burr-radius-mm", "0.5", "--budget-s", "0.001", "--json", "/nowhere/rows.json"}),
+            kFailed);
+}
+
+}  // namespace
+}  // namespace cusp::bench
