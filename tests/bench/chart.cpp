@@ -52,6 +52,25 @@ Result<void, ChartFailure> read_file(const fs::path& path, Evidence& to) {
   return {};
 }
 
+/// Puts the table between the two lines that mark its place in a README.
+Result<void, ChartFailure> place_table(const fs::path& path, const std::string& table) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  std::string whole = text.str();
+  const std::size_t begin = whole.find(kTableBegin);
+  const std::size_t end = whole.find(kTableEnd);
+  if (!file || begin == std::string::npos || end == std::string::npos || end < begin)
+    return fail(ChartError::cannot_read, path.string(), "no place for the table");
+  const std::size_t from = begin + kTableBegin.size();
+  whole.replace(from, end - from, table);
+  std::ofstream out(path, std::ios::binary);
+  out << whole;
+  out.close();
+  if (!out) return fail(ChartError::cannot_write, path.string());
+  return {};
+}
+
 int failed(const ChartFailure& failure) {
   std::cerr << "cusp-bench: "
             << (failure.code == ChartError::missing_rows  ? "nothing to draw from: "
@@ -113,6 +132,7 @@ Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence
       {"displacement-force.svg", displacement_and_force(*motion)},
       {"error-voxel.svg", error_against_voxel(*accuracy)},
       {"cost-size.svg", cost_against_size(*rate, *scale)},
+      {"methods.md", method_table(*accuracy, *rate)},
   };
   for (const auto& [name, picture] : pictures) {
     if (!picture) return std::unexpected(picture.error());
@@ -145,6 +165,8 @@ int run_chart(const Options& options) {
     file.close();
     if (!file) return failed({ChartError::cannot_write, path.string(), ""});
   }
+  if (!options.readme.empty())
+    if (const auto placed = place_table(options.readme, files->at("methods.md")); !placed) return failed(placed.error());
   return kDone;
 }
 

@@ -3,6 +3,8 @@
 
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tests/bench/figures.h"
 #include "tests/bench/options.h"
@@ -24,6 +26,10 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
 
 /// [name]: text of every file. The same evidence, the same bytes.
 Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence& evidence);
+
+/// Lines of a README between which the table of methods stands.
+inline constexpr std::string_view kTableBegin = "<!-- methods: written by cusp-bench chart -->\n";
+inline constexpr std::string_view kTableEnd = "<!-- /methods -->\n";
 
 /// Records pace and motion where nothing that was read holds them.
 int run_chart(const Options& options);

@@ -46,6 +46,11 @@ Evidence made_up() {
       Row row = accuracy_row(method, "face", radius, 10.0 / 128, rate / radius, kAbsent);
       row.depth_um_mean = kAbsent;
       row.task = "exploration";
+      row.ratio_to_occupancy = 1.0;
+      out.rate.rows.push_back(row);
+      row.task = "perforation";
+      row.motion = "";
+      row.speed_mm_s = 1.0;
       out.rate.rows.push_back(row);
     }
     for (const std::int64_t edge : {128, 256, 1024}) {
@@ -73,7 +78,7 @@ TEST(Chart, draws_the_same_bytes_from_the_same_rows) {
   const auto a = draw_all(made_up());
   const auto b = draw_all(made_up());
   ASSERT_TRUE(a && b);
-  EXPECT_EQ(a->size(), 11u);
+  EXPECT_EQ(a->size(), 12u);
   EXPECT_EQ(*a, *b);
 }
 
@@ -123,6 +128,25 @@ TEST(Chart, says_what_is_missing_instead_of_drawing_without_it) {
             }).find("perforation"),
             std::string::npos);
   EXPECT_NE(failure_without([](Evidence& e) { e.motion.samples.clear(); }).find("motion"), std::string::npos);
+}
+
+TEST(Chart, writes_its_table_between_the_marks_of_a_readme_and_nothing_else) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_chart_readme";
+  std::filesystem::create_directories(folder);
+  const auto files = draw_all(made_up());
+  ASSERT_TRUE(files);
+  for (const auto& [name, text] : *files) std::ofstream(folder / name, std::ios::binary) << text;
+  const auto readme = folder / "README.md";
+  const std::string before = "before\n" + std::string(kTableBegin), after = std::string(kTableEnd) + "after\n";
+  std::ofstream(readme) << before << "old\n" << after;
+  const std::vector<std::string> args = {"chart", "--from", folder.string(), "--out", folder.string(), "--readme", readme.string()};
+  ASSERT_EQ(run_program(args), kDone);
+  std::ifstream file(readme);
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_EQ(text, before + files->at("methods.md") + after);
+  std::ofstream(readme) << "no marks\n";
+  EXPECT_EQ(run_program(args), kFailed);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Chart, refuses_what_is_no_report) {

@@ -30,6 +30,9 @@ Picture error_against_voxel(const Report& accuracy);
 /// A tick's cost against the burr's radius, against the volume's size, and memory against the volume's size.
 Picture cost_against_size(const Report& rate, const Report& scale);
 
+/// Speed and accuracy of every method at the usual voxel size, as a Markdown table with where it is from.
+Picture method_table(const Report& accuracy, const Report& rate);
+
 /// Order p of error = c h^p, by least squares on the logarithms. Pre: at least two points, all positive.
 double fitted_order(const std::vector<std::pair<double, double>>& h_and_error);
 

@@ -22,6 +22,7 @@ struct Options {
   std::string json;          // file, "-" for stdout, empty for a table
   std::string out;           // chart: folder
   std::vector<std::string> from;  // chart: reports to draw instead of measuring
+  std::string readme;        // chart: file whose table of methods is to be written anew
 };
 
 inline bool asked(const std::vector<std::string>& filter, std::string_view value) {

@@ -1,0 +1,79 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "tests/bench/figures.h"
+#include "tests/bench/looks.h"
+#include "tests/bench/options.h"
+#include "tests/bench/plot.h"
+#include "tests/bench/rate.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kRadii[] = {0.25, 0.5};
+
+/// Mean of a value over the rows that are meant; nothing where there are none.
+std::optional<double> mean(const Report& report, const std::function<bool(const Row&)>& meant,
+                           const std::function<double(const Row&)>& value) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Row& row : report.rows) {
+    if (!meant(row) || std::isnan(value(row))) continue;
+    sum += value(row);
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
+std::string small(double value) { return value < 1e-4 ? "< 0.0001" : fmt::format("{:.2g}", value); }
+
+}  // namespace
+
+Picture method_table(const Report& accuracy, const Report& rate) {
+  std::string out =
+      "| ball burr r 0.25 · 0.5 mm | exploring, updates/s | over occupancy | mean angle error, degrees | mean depth error, "
+      "µm | drilling, updates/s |\n|---|---|---|---|---|---|\n";
+  for (const Method method : {Method::surface, Method::gradient, Method::penalty, Method::ray, Method::occupancy,
+                              Method::occupancy_pivot}) {
+    std::string cells[5];
+    for (const double radius : kRadii) {
+      const auto usual = [&](const Row& row) {
+        return row.method == key_of(method) && same(row.burr_radius_mm, radius) && same(row.voxel_mm, kRateVoxelMm);
+      };
+      const auto exploring = [&](const Row& row) {
+        return usual(row) && row.task == "exploration" && row.shape != "channel" && same(row.speed_mm_s, kRateSpeedMmS);
+      };
+      const auto drilling = [&](const Row& row) { return usual(row) && row.task == "perforation"; };
+      const auto sliding = [&](const Row& row) {
+        return usual(row) && row.task.empty() && row.motion == "slide" && same(row.speed_mm_s, kRateSpeedMmS) &&
+               (row.shape == "face" || row.shape == "sphere");
+      };
+      const auto tick = mean(rate, exploring, [](const Row& r) { return 1.0 / r.updates_per_s; });
+      const auto ratio = mean(rate, exploring, [](const Row& r) { return r.ratio_to_occupancy; });
+      const auto angle = mean(accuracy, sliding, [](const Row& r) { return r.angle_deg_mean; });
+      const auto depth = mean(accuracy, sliding, [](const Row& r) { return r.depth_um_mean; });
+      const auto drill = mean(rate, drilling, [](const Row& r) { return 1.0 / r.updates_per_s; });
+      if (!tick || !ratio || !drill)
+        return fail(ChartError::missing_rows, fmt::format("rate: {} with a burr of {} mm", key_of(method), radius));
+      if (!angle || !depth)
+        return fail(ChartError::missing_rows, fmt::format("accuracy: {} with a burr of {} mm", key_of(method), radius));
+      const std::string values[] = {short_number(1.0 / *tick), fmt::format("{:.2g}×", *ratio), small(*angle), small(*depth),
+                                    short_number(1.0 / *drill)};
+      for (std::size_t i = 0; i < 5; ++i) cells[i] += (cells[i].empty() ? "" : " · ") + values[i];
+    }
+    out += fmt::format("| {} |", look_of(method).label);
+    for (const std::string& cell : cells) out += ' ' + cell + " |";
+    out += '\n';
+  }
+  return out + fmt::format("\n{}, one core, commits {:.10} (accuracy) and {:.10} (rate): voxels of 10/128 mm, 0.3 mm below the "
+                           "offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and "
+                           "sphere; drilling at 1 mm/s with all its upkeep.\n",
+                           accuracy.machine, accuracy.commit, rate.commit);
+}
+
+}  // namespace cusp::bench
