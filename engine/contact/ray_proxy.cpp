@@ -116,6 +116,20 @@ bool RayProxy::walk(const Grid& grid, std::size_t burr, At& at, Vec3 q) const no
   return true;
 }
 
+void RayProxy::climb(const Grid& grid, std::size_t burr, At& at, Vec3 n, double by) const noexcept {
+  if (walk(grid, burr, at, at.p + n * by)) return;
+  // On a jag the normal itself may lead into a voxel: then by its parts, the longest first.
+  int order[3] = {0, 1, 2};
+  std::sort(order, order + 3, [n](int a, int b) {
+    return std::fabs(n[a]) != std::fabs(n[b]) ? std::fabs(n[a]) > std::fabs(n[b]) : a < b;
+  });
+  for (const int axis : order) {
+    Vec3 part(0.0);
+    part[axis] = n[axis] * by;
+    walk(grid, burr, at, at.p + part);
+  }
+}
+
 bool RayProxy::step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, Vec3 n, Vec3 device) const noexcept {
   const double quarter = kStepVoxels * grid.voxel_mm;
   At next = at;
@@ -124,7 +138,7 @@ bool RayProxy::step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, 
     At up = at;
     bool over = false;
     for (int lift = 1; lift <= kLifts && !over; ++lift) {
-      if (!walk(grid, burr, up, at.p + n * (quarter * lift))) return false;
+      climb(grid, burr, up, n, quarter);
       next = up;
       over = walk(grid, burr, next, up.p + move);
     }
@@ -136,12 +150,12 @@ bool RayProxy::step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, 
   return true;
 }
 
-bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept {
+bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 n, Vec3 device) const noexcept {
   const double longest = kSlideVoxels * grid.voxel_mm;
   const Vec3 gap = device - at.p;
   double best = length_of(gap) - kLeastVoxels * grid.voxel_mm;
   At nearest = at;
-  bool found = false;
+  bool found = false, jag = false;
   for (int choice = 0; choice < 6; ++choice) {
     // Without one axis, then along one axis alone.
     Vec3 part(0.0);
@@ -162,8 +176,30 @@ bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 devi
       found = true;
     }
   }
+  // Nothing along a face: round a jag to a neighbour, out of the tissue first.
+  for (int choice = 0; choice < 27 && !found; ++choice) {
+    const IVec3 to(choice % 3 - 1, choice / 3 % 3 - 1, choice / 9 - 1);
+    const Vec3 rest = gap - Vec3(to) * grid.voxel_mm;
+    if (length_of(rest) >= best) continue;
+    int order[3] = {0, 1, 2};
+    std::sort(order, order + 3, [&](int a, int b) {
+      const double x = n[a] * to[a], y = n[b] * to[b];
+      return x != y ? x > y : a < b;
+    });
+    At next = at;
+    bool whole = true;
+    for (int i = 0; i < 3 && whole; ++i) {
+      Vec3 part(0.0);
+      part[order[i]] = to[order[i]] * grid.voxel_mm;
+      whole = walk(grid, burr, next, next.p + part);
+    }
+    if (!whole) continue;
+    best = length_of(rest);
+    nearest = next;
+    jag = true;
+  }
   at = nearest;
-  return found;
+  return found || jag;
 }
 
 VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from,
@@ -199,7 +235,7 @@ VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size
       const Vec3 rest = device - next.p;
       resting = resting || length_of(rest - side.n * glm::dot(rest, side.n)) > left - kLeastVoxels * voxel;
     } else {
-      resting = !step_nearer(grid, burr, next, device);
+      resting = !step_nearer(grid, burr, next, side.n, device);
     }
     if (resting) break;
     at = next;

@@ -78,7 +78,9 @@ class FilledMethod final : public ContactMethod {
     answer(state, finder_.overlap(), contact, tick, out);
   }
   bool lift(StepState::Inner&) noexcept override { return true; }
-  bool fits(StepState::Inner&, Vec3, Vec3) noexcept override { return false; }  // always from above: no voxel is asked
+  bool fits(StepState::Inner& state, Vec3, Vec3 pose_mm) noexcept override {
+    return finder_.overlap().free(state.last.burr, ToolOverlap::voxel_at(state.volume.grid(), pose_mm));
+  }
   bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
     return finder_.overlap().remove_along(state.volume, burr, from_mm, to_mm);
   }

@@ -121,7 +121,8 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
-                         testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot),
+                         testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot, Method::ray,
+                                         Method::penalty, Method::gradient),
                          [](const auto& instance) {
                            std::string name(key_of(instance.param));
                            for (char& c : name) c = c == '-' ? '_' : c;

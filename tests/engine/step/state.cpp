@@ -82,10 +82,12 @@ TEST_P(EveryMethod, wants_no_more_room_than_was_reserved) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
-                         testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot),
+                         testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot, Method::ray,
+                                         Method::penalty, Method::gradient),
                          [](const auto& p) {
-                           return p.param == Method::surface ? "surface"
-                                  : p.param == Method::occupancy ? "occupancy" : "occupancy_pivot";
+                           std::string name(key_of(p.param));
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
                          });
 
 TEST(Guard, a_jump_latches_a_fault_until_it_is_rearmed) {
