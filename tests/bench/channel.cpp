@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/contact/surface_contact.h"
+#include "tests/bench/candidates.h"
 #include "tests/bench/tick_times.h"
 
 namespace cusp::bench {
@@ -12,6 +13,7 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kMeantMm = 0.05;
+constexpr double kLookMm = 0.05;  // a tick, while holes are chosen
 constexpr double kLeadMm = 0.02;  // a tick, into the hole and aside
 
 }  // namespace
@@ -21,19 +23,27 @@ const char* name_of(HoleKind kind) {
 }
 
 std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, std::uint64_t seed, int count) {
+  struct Other {
+    double clearance, pull;  // as shares of the hole's own
+  };
+  constexpr Other kOthers[] = {{1.5, 1.0}, {0.6, 0.95}, {1.0, 1.05}};
   std::vector<std::shared_ptr<const Hole>> out;
   for (; static_cast<int>(out.size()) < count; ++seed) {
     auto hole = std::make_shared<const Hole>(r, kind, seed, SurfaceContact::kClearanceMm);
-    const Hole wider(r, kind, seed, 1.5 * SurfaceContact::kClearanceMm);
-    const auto a = hole->truth(), b = wider.truth();
-    a->start(hole->bottom());
-    b->start(hole->bottom());
     Random none(0);
     const Leg leg = hole->leg(none, nullptr);
     bool meant = true;
-    for (double s = 0.0; s < leg.length_mm && meant; s += 0.05) {
-      const Vec3 device = input_at(leg.at(s)).position_mm();
-      meant = length(a->follow(device).pose_mm - b->follow(device).pose_mm) < kMeantMm;
+    for (const Other& other : kOthers) {
+      const Hole like(r, kind, seed, other.clearance * SurfaceContact::kClearanceMm);
+      const auto a = hole->truth(), b = like.truth();
+      a->start(hole->bottom());
+      b->start(hole->bottom());
+      const Vec3 aside = hole->pull() * (other.pull - 1.0);
+      for (double s = 0.0; s < leg.length_mm && meant; s += kLookMm) {
+        const Vec3 device = input_at(leg.at(s)).position_mm();
+        meant = length(a->follow(device).pose_mm - b->follow(device + aside).pose_mm) < kMeantMm;
+      }
+      if (!meant) break;
     }
     if (meant) out.push_back(std::move(hole));
   }
@@ -44,6 +54,7 @@ Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, HoleK
   using Clock = std::chrono::steady_clock;
   Errors errors;
   TickTimes times;
+  std::int64_t candidates = -1;
   for (const auto& hole : holes) {
     StepState state(scene_of(*hole, what.method, what.voxel_mm));
     hole->prepare(state);
@@ -65,18 +76,20 @@ Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, HoleK
       const Exact exact = truth->follow(input.position_mm());
       errors.note(out);
       const auto behind = [&](Vec3 pose) { return std::fabs(glm::dot(out.device_mm - pose, hole->axis())); };
-      errors.lag(std::max(0.0, behind(out.proxy_mm) - behind(exact.pose_mm)));
+      errors.lag(std::max(0.0, behind(out.proxy_mm) - behind(exact.pose_mm)), hole->seed());
       if (!exact.contact || length(exact.pose_mm - out.device_mm) < kLeastSpringMm) {
         errors.skip_small();
       } else {
         errors.add(out, exact, truth->clearance_mm(out.proxy_mm));
       }
     }
+    candidates = std::max(candidates, most_candidates(state));
   }
   Row row = row_of(*holes.front(), what, "slide");
   row.variant = name_of(kind);
   errors.fill(row);
   times.fill(row);
+  row.max_candidates = candidates;
   return row;
 }
 

@@ -11,8 +11,9 @@ namespace cusp::bench {
 /// As rows have it in "variant".
 const char* name_of(HoleKind kind);
 
-/// Holes that are meant: those in which the exact proxy of a burr with half again the clearance never stands more than
-/// 50 um from that of the surface proxy's own clearance. From seed on, `count` of them.
+/// Holes that are meant: in some the exact burr stays in or slips out by a hair, and either is right. So only those count
+/// in which the exact proxy stands within 50 um of where it would at 1.5 or 0.6 of the clearance and at a pull of 0.95 or
+/// 1.05. From seed on, `count` of them.
 std::vector<std::shared_ptr<const Hole>> meant_holes(double burr_radius_mm, HoleKind kind, std::uint64_t seed, int count);
 
 /// Each hole: cut, the burr led to its end, pulled aside by 0.1 mm, out along the axis and back in. Lag: how much further

@@ -102,7 +102,7 @@ bool CutBlock::prepare(StepState& state) const {
 
 std::unique_ptr<Shape> make_cut(double burr_radius_mm) { return std::make_unique<Cut>(burr_radius_mm); }
 
-Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm) : CutBlock("channel", r) {
+Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm) : CutBlock("channel", r), seed_(seed) {
   Random random(seed * 3 + static_cast<std::uint64_t>(kind));
   const double tilt = kRadians * (kind == HoleKind::straight ? random.between(0.0, 5.0) : random.between(10.0, 70.0));
   const double turn = random.between(0.0, 360.0) * kRadians;

@@ -49,12 +49,14 @@ class Hole : public CutBlock {
   Leg leg(Random&, const Vec3*) const override;
   Vec3 before(Vec3) const override { return bottom_; }
 
+  std::uint64_t seed() const { return seed_; }
   Vec3 axis() const { return axis_; }      // out of the hole
   Vec3 bottom() const { return bottom_; }  // centre of the burr at the end of its cut
   Vec3 outside() const { return mouth_ + axis_ * (3.0 * burr_radius_mm()); }
   Vec3 pull() const { return pull_; }      // 0.1 mm across
 
  private:
+  std::uint64_t seed_;
   Vec3 axis_{0.0}, bottom_{0.0}, mouth_{0.0}, pull_{0.0};
 };
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "tests/bench/candidates.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/tick_times.h"
 
@@ -61,7 +62,8 @@ void Errors::fill(Row& row) {
   if (!follow_.empty()) row.follow_ticks = mean(follow_);
   if (!lag_um_.empty()) {
     row.lag_um_mean = mean(lag_um_);
-    row.lag_um_max = *std::max_element(lag_um_.begin(), lag_um_.end());
+    row.lag_um_max = lag_most_um_;
+    row.lag_worst_seed = lag_seed_;
   }
   if (angle_deg_.empty()) return;
   row.angle_deg_mean = mean(angle_deg_);
@@ -135,6 +137,7 @@ Row measure_slide(const Shape& shape, const Measure& what) {
   Row row = row_of(shape, what, "slide");
   errors.fill(row);
   times.fill(row);
+  row.max_candidates = most_candidates(state);
   return row;
 }
 
@@ -170,6 +173,7 @@ Row measure_presses(const Shape& shape, const Measure& what) {
   Row row = row_of(shape, what, "press");
   errors.fill(row);
   times.fill(row);
+  row.max_candidates = most_candidates(state);
   return row;
 }
 

@@ -36,6 +36,7 @@ struct Row {
   double depth_um_max = kAbsent;
   double lag_um_mean = kAbsent;      // channel: how much further behind the device, along the axis, than the exact proxy
   double lag_um_max = kAbsent;
+  std::int64_t lag_worst_seed = -1;  // of the hole that lag_um_max comes from: --seed with it begins there
   double pose_um_mean = kAbsent;     // distance between the method's proxy and the exact one
   double pose_um_max = kAbsent;
   double force_error_percent_rms = kAbsent;       // |force - exact| over the exact force's rms
@@ -81,6 +82,7 @@ void for_each_field(R& row, Visit&& visit) {
   visit("depth_um_max", row.depth_um_max);
   visit("lag_um_mean", row.lag_um_mean);
   visit("lag_um_max", row.lag_um_max);
+  visit("lag_worst_seed", row.lag_worst_seed);
   visit("pose_um_mean", row.pose_um_mean);
   visit("pose_um_max", row.pose_um_max);
   visit("force_error_percent_rms", row.force_error_percent_rms);

@@ -1,0 +1,13 @@
+/// What a state's method has looked at. The one place where a bench looks inside a state.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/step/step.h"
+
+namespace cusp::bench {
+
+/// Most candidates that one search of the surface proxy has met so far; -1 for the other methods.
+std::int64_t most_candidates(StepState& state);
+
+}  // namespace cusp::bench
