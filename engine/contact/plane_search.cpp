@@ -10,41 +10,47 @@ namespace cusp {
 
 namespace {
 
+/// Squared sine below which normals count as one and the same.
+constexpr double kSame = 1e-22;
+
 /// r = (N^T N)^-1 N^T n for up to three active normals; z = n - N r, the part of n that no active plane holds.
 struct Split {
   double r[3] = {0, 0, 0};
   Vec3 z{0.0};
 };
 
+/// By cross products, which stay accurate where normals nearly coincide (neighbouring planes of a smooth surface do).
 Split split(const Vec3* normals, int count, Vec3 n) noexcept {
   Split out;
   if (count == 0) {
     out.z = n;
     return out;
   }
-  const double b0 = glm::dot(normals[0], n);
-  if (count == 1) {
-    out.r[0] = b0;
-    out.z = n - normals[0] * b0;
-    return out;
+  const Vec3& n0 = normals[0];
+  if (count > 1) {
+    const Vec3& n1 = normals[1];
+    const Vec3 c01 = glm::cross(n0, n1);
+    const double square = glm::dot(c01, c01);
+    if (count == 2 && square > kSame) {
+      out.r[0] = glm::dot(glm::cross(n, n1), c01) / square;
+      out.r[1] = glm::dot(glm::cross(n0, n), c01) / square;
+      out.z = c01 * (glm::dot(c01, n) / square);
+      return out;
+    }
+    if (count == 3) {
+      // Three independent normals span the space: nothing is left over.
+      const double det = glm::dot(normals[2], c01);
+      if (det * det > kSame * square) {
+        out.r[0] = glm::dot(n, glm::cross(n1, normals[2])) / det;
+        out.r[1] = glm::dot(n, glm::cross(normals[2], n0)) / det;
+        out.r[2] = glm::dot(n, c01) / det;
+        return out;
+      }
+    }
   }
-  const double b1 = glm::dot(normals[1], n);
-  const double g01 = glm::dot(normals[0], normals[1]);
-  if (count == 2) {
-    const double det = 1.0 - g01 * g01;
-    out.r[0] = (b0 - g01 * b1) / det;
-    out.r[1] = (b1 - g01 * b0) / det;
-    out.z = n - normals[0] * out.r[0] - normals[1] * out.r[1];
-    return out;
-  }
-  // Three independent normals span the space: solve by cross products, nothing is left over.
-  const Vec3 c12 = glm::cross(normals[1], normals[2]);
-  const Vec3 c20 = glm::cross(normals[2], normals[0]);
-  const Vec3 c01 = glm::cross(normals[0], normals[1]);
-  const double det = glm::dot(normals[0], c12);
-  out.r[0] = glm::dot(n, c12) / det;
-  out.r[1] = glm::dot(n, c20) / det;
-  out.r[2] = glm::dot(n, c01) / det;
+  // One, or several that are the same to rounding: the first stands for them.
+  out.r[0] = glm::dot(n0, n);
+  out.z = glm::cross(glm::cross(n0, n), n0);
   return out;
 }
 
@@ -52,6 +58,8 @@ Split split(const Vec3* normals, int count, Vec3 n) noexcept {
 /// 1e-10 for a pair and 1e-14 for a triple: larger bounds reject neighbouring planes of a smooth surface.
 constexpr double kPair = 1e-10;
 constexpr double kTriple = 1e-14;
+/// Squared mm: planes that meet beyond this contradict each other but for rounding.
+constexpr double kFar = 1e10;
 
 /// The point nearest to q on all of the planes given, if every multiplier is positive: a start for the search.
 bool on_all(Vec3 q, const Vec3* n, const double* c, int count, PlaneSearch& out) noexcept {
@@ -102,6 +110,7 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
     }
   }
   for (int round = 0; round < 48; ++round) {
+    if (!(glm::dot(out.y, out.y) < kFar)) break;  // NaN too
     const int worst = planes.worst(out);
     if (worst < 0) return out;
 
@@ -150,6 +159,8 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
       --out.active;
     }
   }
+  out.y = q;
+  out.active = 0;
   out.feasible = false;
   return out;
 }

@@ -186,6 +186,53 @@ TEST(PlaneSearch, agrees_with_brute_force_over_all_triples) {
   }
 }
 
+TEST(PlaneSearch, bears_planes_that_all_but_coincide) {
+  // Neighbouring points of one smooth surface: normals that differ by 1e-9 to 1e-2, and a hand that pushes through them.
+  std::uint64_t seed = 7;
+  const auto random = [&seed] {
+    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
+    return static_cast<double>(seed >> 33) / 1073741824.0 - 1.0;
+  };
+  for (int round = 0; round < 20000; ++round) {
+    const double spread = std::pow(10.0, -5.5 + 3.5 * random());
+    std::vector<Plane> planes;
+    PlaneSet set(8);
+    for (int i = 0; i < 5 + round % 3; ++i) {
+      const Vec3 n(spread * random(), spread * random(), 1.0);
+      planes.push_back({n / length(n), 1e-5 * random(), i});
+      set.add(planes.back().n, planes.back().c);
+    }
+    const Vec3 q(0.1 * random(), 0.1 * random(), -0.3);
+    for (const PlaneSearch& found : {closest_point(q, planes, 1e-7), closest_point(q, set, 1e-7, {})}) {
+      ASSERT_TRUE(std::isfinite(found.y.x) && std::isfinite(found.y.y) && std::isfinite(found.y.z)) << "round " << round;
+      ASSERT_TRUE(found.feasible) << "round " << round;
+      for (const Plane& p : planes) ASSERT_GT(glm::dot(p.n, found.y) - p.c, -2e-7) << "round " << round;
+    }
+  }
+}
+
+TEST(PlaneSearch, finds_the_same_point_sooner_from_planes_thought_to_hold) {
+  std::uint64_t seed = 11;
+  const auto random = [&seed] {
+    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
+    return static_cast<double>(seed >> 33) / 1073741824.0 - 1.0;
+  };
+  for (int round = 0; round < 2000; ++round) {
+    PlaneSet set(40);
+    for (int i = 0; i < 40; ++i) {
+      const Vec3 n(random(), random(), random() + 1.2);
+      set.add(n / length(n), 0.3 * random());
+    }
+    const Vec3 q(random(), random(), -1.0);
+    const PlaneSearch cold = closest_point(q, set, 1e-9, {});
+    ASSERT_TRUE(cold.feasible);
+    const int guess[3] = {static_cast<int>(20.0 + 19.0 * random()), cold.index[0], 7};
+    const PlaneSearch warm = closest_point(q, set, 1e-9, {guess, static_cast<std::size_t>(round % 4)});
+    ASSERT_TRUE(warm.feasible);
+    ASSERT_LT(length(cold.y - warm.y), 1e-7) << "round " << round;
+  }
+}
+
 TEST(PlaneSearch, says_when_planes_contradict_each_other) {
   const Plane planes[] = {{Vec3(0, 0, 1), 1.0, 0}, {Vec3(0, 0, -1), 1.0, 1}};
   EXPECT_FALSE(closest_point(Vec3(0.0), planes, 1e-9).feasible);
