@@ -36,6 +36,19 @@ std::vector<Size> sizes_of(std::string_view shape, const Options& options) {
   return out;
 }
 
+void shape_rows(const Options& options, const Shape& shape, Measure what, std::vector<Row>& rows) {
+  for (const Method method : kMethods) {
+    if (!asked(options.methods, key_of(method))) continue;
+    what.method = method;
+    if (asked(options.motions, "press")) rows.push_back(measure_presses(shape, what));
+    if (!asked(options.motions, "slide")) continue;
+    for (const double speed : chosen(options.speeds_mm_s, {5.0, 50.0, 200.0})) {
+      what.speed_mm_s = speed;
+      rows.push_back(measure_slide(shape, what));
+    }
+  }
+}
+
 void channel_rows(const Options& options, const Size& size, Measure what, std::vector<Row>& rows) {
   if (!asked(options.motions, "slide")) return;
   for (const HoleKind kind : {HoleKind::straight, HoleKind::oblique, HoleKind::slot}) {
@@ -46,7 +59,7 @@ void channel_rows(const Options& options, const Size& size, Measure what, std::v
       what.method = method;
       for (const double speed : chosen(options.speeds_mm_s, {5.0, 50.0, 200.0})) {
         what.speed_mm_s = speed;
-        rows.push_back(measure_channel(holes, kind, what));
+        rows.push_back(measure_channel(holes, what));
       }
     }
   }
@@ -67,17 +80,10 @@ std::vector<Row> accuracy_rows(const Options& options) {
         channel_rows(options, size, what, rows);
         continue;
       }
-      const std::unique_ptr<Shape> shape = make_shape(name, size.burr_radius_mm);
-      for (const Method method : kMethods) {
-        if (!asked(options.methods, key_of(method))) continue;
-        what.method = method;
-        if (asked(options.motions, "press")) rows.push_back(measure_presses(*shape, what));
-        if (!asked(options.motions, "slide")) continue;
-        for (const double speed : chosen(options.speeds_mm_s, {5.0, 50.0, 200.0})) {
-          what.speed_mm_s = speed;
-          rows.push_back(measure_slide(*shape, what));
-        }
-      }
+      const std::vector<std::string_view> variants =
+          name == "cut" ? std::vector<std::string_view>{"single", "crossing"} : std::vector<std::string_view>{""};
+      for (const std::string_view variant : variants)
+        shape_rows(options, *make_shape(name, size.burr_radius_mm, variant), what, rows);
     }
   }
   return rows;

@@ -18,10 +18,6 @@ constexpr double kLeadMm = 0.02;  // a tick, into the hole and aside
 
 }  // namespace
 
-const char* name_of(HoleKind kind) {
-  return kind == HoleKind::straight ? "straight" : kind == HoleKind::oblique ? "oblique" : "slot";
-}
-
 std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, std::uint64_t seed, int count) {
   struct Other {
     double clearance, pull;  // as shares of the hole's own
@@ -50,7 +46,7 @@ std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, st
   return out;
 }
 
-Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, HoleKind kind, const Measure& what) {
+Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, const Measure& what) {
   using Clock = std::chrono::steady_clock;
   Errors errors;
   TickTimes times;
@@ -86,7 +82,6 @@ Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, HoleK
     candidates = std::max(candidates, most_candidates(state));
   }
   Row row = row_of(*holes.front(), what, "slide");
-  row.variant = name_of(kind);
   errors.fill(row);
   times.fill(row);
   row.max_candidates = candidates;

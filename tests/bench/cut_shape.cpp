@@ -16,12 +16,12 @@ constexpr double kRadians = 0.017453292519943296;
 
 class Cut : public CutBlock {
  public:
-  explicit Cut(double r) : CutBlock("cut", r) {
+  Cut(double r, bool crossing) : CutBlock("cut", r), crossing_(crossing) {
     // Three lines round a triangle 1 mm wide, each a little inclined; depths below the face 0.3 to 0.6 burr radii.
     const double big = kCutterOverBurr * r;
     std::vector<Capsule> paths;
     const double wide = 0.35, reach = 1.6;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < (crossing ? 3 : 1); ++i) {
       const double phi = 0.4 + 2.0943951 * i + 0.13 * i * i;
       const Vec3 out(std::cos(phi), std::sin(phi), 0.0), along(-std::sin(phi), std::cos(phi), 0.0);
       const Vec3 up(0.0, 0.0, 1.0);
@@ -29,6 +29,7 @@ class Cut : public CutBlock {
     }
     carve(paths, SurfaceContact::kClearanceMm);
   }
+  std::string variant() const override { return crossing_ ? "crossing" : "single"; }
   Vec3 tool_axis() const override { return frame_.z; }
   Vec3 home() const override { return frame_.to_world({0.0, 0.0, 14.0}); }
   double cutter_radius_mm() const override { return kCutterOverBurr * burr_radius_mm(); }
@@ -66,6 +67,7 @@ class Cut : public CutBlock {
 
  private:
   static constexpr double kSide = 1.2;
+  bool crossing_;
   /// Where the burr rests when it is let down along the face's normal.
   Vec3 over(double x, double y, double precision_mm) const {
     double high = burr_radius_mm() + 1e-6, low = 0.0;
@@ -100,9 +102,11 @@ bool CutBlock::prepare(StepState& state) const {
   return room;
 }
 
-std::unique_ptr<Shape> make_cut(double burr_radius_mm) { return std::make_unique<Cut>(burr_radius_mm); }
+std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing) {
+  return std::make_unique<Cut>(burr_radius_mm, crossing);
+}
 
-Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm) : CutBlock("channel", r), seed_(seed) {
+Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm) : CutBlock("channel", r), kind_(kind), seed_(seed) {
   Random random(seed * 3 + static_cast<std::uint64_t>(kind));
   const double tilt = kRadians * (kind == HoleKind::straight ? random.between(0.0, 5.0) : random.between(10.0, 70.0));
   const double turn = random.between(0.0, 360.0) * kRadians;
@@ -127,6 +131,12 @@ Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm) : Cut
   pull_ = frame_.direction(pull);
   carve(std::move(paths), thinner_mm);
 }
+
+const char* name_of(HoleKind kind) {
+  return kind == HoleKind::straight ? "straight" : kind == HoleKind::oblique ? "oblique" : "slot";
+}
+
+std::string Hole::variant() const { return name_of(kind_); }
 
 /// Out along the axis and back in, pulled aside.
 Leg Hole::leg(Random&, const Vec3*) const {

@@ -1,4 +1,4 @@
-/// Blocks that a burr has cut along known paths: `cut`, three scratches across each other that a smaller burr slides
+/// Blocks that a burr has cut along known paths: `cut`, one scratch or three across each other that a smaller burr slides
 /// over, and the holes of `channel`, in which the burr that cut them is pulled out and pushed back.
 #pragma once
 
@@ -31,10 +31,12 @@ class CutBlock : public Shape {
   std::shared_ptr<CarvedMemory> memory_ = std::make_shared<CarvedMemory>();
 };
 
-/// Scratches of a burr half again as wide, 0.2 to 0.45 mm deep at most, meeting in a triangle.
-std::unique_ptr<Shape> make_cut(double burr_radius_mm);
+/// Scratches of a burr half again as wide, 0.3 to 0.6 burr radii deep: one of them, whose edges are its mouth, or three
+/// that meet in a triangle, with ridges where two of them cross.
+std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing);
 
 enum class HoleKind { straight, oblique, slot };
+const char* name_of(HoleKind kind);
 
 /// A hole of the burr's own width, by seed: 0.4 to 1.3 mm deep along its axis, upright (within 5 degrees of the face's
 /// normal), oblique (10 to 70 degrees), or the latter across an older slot.
@@ -42,6 +44,7 @@ class Hole : public CutBlock {
  public:
   Hole(double burr_radius_mm, HoleKind kind, std::uint64_t seed, double thinner_mm);
 
+  std::string variant() const override;
   Vec3 tool_axis() const override { return axis_; }
   Vec3 home() const override { return mouth_ + axis_ * 8.0; }
   double cutter_radius_mm() const override { return 0.0; }  // the burr itself
@@ -56,6 +59,7 @@ class Hole : public CutBlock {
   Vec3 pull() const { return pull_; }      // 0.1 mm across
 
  private:
+  HoleKind kind_;
   std::uint64_t seed_;
   Vec3 axis_{0.0}, bottom_{0.0}, mouth_{0.0}, pull_{0.0};
 };

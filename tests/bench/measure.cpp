@@ -82,6 +82,7 @@ Row row_of(const Shape& shape, const Measure& what, std::string_view motion) {
   Row row;
   row.method = key_of(what.method);
   row.shape = shape.name();
+  row.variant = shape.variant();
   row.motion = motion;
   if (motion == "slide") row.speed_mm_s = what.speed_mm_s;
   row.burr_radius_mm = shape.burr_radius_mm();

@@ -18,7 +18,7 @@ inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 struct Row {
   std::string method;   // occupancy, occupancy-pivot, ray, penalty, gradient, surface
   std::string shape;    // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel
-  std::string variant;  // of a channel: straight, oblique, slot
+  std::string variant;  // of a cut: single, crossing; of a channel: straight, oblique, slot
   std::string motion;   // press, slide
   std::string task;     // rate: displacement, exploration, perforation
   double speed_mm_s = kAbsent;

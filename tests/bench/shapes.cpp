@@ -49,10 +49,10 @@ constexpr std::size_t kKept = 6;
 
 }  // namespace
 
-std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm) {
+std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm, std::string_view variant) {
   if (auto shape = make_round_shape(name, burr_radius_mm)) return shape;
   if (auto shape = make_profile_shape(name, burr_radius_mm)) return shape;
-  if (name == "cut") return make_cut(burr_radius_mm);
+  if (name == "cut") return make_cut(burr_radius_mm, variant == "crossing");
   return nullptr;
 }
 

@@ -37,6 +37,8 @@ class Shape {
 
   const std::string& name() const { return name_; }
   double burr_radius_mm() const { return radius_; }
+  /// Of a cut: single, crossing; of a channel: straight, oblique, slot; else empty.
+  virtual std::string variant() const { return {}; }
   /// Two shapes with the same key have the same tissue before any cut.
   virtual std::string key() const { return name_; }
 
@@ -78,8 +80,8 @@ class Shape {
   double radius_;
 };
 
-/// nullptr for another name, and for channel, whose holes channel.h makes.
-std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm);
+/// nullptr for another name, and for channel, whose holes channel.h makes. variant: of a cut, single unless it says crossing.
+std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm, std::string_view variant = {});
 
 /// The specimen of a shape, built at first use; a few are kept.
 std::shared_ptr<const Specimen> specimen_of(const Shape& shape, double voxel_mm, Reading reading);

@@ -24,6 +24,7 @@ struct Case {
 std::shared_ptr<const Shape> shape_of(const Case& c) {
   if (c.name == "hole") return std::make_shared<const Hole>(c.radius_mm, HoleKind::oblique, 3, 0.001);
   if (c.name == "hole across a slot") return std::make_shared<const Hole>(c.radius_mm, HoleKind::slot, 5, 0.001);
+  if (c.name == "cut") return make_shape("cut", c.radius_mm, "crossing");
   return make_shape(c.name, c.radius_mm);
 }
 
