@@ -112,6 +112,14 @@ TEST(Accuracy, counts_a_missing_force_as_wrong) {
   EXPECT_DOUBLE_EQ(measure_slide(*make_shape("face", 0.5), what).angle_deg_mean, 90.0);
 }
 
+TEST(Accuracy, counts_what_is_not_a_number_as_far_off) {
+  Measure what = quick();
+  what.stepper = broken([](StepOutput& out) { out.proxy_mm.y = std::nan(""); });
+  const Row row = measure_slide(*make_shape("face", 0.5), what);
+  EXPECT_DOUBLE_EQ(row.angle_deg_mean, 90.0);
+  EXPECT_DOUBLE_EQ(row.depth_um_mean, 1e6);
+}
+
 TEST(Accuracy, of_the_occupancy_proxy_is_worse_than_that_of_the_surface_proxy) {
   const auto shape = make_shape("sphere", 0.5);
   EXPECT_GT(measure_slide(*shape, quick(Method::occupancy)).angle_deg_mean,

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMeantMm = 0.05;
 constexpr double kLookMm = 0.05;  // a tick, while holes are chosen
+constexpr double kNoPoseMm = 1000.0;  // lag of a proxy that is not a number
 constexpr double kLeadMm = 0.02;  // a tick, into the hole and aside
 
 }  // namespace
@@ -71,7 +72,10 @@ Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, const
       times.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - before).count());
       const Exact exact = truth->follow(input.position_mm());
       errors.note(out);
-      const auto behind = [&](Vec3 pose) { return std::fabs(glm::dot(out.device_mm - pose, hole->axis())); };
+      const auto behind = [&](Vec3 pose) {
+        const double lag = std::fabs(glm::dot(out.device_mm - pose, hole->axis()));
+        return std::isfinite(lag) ? lag : kNoPoseMm;
+      };
       errors.lag(std::max(0.0, behind(out.proxy_mm) - behind(exact.pose_mm)), hole->seed());
       if (!exact.contact || length(exact.pose_mm - out.device_mm) < kLeastSpringMm) {
         errors.skip_small();

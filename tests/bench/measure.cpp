@@ -17,6 +17,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kDegrees = 57.295779513082320877;
 constexpr double kAboveMm = 0.05;       // where a press starts
 constexpr double kPressMm = 0.05;       // a tick: 50 mm/s
+constexpr double kNotFiniteMm = 1000.0;  // error that a proxy or a force counts with that is not a number
 constexpr int kRestTicks = 10;          // before a press is read: some methods arrive late
 constexpr int kFollowMost = 100;        // ticks; a method that has not followed by then is simply wrong
 
@@ -33,6 +34,8 @@ StepOutput timed(const Measure& what, StepState& state, const StepInput& input, 
   return out;
 }
 
+bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
 /// Below the surface for as long as it may be a sample.
 bool too_small(const Exact& exact, Vec3 device) {
   return !exact.contact || length(exact.pose_mm - device) < kLeastSpringMm;
@@ -41,6 +44,13 @@ bool too_small(const Exact& exact, Vec3 device) {
 }  // namespace
 
 void Errors::add(const StepOutput& out, const Exact& exact, double clearance_mm) {
+  if (!finite(out.force_raw_n) || !finite(out.proxy_mm)) {
+    StepOutput nothing = out;
+    nothing.force_raw_n = Vec3(0.0);
+    nothing.proxy_mm = exact.pose_mm + Vec3(kNotFiniteMm, 0.0, 0.0);
+    add(nothing, exact, kNotFiniteMm);
+    return;
+  }
   const Vec3 force = out.force_raw_n;
   const Vec3 wanted = exact.pose_mm - out.device_mm;  // 1 N/mm
   const double sine = length(glm::cross(force, wanted)), cosine = glm::dot(force, wanted);

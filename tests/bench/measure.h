@@ -21,6 +21,7 @@ struct Measure {
 };
 
 /// Collects errors tick by tick. Angle: between forces; a method without force where there is one counts as 90 degrees.
+/// What is not a number counts as no force and as 1 m off.
 class Errors {
  public:
   /// A tick that stands in the means. clearance: exact, of the method's proxy.
