@@ -24,8 +24,7 @@ std::vector<Size> sizes_of(std::string_view shape, const Options& options) {
   std::vector<Size> out;
   if (!options.voxels_mm.empty() || !options.burr_radii_mm.empty()) {
     for (const double voxel : chosen(options.voxels_mm, {kVoxel}))
-      for (const double radius : chosen(options.burr_radii_mm, {0.25, 0.5}))
-        out.push_back({voxel, radius});
+      for (const double radius : chosen(options.burr_radii_mm, {0.25, 0.5})) out.push_back({voxel, radius});
     return out;
   }
   out = {{kVoxel, 0.25}, {kVoxel, 0.5}};

@@ -1,9 +1,10 @@
 // What is measured is what is wrong: a perfect method has no error, a broken one is caught.
+#include "tests/bench/accuracy.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/bench/accuracy.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/measure.h"
 
@@ -80,8 +81,8 @@ TEST(Accuracy, reads_half_a_degree_as_half_a_degree_and_a_micrometre_as_one) {
     out.proxy_mm -= n * 0.001;
   });
   const Row row = measure_slide(*shape, what);
-  EXPECT_NEAR(row.angle_deg_mean, 0.5, 0.01);   // the method's own 0.002 degrees beside
-  EXPECT_NEAR(row.depth_um_mean, 1.0, 0.01);    // and 0.001 um
+  EXPECT_NEAR(row.angle_deg_mean, 0.5, 0.01);  // the method's own 0.002 degrees beside
+  EXPECT_NEAR(row.depth_um_mean, 1.0, 0.01);   // and 0.001 um
   EXPECT_NEAR(row.force_error_percent_rms, 100.0 * tilt, 0.05);
 }
 
@@ -129,7 +130,7 @@ TEST(Accuracy, of_the_occupancy_proxy_is_worse_than_that_of_the_surface_proxy) {
 TEST(Accuracy, calls_features_unresolved_that_are_thinner_than_two_and_a_half_voxels) {
   EXPECT_FALSE(make_shape("wall", 0.25)->unresolved(0.078125));  // 0.2 mm are 2.56 of them
   EXPECT_TRUE(make_shape("wall", 0.25)->unresolved(0.1));
-  EXPECT_FALSE(make_shape("pit", 0.25)->unresolved(0.078125));   // 0.3 mm: 3.84
+  EXPECT_FALSE(make_shape("pit", 0.25)->unresolved(0.078125));  // 0.3 mm: 3.84
   EXPECT_TRUE(make_shape("pit", 0.25)->unresolved(0.2));
   EXPECT_FALSE(make_shape("face", 0.25)->unresolved(0.2));
 }

@@ -10,12 +10,12 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kTouch = 1e-9;       // mm: a point this close to a face lies on it
-constexpr double kEdgeStep = 0.005;   // mm between points of an edge
-constexpr double kSlack = 0.012;      // mm: what is further away than this cannot bind within one step ...
-constexpr double kTrust = 0.004;      // ... of this length
-constexpr double kNear = 0.08;        // mm: edge points are gathered this far beyond touch
-constexpr double kConformal = 0.02;   // mm: a burr that has no more room than this in a capsule touches it all round
+constexpr double kTouch = 1e-9;      // mm: a point this close to a face lies on it
+constexpr double kEdgeStep = 0.005;  // mm between points of an edge
+constexpr double kSlack = 0.012;     // mm: what is further away than this cannot bind within one step ...
+constexpr double kTrust = 0.004;     // ... of this length
+constexpr double kNear = 0.08;       // mm: edge points are gathered this far beyond touch
+constexpr double kConformal = 0.02;  // mm: a burr that has no more room than this in a capsule touches it all round
 constexpr int kRing = 64;
 
 Vec3 on_axis(const Capsule& c, Vec3 p) {
@@ -114,12 +114,17 @@ Found nearest_in(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& spac
     on = nearest_of_few(z, inverse, few, on);
   }
   Found out{on.c, Mat3(0.0)};
-  for (int i = 0; i < on.count; ++i) out.bend += few[on.which[static_cast<std::size_t>(i)]].bend * on.weight[static_cast<std::size_t>(i)];
+  for (int i = 0; i < on.count; ++i)
+    out.bend += few[on.which[static_cast<std::size_t>(i)]].bend * on.weight[static_cast<std::size_t>(i)];
   return out;
 }
 
 CarvedBlock::CarvedBlock(Vec3 normal, double level, std::vector<Capsule> capsules, double radius_mm, double thinner_mm)
-    : normal_(normal), level_(level), capsules_(std::move(capsules)), radius_(radius_mm), thin_(radius_mm - thinner_mm) {
+    : normal_(normal),
+      level_(level),
+      capsules_(std::move(capsules)),
+      radius_(radius_mm),
+      thin_(radius_mm - thinner_mm) {
   const int n = static_cast<int>(capsules_.size());
   for (int i = 0; i < n; ++i)
     for (int j = -1; j < i; ++j) trace_pair(i, j);
@@ -186,7 +191,8 @@ void CarvedBlock::trace_pair(int face_a, int face_b) {
         if (!onto(face_a, face_b, seed)) continue;
         if (length(seed - p) > 0.2 || !stands(seed, face_a, face_b)) continue;
         bool known = false;
-        for (std::size_t k = first; k < edges_.size() && !known; ++k) known = length(edges_[k].at - seed) < 1.5 * kEdgeStep;
+        for (std::size_t k = first; k < edges_.size() && !known; ++k)
+          known = length(edges_[k].at - seed) < 1.5 * kEdgeStep;
         if (!known) trace(face_a, face_b, seed);
       }
     }
@@ -252,7 +258,7 @@ Vec3 CarvedBlock::refined(int i, Vec3 centre) const {
   // A parabola through the three, by its chord lengths, and the foot on it.
   const double back = -length(e.at - p), on = length(r - e.at);
   const Vec3 u = (p - e.at) / back, v = (r - e.at) / on;
-  const Vec3 second = (v - u) / (on - back);       // p(s) = at + s (u - back second) + s^2 second
+  const Vec3 second = (v - u) / (on - back);  // p(s) = at + s (u - back second) + s^2 second
   const Vec3 slope = u - second * back;
   double s = 0.0;
   for (int k = 0; k < 4; ++k) {
@@ -343,7 +349,8 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
     if (!all_round) continue;
     // As wide as the burr: it touches all round, so the foot alone says little.
     const Capsule& c = capsules_[static_cast<std::size_t>(f)];
-    const Frame frame = Frame::of(c.b - c.a, std::fabs(unit(c.b - c.a).z) < 0.8 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), Vec3(0.0));
+    const Frame frame =
+        Frame::of(c.b - c.a, std::fabs(unit(c.b - c.a).z) < 0.8 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), Vec3(0.0));
     const Vec3 axis = on_axis(c, y);
     const auto touch = [&](Vec3 u) {
       const Vec3 p = axis + c.radius_mm * u;
@@ -361,7 +368,8 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
         const int columns = std::max(1, static_cast<int>(4 * kRows * std::cos(lift)));
         for (int k = 0; k < columns; ++k) {
           const double phi = 6.283185307179586 * k / columns;
-          touch(frame.direction({std::cos(phi) * std::cos(lift), std::sin(phi) * std::cos(lift), side * std::sin(lift)}));
+          touch(
+              frame.direction({std::cos(phi) * std::cos(lift), std::sin(phi) * std::cos(lift), side * std::sin(lift)}));
         }
       }
     }
@@ -376,7 +384,8 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
       point(e.at, thin_);
       continue;
     }
-    const Vec3 before = edges_[static_cast<std::size_t>(e.before)].at, after = edges_[static_cast<std::size_t>(e.after)].at;
+    const Vec3 before = edges_[static_cast<std::size_t>(e.before)].at,
+               after = edges_[static_cast<std::size_t>(e.after)].at;
     const bool foot = far2 <= glm::dot(before - y, before - y) && far2 <= glm::dot(after - y, after - y);
     // How far y is on the way to the middle of the edge's own curvature, where every point of it is as near: there the
     // points themselves stand for the edge, elsewhere the foot, which comes along.

@@ -1,7 +1,7 @@
 /// What is left of a half space when balls have been swept through it along straight lines, exactly: its faces are the
-/// plane and the inner sides of capsules; its edges, where two of them meet, are traced to points 5 um apart that lie on
-/// both (between them, a parabola through three: 2 nm). All edges are convex, for each face bounds a convex emptiness.
-/// Specimen frame, mm.
+/// plane and the inner sides of capsules; its edges, where two of them meet, are traced to points 5 um apart that lie
+/// on both (between them, a parabola through three: 2 nm). All edges are convex, for each face bounds a convex
+/// emptiness. Specimen frame, mm.
 #pragma once
 
 #include <vector>
@@ -24,8 +24,8 @@ struct HalfSpace {
   Mat3 bend{0.0};
 };
 
-/// The minimum of (c - z) . H (c - z) over the half spaces' intersection, given H's inverse. bend: the sum of the binding
-/// ones' bends by their weights.
+/// The minimum of (c - z) . H (c - z) over the half spaces' intersection, given H's inverse. bend: the sum of the
+/// binding ones' bends by their weights.
 struct Found {
   Vec3 c{0.0};
   Mat3 bend{0.0};
@@ -44,7 +44,8 @@ class CarvedBlock {
   bool edge_nearest(Vec3 centre) const;
 
   /// The local minimum of |c - q| over admissible centres, downhill from the admissible centre `from`, to precision_mm:
-  /// half spaces about where it stands, their curvature taken into the distance's own (Newton), in steps of at most 4 um.
+  /// half spaces about where it stands, their curvature taken into the distance's own (Newton), in steps of at most 4
+  /// um.
   Vec3 settle(Vec3 from, Vec3 q, double precision_mm);
 
   const std::vector<Capsule>& capsules() const { return capsules_; }
@@ -74,10 +75,10 @@ class CarvedBlock {
   std::vector<Capsule> capsules_;
   double radius_, thin_;
   std::vector<EdgePoint> edges_;
-  std::vector<int> near_;       // edge points about near_centre_
+  std::vector<int> near_;  // edge points about near_centre_
   Vec3 near_centre_{1e9};
   std::vector<HalfSpace> spaces_;
-  Mat3 bend_{0.0};              // of what held the last pose
+  Mat3 bend_{0.0};  // of what held the last pose
 };
 
 }  // namespace cusp::bench

@@ -30,7 +30,8 @@ Exact CarvedTruth::follow(Vec3 device) {
     CarvedMemory::Tick tick;
     tick.device = device;
     for (int k = 1; k <= kSubSteps; ++k) {
-      const Exact now = move_to(device_ + (device - device_) * (static_cast<double>(k) / kSubSteps), k < kSubSteps ? kCoarse : kFine);
+      const Exact now =
+          move_to(device_ + (device - device_) * (static_cast<double>(k) / kSubSteps), k < kSubSteps ? kCoarse : kFine);
       tick.exact.pose_mm = now.pose_mm;
       tick.exact.contact = now.contact;
       tick.exact.vanished = tick.exact.vanished || now.vanished;

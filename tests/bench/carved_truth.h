@@ -1,5 +1,5 @@
-/// The exact proxy on a carved block. It is dear to compute (0.2 to 3 ms a tick), so what was followed once from a start
-/// is remembered: every method meets the same device points.
+/// The exact proxy on a carved block. It is dear to compute (0.2 to 3 ms a tick), so what was followed once from a
+/// start is remembered: every method meets the same device points.
 #pragma once
 
 #include <map>
@@ -44,7 +44,9 @@ class CarvedMemory {
     Exact exact;
   };
   using Key = std::tuple<double, double, double, double, double, double>;
-  std::vector<Tick>& from(Vec3 start, Vec3 first) { return runs_[{start.x, start.y, start.z, first.x, first.y, first.z}]; }
+  std::vector<Tick>& from(Vec3 start, Vec3 first) {
+    return runs_[{start.x, start.y, start.z, first.x, first.y, first.z}];
+  }
   std::vector<Tick>* running = nullptr;
 
  private:

@@ -13,9 +13,9 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kMeantMm = 0.05;
-constexpr double kLookMm = 0.05;  // a tick, while holes are chosen
+constexpr double kLookMm = 0.05;      // a tick, while holes are chosen
 constexpr double kNoPoseMm = 1000.0;  // lag of a proxy that is not a number
-constexpr double kLeadMm = 0.02;  // a tick, into the hole and aside
+constexpr double kLeadMm = 0.02;      // a tick, into the hole and aside
 
 }  // namespace
 

@@ -25,7 +25,8 @@ class Cut : public CutBlock {
       const double phi = 0.4 + 2.0943951 * i + 0.13 * i * i;
       const Vec3 out(std::cos(phi), std::sin(phi), 0.0), along(-std::sin(phi), std::cos(phi), 0.0);
       const Vec3 up(0.0, 0.0, 1.0);
-      paths.push_back({out * wide - along * reach + up * (big - 0.3 * r), out * wide + along * reach + up * (big - (0.45 + 0.07 * i) * r), big});
+      paths.push_back({out * wide - along * reach + up * (big - 0.3 * r),
+                       out * wide + along * reach + up * (big - (0.45 + 0.07 * i) * r), big});
     }
     carve(paths, SurfaceContact::kClearanceMm);
   }
@@ -86,8 +87,8 @@ void CutBlock::carve(std::vector<Capsule> local, double thinner_mm) {
     c.a = frame_.to_world(c.a);
     c.b = frame_.to_world(c.b);
   }
-  block_ = std::make_shared<CarvedBlock>(frame_.z, glm::dot(frame_.z, frame_.origin), std::move(local), burr_radius_mm(),
-                                         thinner_mm);
+  block_ = std::make_shared<CarvedBlock>(frame_.z, glm::dot(frame_.z, frame_.origin), std::move(local),
+                                         burr_radius_mm(), thinner_mm);
 }
 
 bool CutBlock::prepare(StepState& state) const {
@@ -97,7 +98,8 @@ bool CutBlock::prepare(StepState& state) const {
     const int pieces = static_cast<int>(length(c.b - c.a) / kPieceMm) + 1;
     for (int k = 0; k < pieces; ++k)
       room = cut_along(state, cutter, c.a + (c.b - c.a) * (static_cast<double>(k) / pieces),
-                       c.a + (c.b - c.a) * (static_cast<double>(k + 1) / pieces)) && room;
+                       c.a + (c.b - c.a) * (static_cast<double>(k + 1) / pieces)) &&
+             room;
   }
   return room;
 }
@@ -106,7 +108,8 @@ std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing) {
   return std::make_unique<Cut>(burr_radius_mm, crossing);
 }
 
-Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm) : CutBlock("channel", r), kind_(kind), seed_(seed) {
+Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm)
+    : CutBlock("channel", r), kind_(kind), seed_(seed) {
   Random random(seed * 3 + static_cast<std::uint64_t>(kind));
   const double tilt = kRadians * (kind == HoleKind::straight ? random.between(0.0, 5.0) : random.between(10.0, 70.0));
   const double turn = random.between(0.0, 360.0) * kRadians;
@@ -122,7 +125,8 @@ Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm) : Cut
     // Its axis lies 0.3 radii above to 0.6 below the face, and passes the mouth within half a radius.
     const double way = random.between(0.0, 360.0) * kRadians;
     const Vec3 along(std::cos(way), std::sin(way), random.between(-0.1, 0.1)), sideways(-along.y, along.x, 0.0);
-    const Vec3 middle = mouth + sideways * random.between(-0.5 * r, 0.5 * r) + Vec3(0.0, 0.0, random.between(-0.6 * r, 0.3 * r));
+    const Vec3 middle =
+        mouth + sideways * random.between(-0.5 * r, 0.5 * r) + Vec3(0.0, 0.0, random.between(-0.6 * r, 0.3 * r));
     paths.insert(paths.begin(), {middle - along * 1.3, middle + along * 1.7, r});
   }
   axis_ = frame_.direction(axis);

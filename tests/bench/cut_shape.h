@@ -1,5 +1,5 @@
-/// Blocks that a burr has cut along known paths: `cut`, one scratch or three across each other that a smaller burr slides
-/// over, and the holes of `channel`, in which the burr that cut them is pulled out and pushed back.
+/// Blocks that a burr has cut along known paths: `cut`, one scratch or three across each other that a smaller burr
+/// slides over, and the holes of `channel`, in which the burr that cut them is pulled out and pushed back.
 #pragma once
 
 #include <memory>
@@ -56,7 +56,7 @@ class Hole : public CutBlock {
   Vec3 axis() const { return axis_; }      // out of the hole
   Vec3 bottom() const { return bottom_; }  // centre of the burr at the end of its cut
   Vec3 outside() const { return mouth_ + axis_ * (3.0 * burr_radius_mm()); }
-  Vec3 pull() const { return pull_; }      // 0.1 mm across
+  Vec3 pull() const { return pull_; }  // 0.1 mm across
 
  private:
   HoleKind kind_;

@@ -15,11 +15,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kDegrees = 57.295779513082320877;
-constexpr double kAboveMm = 0.05;       // where a press starts
-constexpr double kPressMm = 0.05;       // a tick: 50 mm/s
+constexpr double kAboveMm = 0.05;        // where a press starts
+constexpr double kPressMm = 0.05;        // a tick: 50 mm/s
 constexpr double kNotFiniteMm = 1000.0;  // error that a proxy or a force counts with that is not a number
-constexpr int kRestTicks = 10;          // before a press is read: some methods arrive late
-constexpr int kFollowMost = 100;        // ticks; a method that has not followed by then is simply wrong
+constexpr int kRestTicks = 10;           // before a press is read: some methods arrive late
+constexpr int kFollowMost = 100;         // ticks; a method that has not followed by then is simply wrong
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;

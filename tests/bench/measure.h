@@ -60,8 +60,8 @@ inline constexpr double kLeastSpringMm = 0.05;  // of the exact force, for a sam
 /// voxel (at least 50 um), the ticks until it does so again are counted apart, 100 at most.
 Row measure_slide(const Shape& shape, const Measure& what);
 
-/// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, and ten
-/// ticks to rest; the last tick is the sample.
+/// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, and
+/// ten ticks to rest; the last tick is the sample.
 Row measure_presses(const Shape& shape, const Measure& what);
 
 /// The row's names and sizes.

@@ -17,12 +17,12 @@ struct Options {
   std::vector<double> speeds_mm_s;
   std::vector<double> burr_radii_mm;
   std::vector<double> voxels_mm;
-  double budget_s = 1.0;     // wall clock a row; the number of presses and ticks follows from it
-  std::uint64_t seed = 1;    // of every random choice: the same seed, the same inputs
-  std::string json;          // file, "-" for stdout, empty for a table
-  std::string out;           // chart: folder
+  double budget_s = 1.0;          // wall clock a row; the number of presses and ticks follows from it
+  std::uint64_t seed = 1;         // of every random choice: the same seed, the same inputs
+  std::string json;               // file, "-" for stdout, empty for a table
+  std::string out;                // chart: folder
   std::vector<std::string> from;  // chart: reports to draw instead of measuring
-  std::string readme;        // chart: file whose table of methods is to be written anew
+  std::string readme;             // chart: file whose table of methods is to be written anew
 };
 
 inline bool asked(const std::vector<std::string>& filter, std::string_view value) {

@@ -1,10 +1,9 @@
-/// A tissue boundary drawn in a plane as straight pieces, endless along the third axis, and the curve that the centre of
-/// a burr of radius r cannot cross: offset pieces, arcs about outer corners, trimmed at inner ones.
+/// A tissue boundary drawn in a plane as straight pieces, endless along the third axis, and the curve that the centre
+/// of a burr of radius r cannot cross: offset pieces, arcs about outer corners, trimmed at inner ones.
 #pragma once
 
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace cusp::bench {
 

@@ -10,10 +10,10 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kFar = 100.0;     // mm: out of every box
-constexpr double kAbove = 0.05;    // mm: where a press starts, above its spot
+constexpr double kFar = 100.0;   // mm: out of every box
+constexpr double kAbove = 0.05;  // mm: where a press starts, above its spot
 constexpr double kHome = 14.0;
-constexpr double kAlong = 2.0;     // mm to either side of the middle, along the shape
+constexpr double kAlong = 2.0;  // mm to either side of the middle, along the shape
 constexpr double kStepMm = 0.5;
 constexpr double kSine30 = 0.5, kCosine30 = 0.86602540378443864676;
 
@@ -26,7 +26,9 @@ class ProfileTruth : public Truth {
  public:
   ProfileTruth(const Profile& profile, const Frame& frame, double radius)
       : profile_(profile), frame_(frame), radius_(radius) {}
-  double clearance_mm(Vec3 centre) const override { return profile_.distance_mm(flat(frame_.to_local(centre))) - radius_; }
+  double clearance_mm(Vec3 centre) const override {
+    return profile_.distance_mm(flat(frame_.to_local(centre))) - radius_;
+  }
 
  protected:
   Vec3 place(Vec3 centre) override {
@@ -87,7 +89,8 @@ class ProfileShape : public Shape {
   Spot spot(Random& random) const override {
     const auto& pieces = profile_.pieces();
     for (;;) {
-      const Profile::Piece& p = pieces[static_cast<std::size_t>(random.between(0.0, static_cast<double>(pieces.size())))];
+      const Profile::Piece& p =
+          pieces[static_cast<std::size_t>(random.between(0.0, static_cast<double>(pieces.size())))];
       const double y = random.between(-kAlong, kAlong);
       if (p.arc) {
         if (burr_radius_mm() < kDepthMm + 0.02) continue;
@@ -120,7 +123,8 @@ class ProfileShape : public Shape {
     std::vector<Vec3> way{at};
     const std::vector<Vec2> to = way_on(random, flat(at));
     for (std::size_t i = 0; i < to.size(); ++i)
-      way.push_back({to[i].x, at.y + (y - at.y) * static_cast<double>(i + 1) / static_cast<double>(to.size()), to[i].y});
+      way.push_back(
+          {to[i].x, at.y + (y - at.y) * static_cast<double>(i + 1) / static_cast<double>(to.size()), to[i].y});
     std::vector<double> upto{0.0};
     for (std::size_t i = 1; i < way.size(); ++i) upto.push_back(upto.back() + length(way[i] - way[i - 1]));
     const double whole = upto.back();
@@ -175,7 +179,11 @@ class Groove : public ProfileShape {
  private:
   Groove(double r, double deep)
       : ProfileShape("groove", r,
-                     {{-kFar, 0.0}, {-deep * kSine30 / kCosine30, 0.0}, {0.0, -deep}, {deep * kSine30 / kCosine30, 0.0}, {kFar, 0.0}},
+                     {{-kFar, 0.0},
+                      {-deep * kSine30 / kCosine30, 0.0},
+                      {0.0, -deep},
+                      {deep * kSine30 / kCosine30, 0.0},
+                      {kFar, 0.0}},
                      deep / 2.0, {0.0, 0.0, 1.0}),
         deep_(deep) {}
   Vec2 apex() const { return {0.0, -deep_ + (burr_radius_mm() - kDepthMm) / kSine30}; }

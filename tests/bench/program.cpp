@@ -48,7 +48,8 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
   app.add_option("--json", options.json, "write rows as JSON to a file, or to stdout for -");
   if (!writes_folder) return;
   app.add_option("--out", options.out, "folder for the files")->required();
-  app.add_option("--from", options.from, "draw these instead of measuring: a report of --json, a table, or their folder");
+  app.add_option("--from", options.from,
+                 "draw these instead of measuring: a report of --json, a table, or their folder");
   app.add_option("--readme", options.readme, "also write the table of methods into this file, between its two marks");
 }
 

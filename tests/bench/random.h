@@ -15,9 +15,7 @@ class Random {
     return z ^ (z >> 31);
   }
   /// In [low, high).
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-  }
+  double between(double low, double high) { return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
 
  private:
   std::uint64_t state_;

@@ -9,8 +9,8 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kAbove = 0.05;      // mm: where a press starts, above its spot
-constexpr double kHome = 14.0;       // mm from the middle: no burr of 3 mm touches the 10 mm box there
+constexpr double kAbove = 0.05;  // mm: where a press starts, above its spot
+constexpr double kHome = 14.0;   // mm from the middle: no burr of 3 mm touches the 10 mm box there
 constexpr double kSphereMm = 4.0, kCylinderMm = 2.0, kPitOverBurr = 1.2, kWallMm = 0.2;
 
 /// Truth of a shape whose clearance has one foot: given by two functions of the shape.
@@ -252,7 +252,8 @@ class Corner : public RoundShape {
       Vec3 c;
       const int must = static_cast<int>(random.between(0.0, 3.0));
       for (int i = 0; i < 3; ++i)
-        c[i] = burr_radius_mm() + (i == must || random.between(0.0, 1.0) < 0.4 ? -kDepthMm : random.between(0.05, kSide));
+        c[i] =
+            burr_radius_mm() + (i == must || random.between(0.0, 1.0) < 0.4 ? -kDepthMm : random.between(0.05, kSide));
       return walls_.to_world(c);
     };
     const Vec3 a = from ? *from : aim();

@@ -1,10 +1,11 @@
 // Files of rows, and what the program answers to a command line.
+#include "tests/bench/rows.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/bench/program.h"
-#include "tests/bench/rows.h"
 #include "tests/bench/tick_times.h"
 
 namespace cusp::bench {

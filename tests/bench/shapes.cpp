@@ -20,7 +20,8 @@ VoxelVolume sampled(const Shape& shape, double voxel_mm) {
   const int n = static_cast<int>(std::ceil(std::max(kBoxMm / voxel_mm - 1e-9, need)));
   const Grid grid{IVec3(n), voxel_mm, Vec3(-(n - 1) * voxel_mm / 2.0)};
   VoxelVolume out(grid);
-  // The outermost four voxels stay empty: the shape is cut off at the padding's inner side, s = 1/2 half a voxel before.
+  // The outermost four voxels stay empty: the shape is cut off at the padding's inner side, s = 1/2 half a voxel
+  // before.
   const double half = (0.5 * n - kPaddingVoxels - kBandVoxels) * voxel_mm;
   IVec3 v;
   for (v.z = 0; v.z < n; ++v.z)

@@ -1,8 +1,8 @@
 /// The specimens that methods are measured on. Each is known in closed form, stands obliquely to the grid and off its
 /// planes, and knows where a burr goes on it. Specimen frame, mm.
 ///
-/// Grid: 128^3 voxels in 10 mm at a voxel of 10/128 mm; at any other size as many as 10 mm need, more where a shape with
-/// its band and four empty voxels on every side would not fit. The shape ends where the padding begins.
+/// Grid: 128^3 voxels in 10 mm at a voxel of 10/128 mm; at any other size as many as 10 mm need, more where a shape
+/// with its band and four empty voxels on every side would not fit. The shape ends where the padding begins.
 #pragma once
 
 #include <functional>
@@ -80,14 +80,15 @@ class Shape {
   double radius_;
 };
 
-/// nullptr for another name, and for channel, whose holes channel.h makes. variant: of a cut, single unless it says crossing.
+/// nullptr for another name, and for channel, whose holes channel.h makes. variant: of a cut, single unless it says
+/// crossing.
 std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm, std::string_view variant = {});
 
 /// The specimen of a shape, built at first use; a few are kept.
 std::shared_ptr<const Specimen> specimen_of(const Shape& shape, double voxel_mm, Reading reading);
 
-/// A scene with the shape's specimen: K 1 N/mm everywhere, friction off, a guard that stays out of the way; the burr with
-/// a neck and a shank of 0.4 of its radius, along the shape's axis.
+/// A scene with the shape's specimen: K 1 N/mm everywhere, friction off, a guard that stays out of the way; the burr
+/// with a neck and a shank of 0.4 of its radius, along the shape's axis.
 std::shared_ptr<Scene> scene_of(const Shape& shape, Method method, double voxel_mm);
 
 }  // namespace cusp::bench

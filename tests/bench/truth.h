@@ -8,8 +8,8 @@ namespace cusp::bench {
 
 struct Exact {
   Vec3 pose_mm{0.0};
-  bool contact = false;  // the proxy is not at the device point
-  bool vanished = false; // in this tick the minimum that held the proxy ceased to be, and it went to another
+  bool contact = false;   // the proxy is not at the device point
+  bool vanished = false;  // in this tick the minimum that held the proxy ceased to be, and it went to another
 };
 
 class Truth {

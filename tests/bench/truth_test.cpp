@@ -90,7 +90,7 @@ TEST_P(TruthOf, touches_the_tissue_and_pushes_along_the_clearances_gradient) {
   });
   EXPECT_GE(held, 100);
   // Closed forms to rounding, 4e-12. A carved block's burr in its own hole: 64 directions stand for a circle of 1 um.
-  EXPECT_LE(depth, bound(0.02));  // measured 0.006 um in a hole across a slot, 0.0012 in the other
+  EXPECT_LE(depth, bound(0.02));                    // measured 0.006 um in a hole across a slot, 0.0012 in the other
   if (GetParam().name.starts_with("hole")) return;  // held by a ring of points: no single gradient
   EXPECT_GE(smooth, 50);
   EXPECT_LE(angle, bound(1e-5));  // degrees; measured 3e-7, on a cut
@@ -174,10 +174,11 @@ TEST_P(TruthOf, is_where_a_blind_search_ends_that_only_asks_what_is_admissible) 
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryShape, TruthOf,
-                         testing::Values(Case{"face", 0.25}, Case{"sphere", 0.5}, Case{"pit", 0.25}, Case{"cylinder", 0.5},
-                                         Case{"edge", 0.25}, Case{"edge", 0.5}, Case{"corner", 0.25}, Case{"groove", 0.5},
-                                         Case{"step", 0.25}, Case{"step", 0.5}, Case{"wall", 0.25}, Case{"cut", 0.25},
-                                         Case{"cut", 0.5}, Case{"hole", 0.25}, Case{"hole across a slot", 0.25}),
+                         testing::Values(Case{"face", 0.25}, Case{"sphere", 0.5}, Case{"pit", 0.25},
+                                         Case{"cylinder", 0.5}, Case{"edge", 0.25}, Case{"edge", 0.5},
+                                         Case{"corner", 0.25}, Case{"groove", 0.5}, Case{"step", 0.25},
+                                         Case{"step", 0.5}, Case{"wall", 0.25}, Case{"cut", 0.25}, Case{"cut", 0.5},
+                                         Case{"hole", 0.25}, Case{"hole across a slot", 0.25}),
                          [](const auto& one) {
                            std::string name = one.param.name + (one.param.radius_mm < 0.3 ? "_r025" : "_r05");
                            std::replace(name.begin(), name.end(), ' ', '_');
@@ -206,7 +207,8 @@ TEST(Truth, leaves_the_upper_face_of_an_edge_only_where_its_minimum_ends) {
   EXPECT_GE(vanished, 5);
   // One of 0.5 mm rolls round the edge: the arc always has a nearest point.
   int rolled = 0;
-  along(*make_shape("edge", 0.5), 2000, 50.0, [&](Vec3, const Exact& exact, const Truth&) { rolled += exact.vanished ? 1 : 0; });
+  along(*make_shape("edge", 0.5), 2000, 50.0,
+        [&](Vec3, const Exact& exact, const Truth&) { rolled += exact.vanished ? 1 : 0; });
   EXPECT_EQ(rolled, 0);
 }
 
