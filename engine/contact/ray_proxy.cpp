@@ -150,7 +150,7 @@ bool RayProxy::step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, 
   return true;
 }
 
-bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 n, Vec3 device) const noexcept {
+bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept {
   const double longest = kSlideVoxels * grid.voxel_mm;
   const Vec3 gap = device - at.p;
   double best = length_of(gap) - kLeastVoxels * grid.voxel_mm;
@@ -176,26 +176,13 @@ bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 n, V
       found = true;
     }
   }
-  // Nothing along a face: round a jag to a neighbour, out of the tissue first.
+  // Nothing along a face: round a jag to a neighbour, as the paper goes. No tissue is thinner than a voxel.
   for (int choice = 0; choice < 27 && !found; ++choice) {
     const IVec3 to(choice % 3 - 1, choice / 3 % 3 - 1, choice / 9 - 1);
-    const Vec3 rest = gap - Vec3(to) * grid.voxel_mm;
-    if (length_of(rest) >= best) continue;
-    int order[3] = {0, 1, 2};
-    std::sort(order, order + 3, [&](int a, int b) {
-      const double x = n[a] * to[a], y = n[b] * to[b];
-      return x != y ? x > y : a < b;
-    });
-    At next = at;
-    bool whole = true;
-    for (int i = 0; i < 3 && whole; ++i) {
-      Vec3 part(0.0);
-      part[order[i]] = to[order[i]] * grid.voxel_mm;
-      whole = walk(grid, burr, next, next.p + part);
-    }
-    if (!whole) continue;
-    best = length_of(rest);
-    nearest = next;
+    const double distance = length_of(gap - Vec3(to) * grid.voxel_mm);
+    if (distance >= best || !overlap_.free(burr, at.voxel + to)) continue;
+    best = distance;
+    nearest = {at.p + Vec3(to) * grid.voxel_mm, at.voxel + to};
     jag = true;
   }
   at = nearest;
@@ -235,7 +222,7 @@ VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size
       const Vec3 rest = device - next.p;
       resting = resting || length_of(rest - side.n * glm::dot(rest, side.n)) > left - kLeastVoxels * voxel;
     } else {
-      resting = !step_nearer(grid, burr, next, side.n, device);
+      resting = !step_nearer(grid, burr, next, device);
     }
     if (resting) break;
     at = next;

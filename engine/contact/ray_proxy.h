@@ -45,7 +45,7 @@ class RayProxy {
   /// One step of the path along a surface: over what stands in the way and down again. False: no way.
   bool step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, Vec3 n, Vec3 device) const noexcept;
   /// One step along the voxels' faces, or round a jag, to whatever is nearest to the device point. False: nothing is nearer.
-  bool step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 n, Vec3 device) const noexcept;
+  bool step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept;
 
   ToolOverlap overlap_;
   struct Near {
