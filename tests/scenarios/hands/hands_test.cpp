@@ -105,6 +105,20 @@ TEST(Plan, IsEmptyWithoutTargetOrInstruments) {
   EXPECT_TRUE(expert(s, *small_block()).done());
 }
 
+TEST(Plan, GoesByTheReadingOfTheMethod) {
+  const auto strokes = [](Method method) {
+    Scenario s = small_slot();
+    s.method = method;
+    std::vector<Vec3> out;
+    for (const Stroke& stroke : plan_target(s, *small_block()).strokes) out.push_back(stroke.to_mm);
+    return out;
+  };
+  EXPECT_EQ(strokes(Method::ray), strokes(Method::occupancy));
+  EXPECT_EQ(strokes(Method::penalty), strokes(Method::surface));
+  EXPECT_EQ(strokes(Method::gradient), strokes(Method::surface));
+  EXPECT_NE(strokes(Method::ray), strokes(Method::surface));
+}
+
 /// A world in which the proxy follows the device no faster than `speed`.
 std::size_t left_out_at(double speed_mm_s, double& clock_s, std::uint64_t seed = 1) {
   const Scenario s = small_slot();
@@ -164,6 +178,16 @@ TEST(Expert, EarnsTheMarksByDrilling) {
   EXPECT_NEAR(r.get("depth_mean").value, 0.8, 0.05);
   EXPECT_EQ(r.overflow, 0u);
   EXPECT_FALSE(r.faulted);
+}
+
+TEST(Expert, EarnsTheMarksWithTheOtherMethodsOnABandToo) {
+  for (const Method method : {Method::penalty, Method::gradient}) {
+    Bench bench;
+    bench.scenario.method = method;
+    const go::Result r = bench.run("expert");
+    EXPECT_TRUE(r.grade.passed) << key_of(method) << " " << r.grade.score;  // measured 100 and 100
+    EXPECT_EQ(r.overflow, 0u) << key_of(method);
+  }
 }
 
 TEST(Faults, TooDeepIsGradedTooDeep) {
