@@ -60,7 +60,8 @@ Occupancy::Occupancy(const Volume& volume) : size_(volume.grid().size), bricks_(
   occupied_.resize(room * 8, 0);
   boundary_.assign(room * 8, 0);
   for (int b = 0; b < bricks; ++b)
-    if (place_[static_cast<std::size_t>(b)] > kWhole) classify(specimen.brick_at(b), place_[static_cast<std::size_t>(b)]);
+    if (place_[static_cast<std::size_t>(b)] > kWhole)
+      classify(specimen.brick_at(b), place_[static_cast<std::size_t>(b)]);
 }
 
 std::uint64_t Occupancy::inner_slice(IVec3 brick, int z) const noexcept {

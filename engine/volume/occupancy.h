@@ -42,7 +42,8 @@ class Occupancy {
   std::size_t brick(IVec3 v) const noexcept {
     return static_cast<std::size_t>(v.x >> 3) +
            static_cast<std::size_t>(bricks_.x) *
-               (static_cast<std::size_t>(v.y >> 3) + static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(v.z >> 3));
+               (static_cast<std::size_t>(v.y >> 3) +
+                static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(v.z >> 3));
   }
   static std::size_t word(std::int32_t place, IVec3 v) noexcept {
     return static_cast<std::size_t>(place) * 8 + static_cast<std::size_t>(v.z & 7);

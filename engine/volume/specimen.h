@@ -41,9 +41,9 @@ using BrickSource = std::function<std::optional<Tissue>(IVec3 brick, BrickVoxels
 
 class Specimen {
  public:
-  /// Takes bricks as they come, without a dense form of all: a block of 1024^3 voxels is built in the room that it keeps.
-  /// s >= 1/2 becomes 1 and the rest 0 for a filled reading, so both readings begin with the same occupied voxels.
-  /// Not for the haptic thread.
+  /// Takes bricks as they come, without a dense form of all: a block of 1024^3 voxels is built in the room that it
+  /// keeps. s >= 1/2 becomes 1 and the rest 0 for a filled reading, so both readings begin with the same occupied
+  /// voxels. Not for the haptic thread.
   static std::shared_ptr<const Specimen> build(const Grid& grid, Reading reading, const BrickSource& source,
                                                std::map<std::uint8_t, std::string> names = {});
   static std::shared_ptr<const Specimen> build(const VoxelVolume& dense, Reading reading);
@@ -108,13 +108,15 @@ class Specimen {
  private:
   /// Tissues of a brick that is not uniform.
   struct Tissues {
-    std::int32_t mixed = -1;       // place in tissue_ where several are mixed
-    Tissue only = Tissue::empty;   // else the one
+    std::int32_t mixed = -1;      // place in tissue_ where several are mixed
+    Tissue only = Tissue::empty;  // else the one
   };
   // A uniform brick's place says what it is of: -1 empty, -2 wholly solid of tissue 1, and so on.
   static constexpr std::int32_t place_of(Tissue uniform) noexcept { return -1 - static_cast<std::int32_t>(uniform); }
   static constexpr Tissue uniform_tissue(std::int32_t place) noexcept { return static_cast<Tissue>(-1 - place); }
-  static constexpr std::uint16_t uniform_s(std::int32_t place) noexcept { return place == -1 ? std::uint16_t{0} : kSolid; }
+  static constexpr std::uint16_t uniform_s(std::int32_t place) noexcept {
+    return place == -1 ? std::uint16_t{0} : kSolid;
+  }
 
   Grid grid_;
   Reading reading_ = Reading::banded;

@@ -114,8 +114,7 @@ bool Volume::load_cuts(std::span<const std::byte> bytes) {
   std::int64_t last = -1;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t brick = get(4 + i * kEach, 4);
-    if (brick <= last || brick >= static_cast<std::int64_t>(slot_.size()) ||
-        !cuttable(static_cast<int>(brick)))
+    if (brick <= last || brick >= static_cast<std::int64_t>(slot_.size()) || !cuttable(static_cast<int>(brick)))
       return false;
     last = brick;
   }

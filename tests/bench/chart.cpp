@@ -165,8 +165,16 @@ int run_chart(const Options& options) {
     file.close();
     if (!file) return failed({ChartError::cannot_write, path.string(), ""});
   }
+  if (!options.json.empty()) {
+    Report all{evidence.rate.commit, evidence.rate.machine, evidence.accuracy.rows};
+    for (const Report* more : {&evidence.rate, &evidence.scale})
+      all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());
+    if (const auto written = print_json(all, options.json); !written)
+      return failed({ChartError::cannot_write, written.error().where, ""});
+  }
   if (!options.readme.empty())
-    if (const auto placed = place_table(options.readme, files->at("methods.md")); !placed) return failed(placed.error());
+    if (const auto placed = place_table(options.readme, files->at("methods.md")); !placed)
+      return failed(placed.error());
   return kDone;
 }
 

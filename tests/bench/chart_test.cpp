@@ -1,11 +1,12 @@
 // The pictures: the same rows, the same bytes; what is missing is named; figures that are read are the ones written.
+#include "tests/bench/chart.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
-#include "tests/bench/chart.h"
 #include "tests/bench/names.h"
 #include "tests/bench/plot.h"
 #include "tests/bench/program.h"
@@ -13,7 +14,8 @@
 namespace cusp::bench {
 namespace {
 
-Row accuracy_row(std::string_view method, std::string_view shape, double radius, double voxel, double rate, double angle) {
+Row accuracy_row(std::string_view method, std::string_view shape, double radius, double voxel, double rate,
+                 double angle) {
   Row row;
   row.method = method;
   row.shape = shape;
@@ -40,7 +42,8 @@ Evidence made_up() {
       for (const double voxel : {0.2, 0.1, 10.0 / 128, 0.04})
         for (const std::string_view shape : {"face", "sphere", "cylinder"}) {
           const double form = shape == "face" ? 0.0 : 0.5 * voxel * voxel;
-          out.accuracy.rows.push_back(accuracy_row(method, shape, radius, voxel, rate * voxel, std::hypot(form, 0.001)));
+          out.accuracy.rows.push_back(
+              accuracy_row(method, shape, radius, voxel, rate * voxel, std::hypot(form, 0.001)));
         }
     for (const double radius : {0.25, 0.5, 1.15}) {
       Row row = accuracy_row(method, "face", radius, 10.0 / 128, rate / radius, kAbsent);
@@ -118,9 +121,13 @@ TEST(Chart, says_what_is_missing_instead_of_drawing_without_it) {
   };
   const auto drop = [](Report& report, auto&& which) { std::erase_if(report.rows, which); };
   EXPECT_NE(failure_without([&](Evidence& e) { e.accuracy.rows.clear(); }).find("accuracy"), std::string::npos);
-  EXPECT_NE(failure_without([&](Evidence& e) { drop(e.accuracy, [](const Row& r) { return r.shape == "cylinder"; }); }).find("cylinder"),
+  EXPECT_NE(failure_without([&](Evidence& e) {
+              drop(e.accuracy, [](const Row& r) { return r.shape == "cylinder"; });
+            }).find("cylinder"),
             std::string::npos);
-  EXPECT_NE(failure_without([&](Evidence& e) { drop(e.rate, [](const Row& r) { return r.method == "surface"; }); }).find("rate"),
+  EXPECT_NE(failure_without([&](Evidence& e) {
+              drop(e.rate, [](const Row& r) { return r.method == "surface"; });
+            }).find("rate"),
             std::string::npos);
   EXPECT_NE(failure_without([&](Evidence& e) { e.scale.rows.clear(); }).find("scale"), std::string::npos);
   EXPECT_NE(failure_without([](Evidence& e) {
@@ -139,7 +146,8 @@ TEST(Chart, writes_its_table_between_the_marks_of_a_readme_and_nothing_else) {
   const auto readme = folder / "README.md";
   const std::string before = "before\n" + std::string(kTableBegin), after = std::string(kTableEnd) + "after\n";
   std::ofstream(readme) << before << "old\n" << after;
-  const std::vector<std::string> args = {"chart", "--from", folder.string(), "--out", folder.string(), "--readme", readme.string()};
+  const std::vector<std::string> args = {"chart",         "--from",   folder.string(), "--out",
+                                         folder.string(), "--readme", readme.string()};
   ASSERT_EQ(run_program(args), kDone);
   std::ifstream file(readme);
   const std::string text((std::istreambuf_iterator<char>(file)), {});

@@ -24,7 +24,7 @@ std::vector<Point> points_of(const Series& series) {
 }
 
 /// Mean error of the surface proxy by voxel size, coarse to fine, over all motions measured there with one burr.
-Series errors(const Report& report, std::string_view shape, double radius, double Row::*field) {
+Series errors(const Report& report, std::string_view shape, double radius, double Row::* field) {
   std::map<double, std::pair<double, int>, std::greater<>> sums;
   for (const Row& row : report.rows) {
     if (row.method != "surface" || row.shape != shape || row.unresolved || !row.task.empty() ||
@@ -59,7 +59,8 @@ std::string order_of(const Series& errors, const Series& floor) {
   const double finer = errors[1].first;
   for (const auto& [voxel, f] : floor)
     if (same(voxel, finer))
-      return fmt::format("order {:.1f} or more", fitted_order({form.front(), {finer, f * std::sqrt(kTold * kTold - 1.0)}}));
+      return fmt::format("order {:.1f} or more",
+                         fitted_order({form.front(), {finer, f * std::sqrt(kTold * kTold - 1.0)}}));
   return "";
 }
 
@@ -128,18 +129,20 @@ Picture error_against_voxel(const Report& accuracy) {
   const Curve curves[] = {{"sphere", {"sphere, R 4 mm", ink::kBlue, Mark::circle}},
                           {"cylinder", {"cylinder, R 2 mm", ink::kVermilion, Mark::square}}};
   struct Panel {
-    double Row::*field;
+    double Row::* field;
     std::string title;
     double left;
   };
   const Panel panels[] = {{&Row::angle_deg_mean, "mean angle error, degrees", 76.0},
                           {&Row::depth_um_mean, "mean depth error, \u00b5m", 502.0}};
   const std::string title = "Error of the surface proxy against the voxel size";
-  Svg svg(860.0, 500.0, title,
-          "Mean angle error and mean depth error of the surface proxy on a sphere, a cylinder and a face for voxels of 0.2 "
-          "to 0.04 mm, with the fitted order of convergence above the face's error.");
+  Svg svg(
+      860.0, 500.0, title,
+      "Mean angle error and mean depth error of the surface proxy on a sphere, a cylinder and a face for voxels of 0.2 "
+      "to 0.04 mm, with the fitted order of convergence above the face's error.");
   heading(svg, title,
-          "Ball burr of 0.5 mm radius, presses and slides. A face has no form to miss: its error is what 16 bits of s leave.");
+          "Ball burr of 0.5 mm radius, presses and slides. A face has no form to miss: its error is what 16 bits of s "
+          "leave.");
   for (const Panel& panel : panels) {
     const Series floor = errors(accuracy, "face", kRadius, panel.field);
     std::vector<double> all;
@@ -147,8 +150,9 @@ Picture error_against_voxel(const Report& accuracy) {
     for (const Curve& curve : curves) {
       const Series series = errors(accuracy, curve.shape, kRadius, panel.field);
       if (series.size() < 2)
-        return fail(ChartError::missing_rows,
-                    fmt::format("accuracy: surface on {} with a burr of 0.5 mm at two voxel sizes at least", curve.shape));
+        return fail(
+            ChartError::missing_rows,
+            fmt::format("accuracy: surface on {} with a burr of 0.5 mm at two voxel sizes at least", curve.shape));
       for (const auto& [h, e] : series) all.push_back(e);
     }
     Axis y = decades(panel.title, all);
@@ -183,9 +187,11 @@ Picture error_against_voxel(const Report& accuracy) {
       least = at + (name.order.empty() ? 17.0 : 34.0);
     }
   }
-  footing(svg, fmt::format("{}, commit {:.10}. Circles: sphere. Squares: cylinder. Diamonds: face. Order: slope of what exceeds the "
-                           "face's error.",
-                           accuracy.machine, accuracy.commit));
+  footing(svg,
+          fmt::format(
+              "{}, commit {:.10}. Circles: sphere. Squares: cylinder. Diamonds: face. Order: slope of what exceeds the "
+              "face's error.",
+              accuracy.machine, accuracy.commit));
   return svg.str();
 }
 
@@ -215,7 +221,8 @@ Picture cost_against_size(const Report& rate, const Report& scale) {
   Svg svg(860.0, 430.0, title,
           "Three panels for the surface proxy and the occupancy proxy: microseconds a tick against the burr's radius, "
           "microseconds a tick against the volume's edge in voxels, and memory against the volume's edge.");
-  heading(svg, title, "Exploring at 50 mm/s, voxels of 10/128 mm. Middle and right: a solid block, burr of 0.5 mm radius.");
+  heading(svg, title,
+          "Exploring at 50 mm/s, voxels of 10/128 mm. Middle and right: a solid block, burr of 0.5 mm radius.");
 
   Plot by_radius(svg, {70.0, 76.0}, {278.0, 350.0}, lettered("burr radius, mm", 0.2, 3.8, {0.25, 0.5, 1.15, 3.0}),
                  decades("\u00b5s a tick", costs));
@@ -226,7 +233,8 @@ Picture cost_against_size(const Report& rate, const Report& scale) {
   Plot by_memory(svg, {632.0, 76.0}, {840.0, 350.0}, edge, decades("MB", megabytes));
   for (const double bound : {0.8, 1.2})
     svg.line(by_edge.at(105.0, bound), by_edge.at(3300.0, bound), {ink::kQuiet, 1.0, "3 3"});
-  svg.text({by_edge.at(128.0, 1.2).x, by_edge.at(128.0, 1.2).y - 6.0}, "\u00b1 20 %", {.size = 12.0, .colour = ink::kQuiet});
+  svg.text({by_edge.at(128.0, 1.2).x, by_edge.at(128.0, 1.2).y - 6.0}, "\u00b1 20 %",
+           {.size = 12.0, .colour = ink::kQuiet});
 
   for (const Lines& l : lines) {
     const Look look = look_of(l.method);
@@ -236,7 +244,8 @@ Picture cost_against_size(const Report& rate, const Report& scale) {
   }
   for (const Lines& l : lines) {
     const std::string_view name = l.method == Method::surface ? "surface" : "occupancy";
-    by_radius.label(by_radius.at(l.radius.back().first, l.radius.back().second), 9.0, name, {.size = 13.0, .bold = true});
+    by_radius.label(by_radius.at(l.radius.back().first, l.radius.back().second), 9.0, name,
+                    {.size = 13.0, .bold = true});
     // Beside the right ends, two lines of text; kept apart where the ends meet.
     const Lines& other = &l == &lines[0] ? lines[1] : lines[0];
     const auto named = [&](const Plot& plot, const Series& own, const Series& others, const std::string& figure) {
@@ -251,9 +260,11 @@ Picture cost_against_size(const Report& rate, const Report& scale) {
     named(by_edge, l.volume, other.volume, fmt::format("{:+.0f} %", 100.0 * (l.volume.back().second - 1.0)));
     named(by_memory, l.megabytes, other.megabytes, fmt::format("{:.0f} MB", l.megabytes.back().second));
   }
-  footing(svg, fmt::format("{}, commits {:.10} and {:.10}. Circles: surface proxy. Squares: occupancy proxy. Middle: median over "
-                           "alternating blocks.",
-                           rate.machine, rate.commit, scale.commit));
+  footing(svg,
+          fmt::format(
+              "{}, commits {:.10} and {:.10}. Circles: surface proxy. Squares: occupancy proxy. Middle: median over "
+              "alternating blocks.",
+              rate.machine, rate.commit, scale.commit));
   return svg.str();
 }
 

@@ -83,10 +83,13 @@ Picture speed_against_accuracy(const Report& accuracy, double burr_radius_mm) {
     angles.push_back(0.5 * (peer.face_deg + peer.sphere_deg));
   }
   const std::string title = fmt::format("Speed against accuracy, ball burr of {} mm radius", burr_radius_mm);
-  Svg svg(860.0, 620.0, title,
-          "Each contact method as a mark: updates a second to the right, mean angle error of its force downwards. Further "
-          "right is faster, further down is more exact.");
-  heading(svg, title, "Sliding at 50 mm/s, 0.3 mm below the offset surface, mean of face and sphere. Right is faster, down is more exact.");
+  Svg svg(
+      860.0, 620.0, title,
+      "Each contact method as a mark: updates a second to the right, mean angle error of its force downwards. Further "
+      "right is faster, further down is more exact.");
+  heading(svg, title,
+          "Sliding at 50 mm/s, 0.3 mm below the offset surface, mean of face and sphere. Right is faster, down is more "
+          "exact.");
   Plot plot(svg, {76.0, 72.0}, {836.0, 528.0}, decades("updates a second, one core", rates),
             decades("mean angle between force and exact force, degrees", angles));
 
@@ -137,9 +140,10 @@ Picture speed_against_accuracy(const Report& accuracy, double burr_radius_mm) {
     for (const Place& p : places)
       plot.label(plot.at(p.updates_per_s, shown(p.angle_deg)), 0.5 * size_of(p) + 3.0,
                  fmt::format("{:.2g}", p.voxel_mm), {.size = 11.0, .colour = ink::kQuiet});
-  footing(svg, fmt::format("Filled: {}, commit {:.10}, voxel size in mm beside the marks. Hollow: other programs, measured "
-                           "elsewhere ({}). Dashed: the front.",
-                           accuracy.machine, accuracy.commit, kPeersMachine));
+  footing(svg, fmt::format("Filled: {}, commit {:.10}, {}. Hollow: other programs, measured elsewhere ({}). Dashed: "
+                           "the front.",
+                           accuracy.machine, accuracy.commit,
+                           several ? "voxel size in mm beside the marks" : "voxels of 10/128 mm", kPeersMachine));
   return svg.str();
 }
 

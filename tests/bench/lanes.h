@@ -30,12 +30,13 @@ class Track {
 /// What blocks of ticks took.
 struct Pace {
   TickTimes times;            // of the blocks with a clock round each step()
-  std::vector<double> rates;  // updates a second of each block without one
+  std::vector<double> rates;  // updates in a second of the core's time, of each block without one
   std::int64_t untimed = 0;   // ticks of those
 
   void append(const Pace& other);
   /// Sets samples, updates_per_s (the median of the blocks without a clock in them, so that the clock's own 20 ns or so
-  /// are not counted) and tick_us_* (with it) of the row.
+  /// are not counted; time that other programs had the core is not either) and tick_us_* (by the wall, with both) of
+  /// the row.
   void fill(Row& row) const;
 };
 

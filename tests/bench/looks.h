@@ -16,12 +16,18 @@ struct Look {
 
 constexpr Look look_of(Method method) {
   switch (method) {
-    case Method::surface: return {"surface proxy (Cusp)", ink::kBlue, Mark::circle};
-    case Method::occupancy: return {"occupancy proxy (the paper)", ink::kVermilion, Mark::square};
-    case Method::occupancy_pivot: return {"occupancy, pivot only", ink::kOrange, Mark::diamond};
-    case Method::ray: return {"ray proxy", ink::kGreen, Mark::triangle_up};
-    case Method::penalty: return {"penalty", ink::kPurple, Mark::triangle_down};
-    case Method::gradient: return {"gradient proxy", ink::kSky, Mark::hexagon};
+    case Method::surface:
+      return {"surface proxy (Cusp)", ink::kBlue, Mark::circle};
+    case Method::occupancy:
+      return {"occupancy proxy (the paper)", ink::kVermilion, Mark::square};
+    case Method::occupancy_pivot:
+      return {"occupancy, pivot only", ink::kOrange, Mark::diamond};
+    case Method::ray:
+      return {"ray proxy", ink::kGreen, Mark::triangle_up};
+    case Method::penalty:
+      return {"penalty", ink::kPurple, Mark::triangle_down};
+    case Method::gradient:
+      return {"gradient proxy", ink::kSky, Mark::hexagon};
   }
   return {"", ink::kText, Mark::circle};
 }

@@ -1,7 +1,7 @@
 /// Other programs' figures, for the chart: built unmodified and measured elsewhere, on a 2-vCPU EPYC VM, g++ 12, -O3
-/// -march=native, one pinned core, 128^3 voxels in 10 mm, device point 0.3 mm below the offset surface. The speed is that
-/// of a slide at 50 mm/s; the angle is the mean over face and sphere (R 4 mm), of that slide or, where none was taken, of
-/// presses.
+/// -march=native, one pinned core, 128^3 voxels in 10 mm, device point 0.3 mm below the offset surface. The speed is
+/// that of a slide at 50 mm/s; the angle is the mean over face and sphere (R 4 mm), of that slide or, where none was
+/// taken, of presses.
 #pragma once
 
 #include <array>

@@ -14,7 +14,7 @@ namespace {
 constexpr double kFullForceN = 0.25;  // at K = 1 N/mm: full wear from 0.25 mm of spring on
 constexpr double kLeadMm = 0.3;       // of the device point before the burr: always full wear
 constexpr double kCoverMm = 0.3;      // over the ball when the clock starts, more than the band
-constexpr double kLeadStepMm = 0.05; // a tick, on the way there
+constexpr double kLeadStepMm = 0.05;  // a tick, on the way there
 constexpr int kSettleTicks = 100;
 
 std::shared_ptr<const Scene> drilling_scene(Method method, const Shape& face, double voxel_mm) {
@@ -67,9 +67,7 @@ Changes changes_a_tick(Method method, const Shape& face, double voxel_mm, int ti
     std::array<bool, kBrickVoxels> crossed{};
   };
   std::map<int, Before> before;
-  const auto value_of = [&](int brick, int o) {
-    return std::min(specimen.s_in(brick, o), volume.cut_in(brick, o));
-  };
+  const auto value_of = [&](int brick, int o) { return std::min(specimen.s_in(brick, o), volume.cut_in(brick, o)); };
   const auto remember = [&](int brick) {
     Before& b = before[brick];
     const IVec3 corner = specimen.brick_at(brick) * kBrickEdge;

@@ -1,5 +1,6 @@
 #include <malloc.h>
 #include <sched.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -21,6 +22,12 @@ std::optional<int> pin_to_core() {
   CPU_SET(core, &one);
   if (sched_setaffinity(0, sizeof one, &one) != 0) return std::nullopt;
   return core;
+}
+
+double core_time_s() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 std::optional<double> resident_mb() {

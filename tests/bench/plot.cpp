@@ -23,8 +23,10 @@ std::string short_number(double value) {
   }
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", std::fabs(shown) >= 100.0 || shown == 0.0 ? 0 : 2, shown);
-  if (std::fabs(shown) < 1.0 && shown != 0.0) std::snprintf(text, sizeof text, "%.2g", shown);
-  else if (std::fabs(shown) >= 10.0 && std::fabs(shown) < 100.0) std::snprintf(text, sizeof text, "%.1f", shown);
+  if (std::fabs(shown) < 1.0 && shown != 0.0)
+    std::snprintf(text, sizeof text, "%.2g", shown);
+  else if (std::fabs(shown) >= 10.0 && std::fabs(shown) < 100.0)
+    std::snprintf(text, sizeof text, "%.1f", shown);
   std::string out = text;
   if (out.find('.') != std::string::npos && out.find('e') == std::string::npos) {
     while (out.back() == '0') out.pop_back();
@@ -137,12 +139,11 @@ void Plot::label(Point at, double distance, std::string_view text, Letters lette
     double x, y;  // direction
     Anchor anchor;
   };
-  constexpr Side kSides[] = {{1, 0, Anchor::start},       {-1, 0, Anchor::end},       {0, -1, Anchor::middle},
-                             {0, 1, Anchor::middle},      {0.8, -0.9, Anchor::start}, {0.8, 0.9, Anchor::start},
-                             {-0.8, -0.9, Anchor::end},   {-0.8, 0.9, Anchor::end},   {1, -0.5, Anchor::start},
-                             {1, 0.5, Anchor::start},     {-1, -0.5, Anchor::end},    {-1, 0.5, Anchor::end},
-                             {-0.2, -1, Anchor::start},   {-0.2, 1, Anchor::start},   {0.2, -1, Anchor::end},
-                             {0.2, 1, Anchor::end}};
+  constexpr Side kSides[] = {
+      {1, 0, Anchor::start},      {-1, 0, Anchor::end},      {0, -1, Anchor::middle},   {0, 1, Anchor::middle},
+      {0.8, -0.9, Anchor::start}, {0.8, 0.9, Anchor::start}, {-0.8, -0.9, Anchor::end}, {-0.8, 0.9, Anchor::end},
+      {1, -0.5, Anchor::start},   {1, 0.5, Anchor::start},   {-1, -0.5, Anchor::end},   {-1, 0.5, Anchor::end},
+      {-0.2, -1, Anchor::start},  {-0.2, 1, Anchor::start},  {0.2, -1, Anchor::end},    {0.2, 1, Anchor::end}};
   double best = 1e300;
   Point place;
   Anchor anchor = Anchor::start;
@@ -150,8 +151,11 @@ void Plot::label(Point at, double distance, std::string_view text, Letters lette
   double off = 1.0;
   for (const double far : {1.0, 1.6, 2.4, 3.4}) {
     for (const Side& side : kSides) {
-      const Point base{at.x + side.x * distance * far, at.y + side.y * (distance * far + 0.25 * letters.size) + 0.36 * letters.size};
-      const double left = side.anchor == Anchor::start ? base.x : side.anchor == Anchor::end ? base.x - width : base.x - 0.5 * width;
+      const Point base{at.x + side.x * distance * far,
+                       at.y + side.y * (distance * far + 0.25 * letters.size) + 0.36 * letters.size};
+      const double left = side.anchor == Anchor::start ? base.x
+                          : side.anchor == Anchor::end ? base.x - width
+                                                       : base.x - 0.5 * width;
       const Room::Box b{{left - 2.0, base.y - rise - 1.0}, {left + width + 2.0, base.y + fall + 1.0}};
       double cost = room_.overlap(b) + 6.0 * (far - 1.0);
       const double beyond = std::max(0.0, a_.x - b.a.x) + std::max(0.0, b.b.x - b_.x) + std::max(0.0, a_.y - b.a.y) +

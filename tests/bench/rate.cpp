@@ -74,9 +74,8 @@ void fill(std::vector<Row>& rows, const std::vector<Method>& methods, const std:
 std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double speed, double voxel_mm,
                             const Options& options) {
   const bool clear = task == "displacement";
-  const std::vector<StepInput> inputs = clear
-                                            ? clear_inputs(shape, speed, kClearMm, options.seed, kTrackTicks)
-                                            : slide_inputs(shape, speed, options.seed, kTrackTicks);
+  const std::vector<StepInput> inputs = clear ? clear_inputs(shape, speed, kClearMm, options.seed, kTrackTicks)
+                                              : slide_inputs(shape, speed, options.seed, kTrackTicks);
   const std::vector<Method> methods = methods_asked(options);
   std::vector<Lane> lanes;
   lanes.reserve(methods.size());
@@ -99,7 +98,8 @@ std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double sp
   return rows;
 }
 
-/// In and out of holes that the burr cut, pulled aside by 0.1 mm: from the end to where the ball's centre passes the face.
+/// In and out of holes that the burr cut, pulled aside by 0.1 mm: from the end to where the ball's centre passes the
+/// face.
 std::vector<Row> channel_rows(double radius, HoleKind kind, double speed, double voxel_mm, const Options& options) {
   const std::vector<Method> methods = methods_asked(options);
   const auto holes = meant_holes(radius, kind, options.seed, kHolesAKind);
@@ -152,9 +152,9 @@ std::vector<Row> perforation_rows(const Shape& face, double voxel_mm, const Opti
         Pace& pace = all[i];
         std::array<StepInput, kPerforationBlock> inputs;
         for (StepInput& input : inputs) input = run.next();
-        const auto before = Clock::now();
+        const double before = core_time_s();
         for (const StepInput& input : inputs) step(run.state(), input);
-        pace.rates.push_back(kPerforationBlock / std::chrono::duration<double>(Clock::now() - before).count());
+        pace.rates.push_back(kPerforationBlock / (core_time_s() - before));
         pace.untimed += kPerforationBlock;
         for (int k = 0; k < kPerforationBlock; ++k) {
           const StepInput input = run.next();
@@ -183,8 +183,8 @@ void print(const std::vector<Row>& rows) {
   fmt::print("{:<13}{:<10}{:>6}{:>8}  {:<16}{:>11}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}\n", "task", "shape", "r", "voxel",
              "method", "updates/s", "ratio", "p50 us", "p99", "p99.9", "max", "voxels");
   for (const Row& r : rows)
-    fmt::print("{:<13}{:<10}{:>6.2f}{:>8.3f}  {:<16}{:>11.0f}{:>9.3g}{:>9.2f}{:>9.2f}{:>10.2f}{:>10.1f}{:>9.3g}\n", r.task,
-               r.variant.empty() ? r.shape : r.variant, r.burr_radius_mm, r.voxel_mm, r.method, r.updates_per_s,
+    fmt::print("{:<13}{:<10}{:>6.2f}{:>8.3f}  {:<16}{:>11.0f}{:>9.3g}{:>9.2f}{:>9.2f}{:>10.2f}{:>10.1f}{:>9.3g}\n",
+               r.task, r.variant.empty() ? r.shape : r.variant, r.burr_radius_mm, r.voxel_mm, r.method, r.updates_per_s,
                r.ratio_to_occupancy, r.tick_us_p50, r.tick_us_p99, r.tick_us_p999, r.tick_us_max, r.voxels_changed);
 }
 

@@ -1,4 +1,6 @@
 // What rate and scale measure is what they say: speeds, clearances, advance and blocks, without a clock.
+#include "tests/bench/rate.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include "tests/bench/frame.h"
 #include "tests/bench/lanes.h"
 #include "tests/bench/motions.h"
-#include "tests/bench/rate.h"
 #include "tests/bench/scale.h"
 
 namespace cusp::bench {
@@ -154,6 +155,18 @@ TEST_P(Blocks, are_the_same_as_sampled_voxel_by_voxel) {
         }
     EXPECT_EQ(sparse->hash(), Specimen::build(dense, GetParam())->hash());
   }
+}
+
+TEST(Blocks, of_a_thousand_voxels_along_an_edge_stay_under_400_mb) {
+  const double small = static_cast<double>(solid_block(128, kVoxel, Reading::banded)->bytes());
+  const auto block = solid_block(256, kVoxel, Reading::banded);
+  const double middle = static_cast<double>(block->bytes());
+  RecordProperty("bytes_128", std::to_string(small));
+  RecordProperty("bytes_256", std::to_string(middle));
+  // Four times as much for twice the edge, and less over it each time (measured 4.57, then 4.26 in the mean of two).
+  EXPECT_LT(middle / small, 4.7);
+  const double cuts = 1024.0 * static_cast<double>(kMostCutBricks);
+  EXPECT_LT(middle * 4.35 * 4.35 + cuts, 400e6);  // what the step adds does not grow: cusp-bench scale measures it all
 }
 
 TEST(Blocks, are_slid_over_at_fifty_millimetres_a_second_within_their_top) {

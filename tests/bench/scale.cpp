@@ -21,7 +21,7 @@ namespace {
 constexpr int kEdges[] = {128, 256, 512, 1024};
 constexpr double kBurrMm = 0.5;
 constexpr double kSameWayMm = 4.0;
-constexpr double kFromEdgeMm = 1.0;      // of the block, so that the burr stays on its top
+constexpr double kFromEdgeMm = 1.0;         // of the block, so that the burr stays on its top
 constexpr std::size_t kTrackTicks = 16384;  // 0.8 m of way
 
 double box_distance(Vec3 p, double half) {
@@ -151,8 +151,8 @@ int run_scale(const Options& options) {
     fmt::print("{:<16}{:<11}{:>14}{:>12}{:>9}{:>9}{:>11}{:>11}\n", "method", "way", "voxels", "updates/s", "p50 us",
                "p99", "cost/128^3", "memory MB");
     for (const Row& r : report.rows)
-      fmt::print("{:<16}{:<11}{:>14}{:>12.0f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n", r.method, r.variant, r.volume_voxels,
-                 r.updates_per_s, r.tick_us_p50, r.tick_us_p99, r.cost_to_smallest, r.memory_mb);
+      fmt::print("{:<16}{:<11}{:>14}{:>12.0f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n", r.method, r.variant,
+                 r.volume_voxels, r.updates_per_s, r.tick_us_p50, r.tick_us_p99, r.cost_to_smallest, r.memory_mb);
     return kDone;
   }
   if (const auto written = print_json(report, options.json); !written) {

@@ -11,8 +11,8 @@
 
 namespace cusp::bench {
 
-/// A solid cube of dentine in a box of edge^3 voxels about the origin, built brick by brick; its faces stand 6.75 voxels
-/// inside the box: four empty voxels and the band.
+/// A solid cube of dentine in a box of edge^3 voxels about the origin, built brick by brick; its faces stand 6.75
+/// voxels inside the box: four empty voxels and the band.
 std::shared_ptr<const Specimen> solid_block(int edge_voxels, double voxel_mm, Reading reading);
 /// Half of its edge.
 double solid_block_half_mm(int edge_voxels, double voxel_mm);
@@ -21,8 +21,8 @@ double solid_block_half_mm(int edge_voxels, double voxel_mm);
 std::vector<StepInput> block_inputs(double top_mm, double burr_radius_mm, double half_way_mm, double speed_mm_s,
                                     std::uint64_t seed, std::size_t ticks);
 
-/// Variants: "same-way" goes over the same 8 mm of every block, "whole-top" over all of each block's top. The sizes take
-/// turns in short blocks; cost_to_smallest is the median over them of the tick's cost over the smallest volume's.
+/// Variants: "same-way" goes over the same 8 mm of every block, "whole-top" over all of each block's top. The sizes
+/// take turns in short blocks; cost_to_smallest is the median over them of the tick's cost over the smallest volume's.
 /// memory_mb: RAM that specimen and state took, by the process's resident set.
 std::vector<Row> scale_rows(const Options& options);
 int run_scale(const Options& options);

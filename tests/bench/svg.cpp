@@ -11,11 +11,20 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -63,7 +72,8 @@ Svg::Svg(double width, double height, std::string_view title, std::string_view a
 
 void Svg::rect(Point a, Point b, std::string_view fill, Stroke edge) {
   body_ += "<rect" + attribute("x", a.x) + attribute("y", a.y) + attribute("width", b.x - a.x) +
-           attribute("height", b.y - a.y) + attribute("fill", fill) + (edge.width > 0.0 ? stroke_of(edge) : "") + "/>\n";
+           attribute("height", b.y - a.y) + attribute("fill", fill) + (edge.width > 0.0 ? stroke_of(edge) : "") +
+           "/>\n";
 }
 
 void Svg::line(Point a, Point b, Stroke stroke) {
@@ -142,7 +152,8 @@ void Svg::text(Point at, std::string_view text, Letters letters) {
 
 std::string Svg::str() const {
   const std::string w = pixels(width_), h = pixels(height_);
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' + h +
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + ' ' +
+         h +
          "\" role=\"img\" font-family=\"system-ui, -apple-system, 'Segoe UI', Roboto, 'Noto Sans', Helvetica, Arial, "
          "sans-serif\">\n<title>" +
          escaped(title_) + "</title>\n<desc>" + escaped(about_) + "</desc>\n<rect width=\"" + w + "\" height=\"" + h +

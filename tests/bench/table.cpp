@@ -30,16 +30,19 @@ std::optional<double> mean(const Report& report, const std::function<bool(const 
   return sum / count;
 }
 
-std::string small(double value) { return value < 1e-4 ? "< 0.0001" : fmt::format("{:.2g}", value); }
+std::string small(double value) {
+  return value < 1e-4 ? "< 0.0001" : value < 100.0 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+}
 
 }  // namespace
 
 Picture method_table(const Report& accuracy, const Report& rate) {
   std::string out =
-      "| ball burr r 0.25 · 0.5 mm | exploring, updates/s | over occupancy | mean angle error, degrees | mean depth error, "
+      "| ball burr r 0.25 · 0.5 mm | exploring, updates/s | over occupancy | mean angle error, degrees | mean depth "
+      "error, "
       "µm | drilling, updates/s |\n|---|---|---|---|---|---|\n";
-  for (const Method method : {Method::surface, Method::gradient, Method::penalty, Method::ray, Method::occupancy,
-                              Method::occupancy_pivot}) {
+  for (const Method method :
+       {Method::surface, Method::gradient, Method::penalty, Method::ray, Method::occupancy, Method::occupancy_pivot}) {
     std::string cells[5];
     for (const double radius : kRadii) {
       const auto usual = [&](const Row& row) {
@@ -62,18 +65,19 @@ Picture method_table(const Report& accuracy, const Report& rate) {
         return fail(ChartError::missing_rows, fmt::format("rate: {} with a burr of {} mm", key_of(method), radius));
       if (!angle || !depth)
         return fail(ChartError::missing_rows, fmt::format("accuracy: {} with a burr of {} mm", key_of(method), radius));
-      const std::string values[] = {short_number(1.0 / *tick), fmt::format("{:.2g}×", *ratio), small(*angle), small(*depth),
-                                    short_number(1.0 / *drill)};
+      const std::string values[] = {short_number(1.0 / *tick), fmt::format("{:.2g}×", *ratio), small(*angle),
+                                    small(*depth), short_number(1.0 / *drill)};
       for (std::size_t i = 0; i < 5; ++i) cells[i] += (cells[i].empty() ? "" : " · ") + values[i];
     }
     out += fmt::format("| {} |", look_of(method).label);
     for (const std::string& cell : cells) out += ' ' + cell + " |";
     out += '\n';
   }
-  return out + fmt::format("\n{}, one core, commits {:.10} (accuracy) and {:.10} (rate): voxels of 10/128 mm, 0.3 mm below the "
-                           "offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and "
-                           "sphere; drilling at 1 mm/s with all its upkeep.\n",
-                           accuracy.machine, accuracy.commit, rate.commit);
+  return out + fmt::format(
+                   "\n{}, one core, commits {:.10} (accuracy) and {:.10} (rate): voxels of 10/128 mm, 0.3 mm below the "
+                   "offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and "
+                   "sphere; drilling at 1 mm/s with all its upkeep.\n",
+                   accuracy.machine, accuracy.commit, rate.commit);
 }
 
 }  // namespace cusp::bench

@@ -1,7 +1,6 @@
 #include "tests/bench/tasks.h"
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -9,6 +8,7 @@
 
 #include "tests/bench/lanes.h"
 #include "tests/bench/motions.h"
+#include "tests/bench/pin.h"
 #include "tests/bench/rate.h"
 #include "tests/bench/scale.h"
 
@@ -16,10 +16,8 @@ namespace cusp::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr Method kShown[] = {Method::surface, Method::occupancy};
-constexpr int kBatch = 32;
+constexpr int kBatch = 250;  // ticks between looks at the clock, which costs as much as a tick
 constexpr std::size_t kTrackTicks = 4096;
 
 /// Ticks of a task, one after the other, without end.
@@ -35,13 +33,13 @@ class Task {
     run(1000);
   }
 
-  /// Seconds that the steps took.
+  /// Seconds of the core's time that the steps took.
   double run(int ticks) {
     double spent = 0.0;
     if (lane_) {
-      const auto start = Clock::now();
+      const double start = core_time_s();
       for (int k = 0; k < ticks; ++k) step(lane_->state, lane_->track.next());
-      return std::chrono::duration<double>(Clock::now() - start).count();
+      return core_time_s() - start;
     }
     for (int done = 0; done < ticks;) {
       if (!drill_ || left_ == 0) {
@@ -51,9 +49,9 @@ class Task {
       std::array<StepInput, kBatch> inputs;
       const int n = std::min({left_, ticks - done, kBatch});
       for (int k = 0; k < n; ++k) inputs[static_cast<std::size_t>(k)] = drill_->next();
-      const auto start = Clock::now();
+      const double start = core_time_s();
       for (int k = 0; k < n; ++k) step(drill_->state(), inputs[static_cast<std::size_t>(k)]);
-      spent += std::chrono::duration<double>(Clock::now() - start).count();
+      spent += core_time_s() - start;
       left_ -= n;
       done += n;
     }
@@ -83,11 +81,13 @@ Vec3 hand_at(double t, double top_mm, double radius_mm) {
   if (t < kFreeS + kExploreS) {
     const double u = (t - kFreeS) / kExploreS;
     const double deep = kTouchMm * std::sin(0.5 * kTurn * u);
-    return {1.5 * std::sin(kTurn * u), 1.0 * std::sin(2.0 * kTurn * u), rest + 0.2 - (0.2 + deep) * std::min(1.0, 8.0 * u)};
+    return {1.5 * std::sin(kTurn * u), 1.0 * std::sin(2.0 * kTurn * u),
+            rest + 0.2 - (0.2 + deep) * std::min(1.0, 8.0 * u)};
   }
   const double u = (t - kFreeS - kExploreS) / kDrillS;
   // A little ahead of what the burr can wear, and leaning to one side and the other.
-  return {0.25 * std::sin(2.0 * kTurn * u), 0.15 * std::sin(3.0 * kTurn * u), rest - 0.3 * std::min(1.0, 8.0 * u) - kDrillS * u};
+  return {0.25 * std::sin(2.0 * kTurn * u), 0.15 * std::sin(3.0 * kTurn * u),
+          rest - 0.3 * std::min(1.0, 8.0 * u) - kDrillS * u};
 }
 
 std::string_view task_at(double t) {
@@ -128,7 +128,8 @@ Result<void, RowsFailure> read_lines(const std::string& text, std::string_view n
     while (std::getline(cells, cell, ',')) {
       char* end = nullptr;
       values.push_back(std::strtod(cell.c_str(), &end));
-      if (end == cell.c_str() || *end != '\0' || !std::isfinite(values.back())) return fail(RowsError::wrong_type, line);
+      if (end == cell.c_str() || *end != '\0' || !std::isfinite(values.back()))
+        return fail(RowsError::wrong_type, line);
     }
     if (values.size() != numbers) return fail(RowsError::wrong_type, line);
     take(method, task, values);
@@ -153,8 +154,8 @@ PaceReport record_pace() {
           spent += runs[i].run(kBatch);
           ticks += kBatch;
         }
-        out.samples.push_back({std::string(key_of(kShown[i])), std::string(task), sample * kSampleS,
-                               static_cast<double>(ticks) / spent});
+        out.samples.push_back(
+            {std::string(key_of(kShown[i])), std::string(task), sample * kSampleS, static_cast<double>(ticks) / spent});
       }
   }
   return out;
@@ -208,20 +209,22 @@ std::string to_csv(const MotionReport& report) {
 
 Result<PaceReport, RowsFailure> pace_from_csv(const std::string& text) {
   PaceReport out;
-  const auto read = read_lines(text, kPaceNames, 2, out.commit, out.machine,
-                               [&out](const std::string& method, const std::string& task, const std::vector<double>& v) {
-                                 out.samples.push_back({method, task, v[0], v[1]});
-                               });
+  const auto read =
+      read_lines(text, kPaceNames, 2, out.commit, out.machine,
+                 [&out](const std::string& method, const std::string& task, const std::vector<double>& v) {
+                   out.samples.push_back({method, task, v[0], v[1]});
+                 });
   if (!read) return std::unexpected(read.error());
   return out;
 }
 
 Result<MotionReport, RowsFailure> motion_from_csv(const std::string& text) {
   MotionReport out;
-  const auto read = read_lines(text, kMotionNames, 7, out.commit, out.machine,
-                               [&out](const std::string& method, const std::string& task, const std::vector<double>& v) {
-                                 out.samples.push_back({method, task, v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
-                               });
+  const auto read =
+      read_lines(text, kMotionNames, 7, out.commit, out.machine,
+                 [&out](const std::string& method, const std::string& task, const std::vector<double>& v) {
+                   out.samples.push_back({method, task, v[0], {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
+                 });
   if (!read) return std::unexpected(read.error());
   return out;
 }

@@ -1,10 +1,10 @@
 // The occupancy map against its definition: a boundary voxel is occupied and has an external one among its 26
 // neighbours.
+#include "engine/volume/occupancy.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "engine/volume/occupancy.h"
 
 namespace cusp {
 namespace {
@@ -90,9 +90,8 @@ TEST(Occupancy, stays_as_defined_along_a_tunnel_through_bricks_that_were_whole) 
 TEST(Occupancy, keeps_bits_for_the_surface_and_for_as_many_bricks_as_can_be_cut) {
   const auto bytes = [](int edge) {
     const Grid grid{IVec3(edge), 0.1, Vec3(0.0)};
-    const Volume volume(Specimen::build(grid, Reading::filled, [](IVec3, BrickVoxels&) {
-      return std::optional(Tissue::bone);
-    }));
+    const Volume volume(
+        Specimen::build(grid, Reading::filled, [](IVec3, BrickVoxels&) { return std::optional(Tissue::bone); }));
     return Occupancy(volume).bytes();
   };
   // Without cuts all bricks are whole: 4 bytes each, and 128 for each that can be cut.

@@ -154,7 +154,7 @@ TEST_P(BothReadings, cut_room_is_bounded_whatever_the_specimen_s_size) {
   const auto large = solid_block(264, GetParam());
   Volume volume(large);
   EXPECT_EQ(volume.cut_capacity(), kMostCutBricks);  // of 33^3 = 35,937
-  EXPECT_LT(volume.bytes(), 40u << 20);
+  EXPECT_LT(volume.bytes(), 20u << 20);
 }
 
 TEST(Volume, refuses_to_write_beyond_its_room_and_keeps_what_it_has) {
