@@ -9,13 +9,14 @@ namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-constexpr double kBallVoxels = 2.0, kHolderVoxels = 3.0;  // spacing of the scan: it finds a direction, the foot is exact
-constexpr int kPasses = 24;             // of one tick
-constexpr double kSettledMm = 1e-5;     // a pass that moves less is the last
-constexpr double kRescanVoxels = 0.5;   // of way
-constexpr double kNearVoxels = 1.5;     // a gap beyond it needs no foot yet: a step is at most a voxel
+constexpr double kBallVoxels = 2.0,
+                 kHolderVoxels = 3.0;  // spacing of the scan: it finds a direction, the foot is exact
+constexpr int kPasses = 24;            // of one tick
+constexpr double kSettledMm = 1e-5;    // a pass that moves less is the last
+constexpr double kRescanVoxels = 0.5;  // of way
+constexpr double kNearVoxels = 1.5;    // a gap beyond it needs no foot yet: a step is at most a voxel
 constexpr int kFootPasses = 6;
-constexpr double kFootSettled = 1e-6;   // of the normal
+constexpr double kFootSettled = 1e-6;  // of the normal
 constexpr double kOverlapMm = 0.001;
 
 }  // namespace

@@ -1,12 +1,12 @@
 /// Gradient proxy: a god-object on the implicit surface s = 1/2 (Salisbury and Tarr 1997), what users of the usual
-/// libraries get. The field is plain trilinear, its normal a central difference over a voxel. The burr's ball is an offset:
-/// its foot is x = y - r n(x), iterated from the last one. One tangent plane at a time: the deepest of the foot that is
-/// followed and of what a coarse scan of the burr's skin finds (the ball's best direction, made a foot; neck and shank by
-/// their points), scanned again after every half voxel of way. Each pass puts the proxy on the device point's projection
-/// onto that plane, at most a voxel from where it was, so that no wall of two voxels is jumped.
-/// Its limits: where two walls hold the burr it knows one of them, so corners and grooves are entered by the depth to
-/// which the device point is pushed, first into one wall, then into the other; a foot on an edge sharper than a third of
-/// the burr, or in a hole as wide as it, is not found by the iteration. In a hollow that leaves the burr less room than it
+/// libraries get. The field is plain trilinear, its normal a central difference over a voxel. The burr's ball is an
+/// offset: its foot is x = y - r n(x), iterated from the last one. One tangent plane at a time: the deepest of the foot
+/// that is followed and of what a coarse scan of the burr's skin finds (the ball's best direction, made a foot; neck
+/// and shank by their points), scanned again after every half voxel of way. Each pass puts the proxy on the device
+/// point's projection onto that plane, at most a voxel from where it was, so that no wall of two voxels is jumped. Its
+/// limits: where two walls hold the burr it knows one of them, so corners and grooves are entered by the depth to which
+/// the device point is pushed, first into one wall, then into the other; a foot on an edge sharper than a third of the
+/// burr, or in a hole as wide as it, is not found by the iteration. In a hollow that leaves the burr less room than it
 /// is pushed deep the projections swing; they are damped by halves. Thread: haptic; wait-free; memory at construction.
 #pragma once
 
@@ -38,9 +38,9 @@ class GradientProxy {
   struct Foot {
     bool known = false;
     bool shank = false;
-    Vec3 offset{0.0};    // from the pivot
-    Vec3 n{0.0};         // out of the tissue
-    double gap_mm = 0.0; // between burr and tissue; negative: overlap
+    Vec3 offset{0.0};     // from the pivot
+    Vec3 n{0.0};          // out of the tissue
+    double gap_mm = 0.0;  // between burr and tissue; negative: overlap
   };
   struct Scan {
     Vec3 offset{0.0};

@@ -9,7 +9,8 @@ namespace cusp {
 
 class OccupancyProxy {
  public:
-  OccupancyProxy(const Scene& scene, const Volume& volume) : overlap_(scene, volume, scene.method == Method::occupancy_pivot) {}
+  OccupancyProxy(const Scene& scene, const Volume& volume)
+      : overlap_(scene, volume, scene.method == Method::occupancy_pivot) {}
 
   VoxelContact solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 device) noexcept;
   ToolOverlap& overlap() noexcept { return overlap_; }

@@ -27,8 +27,9 @@ Penalty::Penalty(const Scene& scene, const Volume& volume)
   }
 }
 
-/// Mean over the sphere of push times the cosine to the plane's normal, for a plane at this depth. With h the height over
-/// the lowest point a sphere has equal skin for equal h: 1/2r of the integral over h of min(d - h, band) (1 - h/r).
+/// Mean over the sphere of push times the cosine to the plane's normal, for a plane at this depth. With h the height
+/// over the lowest point a sphere has equal skin for equal h: 1/2r of the integral over h of min(d - h, band) (1 -
+/// h/r).
 double Penalty::response(const Shell& shell, double depth_mm) const noexcept {
   const double r = shell.radius_mm;
   const double top = std::min(depth_mm, 2.0 * r);
@@ -73,8 +74,7 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   Vec3 holder(0.0);
   double holder_depth = 0.0;
   const Burr& shape = scene.burrs[burr];
-  const double leaves =
-      box_.leaves(device, scene.tool_axis, std::max(shape.neck_radius_mm, shape.shank_radius_mm));
+  const double leaves = box_.leaves(device, scene.tool_axis, std::max(shape.neck_radius_mm, shape.shank_radius_mm));
   const double even = shell.points.holder.empty() ? 0.0 : 1.0 / static_cast<double>(shell.points.holder.size());
   for (const PointShell::HolderPoint& point : shell.points.holder) {
     if (point.along_mm > leaves) break;

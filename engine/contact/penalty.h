@@ -1,14 +1,13 @@
-/// Penalty: a shell of points on the burr against the voxels' distance field, no proxy (McNeely, Puterbaugh and Troy 1999,
-/// "Voxmap PointShell"; Barbic and James 2008, whose distance field and inward point normals it has). Every point that
-/// lies in tissue pushes back along its own normal, by its depth.
-/// Made comparable to K times a depth: the sum of the pushes, each with its share of the sphere, is measured against the
-/// closed form of what a plane pressed to a depth gives (the band's clamp included), and the force is K times the depth at
-/// which a plane would give the same sum, along the sum. So a plane gives K d, whatever the burr and the shell; other
-/// shapes give what the sum makes of them: two walls at a right angle 2^(1/4) d instead of 2^(1/2) d, a hole as wide as
-/// the burr sqrt(2 r d / 3). Neck and shank push by their deepest point along the mean of theirs. K is the mean over the
-/// points, weighted by their push.
-/// The reported pose is device point + F / K. It remembers nothing: beyond the band or a thin wall's middle the burr falls
-/// through, as with every penalty. Thread: haptic; wait-free; memory at construction.
+/// Penalty: a shell of points on the burr against the voxels' distance field, no proxy (McNeely, Puterbaugh and Troy
+/// 1999, "Voxmap PointShell"; Barbic and James 2008, whose distance field and inward point normals it has). Every point
+/// that lies in tissue pushes back along its own normal, by its depth. Made comparable to K times a depth: the sum of
+/// the pushes, each with its share of the sphere, is measured against the closed form of what a plane pressed to a
+/// depth gives (the band's clamp included), and the force is K times the depth at which a plane would give the same
+/// sum, along the sum. So a plane gives K d, whatever the burr and the shell; other shapes give what the sum makes of
+/// them: two walls at a right angle 2^(1/4) d instead of 2^(1/2) d, a hole as wide as the burr sqrt(2 r d / 3). Neck
+/// and shank push by their deepest point along the mean of theirs. K is the mean over the points, weighted by their
+/// push. The reported pose is device point + F / K. It remembers nothing: beyond the band or a thin wall's middle the
+/// burr falls through, as with every penalty. Thread: haptic; wait-free; memory at construction.
 #pragma once
 
 #include <vector>
@@ -32,7 +31,8 @@ class Penalty {
   /// The cut pose follows the reported pose sideways alone: pressed harder, a sum of pushes says another pose although
   /// the burr has not moved.
   static constexpr bool kFollowsSideways = true;
-  /// The most by which the reported pose is off in the burr's own hole, sqrt(2 r d / 3) - d, is r / 6; half a voxel more.
+  /// The most by which the reported pose is off in the burr's own hole, sqrt(2 r d / 3) - d, is r / 6; half a voxel
+  /// more.
   static double tie_mm(double radius_mm, double voxel_mm) noexcept { return radius_mm / 6.0 + 0.5 * voxel_mm; }
 
  private:

@@ -11,8 +11,8 @@ namespace cusp {
 
 struct PointShell {
   struct BallPoint {
-    Vec3 out{0.0};        // unit, from the ball's centre
-    double share = 0.0;   // of the sphere; all shares are 1 together
+    Vec3 out{0.0};       // unit, from the ball's centre
+    double share = 0.0;  // of the sphere; all shares are 1 together
   };
   struct HolderPoint {
     Vec3 offset_mm{0.0};  // from the pivot

@@ -8,20 +8,21 @@ namespace cusp {
 
 namespace {
 
-constexpr double kStepVoxels = 0.25;   // of the ray
-constexpr int kHalvings = 5;           // then the collision is known to 1/128 voxel
-constexpr double kSlideVoxels = 0.5;   // one step of the path
-constexpr int kSlides = 32;            // of one tick: 16 voxels of path
-constexpr int kLifts = 8;              // quarter voxels: over what stands two voxels high
-constexpr double kDropVoxels = 2.5;    // back to the surface after a step: what a lift may have gone up, and a little
+constexpr double kStepVoxels = 0.25;  // of the ray
+constexpr int kHalvings = 5;          // then the collision is known to 1/128 voxel
+constexpr double kSlideVoxels = 0.5;  // one step of the path
+constexpr int kSlides = 32;           // of one tick: 16 voxels of path
+constexpr int kLifts = 8;             // quarter voxels: over what stands two voxels high
+constexpr double kDropVoxels = 2.5;   // back to the surface after a step: what a lift may have gone up, and a little
 constexpr double kRestVoxels = 1.0 / 64;
-constexpr double kLeastVoxels = 0.001; // of a step that counts
-/// The length of the near voxels' mean over their root mean square distance is about (1 + r / reach) / 2 at a face, half
-/// the square root of two of that in a right angle, less in a groove or a hole. Between the first two lies what counts as
-/// one surface.
+constexpr double kLeastVoxels = 0.001;  // of a step that counts
+/// The length of the near voxels' mean over their root mean square distance is about (1 + r / reach) / 2 at a face,
+/// half the square root of two of that in a right angle, less in a groove or a hole. Between the first two lies what
+/// counts as one surface.
 constexpr double kFlat = 0.85;
-/// Voxels whose mean gives the normal lie up to this far from the burr: fewer make the normal step with the voxels, more
-/// round every corner. Mean angle on a face, r 0.25, 10/128 mm: 1.5 gives 2.5 degrees, 2.5 gives 0.8, 3.5 gives 0.6.
+/// Voxels whose mean gives the normal lie up to this far from the burr: fewer make the normal step with the voxels,
+/// more round every corner. Mean angle on a face, r 0.25, 10/128 mm: 1.5 gives 2.5 degrees, 2.5 gives 0.8, 3.5 gives
+/// 0.6.
 constexpr double kNearVoxels = 2.5;
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }

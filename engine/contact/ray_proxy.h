@@ -1,12 +1,17 @@
-/// Ray proxy (Vlasov, Friese and Wolter 2012, 2013). Taken from them, as the paper retells it: a ray from the last proxy to
-/// the device point is walked in steps finer than a voxel, and the last position before the collision is the proxy, so
-/// that nothing is ever jumped. And from their own papers: after the collision a local path is sought along the surface,
-/// in small steps across the normal, up over what stands in the way and down again, until the device point lies under it.
-/// Not as theirs: they move a point, here free means that the superposed tool hits nothing; they make an implicit surface
-/// on the fly, here the normal is the mean direction of the voxels near the burr; the path ends after a bounded length,
-/// the rest comes with the next tick.
-/// Its limits: the proxy stands up to a voxel off the surface and steps by a voxel on a slope; a narrow corner has a
-/// normal between its walls. Thread: haptic; wait-free; memory at construction.
+/// Ray proxy (Vlasov, Friese and Wolter 2012, 2013). Taken from them, as the paper retells it: a ray from the last
+/// proxy to the device point is walked in steps finer than a voxel, and the last position before the collision is the
+/// proxy, so that nothing is ever jumped. And from their own papers, that after the collision a local path along the
+/// surface is sought. The path itself is Cusp's: small steps across the surface's normal, up over what stands in the
+/// way and down again, until the device point lies under it.
+///
+/// Not as theirs: they move a point, here free means that the superposed tool hits nothing; they make an implicit
+/// surface on the fly, here the normal is the mean direction of the voxels near the burr. Where voxels stand on several
+/// sides (corner, groove, hole) there is no one normal: there the path goes along the voxels' faces, or round a jag to
+/// a neighbour, as long as it comes nearer to the device point. A tick has a bounded path, the rest comes with the
+/// next.
+///
+/// Its limits: the proxy stands up to a voxel off the surface and steps by a voxel on a slope; in corners and holes it
+/// is held back by jags as the occupancy proxy is. Thread: haptic; wait-free; memory at construction.
 #pragma once
 
 #include <array>
@@ -44,7 +49,8 @@ class RayProxy {
   void climb(const Grid& grid, std::size_t burr, At& at, Vec3 n, double by) const noexcept;
   /// One step of the path along a surface: over what stands in the way and down again. False: no way.
   bool step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, Vec3 n, Vec3 device) const noexcept;
-  /// One step along the voxels' faces, or round a jag, to whatever is nearest to the device point. False: nothing is nearer.
+  /// One step along the voxels' faces, or round a jag, to whatever is nearest to the device point. False: nothing is
+  /// nearer.
   bool step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept;
 
   ToolOverlap overlap_;

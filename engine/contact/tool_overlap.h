@@ -1,6 +1,7 @@
 /// The voxelised burr superposed on the occupancy map: what the methods on the filled reading stand on.
 /// A pivot's voxel is free when the tool about it hits nothing, or by the pivot alone where the scene asks for that.
-/// Source: paper, "Collision detection"; design, "Contact methods", 1. Thread: haptic; wait-free; memory at construction.
+/// Source: paper, "Collision detection"; design, "Contact methods", 1. Thread: haptic; wait-free; memory at
+/// construction.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-/// The plain trilinear distance of a banded volume, min(B, C), and its gradient by central differences: what the penalty
-/// and the gradient proxy stand on, as their users have it. (The surface proxy reads B and C apart, corrected.)
+/// The plain trilinear distance of a banded volume, min(B, C), and its gradient by central differences: what the
+/// penalty and the gradient proxy stand on, as their users have it. (The surface proxy reads B and C apart, corrected.)
 /// Wait-free; only + - * /, sqrt and comparisons.
 #pragma once
 
@@ -49,8 +49,8 @@ class TrilinearField {
 
   Tissue tissue(Vec3 p_mm) const noexcept {
     const Vec3 x = (p_mm - origin_) * inverse_ + 0.5;
-    return volume_.tissue({static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
-                           static_cast<int>(std::floor(x.z))});
+    return volume_.tissue(
+        {static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)), static_cast<int>(std::floor(x.z))});
   }
   double band_mm() const noexcept { return kBandVoxels * voxel_; }
 

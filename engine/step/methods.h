@@ -1,7 +1,7 @@
-/// One way of finding contact, as the step runs it: contact, removal and raw force of a tick. Chosen per scene, made once
-/// when the state is built; all that a next tick depends on stands in StepState::Inner, never in the method, so that key
-/// states and hashes hold it. What a method keeps of its own is derived from the scene and the volume.
-/// Thread: haptic, but for making it and reload(). No heap, no lock, no I/O in the noexcept functions.
+/// One way of finding contact, as the step runs it: contact, removal and raw force of a tick. Chosen per scene, made
+/// once when the state is built; all that a next tick depends on stands in StepState::Inner, never in the method, so
+/// that key states and hashes hold it. What a method keeps of its own is derived from the scene and the volume. Thread:
+/// haptic, but for making it and reload(). No heap, no lock, no I/O in the noexcept functions.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ struct Tick {
   Vec3 device{0.0};
   Vec3 axis{0.0, 0.0, 1.0};  // of the tool, unit, from the ball towards the shank
   bool cut = false;
-  double dt_s = 0.001;       // bounded by the guard's late limit
+  double dt_s = 0.001;  // bounded by the guard's late limit
 };
 
 class ContactMethod {

@@ -1,6 +1,6 @@
-// One tick of the penalty and of the gradient proxy: contact, the burr's cut pose, contact again in the field that the cut
-// left. Removal follows the surface method (design, "Removal") in its plain form: carved every tick, and without a memory
-// of past poses.
+// One tick of the penalty and of the gradient proxy: contact, the burr's cut pose, contact again in the field that the
+// cut left. Removal follows the surface method (design, "Removal") in its plain form: carved every tick, and without a
+// memory of past poses.
 #include <cmath>
 
 #include "engine/contact/friction.h"
@@ -73,7 +73,8 @@ class BandedMethod final : public ContactMethod {
 
  private:
   /// Eq. (4): takes the cut pose along, alpha speed dt further towards the device point, and carves its way.
-  void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick, StepOutput& out) noexcept {
+  void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick,
+           StepOutput& out) noexcept {
     const Scene& scene = *state.scene;
     const double radius = scene.burrs[out.burr].radius_mm;
     const Vec3 push = tick.device - contact.pose_mm;

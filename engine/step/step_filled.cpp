@@ -60,8 +60,8 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
   if (scene.friction && contact.hits > 0) out.force_raw_n += tool_friction(scene, contact, stiffness, alpha);
 
   if (!tick.cut || contact.hits == 0 || contact.shank) return;
-  const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step, alpha,
-                                     tick.dt_s, state.owed);
+  const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step,
+                                     alpha, tick.dt_s, state.owed);
   out.overflow = worn.overflow;
   out.cutting = worn.any;
   if (worn.any) out.advance_mm = alpha * scene.tissues[most].speed_mm_s * tick.dt_s;

@@ -50,8 +50,9 @@ TEST_P(EveryContactMethod, feels_nothing_in_free_space) {
 
 TEST_P(EveryContactMethod, begins_where_the_device_is_when_that_is_free) {
   // Under an overhang: from above the burr could not come there.
-  auto scene = scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p - Vec3(0, 0, 1.0), Vec3(1.5, 1.5, 0.4)); }),
-                        GetParam(), 0.25);
+  auto scene =
+      scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p - Vec3(0, 0, 1.0), Vec3(1.5, 1.5, 0.4)); }),
+               GetParam(), 0.25);
   without_shank(*scene);
   StepState state(scene);
   const StepOutput out = step(state, input_at({0.3, 0.2, -1.0}));
@@ -90,8 +91,7 @@ TEST_P(EveryContactMethod, removes_and_never_adds) {
   VoxelVolume before = state.volume().dense();
   const VoxelVolume whole = before;
   for (int round = 0; round < 5; ++round) {
-    for (int k = 0; k < 60; ++k)
-      step(state, input_at({0.4 * std::sin(0.02 * (k + 60 * round)), 0.01 * k, 2.0}, true));
+    for (int k = 0; k < 60; ++k) step(state, input_at({0.4 * std::sin(0.02 * (k + 60 * round)), 0.01 * k, 2.0}, true));
     const VoxelVolume after = state.volume().dense();
     for (std::size_t i = 0; i < after.s.size(); ++i) ASSERT_LE(after.s[i], before.s[i]);
     before = after;
@@ -156,9 +156,9 @@ Sliding slide_on_face(Method method, double radius) {
 TEST(GradientProxy, pushes_back_along_a_face_with_its_depth) {
   for (const double radius : {0.25, 0.5}) {
     const Sliding s = slide_on_face(Method::gradient, radius);
-    EXPECT_LE(s.angle_deg, bound(0.01)) << radius;           // measured 0.002: 16-bit samples
-    EXPECT_NEAR(s.force_n, 0.6, bound(1e-4)) << radius;      // measured 7e-7
-    EXPECT_LE(s.off_um, bound(0.02)) << radius;              // measured 0.003
+    EXPECT_LE(s.angle_deg, bound(0.01)) << radius;       // measured 0.002: 16-bit samples
+    EXPECT_NEAR(s.force_n, 0.6, bound(1e-4)) << radius;  // measured 7e-7
+    EXPECT_LE(s.off_um, bound(0.02)) << radius;          // measured 0.003
   }
 }
 
@@ -166,22 +166,23 @@ TEST(Penalty, pushes_back_along_a_face_with_its_depth) {
   for (const double radius : {0.25, 0.5}) {
     const Sliding s = slide_on_face(Method::penalty, radius);
     // A point a voxel, and the band's end rounded by the trilinear field.
-    EXPECT_LE(s.angle_deg, bound(0.4)) << radius;            // measured 0.26
-    EXPECT_NEAR(s.force_n, 0.6, bound(0.02)) << radius;      // measured 0.011
+    EXPECT_LE(s.angle_deg, bound(0.4)) << radius;        // measured 0.26
+    EXPECT_NEAR(s.force_n, 0.6, bound(0.02)) << radius;  // measured 0.011
   }
 }
 
 TEST(RayProxy, pushes_back_along_a_face_within_a_voxel_of_its_depth) {
   for (const double radius : {0.25, 0.5}) {
     const Sliding s = slide_on_face(Method::ray, radius);
-    EXPECT_LE(s.angle_deg, bound(4.0)) << radius;            // measured 3.1
-    EXPECT_NEAR(s.force_n, 0.6, bound(0.04)) << radius;      // measured 0.016
-    EXPECT_LE(s.off_um, bound(1000.0 * kVoxel)) << radius;   // measured 58
+    EXPECT_LE(s.angle_deg, bound(4.0)) << radius;           // measured 3.1
+    EXPECT_NEAR(s.force_n, 0.6, bound(0.04)) << radius;     // measured 0.016
+    EXPECT_LE(s.off_um, bound(1000.0 * kVoxel)) << radius;  // measured 58
   }
 }
 
 TEST(RayProxy, steps_by_a_voxel_on_a_slope) {
-  // Known: the proxy stands on voxels. Half a voxel at 2 N/mm is 0.078 N from one tick to the next; the exact step is 0.
+  // Known: the proxy stands on voxels. Half a voxel at 2 N/mm is 0.078 N from one tick to the next; the exact step is
+  // 0.
   EXPECT_GT(slide_on_face(Method::ray, 0.25).step_n, 0.078);
 }
 
@@ -191,7 +192,8 @@ TEST(RayProxy, never_overlaps_tissue_with_the_tool) {
   const VoxelTool tool = voxelise(scene->burrs[0], scene->tool_axis, 0.1);
   approach(state, {0.13, -0.21, 2.0}, {0.13, -0.21, 0.9});
   for (int i = 0; i < 800; ++i) {
-    const StepOutput out = step(state, input_at({0.13 + 1.3 * std::sin(i * 0.01), -0.21 + 1.2 * std::cos(i * 0.013), 0.9}));
+    const StepOutput out =
+        step(state, input_at({0.13 + 1.3 * std::sin(i * 0.01), -0.21 + 1.2 * std::cos(i * 0.013), 0.9}));
     const Grid& grid = state.volume().grid();
     const IVec3 pivot(glm::floor((out.proxy_mm - grid.origin_mm) / 0.1 + 0.5));
     for (const IVec3& o : tool.cutting) ASSERT_FALSE(state.volume().occupied(pivot + o)) << "tick " << i;
@@ -207,7 +209,8 @@ TEST(GradientProxy, stands_on_a_sphere_as_exactly_as_the_plain_field_is) {
     const StepOutput out = step(state, input_at(4.2 * u / length(u)));
     off = std::max(off, std::fabs(length(out.proxy_mm) - 4.5) * 1000.0);
   }
-  // Linear between samples h apart, a distance of curvature 1/R is off by h^2 / 8R an axis: 0.38 um over the two of a sphere.
+  // Linear between samples h apart, a distance of curvature 1/R is off by h^2 / 8R an axis: 0.38 um over the two of a
+  // sphere.
   EXPECT_LE(off, bound(0.5));  // measured 0.38
 }
 
@@ -241,7 +244,8 @@ double off_an_inner_angle(Method method, double radius, double tilt) {
   const double c = std::sqrt(1.0 - tilt * tilt);
   const auto turned = [c, tilt](Vec3 p) { return Vec3(c * p.x + tilt * p.y, -tilt * p.x + c * p.y, p.z); };
   const auto back = [c, tilt](Vec3 p) { return Vec3(c * p.x - tilt * p.y, tilt * p.x + c * p.y, p.z); };
-  auto scene = scene_of(from_distance(4.0, kVoxel, [&](Vec3 p) { return std::min(turned(p).x, turned(p).y); }), method, radius);
+  auto scene =
+      scene_of(from_distance(4.0, kVoxel, [&](Vec3 p) { return std::min(turned(p).x, turned(p).y); }), method, radius);
   without_shank(*scene);
   StepState state(scene);
   approach(state, back({radius + 0.4, radius + 0.5, 0}), back({radius - 0.3, radius - 0.3, 0}));
@@ -255,7 +259,8 @@ double off_an_inner_angle(Method method, double radius, double tilt) {
 }
 
 TEST(GradientProxy, enters_one_wall_of_an_inner_corner) {
-  // Known: one plane at a time. It is some 0.1 mm inside one wall or the other; the surface proxy's error is below 1 um.
+  // Known: one plane at a time. It is some 0.1 mm inside one wall or the other; the surface proxy's error is below 1
+  // um.
   EXPECT_GT(off_an_inner_angle(Method::gradient, 0.25, 0.2), 0.05);
   EXPECT_LT(off_an_inner_angle(Method::surface, 0.25, 0.2), 0.001);
 }
@@ -288,7 +293,8 @@ TEST(GradientProxy, sinks_into_a_groove_of_sixty_degrees) {
 TEST(Penalty, is_too_soft_in_a_right_angle_and_too_stiff_in_its_own_hole) {
   // Known, and what the law says: two walls give 2^(1/4) d where K d along both would be 2^(1/2) d ...
   const double radius = 0.5, depth = 0.1;
-  auto corner = scene_of(from_distance(4.0, kVoxel, [](Vec3 p) { return std::min(p.x, p.y); }), Method::penalty, radius);
+  auto corner =
+      scene_of(from_distance(4.0, kVoxel, [](Vec3 p) { return std::min(p.x, p.y); }), Method::penalty, radius);
   without_shank(*corner);
   StepState in_corner(corner);
   const StepOutput pressed = step(in_corner, input_at({radius - depth, radius - depth, 0.0}));
@@ -319,7 +325,8 @@ double drilling_speed(Method method, double radius, double tick_us) {
 }
 
 TEST(RayProxy, drills_at_the_tissues_speed) {
-  EXPECT_NEAR(drilling_speed(Method::ray, 0.25, 1000.0), 1.0, bound(0.1));  // measured 0.06: a voxel is 16 % of the stroke
+  EXPECT_NEAR(drilling_speed(Method::ray, 0.25, 1000.0), 1.0,
+              bound(0.1));  // measured 0.06: a voxel is 16 % of the stroke
 }
 TEST(Penalty, drills_at_the_tissues_speed_at_any_tick_length) {
   for (const double tick_us : {250.0, 1000.0, 4000.0})
