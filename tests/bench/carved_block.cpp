@@ -23,6 +23,43 @@ Vec3 on_axis(const Capsule& c, Vec3 p) {
   return c.a + d * std::clamp(glm::dot(p - c.a, d) / glm::dot(d, d), 0.0, 1.0);
 }
 
+/// Directions across an axis, z.
+const std::vector<Vec3>& ring() {
+  static const std::vector<Vec3> all = [] {
+    std::vector<Vec3> out;
+    for (int k = 0; k < kRing; ++k) {
+      const double phi = 6.283185307179586 * k / kRing;
+      out.push_back({std::cos(phi), std::sin(phi), 0.0});
+    }
+    return out;
+  }();
+  return all;
+}
+
+/// Directions of the half sphere about z, 9 degrees apart, without the ring.
+const std::vector<Vec3>& dome() {
+  static const std::vector<Vec3> all = [] {
+    std::vector<Vec3> out;
+    constexpr int kRows = 10;
+    for (int row = 1; row <= kRows; ++row) {
+      const double lift = 1.5707963267948966 * row / kRows;
+      const int columns = std::max(1, static_cast<int>(4 * kRows * std::cos(lift)));
+      for (int k = 0; k < columns; ++k) {
+        const double phi = 6.283185307179586 * k / columns;
+        out.push_back({std::cos(phi) * std::cos(lift), std::sin(phi) * std::cos(lift), std::sin(lift)});
+      }
+    }
+    return out;
+  }();
+  return all;
+}
+
+/// x and y across a capsule, z along it.
+Frame frame_of(const Capsule& c, Vec3 at) {
+  const Vec3 along = unit(c.b - c.a);
+  return Frame::of(along, std::fabs(along.z) < 0.8 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), at);
+}
+
 /// Up to three half spaces on whose boundaries the minimum lies, and how hard each pushes.
 struct Binding {
   Vec3 c{0.0};
@@ -125,6 +162,7 @@ CarvedBlock::CarvedBlock(Vec3 normal, double level, std::vector<Capsule> capsule
       capsules_(std::move(capsules)),
       radius_(radius_mm),
       thin_(radius_mm - thinner_mm) {
+  for (const Capsule& c : capsules_) frames_.push_back(frame_of(c, Vec3(0.0)));
   const int n = static_cast<int>(capsules_.size());
   for (int i = 0; i < n; ++i)
     for (int j = -1; j < i; ++j) trace_pair(i, j);
@@ -163,7 +201,7 @@ bool CarvedBlock::onto(int face_a, int face_b, Vec3& p) const {
 void CarvedBlock::trace_pair(int face_a, int face_b) {
   // Seeds: where the other face changes sides between neighbours of a net over the capsule.
   const Capsule& c = capsules_[static_cast<std::size_t>(face_a)];
-  const Frame f = Frame::of(c.b - c.a, std::fabs(unit(c.b - c.a).z) < 0.8 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), c.a);
+  const Frame f = frame_of(c, c.a);
   const double whole = length(c.b - c.a);
   constexpr int kAround = 48, kCap = 8;
   const int along = static_cast<int>(whole / 0.05) + 2;
@@ -318,12 +356,15 @@ void CarvedBlock::gather(Vec3 y) {
 
 void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
   out.clear();
-  const auto point = [&](Vec3 p, double radius) {
+  // turns: the half space's normal turns about a point that stays. Where neighbours answer for the roundness it need
+  // not.
+  const auto point = [&](Vec3 p, double radius, bool turns) {
     const Vec3 d = y - p;
     const double far = length(d);
     if (far > radius + kSlack || far < 1e-9) return false;
     const Vec3 n = d / far;
-    out.push_back({n, glm::dot(n, p) + radius, (glm::outerProduct(n, n) - Mat3(1.0)) / far});
+    out.push_back({n, glm::dot(n, p) + radius, Mat3(0.0)});
+    if (turns) out.back().bend = (glm::outerProduct(n, n) - Mat3(1.0)) / far;
     return true;
   };
   for (int f = -1; f < static_cast<int>(capsules_.size()); ++f) {
@@ -349,30 +390,16 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
     if (!all_round) continue;
     // As wide as the burr: it touches all round, so the foot alone says little.
     const Capsule& c = capsules_[static_cast<std::size_t>(f)];
-    const Frame frame =
-        Frame::of(c.b - c.a, std::fabs(unit(c.b - c.a).z) < 0.8 ? Vec3(0, 0, 1) : Vec3(1, 0, 0), Vec3(0.0));
+    const Frame& frame = frames_[static_cast<std::size_t>(f)];
     const Vec3 axis = on_axis(c, y);
-    const auto touch = [&](Vec3 u) {
-      const Vec3 p = axis + c.radius_mm * u;
-      if (stands(p, f, f) && point(p, thin_)) out.back().bend = Mat3(0.0);  // its neighbours answer for the roundness
+    const auto touch = [&](Vec3 direction, double side) {
+      const Vec3 p = axis + c.radius_mm * frame.direction({direction.x, direction.y, side * direction.z});
+      if (stands(p, f, f)) point(p, thin_, false);
     };
-    for (int k = 0; k < kRing; ++k) {
-      const double phi = 6.283185307179586 * k / kRing;
-      touch(frame.direction({std::cos(phi), std::sin(phi), 0.0}));
-    }
-    for (const double side : {-1.0, 1.0}) {
-      if (length(axis - (side < 0.0 ? c.a : c.b)) > 1e-12) continue;
-      constexpr int kRows = 10;
-      for (int row = 1; row <= kRows; ++row) {
-        const double lift = 1.5707963267948966 * row / kRows;
-        const int columns = std::max(1, static_cast<int>(4 * kRows * std::cos(lift)));
-        for (int k = 0; k < columns; ++k) {
-          const double phi = 6.283185307179586 * k / columns;
-          touch(
-              frame.direction({std::cos(phi) * std::cos(lift), std::sin(phi) * std::cos(lift), side * std::sin(lift)}));
-        }
-      }
-    }
+    for (const Vec3& u : ring()) touch(u, 1.0);
+    for (const double side : {-1.0, 1.0})
+      if (length(axis - (side < 0.0 ? c.a : c.b)) <= 1e-12)
+        for (const Vec3& u : dome()) touch(u, side);
   }
   for (const int i : near_) {
     const EdgePoint& e = edges_[static_cast<std::size_t>(i)];
@@ -381,7 +408,7 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
     const double reach = thin_ + kSlack;
     if (far2 > reach * reach) continue;
     if (e.before < 0 || e.after < 0) {
-      point(e.at, thin_);
+      point(e.at, thin_, true);
       continue;
     }
     const Vec3 before = edges_[static_cast<std::size_t>(e.before)].at,
@@ -391,8 +418,8 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
     // points themselves stand for the edge, elsewhere the foot, which comes along.
     const Vec3 curvature = (after + before - 2.0 * e.at) / (0.25 * glm::dot(after - before, after - before));
     const double share = glm::dot(curvature, y - e.at);
-    if (!foot || share > 0.9 || !point(refined(i, y), thin_)) {
-      point(e.at, thin_);
+    if (!foot || share > 0.9 || !point(refined(i, y), thin_, true)) {
+      point(e.at, thin_, true);
       continue;
     }
     HalfSpace& h = out.back();

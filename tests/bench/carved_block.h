@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/vec.h"
+#include "tests/bench/frame.h"
 
 namespace cusp::bench {
 
@@ -73,6 +74,7 @@ class CarvedBlock {
   Vec3 normal_;
   double level_;
   std::vector<Capsule> capsules_;
+  std::vector<Frame> frames_;  // of the capsules: z along them
   double radius_, thin_;
   std::vector<EdgePoint> edges_;
   std::vector<int> near_;  // edge points about near_centre_

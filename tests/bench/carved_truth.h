@@ -27,7 +27,7 @@ class CarvedTruth : public Truth {
   Exact move_to(Vec3 device) override { return move_to(device, kFine); }
 
  private:
-  static constexpr double kFine = 1e-8, kCoarse = 1e-6;  // mm: at the end of a tick, and on the way there
+  static constexpr double kFine = 1e-8, kCoarse = 5e-4;  // mm: at the end of a tick, and on the way there
   Exact move_to(Vec3 device, double precision_mm);
 
   std::shared_ptr<CarvedBlock> block_;
