@@ -126,8 +126,8 @@ Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence
   if (!pace) return fail(ChartError::cannot_read, "pace", pace.error().where);
   if (!motion) return fail(ChartError::cannot_read, "motion", motion.error().where);
   const std::pair<const char*, Picture> pictures[] = {
-      {"speed-accuracy-r025.svg", speed_against_accuracy(*accuracy, 0.25)},
-      {"speed-accuracy-r050.svg", speed_against_accuracy(*accuracy, 0.5)},
+      {"speed-accuracy-r025.svg", speed_against_accuracy(*accuracy, *rate, 0.25)},
+      {"speed-accuracy-r050.svg", speed_against_accuracy(*accuracy, *rate, 0.5)},
       {"rates-by-task.svg", rates_by_task(*pace)},
       {"displacement-force.svg", displacement_and_force(*motion)},
       {"error-voxel.svg", error_against_voxel(*accuracy)},

@@ -46,16 +46,26 @@ Evidence made_up() {
               accuracy_row(method, shape, radius, voxel, rate * voxel, std::hypot(form, 0.001)));
         }
     for (const double radius : {0.25, 0.5, 1.15}) {
-      Row row = accuracy_row(method, "face", radius, 10.0 / 128, rate / radius, kAbsent);
+      Row row = accuracy_row(method, "sphere", radius, 10.0 / 128, rate / radius, kAbsent);
       row.depth_um_mean = kAbsent;
       row.task = "exploration";
       row.ratio_to_occupancy = 1.0;
+      out.rate.rows.push_back(row);
+      row.shape = "face";
       out.rate.rows.push_back(row);
       row.task = "perforation";
       row.motion = "";
       row.speed_mm_s = 1.0;
       out.rate.rows.push_back(row);
     }
+    for (const double voxel : {0.2, 0.1, 0.04})
+      for (const std::string_view shape : {"face", "sphere"}) {
+        Row row = accuracy_row(method, shape, 0.5, voxel, rate * voxel, kAbsent);
+        row.depth_um_mean = kAbsent;
+        row.task = "exploration";
+        row.ratio_to_occupancy = 1.0;
+        out.rate.rows.push_back(row);
+      }
     for (const std::int64_t edge : {128, 256, 1024}) {
       Row row = accuracy_row(method, "block", 0.5, 10.0 / 128, rate, kAbsent);
       row.depth_um_mean = kAbsent;
@@ -109,6 +119,15 @@ TEST(Chart, names_commit_and_machine_in_every_file) {
   }
 }
 
+TEST(Chart, shows_every_voxel_size_that_was_measured) {
+  const Evidence e = made_up();
+  const auto picture = speed_against_accuracy(e.accuracy, e.rate, 0.5);
+  ASSERT_TRUE(picture);
+  for (const char* size : {">0.2</text>", ">0.1</text>", ">0.078</text>", ">0.04</text>"})
+    EXPECT_NE(picture->find(size), std::string::npos) << size;
+  EXPECT_EQ(speed_against_accuracy(e.accuracy, e.rate, 0.25)->find(">0.078</text>"), std::string::npos);
+}
+
 TEST(Chart, says_what_is_missing_instead_of_drawing_without_it) {
   const auto failure_without = [](auto&& remove) {
     Evidence evidence = made_up();
@@ -155,6 +174,21 @@ TEST(Chart, writes_its_table_between_the_marks_of_a_readme_and_nothing_else) {
   std::ofstream(readme) << "no marks\n";
   EXPECT_EQ(run_program(args), kFailed);
   std::filesystem::remove_all(folder);
+}
+
+TEST(Chart, the_committed_results_are_what_their_tables_draw) {
+  const auto folder = std::filesystem::path(CUSP_SOURCE_DIR) / "tests/bench/results";
+  const auto read = read_evidence({folder.string()});
+  ASSERT_TRUE(read);
+  const auto drawn = draw_all(*read);
+  ASSERT_TRUE(drawn) << drawn.error().where;
+  const auto text_of = [](const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(file)), {});
+  };
+  for (const auto& [name, text] : *drawn) EXPECT_TRUE(text_of(folder / name) == text) << name;
+  EXPECT_NE(text_of(std::filesystem::path(CUSP_SOURCE_DIR) / "README.md").find(drawn->at("methods.md")),
+            std::string::npos);
 }
 
 TEST(Chart, refuses_what_is_no_report) {

@@ -23,11 +23,13 @@ struct Place {
   double angle_deg;
 };
 
-const Row* find(const Report& report, std::string_view method, std::string_view shape, double radius, double voxel) {
+/// The slide at 50 mm/s on a shape: of accuracy (without a task) or of rate.
+const Row* find(const Report& report, std::string_view task, std::string_view method, std::string_view shape,
+                double radius, double voxel, double Row::* field) {
   for (const Row& row : report.rows)
-    if (row.method == method && row.shape == shape && row.motion == "slide" && row.task.empty() && !row.unresolved &&
+    if (row.method == method && row.shape == shape && row.motion == "slide" && row.task == task && !row.unresolved &&
         same(row.speed_mm_s, kSpeed) && same(row.burr_radius_mm, radius) && same(row.voxel_mm, voxel) &&
-        !std::isnan(row.angle_deg_mean) && !std::isnan(row.updates_per_s))
+        !std::isnan(row.*field))
       return &row;
   return nullptr;
 }
@@ -40,15 +42,21 @@ std::vector<double> voxels_in(const Report& report) {
   return out;
 }
 
-std::vector<Place> places_of(const Report& report, double radius) {
+std::vector<Place> places_of(const Report& accuracy, const Report& rate, double radius) {
   std::vector<Place> out;
   for (const Method method : kMethods)
-    for (const double voxel : voxels_in(report)) {
-      const Row* face = find(report, key_of(method), "face", radius, voxel);
-      const Row* sphere = find(report, key_of(method), "sphere", radius, voxel);
-      if (!face || !sphere) continue;
-      out.push_back({method, voxel, 2.0 / (1.0 / face->updates_per_s + 1.0 / sphere->updates_per_s),
-                     0.5 * (face->angle_deg_mean + sphere->angle_deg_mean)});
+    for (const double voxel : voxels_in(accuracy)) {
+      double tick_s = 0.0, angle = 0.0;
+      bool whole = true;
+      for (const std::string_view shape : {"face", "sphere"}) {
+        const Row* exact = find(accuracy, "", key_of(method), shape, radius, voxel, &Row::angle_deg_mean);
+        const Row* fast = find(rate, "exploration", key_of(method), shape, radius, voxel, &Row::updates_per_s);
+        whole = whole && exact && fast;
+        if (!whole) break;
+        tick_s += 0.5 / fast->updates_per_s;
+        angle += 0.5 * exact->angle_deg_mean;
+      }
+      if (whole) out.push_back({method, voxel, 1.0 / tick_s, angle});
     }
   return out;
 }
@@ -66,11 +74,12 @@ double shown(double angle) { return std::max(angle, kLeastAngle); }
 
 }  // namespace
 
-Picture speed_against_accuracy(const Report& accuracy, double burr_radius_mm) {
-  const std::vector<Place> places = places_of(accuracy, burr_radius_mm);
+Picture speed_against_accuracy(const Report& accuracy, const Report& rate, double burr_radius_mm) {
+  const std::vector<Place> places = places_of(accuracy, rate, burr_radius_mm);
   if (places.empty())
-    return fail(ChartError::missing_rows,
-                fmt::format("accuracy: no slides at 50 mm/s on face and sphere with a burr of {} mm", burr_radius_mm));
+    return fail(
+        ChartError::missing_rows,
+        fmt::format("accuracy and rate: no slides at 50 mm/s on face and sphere with a burr of {} mm", burr_radius_mm));
 
   std::vector<double> rates = {kPaperExploration}, angles;
   for (const Place& p : places) {
@@ -133,17 +142,21 @@ Picture speed_against_accuracy(const Report& accuracy, double burr_radius_mm) {
     if (same(peer.burr_radius_mm, burr_radius_mm))
       plot.label(plot.at(peer.updates_per_s, 0.5 * (peer.face_deg + peer.sphere_deg)), 9.0,
                  std::string(peer.name) + (peer.pressed ? " (pressed)" : ""), {.size = 12.0, .colour = ink::kQuiet});
-  plot.label({foot.x, plot.bottom_right().y - 16.0}, 5.0, "the paper, 2012: 62 k, accuracy not given",
-             {.size = 12.0, .colour = ink::kQuiet});
+  plot.label({foot.x, plot.top_left().y + 0.72 * (plot.bottom_right().y - plot.top_left().y)}, 5.0,
+             "the paper, 2012: 62 k, accuracy not given", {.size = 12.0, .colour = ink::kQuiet});
   const bool several = std::ranges::any_of(places, [&](const Place& p) { return !same(p.voxel_mm, usual); });
   if (several)
     for (const Place& p : places)
       plot.label(plot.at(p.updates_per_s, shown(p.angle_deg)), 0.5 * size_of(p) + 3.0,
                  fmt::format("{:.2g}", p.voxel_mm), {.size = 11.0, .colour = ink::kQuiet});
-  footing(svg, fmt::format("Filled: {}, commit {:.10}, {}. Hollow: other programs, measured elsewhere ({}). Dashed: "
-                           "the front.",
-                           accuracy.machine, accuracy.commit,
-                           several ? "voxel size in mm beside the marks" : "voxels of 10/128 mm", kPeersMachine));
+  svg.text({20.0, svg.height() - 28.0},
+           fmt::format("Filled: {}, commits {:.10} (angles) and {:.10} (rates), {}. Dashed: the front of the best.",
+                       accuracy.machine, accuracy.commit, rate.commit,
+                       several ? "voxel size in mm beside the marks" : "voxels of 10/128 mm"),
+           {.size = 11.0, .colour = ink::kQuiet});
+  footing(svg, fmt::format("Hollow: other programs, measured elsewhere on a {}, 10/128 mm; pressed: their angle is of "
+                           "presses, no slide was measured.",
+                           kPeersMachine));
   return svg.str();
 }
 

@@ -86,11 +86,15 @@ Picture rates_by_task(const PaceReport& pace) {
     }
     const bool first_higher = lines[0].median >= lines[1].median;
     for (std::size_t k = 0; k < 2; ++k) {
+      // Above the higher line and below the lower one, unless something stands there.
       const bool higher = (k == 0) == first_higher;
-      const double y = plot.at(0.0, higher ? lines[k].most : lines[k].least).y + (higher ? -12.0 : 24.0);
-      svg.text({middle_x, y}, lines[k].text, {.size = 13.0, .anchor = Anchor::middle, .bold = true});
+      const double above = plot.at(0.0, lines[k].most).y - 12.0, below = plot.at(0.0, lines[k].least).y + 24.0;
       const double half = 0.53 * text_width(lines[k].text, 13.0);
-      plot.room().take({{middle_x - half, y - 11.0}, {middle_x + half, y + 4.0}});
+      const auto box = [&](double y) { return Room::Box{{middle_x - half, y - 11.0}, {middle_x + half, y + 4.0}}; };
+      const double first = higher ? above : below, second = higher ? below : above;
+      const double y = plot.room().overlap(box(first)) <= plot.room().overlap(box(second)) ? first : second;
+      svg.text({middle_x, y}, lines[k].text, {.size = 13.0, .anchor = Anchor::middle, .bold = true});
+      plot.room().take(box(y));
     }
     if (i == 0) continue;
     const double rate = i == 1 ? kPaperExploration : kPaperPerforation;

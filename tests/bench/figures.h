@@ -17,7 +17,7 @@ using Picture = Result<std::string, ChartFailure>;
 
 /// Mean angle error over face and sphere against updates a second, sliding at 50 mm/s: a mark for each method and voxel
 /// size, the front of the best, and the peers' figures, which were measured elsewhere.
-Picture speed_against_accuracy(const Report& accuracy, double burr_radius_mm);
+Picture speed_against_accuracy(const Report& accuracy, const Report& rate, double burr_radius_mm);
 
 /// The paper's figure 13: updates a second by task, sampled every 25 ms.
 Picture rates_by_task(const PaceReport& pace);

@@ -27,6 +27,7 @@ constexpr int kHolesAKind = 4;
 struct Task {
   std::string_view task, shape;
   std::vector<double> radii;
+  std::vector<double> voxels_mm = {kRateVoxelMm};
 };
 
 const std::vector<Task>& standard_tasks() {
@@ -37,6 +38,8 @@ const std::vector<Task>& standard_tasks() {
       {"exploration", "face", {0.25, 0.5, 1.15, 3.0}},
       {"exploration", "sphere", {0.25, 0.5, 1.15, 3.0}},
       {"exploration", "cylinder", {0.25, 0.5, 1.15, 3.0}},
+      {"exploration", "face", {0.5}, {0.2, 0.1, 0.04}},
+      {"exploration", "sphere", {0.5}, {0.2, 0.1, 0.04}},
       {"exploration", "channel", {0.25, 0.5}},
       {"perforation", "face", {0.25, 0.5}},
   };
@@ -232,7 +235,10 @@ std::vector<Row> rate_rows(const Options& options) {
   for (const Task& task : standard_tasks()) {
     if (!asked(options.tasks, task.task) || !asked(options.shapes, task.shape)) continue;
     if (!asked(options.motions, "slide") && task.task != "perforation") continue;
-    for (const double voxel : chosen(options.voxels_mm, {kRateVoxelMm}))
+    // The tasks at other voxel sizes are there for the chart: sizes that were asked for stand with the first ones.
+    const bool usual = task.voxels_mm.size() == 1;
+    if (!usual && !(options.voxels_mm.empty() && options.burr_radii_mm.empty())) continue;
+    for (const double voxel : usual ? chosen(options.voxels_mm, task.voxels_mm) : task.voxels_mm)
       for (const double radius : chosen(options.burr_radii_mm, task.radii)) {
         if (task.shape == "channel") {
           for (const double speed : chosen(options.speeds_mm_s, {kRateSpeedMmS}))
