@@ -61,7 +61,7 @@ inline constexpr double kLeastSpringMm = 0.05;  // of the exact force, for a sam
 Row measure_slide(const Shape& shape, const Measure& what);
 
 /// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, and
-/// ten ticks to rest; the last tick is the sample.
+/// ten ticks to rest; the last tick is the sample. Tick times are those of the way down and of the rest.
 Row measure_presses(const Shape& shape, const Measure& what);
 
 /// The row's names and sizes.
