@@ -35,6 +35,7 @@ void CutMemory::link(std::int32_t index) noexcept {
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x) {
         const std::size_t b = bucket({x, y, z});
+        if (nodes_used_ == kNodes) return;
         // A growing segment is linked again at each step: once a bucket is enough.
         if (heads_[b] >= 0 && nodes_[static_cast<std::size_t>(heads_[b])].segment == index) continue;
         nodes_[nodes_used_] = {index, heads_[b]};
@@ -49,7 +50,7 @@ void CutMemory::rebuild() noexcept {
 }
 
 bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
-  if (count_ == kSegments) {
+  if (count_ == kSegments || nodes_used_ > kNodes - kMostCells) {
     const std::size_t keep = count_ / 2;
     std::copy(segments_.begin() + static_cast<std::ptrdiff_t>(count_ - keep),
               segments_.begin() + static_cast<std::ptrdiff_t>(count_), segments_.begin());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "engine/volume/sharp_edge.h"
+
 namespace cusp {
 
 namespace {
@@ -10,9 +12,26 @@ namespace {
 constexpr std::size_t kPages = 14000;
 /// A cell has at most a point of each surface and an edge.
 constexpr std::size_t kMostFeatures = 3 * static_cast<std::size_t>(kBrickVoxels);
+/// Two cuts make the larger of two distances, without rounding: what differs more is no ridge of two.
+constexpr double kMostOff = 0.3;
 /// s beyond which no surface crosses the cells that touch the voxel (1.8 voxels).
 constexpr std::uint16_t kLeast = 11000, kMost = 54500;
 }  // namespace
+
+void base_feature(const BaseSurface& surface, const BasePoints& points, int i, double voxel_mm,
+                  CutFeature& out) noexcept {
+  const BaseNormal& normal = points.normal[i];
+  out.normal = normal.unit();
+  out.field = Field::base;
+  out.tissue = points.tissue[i];
+  out.cell = static_cast<std::uint16_t>(normal.cell());
+  out.edge = normal.edge();
+  if (!normal.edge() && !normal.beside_edge()) return;
+  const BaseSurface::Sharp& sharp = surface.sharp(points, i);
+  out.other_normal = sharp.vector;
+  out.near_other = normal.beside_edge();
+  out.other_d_mm = static_cast<float>(sharp.other_d * voxel_mm);
+}
 
 CutSurface::CutSurface(const Volume& volume)
     : slots_(volume.cut_capacity()),
@@ -111,8 +130,8 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
   for (int z = 0; z < 8; ++z) {
     for (std::uint64_t left = slot.stale[z]; left != 0; left &= left - 1) {
       const int o = z << 6 | std::countr_zero(left);
-      while (next_point < points.count && points.normal[next_point].cell < o) ++next_point;
-      if (next_point < points.count && points.normal[next_point].cell == o) {
+      while (next_point < points.count && points.normal[next_point].cell() < o) ++next_point;
+      if (next_point < points.count && points.normal[next_point].cell() == o) {
         if (!decoded) decode(volume, at);
         decoded = true;
         make_base(volume, points, next_point);
@@ -161,23 +180,21 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
 }
 
 void CutSurface::make_base(const Volume& volume, const BasePoints& points, int i) noexcept {
-  const int o = points.normal[i].cell;
+  const int o = points.normal[i].cell();
   const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
   const Vec3f place(points.x[i], points.y[i], points.z[i]);
   Made& made = made_[made_count_];
   made = Made{};
   made.at = place;
-  made.feature.normal = points.normal[i].unit();
-  made.feature.field = Field::base;
-  made.feature.tissue = points.tissue[i];
-  made.feature.cell = static_cast<std::uint16_t>(o);
+  base_feature(volume.specimen().surface(), points, i, volume.grid().voxel_mm, made.feature);
   CellField cut;
   cut.load(&samples_[local.x + kSide * (local.y + kSide * local.z)], kSide, kSide * kSide);
   Vec3 g;
   const double d = cut.eval(Vec3(place) - Vec3(local), g);
   if (d > 0.0) return;  // the cut has taken it
   const double length = std::sqrt(glm::dot(g, g));
-  if (d > -2.5 && length > 0.25) {
+  const bool nearer = !made.feature.near_other || d * volume.grid().voxel_mm / length > made.feature.other_d_mm;
+  if (d > -2.5 && length > 0.25 && !made.feature.edge && nearer) {
     made.feature.near_other = true;
     made.feature.other_d_mm = static_cast<float>(d * volume.grid().voxel_mm / length);
     made.feature.other_normal = Vec3f(g / length);
@@ -210,9 +227,37 @@ void CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
       tissue = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
     return tissue;
   };
+  const auto add_edge = [&](const SharpEdge& edge) {
+    Made& made = made_[made_count_++];
+    made = Made{};
+    made.at = Vec3f(Vec3(local) + edge.at);
+    made.feature.normal = Vec3f(edge.tangent);
+    made.feature.other_normal = Vec3f(edge.bend);
+    made.feature.edge = true;
+    made.feature.cell = static_cast<std::uint16_t>(offset);
+    made.feature.tissue = tissue_at(Vec3(cell) + edge.at);
+  };
   // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
   Vec3 f, n;
-  if (cell_point(cut, f, n)) {
+  SharpEdge edge;
+  const Creased crease = creased(cut, kMostOff, [&](IVec3 o, CellField& to) { to.load(volume, Field::cut, cell + o); });
+  Vec3 gradient(0.0);
+  if (crease.kind == Creased::Kind::edge) {
+    // A ridge between two cuts, where the specimen is solid.
+    if (deep || base.eval(crease.edge.at, gradient) <= 0.0) add_edge(crease.edge);
+  } else if (crease.kind == Creased::Kind::face) {
+    if (deep || base.eval(crease.point, gradient) <= 0.0) {
+      Made& made = made_[made_count_++];
+      made = Made{};
+      made.at = Vec3f(Vec3(local) + crease.point);
+      made.feature.normal = Vec3f(crease.normal);
+      made.feature.cell = static_cast<std::uint16_t>(offset);
+      made.feature.tissue = tissue_at(Vec3(cell) + crease.point - 0.5 * crease.normal);
+      made.feature.near_other = true;
+      made.feature.other_d_mm = static_cast<float>(crease.other_d * voxel);
+      made.feature.other_normal = Vec3f(crease.other_normal);
+    }
+  } else if (cell_point(cut, f, n)) {
     Vec3 g(0.0);
     const double other = deep ? -kBandVoxels : base.eval(f, g);
     if (other <= 0.0) {
@@ -230,28 +275,11 @@ void CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
       }
     }
   }
+  // The mouth, where the cut meets the specimen's own surface.
   if (deep || !base.crossed()) return;
-  Vec3 e(0.5), gb(0.0), gc(0.0);
-  for (int pass = 0; pass < 5; ++pass) {
-    const double db = base.eval(e, gb);
-    const double dc = cut.eval(e, gc);
-    const double bb = glm::dot(gb, gb), cc = glm::dot(gc, gc), bc = glm::dot(gb, gc);
-    const double det = bb * cc - bc * bc;
-    if (!(det > 1e-3)) return;
-    e -= gb * ((db * cc - dc * bc) / det) + gc * ((dc * bb - db * bc) / det);
-    for (int a = 0; a < 3; ++a)
-      if (!(e[a] > -0.1 && e[a] < 1.1)) return;
-  }
-  const Vec3 t = glm::cross(gb, gc);
-  const double length = std::sqrt(glm::dot(t, t));
-  if (!(length > 1e-3)) return;
-  Made& made = made_[made_count_++];
-  made = Made{};
-  made.at = Vec3f(Vec3(local) + e);
-  made.feature.normal = Vec3f(t / length);
-  made.feature.edge = true;
-  made.feature.cell = static_cast<std::uint16_t>(offset);
-  made.feature.tissue = tissue_at(Vec3(cell) + e);
+  if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
+              edge))
+    add_edge(edge);
 }
 
 }  // namespace cusp

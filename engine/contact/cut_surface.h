@@ -14,7 +14,7 @@ namespace cusp {
 
 struct CutFeature {
   Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
-  Vec3f other_normal{0.0f};     // of the other field near a point
+  Vec3f other_normal{0.0f};     // of the other field near a point; an edge's bend, per voxel
   float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside
   std::uint16_t cell = 0;       // brick_offset of the cell's lower corner
   Field field = Field::cut;     // which surface it lies on
@@ -22,6 +22,9 @@ struct CutFeature {
   bool edge = false;
   bool near_other = false;
 };
+
+/// What the specimen's own surface has at place i of a brick's points.
+void base_feature(const BaseSurface& surface, const BasePoints& points, int i, double voxel_mm, CutFeature& out) noexcept;
 
 class CutSurface {
  public:
@@ -43,6 +46,9 @@ class CutSurface {
   /// Pre: volume.has_cut(brick).
   std::int32_t first(const Volume& volume, int brick) noexcept;
   const Page& page(std::int32_t i) const noexcept { return pages_[static_cast<std::size_t>(i)]; }
+
+  /// False for a page that holds one brick's features only until the next brick is asked for: room has run out.
+  bool kept(std::int32_t i) const noexcept { return static_cast<std::size_t>(i) < kept_pages_; }
 
   /// Everything is to be read anew (after the volume was loaded).
   void forget() noexcept;

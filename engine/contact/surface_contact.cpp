@@ -14,15 +14,14 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 constexpr double kTolerance = 1e-7;         // mm: planes closer than a tenth of a nanometre count as met
 constexpr double kSameNormal = 0.9396926;   // cos 20 deg: planes of one smooth surface
 constexpr double kTurned = 0.8480481;       // cos 32 deg: a normal that turns further belongs to something else
-constexpr double kPlaneReach = 0.8;         // voxels from its point within which a plane stands for the surface
-constexpr double kSlowStep = 0.016;         // mm in a tick (16 mm/s): below, candidates are gathered ...
-constexpr double kSlowMargin = 0.024;       // ... for as long as the burr stays this near; else for two steps
+constexpr double kFootReach = 1.2;          // voxels from its point within which a polished foot is that surface's
 constexpr int kSearches = 16;               // steps of the proxy in a tick, the rest next tick
 constexpr double kTogether = 2e-3;          // mm: slack that a polished pose may take from a plane it leaves out
 constexpr double kMemorySlack = 5e-4;       // mm
 constexpr double kPredicted = 0.35;         // of a step: how far a burr may be from where its device's move takes it
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has arrived
 constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
+constexpr double kLongestLeap = 4.0;        // of the last pass's move
 constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less has arrived
 
 /// Crossing cells within reach of the widest burr: the ball's own area twice over (two fields), and the shank's.
@@ -42,10 +41,10 @@ std::size_t candidate_room(const Scene& scene) {
 SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume)
     : voxel_mm_(scene.specimen->grid().voxel_mm),
       candidates_(candidate_room(scene)),
+      sources_(candidates_.size()),
       place_x_(candidates_.size() + 7),
       place_y_(candidates_.size() + 7),
       place_z_(candidates_.size() + 7),
-      near_(candidates_.size()),
       planes_(candidates_.size()),
       origins_(candidates_.size()),
       cut_(volume) {
@@ -56,8 +55,11 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume)
   bricks_high_ = IVec3(-1);
   for (int b = 0; b < static_cast<int>(boxes_.size()); ++b) {
     const BasePoints points = specimen.surface().in(b);
-    for (int i = 0; i < points.count; ++i)
-      boxes_[static_cast<std::size_t>(b)].add({points.x[i], points.y[i], points.z[i]});
+    PointsBox& box = boxes_[static_cast<std::size_t>(b)];
+    for (int i = 0; i < points.count; ++i) {
+      box.add({points.x[i], points.y[i], points.z[i]});
+      box.edges = box.edges || points.normal[i].edge();
+    }
     if (!volume.cuttable(b)) continue;
     bricks_low_ = glm::min(bricks_low_, specimen.brick_at(b));
     bricks_high_ = glm::max(bricks_high_, specimen.brick_at(b));
@@ -112,6 +114,8 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
   Vec3 d = y - c.point;
   if (c.kind == Kind::surface) {
     const double square = glm::dot(d, d);
+    const double furthest = r + slack_mm;
+    if (square > furthest * furthest + plane_reach_mm * plane_reach_mm) return false;
     const Vec3 n(c.normal);
     const double height = glm::dot(n, d);
     if (height > 0.0 && square - height * height <= plane_reach_mm * plane_reach_mm) {
@@ -133,8 +137,14 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
     const Vec3 tangent(c.normal);
     double t = glm::dot(d, tangent);
     const double half = 0.7 * voxel_mm_;
+    // Nearest place of the parabola: one step of Newton from the tangent's.
+    const Vec3 bend = Vec3(c.other_normal) / voxel_mm_;
+    const Vec3 off = d - tangent * t - bend * (t * t);
+    const Vec3 along = tangent + bend * (2.0 * t);
+    const double curved = glm::dot(along, along) - 2.0 * glm::dot(bend, off);
+    if (curved > 0.2) t += glm::dot(off, along) / curved;
     t = t < -half ? -half : t > half ? half : t;
-    d -= tangent * t;
+    d -= tangent * t + bend * (t * t);
   }
   const double square = glm::dot(d, d);
   const double far = r + slack_mm;
@@ -145,13 +155,13 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
   return true;
 }
 
-/// Planes of near_[from..to), added to those that are there.
+/// Planes of candidates from..to - 1, added to those that are there.
 void SurfaceContact::planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept {
   for (std::size_t i = from; i < to; ++i) {
     Plane plane;
     bool trusted = false;
-    if (!plane_of(tool, candidates_[static_cast<std::size_t>(near_[i])], y, slack_mm, plane, trusted)) continue;
-    origins_[planes_.size()] = {near_[i], trusted, false};
+    if (!plane_of(tool, candidates_[i], y, slack_mm, plane, trusted)) continue;
+    origins_[planes_.size()] = {static_cast<std::int32_t>(i), trusted, false};
     planes_.add(plane.n, plane.c);
   }
 }
@@ -205,7 +215,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
   for (int a = 0; a < found.active; ++a) {
     const Origin& origin = origins_[static_cast<std::size_t>(found.index[a])];
     const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-    if (!origin.trusted_plane || origin.relaxed || c.near_other) return out;
+    if (c.kind != Kind::surface || origin.relaxed || c.near_other) return out;
     int g = 0;
     while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > static_cast<float>(kSameNormal))) ++g;
     if (g == groups) {
@@ -256,6 +266,12 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
     // Each pass leaves the same share of the error before: the next one would move by moved^2 / before.
     if (moved * moved < kPolishedMm * before || moved < kPolishedMm) break;
     before = moved;
+  }
+  // The foot belongs to the cell that it came from (a wide ball's foot is nearer to it than its centre is beside it).
+  for (int g = 0; g < groups; ++g) {
+    const Vec3 off = at - corrected[g].n * (group[g].field == Field::base ? tool.r_base : tool.r_cut) -
+                     candidates_[static_cast<std::size_t>(group[g].candidate)].point;
+    if (glm::dot(off, off) > kFootReach * kFootReach * voxel_mm_ * voxel_mm_) return out;
   }
   // What the polish left out must still be clear of the ball.
   for (std::size_t i = 0; i < planes_.size(); ++i) {
@@ -309,8 +325,16 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     ++answered_free_;
     return out;
   }
-  if (clear_path(volume, burr, axis, from, device)) return out;
   const Tool tool{&burr, axis, burr_index, burr.radius_mm, burr.radius_mm - kClearanceMm};
+  if (free_.valid && free_.burr == burr_index && free_.holds(from)) {
+    // It leaves the free space that is known: there may be more.
+    find_free(volume, tool, from);
+    if (free_.valid && free_.holds(device)) {
+      ++answered_free_;
+      return out;
+    }
+  }
+  if (clear_path(volume, burr, axis, from, device)) return out;
   overflow_ = false;
   double step = std::min(kLongestStep, std::max(0.004, reach_mm));
   Vec3 y = from;
@@ -319,20 +343,8 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
 
   for (int search = 0; search < kSearches && !arrived; ++search) {
     const Vec3 centre = y;
-    const bool at_hand =
-        gathered_.valid && gathered_.burr == burr_index && length_of(y - gathered_.centre) + step <= gathered_.margin_mm;
-    // It looks a little further than this step must, so that the next ones find all they need.
-    if (!at_hand) gather(volume, tool, y, step < kSlowStep ? kSlowMargin : 2.0 * step);
+    gather(volume, tool, y, step);
     const std::size_t at_hand_count = count_;
-    select(tool, centre, step);
-    const std::size_t near_count = near_count_;
-    if (near_count == 0 && inside_tissue(volume, y)) {
-      // Deep in tissue where there is no surface to follow.
-      out.infeasible = true;
-      break;
-    }
-    // Surfaces that a burr left may hug it: then the point under the push is asked for from the beginning.
-    with_foot = with_foot || near_cut_;
     held_.count = 0;
     double before = 0.0, last_moved = 1.0;
     double limit = kPredicted * step + 0.005;
@@ -341,17 +353,17 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       const double length = length_of(ahead);
       if (length > 2.0 * kSettledMm) at += length > step ? ahead * (step / length) : ahead;
     }
+    Vec3 off_before(0.0);
     bool left = false;  // the step ends before the search does
     for (int pass = 0; pass < 10; ++pass) {
       if (last_moved > kSettledMm) {
-        near_count_ = near_count;
         held_.count = 0;
-        planes_.clear();
-        planes(tool, at, 0, near_count, limit);
+        near_planes(volume, tool, centre, step, at, limit);
+        // Surfaces that a burr left, and edges, may hug it: then the point under the push is asked for from the beginning.
+        with_foot = with_foot || near_cut_;
         if (with_foot) {
           foot(volume, tool, at, device);
-          for (std::size_t i = at_hand_count; i < count_; ++i) near_[near_count_++] = static_cast<std::int32_t>(i);
-          planes(tool, at, near_count, near_count_, limit);
+          planes(tool, at, at_hand_count, count_, limit);
           count_ = at_hand_count;
         }
         past_count_ = memory ? memory->near(at, burr.radius_mm, past_) : 0;
@@ -365,6 +377,12 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
         arrived = true;
         break;
       }
+      if (planes_.size() == 0 && inside_tissue(volume, y)) {
+        // Deep in tissue where there is no surface to follow.
+        out.infeasible = true;
+        arrived = true;
+        break;
+      }
       const double off = length_of(found.y - at);
       if (off > limit && limit < 2.0 * step) {
         // Further than planes were laid for: all that the step can reach.
@@ -372,14 +390,11 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
         last_moved = 1.0;
         continue;
       }
-      bool only_planes = true;
-      for (int a = 0; a < found.active; ++a)
-        only_planes = only_planes && origins_[static_cast<std::size_t>(found.index[a])].trusted_plane;
       Vec3 target = found.y;
       const double whole = length_of(target - centre);
       left = whole > step;
       Polished polished;
-      if (!left && found.active > 0 && only_planes) polished = polish(volume, tool, y, device, found);
+      if (!left && found.active > 0) polished = polish(volume, tool, y, device, found);
       if (found.active > 0 && !polished.accepted && !with_foot) {
         // Not one smooth foot for each plane: from here on the point under the push is asked for as well.
         with_foot = true;
@@ -395,13 +410,22 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       held_.fresh = !polished.accepted && !left;
       note(found, polished, out);
       if (left) break;
-      const double moved = length_of(target - at);
-      at = y;
+      const Vec3 off_by = target - at;
+      const double moved = length_of(off_by);
       // Passes shrink the error like moved / before; a plane that was laid moved away is off by moved^2 / 2r only.
       if ((polished.accepted && moved < 0.06) || moved < kArrivedMm || moved * moved < kArrivedMm * before) {
         arrived = true;
         break;
       }
+      // Where it creeps towards its rest, as on an edge that it rolls over, the next planes are laid where the creeping
+      // leads; the answer still is of the planes.
+      at = y;
+      const double square = glm::dot(off_before, off_before);
+      if (pass > 0 && !polished.accepted && square > 0.0) {
+        const double left_over = glm::dot(off_by, off_before) / square;
+        if (left_over > 0.3 && left_over < 0.95 && moved * moved < square) at += off_by * std::min(left_over / (1.0 - left_over), kLongestLeap);
+      }
+      off_before = off_by;
       before = last_moved = moved;
     }
     if (!left) arrived = true;
@@ -441,10 +465,9 @@ bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec
   if (clear_path(volume, burr, axis, pose, pose)) return true;
   if (inside_tissue(volume, pose)) return false;
   const Tool tool{&burr, axis, kNoBurr, burr.radius_mm, burr.radius_mm - kClearanceMm};
+  gathered_.valid = false;
   gather(volume, tool, pose, voxel_mm_);
-  select(tool, pose, voxel_mm_);
-  planes_.clear();
-  planes(tool, pose, 0, near_count_, 0.0);
+  near_planes(volume, tool, pose, voxel_mm_, pose, 0.0);
   gathered_.valid = false;
   return planes_.size() == 0;
 }
@@ -457,7 +480,7 @@ bool SurfaceContact::push_out(const Volume& volume, Vec3 pose, double radius_mm,
   count_ = 0;
   gathered_.valid = false;
   gather_ball(volume, tool, pose, kMost + 0.01);
-  for (std::size_t i = 0; i < count_; ++i) near_[i] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < count_; ++i) made(volume, i);
   Vec3 y = pose;
   for (int pass = 0; pass < 4; ++pass) {
     planes_.clear();

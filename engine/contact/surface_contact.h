@@ -69,12 +69,13 @@ class SurfaceContact {
 
  private:
   static constexpr double kLongestStep = 0.08;      // mm: one search looks no further
+  static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
   static constexpr std::uint16_t kNoBurr = 0xffff;  // of a ball that no scene names
   enum class Kind : std::uint8_t { surface, edge, shank };
   struct Candidate {
     Vec3 point{0.0};
     Vec3f normal{0.0f};        // surface; tangent for an edge
-    Vec3f other_normal{0.0f};
+    Vec3f other_normal{0.0f};  // an edge's bend, per voxel
     float other_d_mm = 0.0f;
     Kind kind = Kind::surface;
     Field field = Field::base;
@@ -85,10 +86,19 @@ class SurfaceContact {
   struct PointsBox {
     std::uint8_t from[3] = {255, 255, 255};
     std::uint8_t to[3] = {0, 0, 0};
+    bool edges = false;
     bool empty() const noexcept { return from[0] > to[0]; }
     Vec3 low() const noexcept { return Vec3(from[0], from[1], from[2]) * 0.0625 - 0.25; }
     Vec3 high() const noexcept { return Vec3(to[0], to[1], to[2]) * 0.0625 - 0.25; }
     void add(Vec3f p) noexcept;
+  };
+  /// Where a candidate is made from: a page of the cut's surface, or the specimen's own points.
+  struct Source {
+    const CutSurface::Page* page = nullptr;
+    std::int32_t brick = 0;
+    std::uint16_t index = 0;
+    bool made = false;
+    std::int16_t x = 0, y = 0, z = 0;  // of the brick
   };
   /// How a plane came to be, beside Plane itself.
   struct Origin {
@@ -129,19 +139,23 @@ class SurfaceContact {
   };
 
   bool points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept;
-  void gather(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept;
+  void gather(const Volume& volume, const Tool& tool, Vec3 centre, double step) noexcept;
   void gather_ball(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void shank_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double reach, Visit&& visit) const noexcept;
   template <class Choose, class Visit>
-  void features(const Volume& volume, int brick, Choose&& choose, Visit&& visit) noexcept;
+  void features(const Volume& volume, int brick, IVec3 at, Choose&& choose, Visit&& visit) noexcept;
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
   template <class Visit>
-  void near_features(const Volume& volume, int brick, Vec3 centre, double reach, Visit&& visit) noexcept;
+  void near_features(const Volume& volume, int brick, IVec3 at, Vec3 centre, double reach, Visit&& visit) noexcept;
   void add(const Candidate& candidate) noexcept;
-  void select(const Tool& tool, Vec3 centre, double step) noexcept;
+  void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
+                  const CutSurface::Page* page) noexcept;
+  const Candidate& made(const Volume& volume, std::size_t i) noexcept;
+  void near_planes(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
+  bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
   void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
@@ -158,12 +172,14 @@ class SurfaceContact {
   std::vector<PointsBox> boxes_;       // [brick]: where the specimen's own points lie
   IVec3 bricks_low_{0}, bricks_high_{0};  // bricks that hold a surface or can be cut
   std::vector<Candidate> candidates_;  // at hand, then those of the foot
-  std::vector<float> place_x_, place_y_, place_z_;  // of the same, in voxels from where they were gathered
-  std::vector<std::int32_t> near_;     // of them, within reach of this search
+  std::vector<Source> sources_;
+  std::vector<float> place_x_, place_y_, place_z_;  // of those of the ball, in voxels from where they were gathered
   PlaneSet planes_;
   std::vector<Origin> origins_;        // of planes_
-  std::size_t count_ = 0, ball_count_ = 0, near_count_ = 0;
-  Gathered gathered_;
+  std::size_t count_ = 0, ball_count_ = 0;
+  Gathered gathered_, shank_;          // of the ball; of the neck and the shank, which follow it in candidates_
+  std::size_t shank_count_ = 0;
+  int shank_tight_ = 0;                // looks for which the shank's margin is kept small
   FreeSpace free_;
   int free_pause_ = 0;                 // looks to skip before trying again
   std::uint64_t answered_free_ = 0;

@@ -13,7 +13,11 @@ namespace {
 /// Voxels that single precision may be off by in `for_near`, and then some.
 constexpr double kLoose = 1e-3;
 constexpr double kFreeMargin = 0.5;   // mm: how far a look for free space goes
+constexpr double kCloseMm = 0.2;      // mm: the nearest point is looked for first so near
 constexpr double kLeastFree = 0.02;   // mm: less is not worth keeping
+constexpr std::size_t kManyShank = 24;
+constexpr double kSlowStep = 0.016;   // mm in a tick (16 mm/s): below, candidates are gathered ...
+constexpr double kSlowMargin = 0.024; // ... for as long as the burr stays this near; else for two steps
 constexpr int kPause = 16;            // looks that are skipped where there was too little
 
 /// Squared distance of a point to a box.
@@ -58,26 +62,63 @@ void SurfaceContact::add(const Candidate& candidate) noexcept {
     overflow_ = true;
     return;
   }
-  const Vec3f place((candidate.point - gathered_.centre) * (1.0 / voxel_mm_));
-  place_x_[count_] = place.x;
-  place_y_[count_] = place.y;
-  place_z_[count_] = place.z;
+  sources_[count_].made = true;
   candidates_[count_++] = candidate;
+}
+
+/// A candidate of the ball, which is only made when a search comes near it. x, y, z: voxels from where it is gathered.
+void SurfaceContact::add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
+                                const CutSurface::Page* page) noexcept {
+  if (count_ == candidates_.size()) {
+    overflow_ = true;
+    return;
+  }
+  place_x_[count_] = x;
+  place_y_[count_] = y;
+  place_z_[count_] = z;
+  sources_[count_++] = {page, brick, static_cast<std::uint16_t>(index), false, static_cast<std::int16_t>(at.x),
+                        static_cast<std::int16_t>(at.y), static_cast<std::int16_t>(at.z)};
+}
+
+const SurfaceContact::Candidate& SurfaceContact::made(const Volume& volume, std::size_t i) noexcept {
+  Candidate& out = candidates_[i];
+  Source& source = sources_[i];
+  if (source.made) return out;
+  source.made = true;
+  const Grid& grid = volume.grid();
+  const Specimen& specimen = volume.specimen();
+  CutFeature feature;
+  Vec3 place;
+  if (source.page != nullptr) {
+    feature = source.page->feature[source.index];
+    place = Vec3(source.page->x[source.index], source.page->y[source.index], source.page->z[source.index]);
+  } else {
+    const BasePoints points = specimen.surface().in(source.brick);
+    base_feature(specimen.surface(), points, source.index, grid.voxel_mm, feature);
+    place = Vec3(points.x[source.index], points.y[source.index], points.z[source.index]);
+  }
+  out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
+  out.normal = feature.normal;
+  out.other_normal = feature.other_normal;
+  out.other_d_mm = feature.other_d_mm;
+  out.kind = feature.edge ? Kind::edge : Kind::surface;
+  out.field = feature.field;
+  out.tissue = feature.tissue;
+  out.near_other = feature.near_other;
+  return out;
 }
 
 /// Calls chosen(x, y, z, count, corner mm, visit(i)) with the places of a brick's points and edges, in voxels from its
 /// first voxel, in cell order, and visit(place mm, feature) for those that it lets through.
 template <class Choose, class Visit>
-void SurfaceContact::features(const Volume& volume, int brick, Choose&& choose, Visit&& visit) noexcept {
+void SurfaceContact::features(const Volume& volume, int brick, IVec3 at, Choose&& choose, Visit&& visit) noexcept {
   const Grid& grid = volume.grid();
-  const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(volume.specimen().brick_at(brick) * kBrickEdge);
+  const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
   if (!volume.has_cut(brick)) {
     const BasePoints points = volume.specimen().surface().in(brick);
     choose(points.x, points.y, points.z, points.count, corner_mm, [&](int i) {
       CutFeature feature;
-      feature.normal = points.normal[i].unit();
-      feature.field = Field::base;
-      feature.tissue = points.tissue[i];
+      base_feature(volume.specimen().surface(), points, i, grid.voxel_mm, feature);
       visit(corner_mm + grid.voxel_mm * Vec3(points.x[i], points.y[i], points.z[i]), feature);
     });
     return;
@@ -93,12 +134,12 @@ void SurfaceContact::features(const Volume& volume, int brick, Choose&& choose, 
 
 /// Calls visit(place mm, feature) for the points and edges of a brick within reach (mm) of a place.
 template <class Visit>
-void SurfaceContact::near_features(const Volume& volume, int brick, Vec3 centre, double reach, Visit&& visit) noexcept {
+void SurfaceContact::near_features(const Volume& volume, int brick, IVec3 at, Vec3 centre, double reach, Visit&& visit) noexcept {
   const double per_mm = 1.0 / voxel_mm_;
   const double wide = reach * per_mm + kLoose;
   const auto wide2 = static_cast<float>(wide * wide);
   features(
-      volume, brick,
+      volume, brick, at,
       [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
         for_near(x, y, z, count, Vec3f((centre - corner_mm) * per_mm), wide2, pass);
       },
@@ -108,14 +149,15 @@ void SurfaceContact::near_features(const Volume& volume, int brick, Vec3 centre,
 /// The box (mm) about the points of a brick; false where it has none. A brick that was cut fills its own.
 bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept {
   const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
+  const bool cut = volume.has_cut(brick);
+  if (!cut && box.empty()) return false;
   const Grid& grid = volume.grid();
   const Vec3 corner = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
-  if (volume.has_cut(brick)) {
+  if (cut) {
     low = corner - 0.2 * grid.voxel_mm;
     high = corner + 8.2 * grid.voxel_mm;
     return true;
   }
-  if (box.empty()) return false;
   low = corner + grid.voxel_mm * box.low();
   high = corner + grid.voxel_mm * box.high();
   return true;
@@ -136,30 +178,43 @@ void SurfaceContact::ball_bricks(const Volume& volume, Vec3 centre, double reach
         const int brick = specimen.brick_index({x, y, z});
         Vec3 a, b;
         if (!points_box(volume, brick, {x, y, z}, a, b) || box_distance2(centre, a, b) > reach * reach) continue;
-        visit(brick);
+        visit(brick, IVec3(x, y, z));
       }
 }
 
 void SurfaceContact::gather_ball(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
-  // An edge, which only a cut brick has, holds 0.7 voxel either way along its tangent.
+  // An edge holds 0.7 voxel either way along its tangent.
   const double reach = tool.burr->radius_mm + margin_mm;
   const double edge_reach = reach + 0.7 * voxel_mm_;
   edges_ = false;
-  ball_bricks(volume, centre, edge_reach, [&](int brick) {
+  const Grid& grid = volume.grid();
+  const double per_mm = 1.0 / voxel_mm_;
+  ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at) {
     const bool cut = volume.has_cut(brick);
-    edges_ = edges_ || cut;
-    near_features(volume, brick, centre, cut ? edge_reach : reach, [&](Vec3 point, const CutFeature& f) {
-      Candidate candidate;
-      candidate.point = point;
-      candidate.normal = f.normal;
-      candidate.other_normal = f.other_normal;
-      candidate.other_d_mm = f.other_d_mm;
-      candidate.kind = f.edge ? Kind::edge : Kind::surface;
-      candidate.field = f.field;
-      candidate.tissue = f.tissue;
-      candidate.near_other = f.near_other;
-      add(candidate);
-    });
+    const bool sharp = cut || boxes_[static_cast<std::size_t>(brick)].edges;
+    edges_ = edges_ || sharp;
+    const double wide = (sharp ? edge_reach : reach) * per_mm + kLoose;
+    const auto wide2 = static_cast<float>(wide * wide);
+    const Vec3 corner_mm = grid.origin_mm + voxel_mm_ * Vec3(at * kBrickEdge);
+    const Vec3f local((centre - corner_mm) * per_mm);
+    const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
+      for_near(x, y, z, count, local, wide2, [&](int i) {
+        add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page);
+      });
+    };
+    if (!cut) {
+      const BasePoints points = volume.specimen().surface().in(brick);
+      gather_near(points.x, points.y, points.z, points.count, nullptr);
+      return;
+    }
+    for (std::int32_t p = cut_.first(volume, brick); p >= 0; p = cut_.page(p).next) {
+      const CutSurface::Page& page = cut_.page(p);
+      const std::size_t before = count_;
+      gather_near(page.x, page.y, page.z, page.count, &page);
+      // A page that is not kept serves until the next brick is asked for.
+      if (!cut_.kept(p))
+        for (std::size_t i = before; i < count_; ++i) made(volume, i);
+    }
   });
 }
 
@@ -202,7 +257,7 @@ void SurfaceContact::shank_bricks(const Volume& volume, const Tool& tool, Vec3 c
         const double off2 = glm::dot(middle, middle) - t * t;
         // off > wide + diagonal, squared twice so that no root is taken: (a + b)^2 <= 2 a^2 + 2 b^2.
         if (off2 > 2.0 * (wide * wide + diagonal2)) continue;
-        visit(row + x);
+        visit(row + x, IVec3(x, y, z));
       }
     }
 }
@@ -219,9 +274,9 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
   shape.from = static_cast<float>(ShankReach(burr, tool.axis, centre, reach).from * per_mm - kLoose);
   shape.wide_from = static_cast<float>((burr.neck_length_mm - reach) * per_mm - kLoose);
   shape.to = static_cast<float>((burr.neck_length_mm + burr.shank_length_mm + reach) * per_mm + kLoose);
-  shank_bricks(volume, tool, centre, reach, [&](int brick) {
+  shank_bricks(volume, tool, centre, reach, [&](int brick, IVec3 at) {
     features(
-        volume, brick,
+        volume, brick, at,
         [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
           shape.at = Vec3f((centre - corner_mm) * per_mm);
           for_inside(x, y, z, count, shape, pass);
@@ -238,91 +293,130 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
   });
 }
 
-void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
-  count_ = 0;
-  gathered_ = {centre, margin_mm, tool.index, true};
-  gather_ball(volume, tool, centre, margin_mm);
-  ball_count_ = count_;
-  gather_shank(volume, tool, centre, margin_mm);
+/// Brings what a search of one step from `centre` may touch to hand: a little more than that, for the next one or two.
+void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre, double step) noexcept {
+  const auto reaches = [&](const Gathered& g) {
+    const Vec3 off = centre - g.centre;
+    const double left = g.margin_mm - step;
+    return g.valid && g.burr == tool.index && left >= 0.0 && glm::dot(off, off) <= left * left;
+  };
+  const double margin = step < kSlowStep ? kSlowMargin : 2.0 * step;
+  if (!reaches(gathered_)) {
+    count_ = 0;
+    gathered_ = {centre, margin, tool.index, true};
+    gather_ball(volume, tool, centre, margin);
+    ball_count_ = count_;
+    shank_.valid = false;
+  }
+  count_ = ball_count_;
+  if (reaches(shank_)) {
+    count_ += shank_count_;
+    return;
+  }
+  // Where the neck all but touches, each further margin brings in a wall of candidates that no search comes near.
+  const double shank_margin = shank_tight_ > 0 ? step : margin;
+  shank_ = {centre, shank_margin, tool.index, true};
+  gather_shank(volume, tool, centre, shank_margin);
+  shank_count_ = count_ - ball_count_;
+  shank_tight_ = shank_count_ > kManyShank ? kPause : shank_tight_ > 0 ? shank_tight_ - 1 : 0;
 }
 
-void SurfaceContact::select(const Tool& tool, Vec3 centre, double step) noexcept {
-  near_count_ = 0;
+/// Lays the planes, seen from `at` and no further off than slack_mm, of all that a step from `centre` can reach.
+void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
+                                 double slack_mm) noexcept {
+  planes_.clear();
   near_cut_ = false;
-  const double ball = tool.burr->radius_mm + step;
-  const double edge = ball + 0.7 * voxel_mm_;
+  const double r = tool.burr->radius_mm;
+  const double edge_mm = 0.7 * voxel_mm_;
+  const double ball = r + step, edge = ball + edge_mm;
   const double ball2 = ball * ball, edge2 = edge * edge;
-  const double wide = (edges_ ? edge : ball) / voxel_mm_ + kLoose;
+  // A plane is believed 0.8 voxel beside its point, an edge holds 0.7 along its tangent.
+  const double beside = kPlaneReach * voxel_mm_;
+  const double flat2 = (r + slack_mm) * (r + slack_mm) + beside * beside;
+  const double bent = edges_ ? r + slack_mm + edge_mm : 0.0;
+  const double wide = std::sqrt(std::max(flat2, bent * bent)) / voxel_mm_ + kLoose;
+  std::size_t looked = 0;
+  const auto lay = [&](std::size_t i, const Candidate& c) {
+    Plane plane;
+    bool trusted = false;
+    ++looked;
+    if (!plane_of(tool, c, at, slack_mm, plane, trusted)) return;
+    origins_[planes_.size()] = {static_cast<std::int32_t>(i), trusted, false};
+    planes_.add(plane.n, plane.c);
+    near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
+  };
   for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_),
-           Vec3f((centre - gathered_.centre) / voxel_mm_), static_cast<float>(wide * wide), [&](int i) {
-             const Candidate& c = candidates_[static_cast<std::size_t>(i)];
+           Vec3f((at - gathered_.centre) / voxel_mm_), static_cast<float>(wide * wide), [&](int k) {
+             const auto i = static_cast<std::size_t>(k);
+             const Candidate& c = made(volume, i);
              const Vec3 d = c.point - centre;
-             if (glm::dot(d, d) > (c.kind == Kind::surface ? ball2 : edge2)) return;
-             near_[near_count_++] = i;
-             near_cut_ = near_cut_ || c.field == Field::cut;
+             if (glm::dot(d, d) <= (c.kind == Kind::surface ? ball2 : edge2)) lay(i, c);
            });
   if (count_ > ball_count_) {
     const ShankReach shank(*tool.burr, tool.axis, centre, step);
     for (std::size_t i = ball_count_; i < count_; ++i)
-      if (shank.touches(candidates_[i].point)) near_[near_count_++] = static_cast<std::int32_t>(i);
+      if (shank.touches(candidates_[i].point)) lay(i, candidates_[i]);
   }
-  if (near_count_ > most_candidates_) most_candidates_ = near_count_;
+  if (looked > most_candidates_) most_candidates_ = looked;
 }
 
 void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
   free_.valid = false;
-  free_pause_ = kPause;
-  // A plane square to the nearest point, moved up to the highest point of every brick in reach of ball, neck and shank,
-  // and half a voxel more for what stands between points.
-  const Burr& burr = *tool.burr;
-  const double r = burr.radius_mm;
+  // The plane of the nearest point, moved up to the highest point of every brick in reach of ball, neck and shank, and
+  // half a voxel more for what stands between points.
+  const double r = tool.burr->radius_mm;
   double nearest2 = 1e300;
   Vec3 nearest(0.0);
-  ball_bricks(volume, pose, r + kFreeMargin, [&](int brick) {
-    const double near = std::min(r + kFreeMargin, nearest2 < 1e200 ? std::sqrt(nearest2) : 1e3);
-    near_features(volume, brick, pose, near, [&](Vec3 point, const CutFeature&) {
-      const Vec3 d = pose - point;
-      const double d2 = glm::dot(d, d);
-      if (d2 < nearest2) {
-        nearest2 = d2;
-        nearest = d;
-      }
+  for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
+    ball_bricks(volume, pose, reach, [&](int brick, IVec3 at) {
+      const double near = nearest2 < 1e200 ? std::sqrt(nearest2) : reach;
+      near_features(volume, brick, at, pose, near, [&](Vec3 point, const CutFeature& f) {
+        const Vec3 d = pose - point;
+        const double d2 = glm::dot(d, d);
+        if (d2 < nearest2) {
+          nearest2 = d2;
+          nearest = f.edge ? d / std::sqrt(d2) : Vec3(f.normal);
+        }
+      });
     });
-  });
-  FreeSpace found{pose, tool.axis, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false};
-  if (nearest2 < 1e200) {
-    found.bounded = true;
-    found.n = nearest / std::sqrt(nearest2);
+    if (nearest2 < 1e200) break;
   }
+  if (!raise_free(volume, tool, pose, nearest2 < 1e200 ? nearest : tool.axis)) free_pause_ = kPause;
+}
+
+/// Free space beyond a plane with normal n, if there is enough.
+bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept {
+  const Burr& burr = *tool.burr;
+  FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false};
   double highest = -1e300;
-  const Vec3f n(found.n);
-  const auto raise = [&](int brick) {
+  const Vec3f slim_n(n);
+  const auto raise = [&](int brick, IVec3 at) {
     features(
-        volume, brick,
+        volume, brick, at,
         [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&&) {
           if (count == 0) return;
           found.bounded = true;
-          const double height = glm::dot(found.n, corner_mm) + voxel_mm_ * highest_along(x, y, z, count, n);
+          const double height = glm::dot(n, corner_mm) + voxel_mm_ * highest_along(x, y, z, count, slim_n);
           highest = height > highest ? height : highest;
         },
         [](Vec3, const CutFeature&) {});
   };
-  ball_bricks(volume, pose, r + kFreeMargin, raise);
+  ball_bricks(volume, pose, burr.radius_mm + kFreeMargin, raise);
   shank_bricks(volume, tool, pose, kFreeMargin, raise);
   if (found.bounded) {
-    const double up = glm::dot(found.n, tool.axis);
-    if (up < 0.0) return;
-    // The lowest place of each part along n, from the pose; the highest asks for the least.
+    const double up = glm::dot(n, tool.axis);
+    if (up < 0.0) return false;
+    // The lowest place of each part along n, from the pose.
     const double across2 = 1.0 - up * up;
     const double across = across2 > 0.0 ? std::sqrt(across2) : 0.0;
     const double neck = -across * burr.neck_radius_mm - up * burr.neck_radius_mm;
     const double shank = up * burr.neck_length_mm - across * burr.shank_radius_mm;
-    const double lowest = std::min(-r, std::min(neck, shank));
+    const double lowest = std::min(-burr.radius_mm, std::min(neck, shank));
     found.c = highest + 0.5 * voxel_mm_ + 0.01 - lowest;
-    if (glm::dot(found.n, pose) - found.c < kLeastFree) return;
+    if (glm::dot(n, pose) - found.c < kLeastFree) return false;
   }
   free_ = found;
-  free_pause_ = 0;
+  return true;
 }
 
 void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept {

@@ -1,11 +1,17 @@
 #include "engine/volume/base_surface.h"
 
+#include <algorithm>
+
 #include "engine/volume/cell_field.h"
+#include "engine/volume/sharp_edge.h"
 #include "engine/volume/specimen.h"
 
 namespace cusp {
 
 namespace {
+/// Outside an edge a distance is that to the edge, up to 0.3 voxel more than to either face.
+constexpr double kMostOff = 1.6;
+
 std::int16_t part(double n) noexcept { return static_cast<std::int16_t>(std::floor(n * 32767.0 + 0.5)); }
 
 /// Tissue of the most solid corner; ties go to the lowest.
@@ -43,11 +49,27 @@ BaseSurface BaseSurface::of(const Specimen& specimen) {
       field.load(specimen, corner + local);
       if (!field.crossed()) continue;
       Vec3 f, normal;
-      if (!cell_point(field, f, normal)) continue;
+      std::uint16_t place = static_cast<std::uint16_t>(o);
+      const Creased crease =
+          creased(field, kMostOff, [&](IVec3 offset, CellField& to) { to.load(specimen, corner + local + offset); });
+      const auto index = static_cast<std::uint32_t>(out.tissue_.size());
+      if (crease.kind == Creased::Kind::edge) {
+        f = crease.edge.at;
+        normal = crease.edge.tangent;
+        place |= BaseNormal::kEdge;
+        out.sharp_.push_back({index, 0.0f, Vec3f(crease.edge.bend)});
+      } else if (crease.kind == Creased::Kind::face) {
+        f = crease.point;
+        normal = crease.normal;
+        place |= BaseNormal::kBesideEdge;
+        out.sharp_.push_back({index, static_cast<float>(crease.other_d), Vec3f(crease.other_normal)});
+      } else if (!cell_point(field, f, normal)) {
+        continue;
+      }
       out.x_.push_back(static_cast<float>(local.x + f.x));
       out.y_.push_back(static_cast<float>(local.y + f.y));
       out.z_.push_back(static_cast<float>(local.z + f.z));
-      out.normal_.push_back({part(normal.x), part(normal.y), part(normal.z), static_cast<std::uint16_t>(o)});
+      out.normal_.push_back({part(normal.x), part(normal.y), part(normal.z), place});
       out.tissue_.push_back(corner_tissue(specimen, corner + local));
     }
   }
@@ -59,6 +81,12 @@ BaseSurface BaseSurface::of(const Specimen& specimen) {
   out.normal_.shrink_to_fit();
   out.tissue_.shrink_to_fit();
   return out;
+}
+
+const BaseSurface::Sharp& BaseSurface::sharp(const BasePoints& points, int i) const noexcept {
+  const std::uint32_t index = points.first + static_cast<std::uint32_t>(i);
+  return *std::lower_bound(sharp_.begin(), sharp_.end(), index,
+                           [](const Sharp& s, std::uint32_t wanted) { return s.index < wanted; });
 }
 
 }  // namespace cusp

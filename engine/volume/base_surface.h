@@ -1,5 +1,5 @@
-/// The surface points of a banded specimen, found once when it is loaded and shared: one for each crossed cell, by
-/// brick, laid out for eight at a time. Immutable; any thread.
+/// The surface points of a banded specimen, found once when it is loaded and shared: one for each crossed cell, or an
+/// edge where the cell is creased outwards; by brick, laid out for eight at a time. Immutable; any thread.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,16 @@ namespace cusp {
 
 class Specimen;
 
-/// Unit normal out of the tissue in 1/32767 (0.002 degrees; contact polishes it on the field), and the cell.
+/// Unit normal out of the tissue (an edge's tangent) in 1/32767 (0.002 degrees; contact polishes it on the field), and
+/// the cell.
 struct BaseNormal {
+  static constexpr std::uint16_t kEdge = 0x8000, kBesideEdge = 0x4000;
   std::int16_t x = 0, y = 0, z = 0;
-  std::uint16_t cell = 0;  // brick_offset of the cell's lower corner
+  std::uint16_t place = 0;  // brick_offset of the cell's lower corner; kEdge, kBesideEdge
 
+  int cell() const noexcept { return place & 511; }
+  bool edge() const noexcept { return (place & kEdge) != 0; }
+  bool beside_edge() const noexcept { return (place & kBesideEdge) != 0; }
   Vec3f unit() const noexcept { return Vec3f(x, y, z) * (1.0f / 32767.0f); }
 };
 
@@ -29,6 +34,7 @@ struct BasePoints {
   const BaseNormal* normal = nullptr;
   const Tissue* tissue = nullptr;
   int count = 0;
+  std::uint32_t first = 0;  // of the whole surface's, for sharp()
 };
 
 class BaseSurface {
@@ -38,11 +44,20 @@ class BaseSurface {
   BasePoints in(int brick) const noexcept {
     const std::size_t first = first_[static_cast<std::size_t>(brick)];
     return {x_.data() + first, y_.data() + first, z_.data() + first, normal_.data() + first, tissue_.data() + first,
-            static_cast<int>(first_[static_cast<std::size_t>(brick) + 1] - first)};
+            static_cast<int>(first_[static_cast<std::size_t>(brick) + 1] - first), first_[static_cast<std::size_t>(brick)]};
   }
+  /// More of a point at or beside an edge. Pre: edge() or beside_edge().
+  struct Sharp {
+    std::uint32_t index = 0;
+    float other_d = 0.0f;     // beside: of the point to the other face, negative inside; voxels
+    Vec3f vector{0.0f};       // edge: bend in x(t) = place + tangent t + bend t^2, voxels; beside: the other face's normal
+  };
+  const Sharp& sharp(const BasePoints& points, int i) const noexcept;
+  bool has_edges() const noexcept { return !sharp_.empty(); }
   std::size_t size() const noexcept { return tissue_.size(); }
   std::size_t bytes() const noexcept {
-    return x_.size() * (3 * sizeof(float) + sizeof(BaseNormal)) + tissue_.size() + first_.size() * sizeof(std::uint32_t);
+    return x_.size() * (3 * sizeof(float) + sizeof(BaseNormal)) + tissue_.size() + first_.size() * sizeof(std::uint32_t) +
+           sharp_.size() * sizeof(Sharp);
   }
 
  private:
@@ -50,6 +65,7 @@ class BaseSurface {
   std::vector<BaseNormal> normal_;
   std::vector<Tissue> tissue_;
   std::vector<std::uint32_t> first_;  // [brick + 1]
+  std::vector<Sharp> sharp_;          // by rising index
 };
 
 }  // namespace cusp

@@ -44,6 +44,35 @@ class CellField {
     correct();
   }
 
+  /// Second derivatives at f, per voxel: xx, yy, zz by the second differences, xy, xz, yz by the trilinear part.
+  void hessian(Vec3 f, double (&diagonal)[3], double (&mixed)[3]) const noexcept {
+    const auto over = [](const double* e, double fb, double fc) {
+      const double low = e[0] + fb * (e[1] - e[0]), high = e[2] + fb * (e[3] - e[2]);
+      return low + fc * (high - low);
+    };
+    diagonal[0] = over(second_[0], f.y, f.z);
+    diagonal[1] = over(second_[1], f.x, f.z);
+    diagonal[2] = over(second_[2], f.x, f.y);
+    const auto twist = [&](int a, int b, int c, double along_c) {
+      const double low = corner(a | b) - corner(a) - corner(b) + corner(0);
+      const double high = corner(a | b | c) - corner(a | c) - corner(b | c) + corner(c);
+      return low + along_c * (high - low);
+    };
+    mixed[0] = twist(1, 2, 4, f.z);
+    mixed[1] = twist(1, 4, 2, f.y);
+    mixed[2] = twist(2, 4, 1, f.x);
+  }
+  /// The samples round the cell bend outwards on one side and not on the other: an outer edge passes close by.
+  bool crease_near() const noexcept { return crease_near_; }
+  /// Largest second difference, voxels.
+  double most_bent() const noexcept {
+    double most = 0.0;
+    for (const auto& axis : second_)
+      for (const double e : axis) most = std::fabs(e) > most ? std::fabs(e) : most;
+    return most;
+  }
+  /// Distance at corner i: bits of i are x, y, z.
+  double at_corner(int i) const noexcept { return corner(i); }
   /// True when the surface d = 0 passes between the corners.
   bool crossed() const noexcept {
     const bool first = corner(0) > 0.0;
@@ -149,19 +178,21 @@ class CellField {
     along_c += w * (c1 - c0);
   }
   static bool clamped(double d) noexcept { return d > kBandVoxels - 1e-4 || d < -kBandVoxels + 1e-4; }
-  static double blend(double low, double mid_a, double mid_b, double high) noexcept {
+  double blend(double low, double mid_a, double mid_b, double high) noexcept {
     const bool a_ok = !clamped(low);
     const bool b_ok = !clamped(high);
     const double a = low - 2.0 * mid_a + mid_b;
     const double b = mid_a - 2.0 * mid_b + high;
     if (a_ok && b_ok) {
       const double gap = a > b ? a - b : b - a;
-      if (gap <= 0.2) return 0.5 * (a + b);
+      if (gap <= kCreaseGap) return 0.5 * (a + b);
+      crease_near_ = crease_near_ || a > kCreaseGap || b > kCreaseGap;
       return std::fabs(a) < std::fabs(b) ? a : b;
     }
     return a_ok ? a : b_ok ? b : 0.0;
   }
   void correct() noexcept {
+    crease_near_ = false;
     // Places in d_: x, then 4 y, then 16 z.
     constexpr int along[3] = {1, 4, 16};
     constexpr int across[3][2] = {{4, 16}, {1, 16}, {1, 4}};
@@ -175,8 +206,12 @@ class CellField {
 
   static constexpr int kFirstCorner = 1 + 4 + 16;
 
+  /// Second differences (voxels) that differ more see a crease on one side.
+  static constexpr double kCreaseGap = 0.2;
+
   double d_[64];
   double second_[3][4];
+  bool crease_near_ = false;
 };
 
 /// A place of the field: distance in mm and unit normal out of the tissue (or into the cut's void).
@@ -244,7 +279,7 @@ class FieldCells {
 
 /// The surface point of a crossed cell: Newton on the cell's own polynomial from the foot of its centre on the corners'
 /// mean plane, kept within 0.6 voxel of the centre. In fractions of the cell; false where it does not come to d = 0 there.
-inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal) noexcept {
+inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal, double* steepness = nullptr) noexcept {
   Vec3 g(0.0);
   const double middle = field.mean_plane(g);
   const double steep = g.x * g.x + g.y * g.y + g.z * g.z;
@@ -263,7 +298,9 @@ inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal) noexcept {
     }
     // Newton squares the error: from 3e-4 voxel the step just taken leaves less than 1e-8.
     if (std::fabs(d) < 3e-4 && kept) {
-      normal = g / std::sqrt(square);
+      const double length = std::sqrt(square);
+      normal = g / length;
+      if (steepness) *steepness = length;
       return true;
     }
   }
@@ -271,6 +308,7 @@ inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal) noexcept {
   const double length = std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
   if (!(length > 0.2) || std::fabs(d) > 0.02) return false;
   normal = g / length;
+  if (steepness) *steepness = length;
   return true;
 }
 

@@ -10,4 +10,7 @@ namespace cusp::bench {
 /// Most candidates that one search of the surface proxy has met so far; -1 for the other methods.
 std::int64_t most_candidates(StepState& state);
 
+/// Ticks so far that the surface proxy answered from the free space it knows, without a search; -1 for other methods.
+std::int64_t answered_free(StepState& state);
+
 }  // namespace cusp::bench

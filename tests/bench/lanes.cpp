@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "tests/bench/candidates.h"
 #include "tests/bench/pin.h"
 
 namespace cusp::bench {
@@ -20,6 +21,7 @@ double seconds(Clock::duration d) { return std::chrono::duration<double>(d).coun
 double run_unclocked(Lane& lane, double block_s) {
   const auto start = Clock::now();
   const double begun = core_time_s();
+  const std::int64_t free_before = answered_free(lane.state);
   std::int64_t ticks = 0;
   double spent = 0.0;
   int batch = 1;
@@ -30,6 +32,7 @@ double run_unclocked(Lane& lane, double block_s) {
     batch = static_cast<int>(std::clamp(0.1 * block_s * static_cast<double>(ticks) / spent, 1.0, double{kMostBatch}));
   } while (spent < block_s);
   lane.pace.untimed += ticks;
+  if (free_before >= 0) lane.pace.free += answered_free(lane.state) - free_before;
   return static_cast<double>(ticks) / (core_time_s() - begun);
 }
 
@@ -64,7 +67,7 @@ void run_lanes(std::span<Lane> lanes, double budget_s) {
   for (Lane& lane : lanes) {
     lane.pace.times.reserve(std::min(kTicksKept, static_cast<std::size_t>(budget_s * 5e6) + 1024));
     run_unclocked(lane, 0.05 * budget_s);
-    lane.pace.untimed = 0;
+    lane.pace.untimed = lane.pace.free = 0;
   }
   const auto start = Clock::now();
   do {

@@ -32,6 +32,7 @@ struct Pace {
   TickTimes times;            // of the blocks with a clock round each step()
   std::vector<double> rates;  // updates in a second of the core's time, of each block without one
   std::int64_t untimed = 0;   // ticks of those
+  std::int64_t free = 0;      // of those, answered from known free space
 
   void append(const Pace& other);
   /// Sets samples, updates_per_s (the median of the blocks without a clock in them, so that the clock's own 20 ns or so

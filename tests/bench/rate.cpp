@@ -95,7 +95,10 @@ std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double sp
     Row& row = rows.emplace_back(row_of(methods[i], shape, task, voxel_mm, options));
     row.motion = "slide";
     row.speed_mm_s = speed;
-    paces.push_back(&lanes[i].pace);
+    const Pace& pace = lanes[i].pace;
+    if (clear && methods[i] == Method::surface && pace.untimed > 0)
+      row.cached_share = static_cast<double>(pace.free) / static_cast<double>(pace.untimed);
+    paces.push_back(&pace);
   }
   fill(rows, methods, paces);
   return rows;

@@ -63,6 +63,31 @@ TEST_P(EveryMethod, goes_on_from_a_key_state_bit_for_bit) {
   EXPECT_EQ(resumed->hash(), whole.hash());
 }
 
+/// Everything that is kept from tick to tick for speed alone is thrown away every 23 ticks; slow and fast, over edges, in
+/// its own holes, cutting, hovering and away from the specimen.
+TEST_P(EveryMethod, what_is_kept_for_speed_never_changes_an_answer) {
+  const auto scene = two_tissue_scene(GetParam());
+  StepState whole(scene);
+  auto forgetful = StepState::restore(scene, whole.save());
+  ASSERT_TRUE(forgetful);
+  for (int k = 0; k < 3000; ++k) {
+    const double pace = k < 1000 ? 0.002 : k < 2000 ? 0.03 : 0.11;  // about 1.5, 20 and 80 mm/s
+    const double a = pace * k;
+    const int phase = k % 500;
+    const double z = phase < 250 ? 1.45 - 0.0006 * phase : phase < 350 ? 1.3 : phase < 430 ? 1.95 : 2.6;
+    const StepInput input = input_at({1.5 * std::sin(a), 1.2 * std::cos(0.7 * a), z}, phase < 250);
+    const StepOutput x = step(whole, input);
+    const StepOutput y = step(*forgetful, input);
+    ASSERT_EQ(x.proxy_mm, y.proxy_mm) << k;
+    ASSERT_EQ(x.force_n, y.force_n) << k;
+    if (k % 23 == 0) {
+      forgetful = StepState::restore(scene, forgetful->save());
+      ASSERT_TRUE(forgetful) << k;
+    }
+  }
+  EXPECT_EQ(whole.hash(), forgetful->hash());
+}
+
 TEST_P(EveryMethod, refuses_a_key_state_that_is_cut_short_or_of_another_specimen) {
   const auto scene = two_tissue_scene(GetParam());
   StepState state(scene);
