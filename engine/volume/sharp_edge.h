@@ -131,6 +131,7 @@ struct Creased {
 template <class Load>
 inline Creased creased(const CellField& own, double most_off, Load&& load) noexcept {
   constexpr double kOff = 0.015, kApart = 0.966;  // of a gradient's length; cos 15 degrees
+  constexpr double kAsWell = 0.05;                // of most_off
 
   Creased out;
   if (!own.crease_near()) return out;
@@ -158,22 +159,34 @@ inline Creased creased(const CellField& own, double most_off, Load&& load) noexc
   for (int i = 0; i < 8; ++i) own_d[i] = own.at_corner(i);
   for (int k = 0; k < faces; ++k)
     for (int i = 0; i < 8; ++i) at_corner[k][i] = face[k](Vec3(i & 1, i >> 1 & 1, i >> 2), ga);
-  int one = -1, other = -1;
+  const auto as_ridge = [&](int j, int k) {
+    double sum = 0.0;
+    for (int i = 0; i < 8; ++i) {
+      const double larger = at_corner[j][i] > at_corner[k][i] ? at_corner[j][i] : at_corner[k][i];
+      sum += std::fabs(own_d[i] - larger);
+    }
+    return sum;
+  };
   double best = most_off;
   for (int j = 0; j < faces; ++j)
     for (int k = j + 1; k < faces; ++k) {
       if (glm::dot(face[j].normal, face[k].normal) > kApart) continue;
-      double as_ridge = 0.0;
-      for (int i = 0; i < 8; ++i) {
-        const double larger = at_corner[j][i] > at_corner[k][i] ? at_corner[j][i] : at_corner[k][i];
-        as_ridge += std::fabs(own_d[i] - larger);
-      }
-      if (!(as_ridge < best)) continue;
-      best = as_ridge;
+      const double sum = as_ridge(j, k);
+      best = sum < best ? sum : best;
+    }
+  // Of the pairs that say it as well, the one that bends least: what a crease nearby has touched bends.
+  int one = -1, other = -1;
+  double bent = 0.0;
+  for (int j = 0; j < faces; ++j)
+    for (int k = j + 1; k < faces; ++k) {
+      if (glm::dot(face[j].normal, face[k].normal) > kApart || as_ridge(j, k) > best + kAsWell * most_off) continue;
+      const double sum = std::fabs(face[j].most) + std::fabs(face[k].most);
+      if (one >= 0 && !(sum < bent)) continue;
+      bent = sum;
       one = j;
       other = k;
     }
-  if (one < 0) return out;
+  if (one < 0 || best >= most_off) return out;
   double as_valley = 0.0;
   for (int i = 0; i < 8; ++i) {
     const double smaller = at_corner[one][i] < at_corner[other][i] ? at_corner[one][i] : at_corner[other][i];
