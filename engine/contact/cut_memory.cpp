@@ -78,6 +78,12 @@ bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
   return false;
 }
 
+bool CutMemory::straight_from(Vec3 p) const noexcept {
+  if (count_ == 0) return false;
+  const Vec3 off = nearest_on(segments_[count_ - 1], p) - p;
+  return glm::dot(off, off) < kStraightMm * kStraightMm;
+}
+
 int CutMemory::near(Vec3 y, double radius_mm, std::array<Vec3, kMost>& out) const noexcept {
   int found = 0;
   std::int32_t last = -1;

@@ -21,6 +21,8 @@ class CutMemory {
 
   /// The burr's centre moved, cutting, from a to b. True when that only lengthened the last segment.
   bool add(Vec3 from, Vec3 to, double radius_mm) noexcept;
+  /// True when the last segment passes through p: the way from there has been straight.
+  bool straight_from(Vec3 p) const noexcept;
   /// The path is broken: the next segment starts anew (button up, burr changed).
   void lift() noexcept { open_ = false; }
 

@@ -46,6 +46,7 @@ CutSurface::CutSurface(const Volume& volume)
 void CutSurface::forget() noexcept {
   for (Slot& slot : slots_) {
     for (std::uint64_t& word : slot.stale) word = ~std::uint64_t{0};
+    for (std::uint64_t& word : slot.creased) word = 0;
     slot.first = -1;
   }
   free_.clear();
@@ -54,23 +55,38 @@ void CutSurface::forget() noexcept {
 
 void CutSurface::changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
   const Specimen& specimen = volume.specimen();
-  low -= 2;
-  high += 1;
-  for (int bz = low.z >> 3; bz <= high.z >> 3; ++bz)
-    for (int by = low.y >> 3; by <= high.y >> 3; ++by)
-      for (int bx = low.x >> 3; bx <= high.x >> 3; ++bx) {
+  // A cell reads the voxels one below to two above its own; a creased one those of the cells two away, too.
+  const IVec3 near_low = low - 2, near_high = high + 1;
+  const IVec3 far_low = low - 4, far_high = high + 3;
+  const auto slices = [](IVec3 a, IVec3 b) {
+    std::uint64_t row = 0;
+    for (int x = a.x; x <= b.x; ++x) row |= std::uint64_t{1} << x;
+    std::uint64_t slice = 0;
+    for (int y = a.y; y <= b.y; ++y) slice |= row << (8 * y);
+    return slice;
+  };
+  for (int bz = far_low.z >> 3; bz <= far_high.z >> 3; ++bz)
+    for (int by = far_low.y >> 3; by <= far_high.y >> 3; ++by)
+      for (int bx = far_low.x >> 3; bx <= far_high.x >> 3; ++bx) {
         const int brick = specimen.brick_index({bx, by, bz});
         if (brick < 0 || volume.cut_slot(brick) < 0) continue;
         Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
         const IVec3 corner = IVec3(bx, by, bz) * kBrickEdge;
-        const IVec3 a = glm::max(low - corner, IVec3(0));
-        const IVec3 b = glm::min(high - corner, IVec3(7));
-        std::uint64_t row = 0;
-        for (int x = a.x; x <= b.x; ++x) row |= std::uint64_t{1} << x;
-        std::uint64_t slice = 0;
-        for (int y = a.y; y <= b.y; ++y) slice |= row << (8 * y);
+        IVec3 a = glm::max(far_low - corner, IVec3(0)), b = glm::min(far_high - corner, IVec3(7));
+        std::uint64_t slice = slices(a, b);
+        for (int z = a.z; z <= b.z; ++z) slot.stale[z] |= slice & slot.creased[z];
+        a = glm::max(near_low - corner, IVec3(0));
+        b = glm::min(near_high - corner, IVec3(7));
+        slice = slices(a, b);
         for (int z = a.z; z <= b.z; ++z) slot.stale[z] |= slice;
       }
+}
+
+void CutSurface::sharpen(const Volume& volume, bool on) noexcept {
+  if (on == sharp_) return;
+  sharp_ = on;
+  for (std::size_t i = 0; i < volume.cut_bricks().size(); ++i)
+    for (int z = 0; z < 8; ++z) slots_[i].stale[z] |= slots_[i].creased[z];
 }
 
 std::int32_t CutSurface::first(const Volume& volume, int brick) noexcept {
@@ -130,6 +146,7 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
   for (int z = 0; z < 8; ++z) {
     for (std::uint64_t left = slot.stale[z]; left != 0; left &= left - 1) {
       const int o = z << 6 | std::countr_zero(left);
+      slot.creased[z] &= ~(std::uint64_t{1} << (o & 63));
       while (next_point < points.count && points.normal[next_point].cell() < o) ++next_point;
       if (next_point < points.count && points.normal[next_point].cell() == o) {
         if (!decoded) decode(volume, at);
@@ -139,7 +156,7 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
       if (values[o] < kLeast || values[o] > kMost) continue;
       if (!decoded) decode(volume, at);
       decoded = true;
-      make_cell(volume, corner, o);
+      if (make_cell(volume, corner, o)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
     }
     slot.stale[z] = 0;
   }
@@ -202,7 +219,7 @@ void CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   ++made_count_;
 }
 
-void CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexcept {
+bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexcept {
   const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
   const IVec3 cell = corner + local;
   const double* low = &samples_[local.x + kSide * (local.y + kSide * local.z)];
@@ -211,7 +228,7 @@ void CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   bool crossed = false;
   for (int i = 1; i < 8; ++i)
     crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
-  if (!crossed) return;
+  if (!crossed) return false;
   CellField cut;
   cut.load(low, kSide, kSide * kSide);
   // Deep in the specimen its own surface is further than 2.5 voxels: nothing of it to keep.
@@ -240,7 +257,15 @@ void CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
   Vec3 f, n;
   SharpEdge edge;
-  const Creased crease = creased(cut, kMostOff, [&](IVec3 o, CellField& to) { to.load(volume, Field::cut, cell + o); });
+  const Creased crease = creased(cut, sharp_ ? kMostOff : 0.0, [&](IVec3 o, CellField& to) {
+    const IVec3 there = cell + o;
+    const bool empty = volume.cut(there) < kHalf;
+    bool apart = false;
+    for (int i = 1; i < 8 && !apart; ++i)
+      apart = (volume.cut(there + IVec3(i & 1, i >> 1 & 1, i >> 2)) < kHalf) != empty;
+    if (apart) to.load(volume, Field::cut, there);
+    return apart;
+  });
   Vec3 gradient(0.0);
   if (crease.kind == Creased::Kind::edge) {
     // A ridge between two cuts, where the specimen is solid.
@@ -276,10 +301,11 @@ void CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
     }
   }
   // The mouth, where the cut meets the specimen's own surface.
-  if (deep || !base.crossed()) return;
+  if (deep || !base.crossed()) return crease.looked;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))
     add_edge(edge);
+  return crease.looked;
 }
 
 }  // namespace cusp

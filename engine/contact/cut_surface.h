@@ -42,6 +42,9 @@ class CutSurface {
   /// Voxels low..high (inclusive) of the cut field have changed.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
+  /// Whether ridges between cuts are found to their edge (dear), or rounded as the field has them.
+  void sharpen(const Volume& volume, bool on) noexcept;
+
   /// First page of a brick's features, brought up to date; -1 when it has none. Valid until the next call.
   /// Pre: volume.has_cut(brick).
   std::int32_t first(const Volume& volume, int brick) noexcept;
@@ -58,7 +61,8 @@ class CutSurface {
 
  private:
   struct Slot {
-    std::uint64_t stale[8];  // by cell, one word for each slice
+    std::uint64_t stale[8];    // by cell, one word for each slice
+    std::uint64_t creased[8];  // cells whose features depend on the cells two away as well
     std::int32_t first = -1;
   };
   struct Made {
@@ -70,7 +74,8 @@ class CutSurface {
 
   void refresh(const Volume& volume, int brick, Slot& slot) noexcept;
   void decode(const Volume& volume, IVec3 brick) noexcept;
-  void make_cell(const Volume& volume, IVec3 corner, int offset) noexcept;
+  /// True when the cell is creased.
+  bool make_cell(const Volume& volume, IVec3 corner, int offset) noexcept;
   void make_base(const Volume& volume, const BasePoints& points, int i) noexcept;
 
   std::vector<Slot> slots_;
@@ -78,6 +83,7 @@ class CutSurface {
   std::vector<std::int32_t> free_;
   std::vector<Made> made_;    // of the brick being refreshed
   std::vector<Made> merged_;
+  bool sharp_ = true;
   std::size_t made_count_ = 0;
   std::size_t kept_pages_ = 0;
   double samples_[kSide * kSide * kSide];

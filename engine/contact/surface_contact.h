@@ -59,6 +59,14 @@ class SurfaceContact {
     gathered_.valid = false;
   }
 
+  /// Off while the burr cuts: then ridges between cuts are felt as the field rounds them, and a carved piece costs less.
+  void sharpen(const Volume& volume, bool on) noexcept {
+    if (on == sharp_) return;
+    sharp_ = on;
+    cut_.sharpen(volume, on);
+    gathered_.valid = free_.valid = false;
+  }
+
   /// Everything kept is to be found anew (after the volume was loaded). What is kept never changes an answer.
   void forget() noexcept;
 
@@ -185,6 +193,7 @@ class SurfaceContact {
   std::uint64_t answered_free_ = 0;
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
+  bool sharp_ = true;
   bool edges_ = false;                 // edges may be among the candidates at hand
   bool near_cut_ = false;              // a surface that a burr left is among those near
   /// Of this solve's last pass: planes that hold the pose, and whether planes_ are those it came from.

@@ -42,6 +42,7 @@ Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept {
         const IVec3 to = glm::min(high - corner, IVec3(7));
         std::uint16_t* values = nullptr;
         bool changed = false;
+        Carved::Box box;
         for (int z = from.z; z <= to.z; ++z)
           for (int y = from.y; y <= to.y; ++y)
             for (int x = from.x; x <= to.x; ++x) {
@@ -64,14 +65,19 @@ Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept {
               if (s < values[o]) {
                 values[o] = s;
                 const IVec3 at = corner + IVec3(x, y, z);
-                out.low = out.any ? glm::min(out.low, at) : at;
-                out.high = out.any ? glm::max(out.high, at) : at;
-                out.any = true;
+                box.low = changed ? glm::min(box.low, at) : at;
+                box.high = changed ? glm::max(box.high, at) : at;
                 changed = true;
               }
             }
       next:
-        if (changed) volume.touched(brick);
+        if (!changed) continue;
+        volume.touched(brick);
+        out.low = out.any ? glm::min(out.low, box.low) : box.low;
+        out.high = out.any ? glm::max(out.high, box.high) : box.high;
+        out.any = true;
+        if (out.bricks < Carved::kBoxes) out.box[out.bricks] = box;
+        ++out.bricks;
       }
   return out;
 }

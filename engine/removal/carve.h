@@ -10,7 +10,24 @@ struct Carved {
   bool any = false;        // a value changed
   bool overflow = false;   // a brick had no room
   IVec3 low{0}, high{0};   // voxels that may have changed, inclusive; valid when any
+  /// The same brick by brick, for the first kBoxes of them; the rest are told by `low` and `high` alone.
+  struct Box {
+    IVec3 low{0}, high{0};
+  };
+  static constexpr int kBoxes = 64;
+  Box box[kBoxes];
+  int bricks = 0;          // that changed
 };
+
+/// Calls tell(low, high) for boxes that together hold every voxel that may have changed.
+template <class Tell>
+void for_changed(const Carved& carved, Tell&& tell) noexcept {
+  if (carved.bricks > Carved::kBoxes) {
+    tell(carved.low, carved.high);
+    return;
+  }
+  for (int i = 0; i < carved.bricks; ++i) tell(carved.box[i].low, carved.box[i].high);
+}
 
 /// Unites the cut field with a ball of radius_mm swept from a to b (mm): C = min(C, solid(r - distance to ab)).
 /// Calls touched() once for every brick that changed.

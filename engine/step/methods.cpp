@@ -21,7 +21,7 @@ class SurfaceMethod final : public ContactMethod {
     const double radius = state.scene->burrs[burr].radius_mm;
     const bool room = end_stroke(state);
     const Carved carved = carve_sweep(state.volume, from_mm, to_mm, radius);
-    if (carved.any) state.surface->changed(state.volume, carved.low, carved.high);
+    for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
     state.memory.add(from_mm, to_mm, radius);
     state.memory.lift();
     return room && !carved.overflow;

@@ -16,8 +16,10 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 constexpr double kTieMm = 0.005;        // the cut pose stays this close to the proxy
 constexpr double kLongestCarveMm = 0.2; // a longer sweep is only the advance: the burr flew, it did not cut there
 /// A stroke is carved in pieces, not each micrometre anew: meanwhile its memory keeps its poses admissible. A piece ends
-/// where the stroke is no longer straight to 0.1 um, or after half a voxel, at most this.
+/// where the stroke turns, or after half a voxel, at most kLongestPieceMm; where it is not straight to 0.1 um all the same
+/// (the cut pose is drawn to the proxy), after kLeastPieceMm.
 constexpr double kLongestPieceMm = 0.04;
+constexpr double kLeastPieceMm = 0.008;
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.0002;
 constexpr double kFrictionSpeed = 2.0;  // mm/s at which the Coulomb force is whole
@@ -41,7 +43,7 @@ double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcep
 bool carve_pending(StepState::Inner& state, double radius_mm, bool* any) noexcept {
   state.cut_pending = false;
   const Carved carved = carve_sweep(state.volume, state.cut_from, state.cut_pose, radius_mm);
-  if (carved.any) state.surface->changed(state.volume, carved.low, carved.high);
+  for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
   state.cut_from = state.cut_pose;
   if (any) *any = carved.any;
   return !carved.overflow;
@@ -64,6 +66,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   const double reach = 1.1 * length_of(device - state.device) + 0.004;
   const Vec3 before = state.proxy;
 
+  surface.sharpen(state.volume, !cut);
   Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach,
                                   &state.memory);
   out.infeasible = contact.infeasible;
@@ -120,14 +123,17 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
         if (state.cut_pending) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
         state.memory.lift();
       }
-      const bool straight = state.memory.add(from, next, burr.radius_mm);
-      if (state.cut_pending && !straight) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
+      const bool straight_on = state.memory.add(from, next, burr.radius_mm);
+      if (state.cut_pending && !straight_on)
+        out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
       if (!state.cut_pending) state.cut_from = from;
       state.cut_pose = next;
       state.cut_pending = true;
       out.cutting = true;
       out.advance_mm = advance;
-      const double piece = std::min(kLongestPieceMm, 0.5 * state.volume.grid().voxel_mm);
+      const double piece = state.memory.straight_from(state.cut_from)
+                               ? std::min(kLongestPieceMm, 0.5 * state.volume.grid().voxel_mm)
+                               : kLeastPieceMm;
       if (length_of(next - state.cut_from) >= piece)
         out.overflow = !carve_pending(state, burr.radius_mm, &out.cutting) || out.overflow;
     } else {

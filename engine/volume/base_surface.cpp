@@ -51,7 +51,10 @@ BaseSurface BaseSurface::of(const Specimen& specimen) {
       Vec3 f, normal;
       std::uint16_t place = static_cast<std::uint16_t>(o);
       const Creased crease =
-          creased(field, kMostOff, [&](IVec3 offset, CellField& to) { to.load(specimen, corner + local + offset); });
+          creased(field, kMostOff, [&](IVec3 offset, CellField& to) {
+        to.load(specimen, corner + local + offset);
+        return true;
+      });
       const auto index = static_cast<std::uint32_t>(out.tissue_.size());
       if (crease.kind == Creased::Kind::edge) {
         f = crease.edge.at;

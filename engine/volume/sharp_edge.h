@@ -87,7 +87,7 @@ inline bool face_of(const CellField& field, Face& out) noexcept {
   constexpr double kLength2 = 0.02, kBent = 0.35;
   if (!field.crossed() || field.most_bent() > kBent) return false;
   Vec3 g;
-  for (int i = 0; i < 8; ++i) {
+  for (const int i : {0, 3, 5, 6}) {  // the corners of a tetrahedron
     field.eval(Vec3(i & 1, i >> 1 & 1, i >> 2), g);
     const double off = glm::dot(g, g) - 1.0;
     if (!(off < kLength2 && off > -kLength2)) return false;
@@ -120,17 +120,19 @@ inline bool face_of(const CellField& field, Face& out) noexcept {
 /// What a crossed cell holds where one field is creased outwards: an edge, or, beside it, a point of one face.
 struct Creased {
   enum class Kind : std::uint8_t { no, edge, face } kind = Kind::no;
+  bool looked = false;                       // the cell is creased: the answer depends on the cells two away as well
   SharpEdge edge;
   Vec3 point{0.5}, normal{0.0};              // of the face that is the surface in this cell
   double other_d = 0.0;                      // of the point, to the other face, negative inside; voxels
   Vec3 other_normal{0.0};
 };
 
-/// load(offset, CellField&) reads the cell `offset` away. most_off: by how much (voxels, summed over the eight corners)
-/// the field may differ from the larger of two faces. A crease shows by a gradient that is no distance's.
+/// load(offset, CellField&) reads the cell `offset` away, or says false where it is not crossed. most_off: by how much (voxels, summed over the eight corners)
+/// the field may differ from the larger of two faces; 0: a crease is only seen, not looked into. A crease shows by a gradient that is no distance's.
 template <class Load>
 inline Creased creased(const CellField& own, double most_off, Load&& load) noexcept {
   constexpr double kOff = 0.015, kApart = 0.966;  // of a gradient's length; cos 15 degrees
+  constexpr int kFaces = 50;
   constexpr double kAsWell = 0.05;                // of most_off
 
   Creased out;
@@ -138,22 +140,25 @@ inline Creased creased(const CellField& own, double most_off, Load&& load) noexc
   Vec3 f(0.5), n(0.0);
   double steep = 0.0;
   if (cell_point(own, f, n, &steep) && steep > 1.0 - kOff && steep < 1.0 + kOff) return out;
+  out.looked = true;
+  if (!(most_off > 0.0)) return out;
   // Faces two cells away, out of reach of the crease.
-  Face face[98];
+  Face face[kFaces];
   int faces = 0;
   for (int z = -2; z <= 2; ++z)
     for (int y = -2; y <= 2; ++y)
       for (int x = -2; x <= 2; ++x) {
         const IVec3 o(x, y, z);
-        if (x != 2 && x != -2 && y != 2 && y != -2 && z != 2 && z != -2) continue;
+        // Every other one is enough.
+        if ((x != 2 && x != -2 && y != 2 && y != -2 && z != 2 && z != -2) || ((x + y + z) & 1) != 0) continue;
         CellField field;
-        load(o, field);
-        if (!face_of(field, face[faces])) continue;
+        if (!load(o, field) || !face_of(field, face[faces])) continue;
         face[faces].point += Vec3(o);
         ++faces;
       }
   // Tissue inside both: at the corners the field is the larger of the two. The pair of faces that says so best.
-  double at_corner[98][8];
+  double at_corner[kFaces][8];
+  float told[kFaces * kFaces / 2];  // of each pair, in order
   double own_d[8];
   Vec3 ga, gb;
   for (int i = 0; i < 8; ++i) own_d[i] = own.at_corner(i);
@@ -168,18 +173,21 @@ inline Creased creased(const CellField& own, double most_off, Load&& load) noexc
     return sum;
   };
   double best = most_off;
+  int pair = 0;
   for (int j = 0; j < faces; ++j)
-    for (int k = j + 1; k < faces; ++k) {
-      if (glm::dot(face[j].normal, face[k].normal) > kApart) continue;
-      const double sum = as_ridge(j, k);
+    for (int k = j + 1; k < faces; ++k, ++pair) {
+      const bool differ = glm::dot(face[j].normal, face[k].normal) <= kApart;
+      const double sum = differ ? as_ridge(j, k) : most_off;
+      told[pair] = static_cast<float>(sum);
       best = sum < best ? sum : best;
     }
   // Of the pairs that say it as well, the one that bends least: what a crease nearby has touched bends.
   int one = -1, other = -1;
   double bent = 0.0;
+  pair = 0;
   for (int j = 0; j < faces; ++j)
-    for (int k = j + 1; k < faces; ++k) {
-      if (glm::dot(face[j].normal, face[k].normal) > kApart || as_ridge(j, k) > best + kAsWell * most_off) continue;
+    for (int k = j + 1; k < faces; ++k, ++pair) {
+      if (told[pair] >= most_off || told[pair] > best + kAsWell * most_off) continue;
       const double sum = std::fabs(face[j].most) + std::fabs(face[k].most);
       if (one >= 0 && !(sum < bent)) continue;
       bent = sum;
