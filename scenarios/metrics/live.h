@@ -1,5 +1,5 @@
 /// The scores while drilling: the same figures as measure() gives, kept current by redoing only the bricks that changed.
-/// Thread: the mirror's (or whichever owns the volume). About every 25 ms of the session's time.
+/// Thread: the mirror's (or whichever owns the volume). About every 100 ms of the session's time.
 #pragma once
 
 #include <array>
