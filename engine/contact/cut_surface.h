@@ -56,9 +56,6 @@ class CutSurface {
   /// Everything is to be read anew (after the volume was loaded).
   void forget() noexcept;
 
-  /// Features of all kept bricks; for benches.
-  std::size_t bytes() const noexcept { return slots_.size() * sizeof(Slot) + pages_.size() * sizeof(Page); }
-
  private:
   struct Slot {
     std::uint64_t stale[8];    // by cell, one word for each slice

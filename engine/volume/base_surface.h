@@ -53,7 +53,6 @@ class BaseSurface {
     Vec3f vector{0.0f};       // edge: bend in x(t) = place + tangent t + bend t^2, voxels; beside: the other face's normal
   };
   const Sharp& sharp(const BasePoints& points, int i) const noexcept;
-  bool has_edges() const noexcept { return !sharp_.empty(); }
   std::size_t size() const noexcept { return tissue_.size(); }
   std::size_t bytes() const noexcept {
     return x_.size() * (3 * sizeof(float) + sizeof(BaseNormal)) + tissue_.size() + first_.size() * sizeof(std::uint32_t) +
