@@ -1,7 +1,7 @@
 /// The surface of a brick that a burr has reached, as points and edges in cell order: what is left of the specimen's own
 /// points, the cut's points, and the edges where both meet. Computed when contact asks for a brick, kept until a voxel
-/// that it was read from changes. What it answers depends on the volume alone, so that an incremental answer equals a
-/// full rebuild bit for bit. Fixed memory, in pages of eight features. Thread: haptic.
+/// that it was read from changes. What it answers depends on the volume and on sharpen() alone, so that an incremental
+/// answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features. Thread: haptic.
 #pragma once
 
 #include <cstdint>
