@@ -5,7 +5,6 @@
 #include "tests/bench/channel.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/names.h"
-#include "tests/bench/program.h"
 
 namespace cusp::bench {
 
@@ -91,15 +90,7 @@ std::vector<Row> accuracy_rows(const Options& options) {
 int run_accuracy(const Options& options) {
   Report report = empty_report();
   report.rows = accuracy_rows(options);
-  if (options.json.empty()) {
-    print_table(report.rows, std::cout);
-    return kDone;
-  }
-  if (const auto written = print_json(report, options.json); !written) {
-    std::cerr << "cusp-bench: cannot write " << written.error().where << '\n';
-    return kFailed;
-  }
-  return kDone;
+  return hand_over(report, options.json, [](const std::vector<Row>& rows) { print_table(rows, std::cout); });
 }
 
 }  // namespace cusp::bench

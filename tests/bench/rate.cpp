@@ -12,7 +12,6 @@
 #include "tests/bench/motions.h"
 #include "tests/bench/names.h"
 #include "tests/bench/pin.h"
-#include "tests/bench/program.h"
 
 namespace cusp::bench {
 
@@ -265,15 +264,7 @@ int run_rate(const Options& options) {
   if (!pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   Report report = empty_report();
   report.rows = rate_rows(options);
-  if (options.json.empty()) {
-    print(report.rows);
-    return kDone;
-  }
-  if (const auto written = print_json(report, options.json); !written) {
-    std::cerr << "cusp-bench: cannot write " << written.error().where << '\n';
-    return kFailed;
-  }
-  return kDone;
+  return hand_over(report, options.json, print);
 }
 
 }  // namespace cusp::bench

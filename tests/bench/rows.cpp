@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "tests/bench/machine.h"
+#include "tests/bench/program.h"
 
 namespace cusp::bench {
 
@@ -133,22 +134,31 @@ Result<Report, RowsFailure> read_json(const std::string& path) {
 
 std::string to_csv(const Report& report) {
   std::string out = "# commit " + report.commit + ", machine " + report.machine + '\n';
-  bool first = true;
-  const Row none;
-  for_each_field(none, [&](const char* name, const auto&) {
-    out += (first ? "" : ",") + std::string(name);
-    first = false;
-  });
-  out += '\n';
+  std::vector<bool> held;
   for (const Row& row : report.rows) {
-    first = true;
+    std::size_t i = 0;
     for_each_field(row, [&](const char*, const auto& value) {
+      if (i == held.size()) held.push_back(false);
+      held[i] = held[i] || present(value);
+      ++i;
+    });
+  }
+  const auto line = [&](const Row& row, auto&& cell) {
+    std::size_t i = 0;
+    bool first = true;
+    for_each_field(row, [&](const char* name, const auto& value) {
+      if (!held.empty() && !held[i++]) return;
       if (!first) out += ',';
-      if (present(value)) out += csv_text(value);
+      cell(name, value);
       first = false;
     });
     out += '\n';
-  }
+  };
+  line(Row{}, [&out](const char* name, const auto&) { out += name; });
+  for (const Row& row : report.rows)
+    line(row, [&out](const char*, const auto& value) {
+      if (present(value)) out += csv_text(value);
+    });
   return out;
 }
 
@@ -218,6 +228,18 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
     number(row.tick_us_p999, 9, 1);
     out << (row.unresolved ? "  unresolved\n" : "\n");
   }
+}
+
+int hand_over(const Report& report, const std::string& json, void (*print)(const std::vector<Row>&)) {
+  if (json.empty()) {
+    print(report.rows);
+    return kDone;
+  }
+  if (const auto written = print_json(report, json); !written) {
+    std::cerr << "cusp-bench: cannot write " << written.error().where << '\n';
+    return kFailed;
+  }
+  return kDone;
 }
 
 }  // namespace cusp::bench

@@ -123,11 +123,15 @@ Result<Report, RowsFailure> from_json(const std::string& text);
 Result<void, RowsFailure> print_json(const Report& report, const std::string& path);
 Result<Report, RowsFailure> read_json(const std::string& path);
 
-/// First line "# commit …, machine …", then the names, then a line for each row.
+/// First line "# commit …, machine …", then the names of what any row holds, then a line for each row.
 std::string to_csv(const Report& report);
 Result<Report, RowsFailure> from_csv(const std::string& text);
 
 /// For a person: a column for each of the main figures; absent ones as a dash.
 void print_table(const std::vector<Row>& rows, std::ostream& out);
+
+/// The end of a verb: the rows as JSON to the file that was asked for ("-": stdout), or as print() shows them to a
+/// person where none was. The program's exit code; says on stderr what failed.
+int hand_over(const Report& report, const std::string& json, void (*print)(const std::vector<Row>&));
 
 }  // namespace cusp::bench

@@ -11,7 +11,6 @@
 #include "tests/bench/motions.h"
 #include "tests/bench/names.h"
 #include "tests/bench/pin.h"
-#include "tests/bench/program.h"
 #include "tests/bench/rate.h"
 
 namespace cusp::bench {
@@ -37,6 +36,14 @@ std::shared_ptr<const Scene> block_scene(int edge, Method method, double voxel_m
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1.0};
   scene->guard.jump_mm = 1e6;
   return scene;
+}
+
+void print(const std::vector<Row>& rows) {
+  fmt::print("{:<16}{:<11}{:>14}{:>12}{:>9}{:>9}{:>11}{:>11}\n", "method", "way", "voxels", "updates/s", "p50 us",
+             "p99", "cost/128^3", "memory MB");
+  for (const Row& r : rows)
+    fmt::print("{:<16}{:<11}{:>14}{:>12.0f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n", r.method, r.variant, r.volume_voxels,
+               r.updates_per_s, r.tick_us_p50, r.tick_us_p99, r.cost_to_smallest, r.memory_mb);
 }
 
 }  // namespace
@@ -147,19 +154,7 @@ int run_scale(const Options& options) {
   if (!pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   Report report = empty_report();
   report.rows = scale_rows(options);
-  if (options.json.empty()) {
-    fmt::print("{:<16}{:<11}{:>14}{:>12}{:>9}{:>9}{:>11}{:>11}\n", "method", "way", "voxels", "updates/s", "p50 us",
-               "p99", "cost/128^3", "memory MB");
-    for (const Row& r : report.rows)
-      fmt::print("{:<16}{:<11}{:>14}{:>12.0f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n", r.method, r.variant,
-                 r.volume_voxels, r.updates_per_s, r.tick_us_p50, r.tick_us_p99, r.cost_to_smallest, r.memory_mb);
-    return kDone;
-  }
-  if (const auto written = print_json(report, options.json); !written) {
-    std::cerr << "cusp-bench: cannot write " << written.error().where << '\n';
-    return kFailed;
-  }
-  return kDone;
+  return hand_over(report, options.json, print);
 }
 
 }  // namespace cusp::bench
