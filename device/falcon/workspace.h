@@ -1,0 +1,47 @@
+/// From the grip's place to the specimen, and from a force on the burr to the grip. The device's x (right), y (up) and
+/// z (to the user) become the specimen's x, z and -y, turned by `yaw_rad` about the specimen's z, scaled, shifted.
+/// Metres on the device's side, millimetres on the specimen's. Pure but for the clutch. Haptic thread.
+#pragma once
+
+#include <optional>
+
+#include "engine/base/vec.h"
+
+namespace cusp::falcon {
+
+struct WorkspaceSettings {
+  Vec3 centre_m{0.0, 0.0,
+                0.125};  // of the device; programs disagree (0.100 to 0.150), the middle of its travel is this
+  Vec3 origin_mm{0.0};   // place in the specimen where the centre comes to lie
+  double scale = 0.5;    // mm in the specimen for a mm of the grip: 80 mm of travel cover a tooth [M]
+  double yaw_rad = 0.0;
+};
+
+class Workspace {
+ public:
+  static constexpr double kMinScale = 0.05, kMaxScale = 2.0;
+
+  /// Nothing when a number is not finite or the scale is out of range.
+  static std::optional<Workspace> from(const WorkspaceSettings& settings) noexcept;
+
+  Vec3 specimen_mm(Vec3 grip_m) const noexcept;
+  /// Newtons stay newtons: with a scale under 1 a tissue of stiffness K feels K * scale to the hand.
+  Vec3 device_n(Vec3 specimen_n) const noexcept;
+
+  /// While the clutch is held the grip moves and the burr does not; afterwards the burr goes on from where it stood.
+  /// Whoever calls it gives no force meanwhile.
+  void hold(Vec3 grip_m) noexcept;
+  void release(Vec3 grip_m) noexcept;
+  bool held() const noexcept { return held_; }
+
+ private:
+  explicit Workspace(const WorkspaceSettings& settings) noexcept;
+  Vec3 turned(Vec3 device) const noexcept;
+
+  WorkspaceSettings settings_;
+  double cosine_ = 1.0, sine_ = 0.0;
+  Vec3 held_mm_{0.0};
+  bool held_ = false;
+};
+
+}  // namespace cusp::falcon
