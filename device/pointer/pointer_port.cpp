@@ -38,6 +38,7 @@ DeviceLimits PointerPort::limits() const {
   limits.device_class = "pointer";
   limits.max_force_n = PointerHand::kMaxPushN;
   limits.max_stiffness_n_per_mm = 20.0;  // no hand stands in the loop: any stiffness a scenario may name
+  limits.closed_loop = false;
   return limits;
 }
 

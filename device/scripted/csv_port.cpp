@@ -61,6 +61,7 @@ DeviceLimits CsvPort::limits() const {
   limits.device_class = "scripted";
   limits.rotation_axes = 3;
   limits.max_stiffness_n_per_mm = 20.0;  // no hand stands in the loop: any stiffness a scenario may name
+  limits.closed_loop = false;
   limits.has_own_clock = true;
   return limits;
 }

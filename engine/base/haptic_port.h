@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "engine/base/result.h"
@@ -19,9 +20,16 @@ struct DeviceLimits {
   double max_force_n = 8.9;          // most force the guard may ask of it, per vector
   double max_stiffness_n_per_mm = 3.0;  // a scene's stiffness is cut to this; declared or calibrated
   bool has_own_clock = false;        // true: wait() returns when the device delivers, not at the deadline
+  // The closed loop: with a mass behind the device point that the force moves, a stiffness may be too much.
+  bool closed_loop = true;           // false: the hand gives force and not depth (a mouse), or nobody holds it (a script)
+  std::optional<double> damping_ns_per_m;  // viscous, of the device alone; unknown until calibrated
+  std::optional<double> delay_ms;    // from the hand's motion to the force that answers it, there and back; likewise
+  std::optional<double> encoder_mm;  // step of the reading
+  std::optional<double> softest_grip_ns_per_m;  // damping of the softest grip that holds it; unknown: the laboratory's
 };
 
-/// One reading of the device, already in the specimen frame.
+/// One reading of the device, already in the specimen frame. A port says `late` whenever the device has delivered nothing
+/// since the sample before, whether or not the position is the same: a device that froze shows by that alone.
 struct Sample {
   enum class Status : std::uint8_t { fresh, late, gone };
   Status status = Status::gone;

@@ -4,33 +4,84 @@
 
 namespace cusp {
 
-Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, bool first) noexcept {
-  if (input.buttons & StepInput::kGone) return Fault::gone;
+namespace {
+
+/// Low-pass of the device's velocity: one encoder step of 0.05 mm in a tick shows as 10 mm/s, not as 50.
+constexpr double kVelocityMs = 4.0;
+/// A late tick earns no more rise than one in time.
+constexpr double kMostRiseMs = 1.0;
+
+}  // namespace
+
+Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms, bool first) noexcept {
+  if (input.buttons & StepInput::kGone) return input.buttons & StepInput::kLate ? Fault::not_finite : Fault::gone;
   if (first || (input.buttons & StepInput::kRearm)) return Fault::none;
-  if (input.elapsed_us > settings.late_ms * 1000.0) return Fault::late;
-  if (jump_mm > settings.jump_mm) return Fault::jump;
+  if (settings.has(GuardPart::late) && input.elapsed_us > settings.late_ms * 1000.0) return Fault::late;
+  if (settings.has(GuardPart::stale) && stale_ms > settings.stale_ms) return Fault::stale;
+  if (settings.has(GuardPart::jump) && !(jump_mm <= settings.jump_mm)) return Fault::jump;
   return Fault::none;
 }
 
-Vec3 guarded(const GuardSettings& settings, GuardState& state, Vec3 raw_n, double dt_ms) noexcept {
-  const double square = glm::dot(raw_n, raw_n);
+Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& tick, Vec3 moved_mm,
+             std::uint16_t& acts) noexcept {
+  acts = 0;
+  const double square = glm::dot(tick.raw_n, tick.raw_n);
   if (!(square <= 1e12)) state.fault = state.fault == Fault::none ? Fault::not_finite : state.fault;  // NaN too
   if (state.fault != Fault::none) {
-    state.ramp_ms = 0.0;
-    state.force_n = 0.0;
+    release(state);
     return Vec3(0.0);
   }
-  state.ramp_ms += dt_ms;
-  const double wanted = std::sqrt(square);
-  const double ramp = settings.ramp_in_ms > 0.0 && state.ramp_ms < settings.ramp_in_ms
-                          ? state.ramp_ms / settings.ramp_in_ms
-                          : 1.0;
-  double given = wanted * ramp;
-  if (given > settings.limit_n) given = settings.limit_n;
-  const double rise = state.force_n + settings.slew_n_per_ms * dt_ms;
-  if (given > rise) given = rise;
+  const auto act = [&](GuardPart part) { acts = static_cast<std::uint16_t>(acts | static_cast<unsigned>(part)); };
+  state.ramp_ms += tick.dt_ms;
+  if (tick.dt_ms > 0.0) {
+    const Vec3 now = moved_mm / (tick.dt_ms * 1e-3);
+    state.velocity_mm_s += (now - state.velocity_mm_s) * (tick.dt_ms / (tick.dt_ms + kVelocityMs));
+  }
+
+  Vec3 force = tick.raw_n;
+  if (settings.has(GuardPart::passivity)) {
+    force = passive(settings, state.passivity, tick);
+    if (state.passivity.scale < 1.0 && tick.contact) act(GuardPart::passivity);
+  }
+  const double wanted = std::sqrt(glm::dot(force, force));
+  double given = wanted;
+  if (settings.has(GuardPart::speed) && wanted > 1e-12) {
+    // Thrown: along the force. A hand that pushes against it at any speed feels all of it.
+    const double away = glm::dot(state.velocity_mm_s, force) / wanted;
+    if (away > settings.speed_mm_s) {
+      const double over = away / settings.speed_mm_s - 1.0;
+      given = over < 1.0 ? given * (1.0 - over) : 0.0;
+      act(GuardPart::speed);
+    }
+  }
+  if (settings.has(GuardPart::ramp_in) && state.ramp_ms < settings.ramp_in_ms) {
+    given *= state.ramp_ms / settings.ramp_in_ms;
+    if (wanted > 0.0) act(GuardPart::ramp_in);
+  }
+  if (settings.has(GuardPart::limit) && given > settings.limit_n) {
+    given = settings.limit_n;
+    act(GuardPart::limit);
+  }
+  if (settings.has(GuardPart::slew)) {
+    const double rise_ms = tick.dt_ms < kMostRiseMs ? tick.dt_ms : kMostRiseMs;
+    const double rise = state.force_n + settings.slew_n_per_ms * rise_ms;
+    if (given > rise) {
+      given = rise;
+      act(GuardPart::slew);
+    }
+  }
   state.force_n = given;
-  return wanted > 1e-12 ? raw_n * (given / wanted) : Vec3(0.0);
+  if (!(wanted > 1e-12)) given = 0.0;
+  const Vec3 out = given == wanted ? force : wanted > 1e-12 ? force * (given / wanted) : Vec3(0.0);
+  hold(state.passivity, out);
+  return out;
+}
+
+void release(GuardState& state) noexcept {
+  state.ramp_ms = 0.0;
+  state.force_n = 0.0;
+  state.velocity_mm_s = Vec3(0.0);
+  state.passivity = PassivityState{};
 }
 
 }  // namespace cusp

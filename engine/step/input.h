@@ -21,11 +21,12 @@ struct StepInput {
   bool cutting() const noexcept { return (buttons & kCut) != 0; }
 
   static constexpr std::uint16_t kCut = 1, kRearm = 1u << 13, kGone = 1u << 14, kLate = 1u << 15;
+  static constexpr std::uint16_t kNotFinite = kGone | kLate;  // both: the position was no number, or beyond 100 m
   friend bool operator==(const StepInput&, const StepInput&) = default;
 };
 static_assert(sizeof(StepInput) == 32);
 
-/// Quantises a device's sample. A position that is not finite or beyond 100 m becomes the last one with kGone set.
+/// Quantises a device's sample. A position that is not finite (or orientation), or beyond 100 m, becomes the last one with kNotFinite set.
 StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInput& last) noexcept;
 
 }  // namespace cusp

@@ -76,6 +76,7 @@ void write_output(Writer& w, const StepOutput& o) {
   unsigned bits = 0;
   for (unsigned i = 0; i < 8; ++i) bits |= flags[i] ? 1u << i : 0u;
   w.u(bits, 1);
+  w.u(o.guard_acts, 2);
 }
 
 void read_output(Reader& r, StepOutput& o) {
@@ -97,6 +98,35 @@ void read_output(Reader& r, StepOutput& o) {
   o.infeasible = bits & 16u;
   o.overflow = bits & 32u;
   o.deferred = bits & 64u;
+  o.guard_acts = static_cast<std::uint16_t>(r.u(2));
+}
+
+void write_guard(Writer& w, const GuardState& g) {
+  w.u(static_cast<std::uint64_t>(g.fault), 1);
+  w.d(g.ramp_ms);
+  w.d(g.force_n);
+  w.d(g.stale_ms);
+  w.v(g.velocity_mm_s);
+  const PassivityState& p = g.passivity;
+  w.u((p.primed ? 1u : 0u) | (p.open ? 2u : 0u), 1);
+  for (const double value : {p.gap_ms, p.scale, p.room_mj, p.bank_mj}) w.d(value);
+  for (const Vec3& v : {p.device_mm, p.spring_mm, p.given_n}) w.v(v);
+  for (const Vec3& v : p.held_n) w.v(v);
+}
+
+void read_guard(Reader& r, GuardState& g) {
+  g.fault = static_cast<Fault>(r.u(1));
+  g.ramp_ms = r.d();
+  g.force_n = r.d();
+  g.stale_ms = r.d();
+  g.velocity_mm_s = r.v();
+  PassivityState& p = g.passivity;
+  const std::uint64_t flags = r.u(1);
+  p.primed = (flags & 1) != 0;
+  p.open = (flags & 2) != 0;
+  for (double* value : {&p.gap_ms, &p.scale, &p.room_mj, &p.bank_mj}) *value = r.d();
+  for (Vec3* v : {&p.device_mm, &p.spring_mm, &p.given_n}) *v = r.v();
+  for (Vec3& v : p.held_n) v = r.v();
 }
 
 }  // namespace
@@ -109,9 +139,7 @@ std::vector<std::byte> StepState::save() const {
   w.u(s.scene->specimen->hash(), 8);
   w.u(static_cast<std::uint64_t>(s.scene->method), 1);
   write_output(w, s.last);
-  w.u(static_cast<std::uint64_t>(s.guard.fault), 1);
-  w.d(s.guard.ramp_ms);
-  w.d(s.guard.force_n);
+  write_guard(w, s.guard);
   w.v(s.proxy);
   w.v(s.device);
   w.v(s.cut_pose);
@@ -144,9 +172,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   StepState out(std::move(scene));
   Inner& s = *out.inner_;
   read_output(r, s.last);
-  s.guard.fault = static_cast<Fault>(r.u(1));
-  s.guard.ramp_ms = r.d();
-  s.guard.force_n = r.d();
+  read_guard(r, s.guard);
   s.proxy = r.v();
   s.device = r.v();
   s.cut_pose = r.v();
@@ -160,7 +186,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   const bool open = r.u(1) != 0;
   const std::size_t count = r.u(4);
   if (!r.good() || count > r.left() / 56 || s.last.burr >= burrs || index_of(s.last.tissue) >= kTissueCodes ||
-      s.guard.fault > Fault::not_finite)
+      s.guard.fault > Fault::stale)
     return std::nullopt;
   std::vector<CutMemory::Segment> segments(count);
   for (CutMemory::Segment& segment : segments) {

@@ -14,7 +14,7 @@
 namespace cusp {
 
 /// Rises when a golden hash of the step changes: a session of another engine version opens from its stored results.
-inline constexpr int kEngineVersion = 2;
+inline constexpr int kEngineVersion = 3;
 
 /// How contact is found (design, "Contact methods").
 enum class Method : std::uint8_t { occupancy, occupancy_pivot, surface, ray, penalty, gradient };
@@ -42,14 +42,57 @@ struct TissueFeel {
   double speed_mm_s = 1.0;          // removal velocity RV of eq. (6) at alpha = 1; 0 = cannot be cut
 };
 
-/// Last stage of the step: what the hand may get.
+/// What the guard is made of; each can be switched off, so that its effect can be shown. That a lost device, a position
+/// that is none and a force that is none give no force and latch a fault is not among them: it is never off.
+enum class GuardPart : std::uint16_t {
+  limit = 1 << 0,      // most force
+  slew = 1 << 1,       // rising force
+  ramp_in = 1 << 2,    // from zero after start, burr change or re-arm
+  jump = 1 << 3,       // fault: the device point jumped
+  late = 1 << 4,       // fault: the tick is late
+  stale = 1 << 5,      // fault: the device repeats itself
+  speed = 1 << 6,      // velocity bound
+  passivity = 1 << 7,  // the controller of passivity.h
+  coupling = 1 << 8,   // its damper
+};
+inline constexpr std::uint16_t kAllGuardParts = 0x1ff;
+
+/// Last stage of the step: what the hand may get. [M]: chosen here, not measured on a device.
 struct GuardSettings {
   double limit_n = 8.9;             // the device's; per vector
   double slew_n_per_ms = 0.3;       // how fast the force may rise; it may fall at any rate
   double ramp_in_ms = 200.0;        // from zero after start, burr change or re-arm
   double jump_mm = 5.0;             // a device point that moves further in one input is a fault
   double late_ms = 50.0;            // an input that comes later than this is a fault
+  double stale_ms = 10.0;           // a device that has said nothing new for longer is a fault [M]: a Falcon answers
+                                    // each millisecond, and lets its motors go when the host is silent
+  double speed_mm_s = 400.0;        // velocity bound: a device that the force itself drives faster is being thrown; from
+                                    // here the force fades, to nothing at twice that [M]: hands drill at 1 to 50
+  double passivity_mj = 0.02;       // what the loop may feed before the passivity controller acts
+  double delay_ms = 0.0;            // there and back, that the passivity controller reckons with, [0, 8]
+  double coupling_ns_per_m = 0.5;   // damper of the virtual coupling, where the controller has softened it
+  std::uint16_t parts = kAllGuardParts;
+
+  constexpr bool has(GuardPart part) const noexcept { return (parts & static_cast<std::uint16_t>(part)) != 0; }
+  constexpr GuardSettings without(GuardPart part) const noexcept {
+    GuardSettings out = *this;
+    out.parts = static_cast<std::uint16_t>(out.parts & ~static_cast<unsigned>(part));
+    return out;
+  }
+  constexpr GuardSettings with(GuardPart part) const noexcept {
+    GuardSettings out = *this;
+    out.parts = static_cast<std::uint16_t>(out.parts | static_cast<unsigned>(part));
+    return out;
+  }
+  friend bool operator==(const GuardSettings&, const GuardSettings&) = default;
 };
+
+/// For the laboratory: the hand gets the method's own force. Not for hands.
+constexpr GuardSettings unguarded() noexcept {
+  GuardSettings out;
+  out.parts = 0;
+  return out;
+}
 
 struct Scene {
   std::shared_ptr<const Specimen> specimen;  // built with reading_of(method)

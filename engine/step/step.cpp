@@ -17,19 +17,22 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
   if (sample.status == Sample::Status::late) out.buttons |= StepInput::kLate;
   if (sample.status == Sample::Status::gone) out.buttons |= StepInput::kGone;
   constexpr double kMostMm = 1e5;
-  bool good = sample.status != Sample::Status::gone;
+  if (sample.status == Sample::Status::gone) return out;
+  bool good = true;
   for (int i = 0; i < 3; ++i) good = good && sample.position_mm[i] >= -kMostMm && sample.position_mm[i] <= kMostMm;
+  const Quat& q = sample.orientation;
+  for (const double part : {q.x, q.y, q.z, q.w}) good = good && part >= -2.0 && part <= 2.0;
   if (!good) {
-    out.buttons |= StepInput::kGone;
+    out.buttons |= StepInput::kNotFinite;
     return out;
   }
   const auto tenth_um = [](double mm) { return static_cast<std::int32_t>(std::floor(mm * 1e4 + 0.5)); };
   out.x = tenth_um(sample.position_mm.x);
   out.y = tenth_um(sample.position_mm.y);
   out.z = tenth_um(sample.position_mm.z);
-  const auto part = [](double q) {
-    q = !(q >= -1.0) ? -1.0 : q > 1.0 ? 1.0 : q;
-    return static_cast<std::int16_t>(std::floor(q * 32767.0 + 0.5));
+  const auto part = [](double value) {
+    value = value < -1.0 ? -1.0 : value > 1.0 ? 1.0 : value;
+    return static_cast<std::int16_t>(std::floor(value * 32767.0 + 0.5));
   };
   out.qx = part(sample.orientation.x);
   out.qy = part(sample.orientation.y);
@@ -66,6 +69,14 @@ std::uint64_t StepState::hash() const noexcept {
         static_cast<std::uint64_t>(s.cut_pending) << 26);
   h.add_double(s.guard.ramp_ms);
   h.add_double(s.guard.force_n);
+  h.add_double(s.guard.stale_ms);
+  const PassivityState& passivity = s.guard.passivity;
+  for (const Vec3& v : {s.guard.velocity_mm_s, passivity.device_mm, passivity.spring_mm, passivity.given_n})
+    for (int i = 0; i < 3; ++i) h.add_double(v[i]);
+  for (const Vec3& v : passivity.held_n)
+    for (int i = 0; i < 3; ++i) h.add_double(v[i]);
+  for (const double d : {passivity.gap_ms, passivity.scale, passivity.room_mj, passivity.bank_mj}) h.add_double(d);
+  h.add((passivity.primed ? 1u : 0u) | (passivity.open ? 2u : 0u));
   for (const double owed : s.owed) h.add_double(owed);
   if (s.scene->method == Method::gradient)
     for (int i = 0; i < 3; ++i) h.add_double(s.foot[i]);
@@ -121,25 +132,28 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
 
   const bool first = !state.started;
   const Vec3 moved = device - state.device;
+  const double elapsed_ms = static_cast<double>(input.elapsed_us) * 1e-3;
+  const bool fresh = (input.buttons & StepInput::kLate) == 0;
   if (input.buttons & StepInput::kRearm) {
     state.guard.fault = Fault::none;
-    state.guard.ramp_ms = 0.0;
+    release(state.guard);
   }
+  state.guard.stale_ms = fresh || first || (input.buttons & StepInput::kRearm) ? 0.0 : state.guard.stale_ms + elapsed_ms;
   if (state.guard.fault == Fault::none)
-    state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), first);
+    state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), state.guard.stale_ms, first);
   if (!first && out.burr != state.last.burr) {
-    state.guard.ramp_ms = 0.0;
+    release(state.guard);
     out.overflow = !state.method->lift(state);
   }
 
-  const double dt_ms = std::min(static_cast<double>(input.elapsed_us) * 1e-3, scene.guard.late_ms);
+  const double dt_ms = std::min(elapsed_ms, scene.guard.late_ms);
   if (state.guard.fault != Fault::none) {
     // The proxy stays; after re-arming it walks to wherever the device is by then.
     out.proxy_mm = first ? device : state.proxy;
     out.faulted = true;
     out.overflow = !state.method->lift(state);
     state.velocity = Vec3(0.0);
-    guarded(scene.guard, state.guard, Vec3(0.0), dt_ms);
+    release(state.guard);
     if (!first) state.device = device;
     state.last = out;
     return out;
@@ -153,7 +167,8 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   }
   state.method->tick(state, {device, scene.tool_axis, input.cutting(), dt_ms * 1e-3}, out);
   out.proxy_mm = state.proxy;
-  out.force_n = guarded(scene.guard, state.guard, out.force_raw_n, dt_ms);
+  const GuardTick tick{out.force_raw_n, device, state.proxy, out.stiffness_n_per_mm, out.contact, dt_ms};
+  out.force_n = guarded(scene.guard, state.guard, tick, first ? Vec3(0.0) : moved, out.guard_acts);
   out.faulted = state.guard.fault != Fault::none;
   state.device = device;
   state.last = out;

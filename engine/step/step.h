@@ -36,10 +36,12 @@ struct StepOutput {
   bool infeasible = false;       // no admissible pose was found; the least violating one was taken
   bool overflow = false;         // reserved room ran out; tests want zero
   bool deferred = false;         // proxy still on its way, the rest next tick
+  std::uint16_t guard_acts = 0;  // GuardPart bits that changed the force in this tick; 0: force_n is force_raw_n
 };
 
-/// Fault that the guard latched.
-enum class Fault : std::uint8_t { none, jump, late, gone, not_finite };
+/// Fault that the guard latched. late: the tick; stale: the device has said nothing new for too long; not_finite: the
+/// device's position or the force is no number, or lies beyond 100 m.
+enum class Fault : std::uint8_t { none, jump, late, gone, not_finite, stale };
 
 class StepState {
  public:

@@ -30,6 +30,7 @@ DeviceLimits HandPort::limits() const {
   limits.name = "Scripted hand";
   limits.device_class = "scripted";
   limits.max_stiffness_n_per_mm = 20.0;  // no device that could become unstable
+  limits.closed_loop = false;
   limits.has_own_clock = true;
   return limits;
 }

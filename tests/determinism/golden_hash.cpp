@@ -60,12 +60,12 @@ std::uint64_t run(Method method, bool cut) {
   return hash.value();
 }
 
-TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 1261820557865785744ull); }
-TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 12060489871681722147ull); }
-TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 13368864739615615157ull); }
-TEST(GoldenHash, drilling_with_the_ray_proxy) { EXPECT_EQ(run(Method::ray, true), 768710892743071383ull); }
-TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, true), 5775704161113897512ull); }
-TEST(GoldenHash, drilling_with_the_gradient_proxy) { EXPECT_EQ(run(Method::gradient, true), 18375467406261114891ull); }
+TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 1763329717595611696ull); }
+TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 3850474868425700048ull); }
+TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 9805820558007386150ull); }
+TEST(GoldenHash, drilling_with_the_ray_proxy) { EXPECT_EQ(run(Method::ray, true), 15271303501799054274ull); }
+TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, true), 4325404502323302544ull); }
+TEST(GoldenHash, drilling_with_the_gradient_proxy) { EXPECT_EQ(run(Method::gradient, true), 666879923579523636ull); }
 
 }  // namespace
 }  // namespace cusp

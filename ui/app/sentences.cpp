@@ -244,6 +244,7 @@ Told tell(Fault fault) {
     case Fault::late:
       return {Words::tr("The device answered too late."),
               Words::tr("The force is off and the clock stands still. Your work is kept.")};
+    case Fault::stale:
     case Fault::gone:
       return {Words::tr("The device went quiet."),
               Words::tr("The force is off and the clock stands still. Check the cable; your work is kept.")};

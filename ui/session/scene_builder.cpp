@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/step/passivity.h"
 #include "scenarios/specimens.h"
 
 namespace cusp {
@@ -52,6 +53,11 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   // A mouse and a script have no motor: a late tick cannot push a hand, and a busy desktop's stalls are no faults then.
   if (device.device_class == "pointer") guard.late_ms = 250.0;
   if (device.device_class == "scripted") guard.late_ms = 1000.0;
+  if (!device.closed_loop) {
+    // A trace's rows lie as far apart as they lie; and where the hand gives force, there is no energy to feed.
+    guard = guard.without(GuardPart::stale).without(GuardPart::speed).without(GuardPart::passivity);
+  }
+  guard.delay_ms = std::clamp(device.delay_ms.value_or(1.0), 0.0, static_cast<double>(kMostDelayTicks));
   return build_scene(scenario, std::move(specimen), device, guard);
 }
 

@@ -115,6 +115,13 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                            return name;
                          });
 
+Vec3 given_for(const GuardSettings& settings, GuardState& state, Vec3 raw_n) {
+  std::uint16_t acts = 0;
+  GuardTick tick;
+  tick.raw_n = raw_n;
+  return guarded(settings, state, tick, Vec3(0.0), acts);
+}
+
 TEST(Guard, a_jump_latches_a_fault_until_it_is_rearmed) {
   auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; }), Method::surface, 0.3);
   StepState state(scene);
@@ -137,19 +144,19 @@ TEST(Guard, force_rises_no_faster_than_the_slew_and_falls_at_once) {
   GuardState state;
   double last = 0.0;
   for (int i = 0; i < 40; ++i) {
-    const double given = length(guarded(settings, state, Vec3(0, 0, 20.0), 1.0));
+    const double given = length(given_for(settings, state, Vec3(0, 0, 20.0)));
     EXPECT_LE(given - last, 0.3 + 1e-12);
     EXPECT_LE(given, 8.9 + 1e-12);
     last = given;
   }
   EXPECT_DOUBLE_EQ(last, 8.9);
-  EXPECT_EQ(guarded(settings, state, Vec3(0.0), 1.0), Vec3(0.0));
+  EXPECT_EQ(given_for(settings, state, Vec3(0.0)), Vec3(0.0));
 }
 
 TEST(Guard, not_a_number_gives_no_force) {
   const GuardSettings settings;
   GuardState state;
-  EXPECT_EQ(guarded(settings, state, Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0), 1.0), Vec3(0.0));
+  EXPECT_EQ(given_for(settings, state, Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0)), Vec3(0.0));
   EXPECT_EQ(state.fault, Fault::not_finite);
 }
 
@@ -157,22 +164,22 @@ TEST(Guard, a_device_that_is_late_or_gone_is_a_fault) {
   const GuardSettings settings;
   StepInput late = input_at(Vec3(0.0));
   late.elapsed_us = 60000;
-  EXPECT_EQ(judge(settings, late, 0.0, false), Fault::late);
+  EXPECT_EQ(judge(settings, late, 0.0, 0.0, false), Fault::late);
   StepInput gone = input_at(Vec3(0.0));
   gone.buttons |= StepInput::kGone;
-  EXPECT_EQ(judge(settings, gone, 0.0, true), Fault::gone);
-  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, false), Fault::jump);
-  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, true), Fault::none) << "the first input has come from nowhere";
+  EXPECT_EQ(judge(settings, gone, 0.0, 0.0, true), Fault::gone);
+  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, 0.0, false), Fault::jump);
+  EXPECT_EQ(judge(settings, input_at(Vec3(0.0)), 6.0, 0.0, true), Fault::none) << "the first input has come from nowhere";
 }
 
-TEST(Input, a_position_that_is_not_finite_counts_as_gone) {
+TEST(Input, a_position_that_is_not_finite_is_marked_and_repeats_the_last) {
   Sample sample;
   sample.status = Sample::Status::fresh;
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e9}) {
     sample.position_mm = {0.0, bad, 0.0};
     const StepInput last = input_at({1, 2, 3});
     const StepInput input = quantise(sample, 1000, last);
-    EXPECT_TRUE(input.buttons & StepInput::kGone);
+    EXPECT_EQ(input.buttons & StepInput::kNotFinite, StepInput::kNotFinite);
     EXPECT_EQ(input.y, last.y);
   }
 }
