@@ -1,0 +1,86 @@
+/// The emulated Falcon behind the driver's seam: with a clock of its own that stands still until somebody waits (tests,
+/// runs without a window), or with the real one. One thread, but for grip and buttons, which another may set.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "device/falcon/emulator.h"
+#include "device/falcon/link.h"
+#include "engine/base/triple_buffer.h"
+
+namespace cusp::falcon {
+
+enum class Presence : std::uint8_t { here, absent, denied, busy };
+
+enum class EmulatedTime : std::uint8_t {
+  stands,  // moves on by waiting alone
+  runs,    // steady_clock
+};
+
+struct EmulatedLinkSettings {
+  EmulatedTime time = EmulatedTime::stands;
+  LinkTime start = std::chrono::hours(-1);  // of a standing clock: what opening takes lies before a run's zero
+  LinkTime transfer = std::chrono::microseconds(130);  // a packet's way to the driver, about a microframe
+  LinkTime jitter{0};                                  // at most so much more, by chance
+  std::uint64_t seed = 1;
+  std::string name = "emulated";
+};
+
+/// What a hand does to the emulated grip, written by another thread.
+struct EmulatedGrip {
+  Vec3 grip_m{0.0};
+  std::uint8_t buttons = 0;
+  bool set = false;
+};
+
+class EmulatedLink final : public FalconLink {
+ public:
+  /// `falcon` outlives the link, so that it can be unplugged from one and found by the next.
+  EmulatedLink(Emulator& falcon, const EmulatedLinkSettings& settings = {}) noexcept;
+
+  LinkTime now() const noexcept override;
+  void start(const LinkAsk& ask) noexcept override;
+  LinkEvent wait(LinkTime until) noexcept override;
+  std::string name() const override { return opened_once_ ? settings_.name : std::string(); }
+
+  Emulator& falcon() noexcept { return falcon_; }
+
+  // The other end of the cable; the link's own thread.
+  void set_presence(Presence presence) noexcept;
+  Presence presence() const noexcept { return presence_; }
+  /// Unplugs by itself when so many more asks have been started.
+  void unplug_after(int asks) noexcept { unplug_after_ = asks; }
+  int asks() const noexcept { return asks_; }
+  /// The host's own sends fail, the device is there.
+  void fail_sends(bool fail) noexcept { fail_sends_ = fail; }
+
+  /// Any one other thread.
+  void set_grip(const EmulatedGrip& grip) noexcept { grip_.write(grip); }
+
+  /// Called whenever a standing clock has moved on, with the time: for a hand that lives in the same time.
+  void on_time(std::function<void(LinkTime)> tick) { tick_ = std::move(tick); }
+
+ private:
+  void push(LinkEvent::Kind kind) noexcept;
+  void move_to(LinkTime when) noexcept;
+  LinkTime next_packet() noexcept;
+
+  static constexpr std::size_t kEvents = 16;
+  Emulator& falcon_;
+  EmulatedLinkSettings settings_;
+  LinkTime now_;
+  Presence presence_ = Presence::here;
+  bool open_ = false, opened_once_ = false, fail_sends_ = false;
+  int unplug_after_ = -1, asks_ = 0;
+  std::array<LinkEvent::Kind, kEvents> events_{};
+  std::size_t event_at_ = 0, event_count_ = 0;
+  std::array<std::uint8_t, kPacketBytes> packet_{};
+  LinkTime delay_{0};  // of the packet that comes next
+  std::uint64_t random_;
+  TripleBuffer<EmulatedGrip> grip_;
+  std::function<void(LinkTime)> tick_;
+};
+
+}  // namespace cusp::falcon

@@ -1,0 +1,457 @@
+#include "device/falcon/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace cusp::falcon {
+
+namespace {
+
+constexpr LinkTime kNever = LinkTime::max();
+constexpr std::array<std::int16_t, 3> kNoTorque{};
+constexpr std::uint8_t kHello[] = {0x0A, 0x43, 0x0D};
+constexpr std::array<std::uint8_t, 4> kHelloAnswer = {0x0A, 0x44, 0x2C, 0x0D};
+constexpr std::uint8_t kLock = 0x41;  // 'A': the loader measures its bits
+
+// The requests of each phase, in order. DTR and RTS are left alone but for the loader: the edge of DTR arms it.
+constexpr FtdiRequest kSettle[] = {ftdi::kPurge1,  ftdi::kPurge2, ftdi::kLatency1ms,
+                                   ftdi::kBaudRun, ftdi::kPurge1, ftdi::kPurge2};
+constexpr FtdiRequest kArm[] = {ftdi::kPurge1,        ftdi::kPurge2, ftdi::kLatency16ms, ftdi::kBaudHello, ftdi::k8N1,
+                                ftdi::kNoFlowControl, ftdi::kRtsLow, ftdi::kDtrLow,      ftdi::kDtrHigh};
+constexpr FtdiRequest kLockSpeed[] = {ftdi::kDtrLow, ftdi::kBaudUpload};
+constexpr FtdiRequest kSwitch[] = {ftdi::kLatency1ms, ftdi::kBaudRun, ftdi::kPurge1, ftdi::kPurge2};
+constexpr FtdiRequest kSettleEvent[] = {ftdi::kPurge1, ftdi::kPurge2, ftdi::kLatency1ms,     ftdi::kBaudRun,
+                                        ftdi::kPurge1, ftdi::kPurge2, ftdi::kEventOnFrameEnd};
+constexpr FtdiRequest kSwitchEvent[] = {ftdi::kLatency1ms, ftdi::kBaudRun, ftdi::kPurge1, ftdi::kPurge2,
+                                        ftdi::kEventOnFrameEnd};
+
+std::span<const FtdiRequest> script_of(Phase phase, bool event_character) noexcept {
+  switch (phase) {
+    case Phase::settling:
+      return event_character ? std::span<const FtdiRequest>(kSettleEvent) : kSettle;
+    case Phase::arming:
+      return kArm;
+    case Phase::locking:
+      return kLockSpeed;
+    case Phase::switching:
+      return event_character ? std::span<const FtdiRequest>(kSwitchEvent) : kSwitch;
+    default:
+      return {};
+  }
+}
+
+LinkAsk bytes_ask(std::span<const std::uint8_t> bytes) noexcept {
+  LinkAsk out{.kind = LinkAsk::Kind::send};
+  std::copy(bytes.begin(), bytes.end(), out.bytes.begin());
+  out.size = static_cast<std::uint8_t>(bytes.size());
+  return out;
+}
+
+}  // namespace
+
+std::string_view key_of(Phase phase) noexcept {
+  constexpr std::string_view kKeys[] = {"unplugged", "opening",  "settling", "probing",   "needs_image",
+                                        "arming",    "greeting", "locking",  "uploading", "switching",
+                                        "homing",    "ready",    "silent",   "failed"};
+  return kKeys[static_cast<std::size_t>(phase)];
+}
+
+std::string_view key_of(Trouble trouble) noexcept {
+  constexpr std::string_view kKeys[] = {"none",    "absent",     "denied",  "busy",      "no_hello",
+                                        "no_lock", "wrong_echo", "no_echo", "no_answer", "link_failed"};
+  return kKeys[static_cast<std::size_t>(trouble)];
+}
+
+void Session::ask(const LinkAsk& wanted) noexcept {
+  // Asks wait for their answers, so that the outbox holds a handful at most. One that does not fit would be lost, and
+  // whoever waits for it runs into its time-out: the attempt fails, torque is zero.
+  if (outbox_count_ == kOutbox) return;
+  outbox_[(outbox_at_ + outbox_count_) % kOutbox] = wanted;
+  ++outbox_count_;
+}
+
+std::optional<LinkAsk> Session::next_ask() noexcept {
+  if (outbox_count_ == 0) return std::nullopt;
+  const LinkAsk out = outbox_[outbox_at_];
+  outbox_at_ = (outbox_at_ + 1) % kOutbox;
+  --outbox_count_;
+  return out;
+}
+
+void Session::enter(Phase phase) noexcept {
+  state_.phase = phase;
+  steady_ = 0;
+  if (phase != Phase::homing && phase != Phase::ready) {
+    state_.buttons = 0;
+    state_.homed = 0;
+  }
+}
+
+void Session::leave_link() noexcept {
+  outbox_count_ = 0;
+  unanswered_count_ = 0;
+  full_ = 0;
+  waiting_since_.reset();
+  parser_.reset();
+  sent_torque_ = kNoTorque;
+  probing_after_upload_ = false;
+  state_.uploaded = state_.upload_size = 0;
+}
+
+void Session::ask_open() noexcept {
+  enter(Phase::opening);
+  ask({.kind = LinkAsk::Kind::open});
+  due_ = kNever;  // the link always answers
+}
+
+LinkTime Session::due() const noexcept {
+  if (!exchanging() || !waiting_since_) return due_;
+  return std::min(due_, *waiting_since_ + settings_.times.silence);
+}
+
+void Session::retry() noexcept {
+  if (state_.phase != Phase::failed) return;
+  state_.attempt = 0;
+  state_.trouble = Trouble::none;
+  state_.phase = Phase::unplugged;
+  due_ = LinkTime::min();
+}
+
+void Session::not_opened(Trouble trouble, LinkTime now) noexcept {
+  leave_link();
+  enter(Phase::unplugged);
+  state_.trouble = trouble;
+  due_ = now + settings_.times.reopen;
+}
+
+void Session::unplugged(LinkTime now) noexcept {
+  not_opened(Trouble::absent, now);
+  state_.attempt = 0;  // whatever comes back is a new device
+  ask({.kind = LinkAsk::Kind::close});
+}
+
+void Session::opened(LinkTime now) noexcept {
+  leave_link();
+  if (state_.trouble == Trouble::absent || state_.trouble == Trouble::denied || state_.trouble == Trouble::busy) {
+    state_.trouble = Trouble::none;
+  }
+  begin_script(Phase::settling, now);
+}
+
+void Session::attempt_failed(Trouble trouble, LinkTime now) noexcept {
+  leave_link();
+  ask({.kind = LinkAsk::Kind::close});
+  state_.trouble = trouble;
+  ++state_.attempt;
+  if (state_.attempt >= settings_.times.attempts) {
+    enter(Phase::failed);
+    due_ = kNever;
+  } else {
+    enter(Phase::unplugged);
+    due_ = now + settings_.times.reopen;
+  }
+}
+
+void Session::begin_script(Phase phase, LinkTime now) noexcept {
+  enter(phase);
+  script_at_ = 0;
+  lock_sent_ = false;
+  next_request(now);
+}
+
+void Session::next_request(LinkTime now) noexcept {
+  const auto script = script_of(state_.phase, settings_.event_character);
+  if (script_at_ < script.size()) {
+    ask({.kind = LinkAsk::Kind::control, .request = script[script_at_++]});
+    due_ = now + settings_.times.request;
+  } else {
+    script_done(now);
+  }
+}
+
+void Session::script_done(LinkTime now) noexcept {
+  parser_.reset();
+  tail_ = {};
+  switch (state_.phase) {
+    case Phase::settling:
+    case Phase::switching:
+      probing_after_upload_ = state_.phase == Phase::switching;
+      enter(Phase::probing);
+      tries_ = 0;
+      probe(now);
+      break;
+    case Phase::arming:
+      enter(Phase::greeting);
+      tries_ = 0;
+      say_hello(now);
+      break;
+    case Phase::locking:
+      ask(bytes_ask(std::span(&kLock, 1)));
+      due_ = now + settings_.times.echo;
+      lock_sent_ = true;
+      break;
+    default:
+      break;
+  }
+}
+
+void Session::probe(LinkTime now) noexcept {
+  if (tries_ == settings_.times.probes) return probe_failed(now);
+  ++tries_;
+  send_frame(kNoTorque, control::kRed, now);
+  due_ = now + settings_.times.probe;
+}
+
+void Session::probe_failed(LinkTime now) noexcept {
+  if (probing_after_upload_) {
+    attempt_failed(Trouble::no_answer, now);
+  } else if (image_) {
+    begin_script(Phase::arming, now);
+  } else {
+    enter(Phase::needs_image);
+    due_ = now + settings_.times.reopen;  // looks for the image
+  }
+}
+
+void Session::say_hello(LinkTime now) noexcept {
+  if (tries_ == settings_.times.hellos) return attempt_failed(Trouble::no_hello, now);
+  ++tries_;
+  ask(bytes_ask(kHello));
+  due_ = now + settings_.times.hello;
+}
+
+void Session::send_chunk(LinkTime now) noexcept {
+  const auto left = image_->bytes().subspan(chunk_end_);
+  if (left.empty()) return begin_script(Phase::switching, now);  // the last echo is there: now the speed may change
+  const auto chunk = left.first(std::min(left.size(), kPayloadBytes));
+  chunk_end_ += chunk.size();
+  ask(bytes_ask(chunk));
+  due_ = now + settings_.times.echo;
+}
+
+void Session::echoed(std::uint8_t byte, LinkTime now) noexcept {
+  // More than was sent is as wrong as something else than was sent.
+  if (state_.uploaded >= chunk_end_ || byte != image_->bytes()[state_.uploaded]) {
+    return attempt_failed(Trouble::wrong_echo, now);
+  }
+  if (++state_.uploaded == chunk_end_) send_chunk(now);
+}
+
+void Session::send_frame(std::array<std::int16_t, 3> torque, std::uint8_t leds, LinkTime now) noexcept {
+  // The homing bit stays on all the time: without it the homed bits are not reported.
+  ask(bytes_ask(encode({torque, static_cast<std::uint8_t>(control::kHoming | leds)})));
+  sent_torque_ = torque;
+  ++state_.sent;
+  if (unanswered_count_ == kWindow) {
+    std::copy(unanswered_.begin() + 1, unanswered_.end(), unanswered_.begin());
+    --unanswered_count_;
+    ++state_.lost;
+  }
+  unanswered_[unanswered_count_++] = now;
+  if (!waiting_since_) waiting_since_ = now;
+}
+
+bool Session::exchange(LinkTime now) noexcept {
+  if (!exchanging()) return false;
+  while (unanswered_count_ > 0 && now - unanswered_[0] >= settings_.times.lost) {
+    std::copy(unanswered_.begin() + 1, unanswered_.end(), unanswered_.begin());
+    --unanswered_count_;
+    ++state_.lost;
+  }
+  // A lost answer leaves its place taken, each later answer being counted for the packet before its own. A window that
+  // is full again and again without ever being empty gives that place back.
+  constexpr int kFullTooOften = 4;
+  if (unanswered_count_ == kWindow && ++full_ < kFullTooOften) return false;
+  if (unanswered_count_ == kWindow) full_ = 0;
+  if (state_.phase == Phase::homing) {
+    send_frame(kNoTorque, control::kRed, now);
+    return true;
+  }
+  const double share = std::clamp(
+      static_cast<double>((now - ramp_from_).count()) / static_cast<double>(settings_.times.ramp.count()), 0.0, 1.0);
+  std::array<std::int16_t, 3> torque{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int word = std::clamp<int>(wanted_[i], -kMaxTorqueCounts, kMaxTorqueCounts);
+    torque[i] = static_cast<std::int16_t>(std::lround(share * word));
+  }
+  send_frame(torque, leds_, now);
+  return true;
+}
+
+void Session::answered(const Frame& frame, LinkTime now) noexcept {
+  ++state_.replies;
+  waiting_since_.reset();
+  if (unanswered_count_ > 0) {
+    std::copy(unanswered_.begin() + 1, unanswered_.end(), unanswered_.begin());
+    --unanswered_count_;
+  }
+  if (unanswered_count_ == 0) full_ = 0;
+  const auto homed = static_cast<std::uint8_t>(frame.bits & status::kHomed);
+  switch (state_.phase) {
+    case Phase::probing:
+      state_.trouble = Trouble::none;
+      state_.attempt = 0;
+      enter(Phase::homing);
+      due_ = kNever;
+      break;
+    case Phase::silent:
+      // Answers again; whether the arms are still homed is asked anew.
+      if (++steady_ >= settings_.times.steady) {
+        enter(Phase::homing);
+        due_ = kNever;
+      }
+      return;
+    case Phase::homing:
+      steady_ = homed == status::kHomed ? steady_ + 1 : 0;
+      if (steady_ >= settings_.times.steady) {
+        enter(Phase::ready);
+        ramp_from_ = now;
+      }
+      break;
+    case Phase::ready:
+      if (homed != status::kHomed) {
+        enter(Phase::homing);
+        wanted_ = kNoTorque;
+        send_frame(kNoTorque, control::kRed, now);  // at once, not with the next tick
+      }
+      break;
+    default:
+      return;
+  }
+  state_.encoders = frame.words;
+  state_.buttons = frame.bits & status::kButtons;
+  state_.homed = homed;
+}
+
+void Session::fall_silent(LinkTime now) noexcept {
+  enter(Phase::silent);
+  ++state_.silences;
+  state_.lost += unanswered_count_;
+  unanswered_count_ = 0;
+  full_ = 0;
+  waiting_since_.reset();
+  wanted_ = kNoTorque;
+  parser_.reset();
+  silent_since_ = now;
+  send_frame(kNoTorque, control::kRed, now);
+  due_ = now + settings_.times.resync;
+}
+
+void Session::received(std::span<const std::uint8_t> payload, LinkTime now) noexcept {
+  for (const std::uint8_t byte : payload) {
+    switch (state_.phase) {
+      case Phase::greeting:
+        std::copy(tail_.begin() + 1, tail_.end(), tail_.begin());
+        tail_.back() = byte;
+        if (tail_ == kHelloAnswer) begin_script(Phase::locking, now);
+        break;
+      case Phase::locking:
+        if (byte == kLock && lock_sent_) {
+          enter(Phase::uploading);
+          state_.uploaded = 0;
+          state_.upload_size = static_cast<std::uint32_t>(image_->bytes().size());
+          chunk_end_ = 0;
+          send_chunk(now);
+        }
+        break;
+      case Phase::uploading:
+        echoed(byte, now);
+        break;
+      case Phase::probing:
+      case Phase::homing:
+      case Phase::ready:
+      case Phase::silent:
+        if (const auto frame = parser_.push(byte)) answered(*frame, now);
+        break;
+      default:
+        break;  // left over from before: the line is being set up
+    }
+  }
+  state_.dropped_bytes = parser_.dropped_bytes();
+}
+
+void Session::time_passed(LinkTime now) noexcept {
+  if (exchanging() && waiting_since_ && now - *waiting_since_ >= settings_.times.silence) return fall_silent(now);
+  if (now < due_) return;
+  switch (state_.phase) {
+    case Phase::unplugged:
+      ask_open();
+      break;
+    case Phase::settling:
+    case Phase::arming:
+    case Phase::switching:
+      attempt_failed(Trouble::link_failed, now);
+      break;
+    case Phase::probing:
+      probe(now);
+      break;
+    case Phase::needs_image:
+      if (image_) {
+        begin_script(Phase::arming, now);
+      } else {
+        due_ = now + settings_.times.reopen;
+      }
+      break;
+    case Phase::greeting:
+      say_hello(now);
+      break;
+    case Phase::locking:
+      attempt_failed(lock_sent_ ? Trouble::no_lock : Trouble::link_failed, now);
+      break;
+    case Phase::uploading:
+      attempt_failed(Trouble::no_echo, now);
+      break;
+    case Phase::silent:
+      if (now - silent_since_ >= settings_.times.give_up) {
+        begin_script(Phase::settling, now);
+      } else {
+        send_frame(kNoTorque, control::kRed, now);
+        due_ = now + settings_.times.resync;
+      }
+      break;
+    case Phase::opening:
+    case Phase::homing:
+    case Phase::ready:
+    case Phase::failed:
+      due_ = kNever;
+      break;
+  }
+}
+
+void Session::advance(const LinkEvent& event, LinkTime now) noexcept {
+  switch (event.kind) {
+    case LinkEvent::Kind::time:
+      break;
+    case LinkEvent::Kind::opened:
+      if (state_.phase == Phase::opening) opened(now);
+      break;
+    case LinkEvent::Kind::absent:
+      if (state_.phase == Phase::opening) not_opened(Trouble::absent, now);
+      break;
+    case LinkEvent::Kind::denied:
+      if (state_.phase == Phase::opening) not_opened(Trouble::denied, now);
+      break;
+    case LinkEvent::Kind::busy:
+      if (state_.phase == Phase::opening) not_opened(Trouble::busy, now);
+      break;
+    case LinkEvent::Kind::control_done:
+      if (!script_of(state_.phase, settings_.event_character).empty() && !lock_sent_) next_request(now);
+      break;
+    case LinkEvent::Kind::failed:
+      if (state_.phase != Phase::unplugged && state_.phase != Phase::failed && state_.phase != Phase::opening) {
+        attempt_failed(Trouble::link_failed, now);
+      }
+      break;
+    case LinkEvent::Kind::received:
+      strip_status(event.bytes, state_.line,
+                   [this, now](std::span<const std::uint8_t> payload) { received(payload, now); });
+      break;
+    case LinkEvent::Kind::gone:
+      if (state_.phase != Phase::unplugged && state_.phase != Phase::failed) unplugged(now);
+      break;
+  }
+  time_passed(now);
+}
+
+}  // namespace cusp::falcon

@@ -1,0 +1,175 @@
+/// What the driver does next: a pure state machine. Events and the time go in, asks to the link come out; it reads no
+/// clock, does no I/O, and allocates only in give_image(). Whenever anything is in doubt the torque it sends is zero.
+///
+///   unplugged ─ opening ─ settling ─ probing ─┬─(answer)──────────────► homing ─ ready
+///       ▲                                     └─ needs_image               ▲  ◄──┘ │ homed bits missing
+///       │ from anywhere: unplugged                  │ image                │       ▼ 10 ms without an answer
+///       │                          arming ─ greeting ─ locking ─ uploading ─ switching ─ probing      silent
+///       └─ each failed attempt closes, opens and begins again; ten make `failed`
+/// Source: facts 1.4, 1.5, 1.8 to 1.10.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "device/falcon/firmware_image.h"
+#include "device/falcon/ftdi.h"
+#include "device/falcon/link.h"
+#include "device/falcon/protocol.h"
+
+namespace cusp::falcon {
+
+enum class Phase : std::uint8_t {
+  unplugged,  // not there, or not to be opened: tried again by itself
+  opening,
+  settling,     // line set up for running firmware
+  probing,      // neutral packets: does firmware answer?
+  needs_image,  // it does not, and no image was given
+  arming,       // line set up for the loader
+  greeting,     // hello sent
+  locking,      // the loader measures the speed
+  uploading,
+  switching,  // line set up for running firmware
+  homing,     // exchanging, torque zero: the grip is to be pulled out and pushed in
+  ready,      // exchanging, torque allowed
+  silent,     // no answer: torque zero, asking for one
+  failed,     // gave up: retry() begins again
+};
+std::string_view key_of(Phase phase) noexcept;
+
+enum class Trouble : std::uint8_t {
+  none,
+  absent,
+  denied,
+  busy,
+  no_hello,  // powered? the adapter alone feeds the processor
+  no_lock,
+  wrong_echo,
+  no_echo,
+  no_answer,  // uploaded, and nothing runs
+  link_failed,
+};
+std::string_view key_of(Trouble trouble) noexcept;
+
+struct SessionTimes {
+  using ms = std::chrono::milliseconds;
+  LinkTime reopen = ms(500);    // between two tries to open
+  LinkTime request = ms(1000);  // a vendor request takes at most this
+  LinkTime probe = ms(20);      // for an answer to a neutral packet; the first is sometimes lost
+  int probes = 10;
+  LinkTime hello = ms(1000);
+  int hellos = 3;               // in one attempt; each attempt arms the loader anew
+  LinkTime echo = ms(1000);     // for the echo of one chunk
+  int attempts = 10;            // first attempts are known to fail
+  LinkTime lost = ms(4);        // an exchange not answered by then never will be
+  LinkTime silence = ms(10);    // without any answer: torque zero
+  LinkTime give_up = ms(1000);  // of silence: begins again with the line, for the adapter may have lost power
+  LinkTime resync = ms(5);      // between neutral packets in silence
+  LinkTime ramp = ms(500);      // from zero to the torque asked for
+  int steady = 8;               // answers in a row with all arms homed before torque is allowed
+};
+
+struct SessionSettings {
+  SessionTimes times{};
+  bool event_character = false;  // let the bridge hand over a reply as soon as '>' came; not tried on a Falcon [M]
+};
+
+/// A snapshot, plain values.
+struct SessionState {
+  Phase phase = Phase::unplugged;
+  Trouble trouble = Trouble::none;              // of the last attempt that failed
+  int attempt = 0;                              // failed so far
+  std::uint32_t uploaded = 0, upload_size = 0;  // bytes
+  std::array<std::int16_t, 3> encoders{};
+  std::uint8_t buttons = 0;  // status::kPlus ...; 0 unless exchanging
+  std::uint8_t homed = 0;    // status::kHomed1 ...
+  std::uint64_t sent = 0, replies = 0, lost = 0, dropped_bytes = 0, silences = 0;
+  LineErrors line{};
+};
+
+class Session {
+ public:
+  explicit Session(const SessionSettings& settings = {}) noexcept : settings_(settings) {}
+
+  /// Kept for every upload to come. Not on the haptic thread.
+  void give_image(FirmwareImage image) noexcept { image_ = std::move(image); }
+  bool has_image() const noexcept { return image_.has_value(); }
+  /// After `failed`: begins again.
+  void retry() noexcept;
+
+  /// What happened, and when. `now` never goes back.
+  void advance(const LinkEvent& event, LinkTime now) noexcept;
+  /// The next ask for the link, in order.
+  std::optional<LinkAsk> next_ask() noexcept;
+  /// When advance() wants to be called at the latest, with a `time` event if with nothing else.
+  LinkTime due() const noexcept;
+
+  /// Torque words for the exchanges to come. Used in `ready` alone, and ramped in there.
+  void command(std::array<std::int16_t, 3> counts) noexcept { wanted_ = counts; }
+  /// LEDs while ready (control::kLeds); red while homing or silent.
+  void set_leds(std::uint8_t leds) noexcept { leds_ = leds & control::kLeds; }
+  /// Torque to zero now, and ramped in from there.
+  void restart_ramp(LinkTime now) noexcept { ramp_from_ = now; }
+  /// In homing and ready: sends one packet, unless two are unanswered. Once a millisecond, by whoever paces the loop.
+  bool exchange(LinkTime now) noexcept;
+
+  const SessionState& state() const noexcept { return state_; }
+  Phase phase() const noexcept { return state_.phase; }
+  /// Torque words of the last packet that was sent.
+  std::array<std::int16_t, 3> last_torque() const noexcept { return sent_torque_; }
+
+ private:
+  static constexpr std::size_t kOutbox = 8, kWindow = 2;
+
+  void enter(Phase phase) noexcept;
+  void leave_link() noexcept;
+  void opened(LinkTime now) noexcept;
+  void not_opened(Trouble trouble, LinkTime now) noexcept;
+  void unplugged(LinkTime now) noexcept;
+  void attempt_failed(Trouble trouble, LinkTime now) noexcept;
+  void begin_script(Phase phase, LinkTime now) noexcept;
+  void next_request(LinkTime now) noexcept;
+  void script_done(LinkTime now) noexcept;
+  void probe(LinkTime now) noexcept;
+  void probe_failed(LinkTime now) noexcept;
+  void say_hello(LinkTime now) noexcept;
+  void send_chunk(LinkTime now) noexcept;
+  void received(std::span<const std::uint8_t> payload, LinkTime now) noexcept;
+  void echoed(std::uint8_t byte, LinkTime now) noexcept;
+  void answered(const Frame& frame, LinkTime now) noexcept;
+  void fall_silent(LinkTime now) noexcept;
+  void time_passed(LinkTime now) noexcept;
+  void send_frame(std::array<std::int16_t, 3> torque, std::uint8_t leds, LinkTime now) noexcept;
+  void ask(const LinkAsk& ask) noexcept;
+  void ask_open() noexcept;
+  bool exchanging() const noexcept { return state_.phase == Phase::homing || state_.phase == Phase::ready; }
+
+  SessionSettings settings_;
+  SessionState state_;
+  std::optional<FirmwareImage> image_;
+  FrameParser parser_;
+  bool probing_after_upload_ = false;
+  std::size_t script_at_ = 0;
+  bool lock_sent_ = false;              // to the loader, which answers alike
+  int tries_ = 0;                       // probes or hellos so far
+  std::array<std::uint8_t, 4> tail_{};  // the last bytes that came, for the hello
+  std::size_t chunk_end_ = 0;           // bytes of the image sent; state_.uploaded of them came back
+  int steady_ = 0;                      // homed answers in a row
+  std::array<LinkTime, kWindow> unanswered_{};
+  std::size_t unanswered_count_ = 0;
+  int full_ = 0;                           // times that the window was full since it was last empty
+  std::optional<LinkTime> waiting_since_;  // first packet after the last answer
+  LinkTime silent_since_{0};
+  LinkTime ramp_from_{0};
+  LinkTime due_ = LinkTime::min();
+  std::array<std::int16_t, 3> wanted_{}, sent_torque_{};
+  std::uint8_t leds_ = control::kBlue;
+  std::array<LinkAsk, kOutbox> outbox_{};
+  std::size_t outbox_at_ = 0, outbox_count_ = 0;
+};
+
+}  // namespace cusp::falcon
