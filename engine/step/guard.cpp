@@ -34,13 +34,18 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
   const auto act = [&](GuardPart part) { acts = static_cast<std::uint16_t>(acts | static_cast<unsigned>(part)); };
   state.ramp_ms += tick.dt_ms;
   if (tick.dt_ms > 0.0) {
-    const Vec3 now = moved_mm / (tick.dt_ms * 1e-3);
-    state.velocity_mm_s += (now - state.velocity_mm_s) * (tick.dt_ms / (tick.dt_ms + kVelocityMs));
+    const Vec3 velocity = moved_mm / (tick.dt_ms * 1e-3);
+    state.velocity_mm_s += (velocity - state.velocity_mm_s) * (tick.dt_ms / (tick.dt_ms + kVelocityMs));
   }
 
-  Vec3 force = tick.raw_n;
+  GuardTick now = tick;
+  if (settings.has(GuardPart::ramp_in) && state.ramp_ms < settings.ramp_in_ms) {
+    now.ramp = state.ramp_ms / settings.ramp_in_ms;
+    if (square > 0.0) act(GuardPart::ramp_in);
+  }
+  Vec3 force = now.ramp < 1.0 ? now.raw_n * now.ramp : now.raw_n;
   if (settings.has(GuardPart::passivity)) {
-    force = passive(settings, state.passivity, tick);
+    force = passive(settings, state.passivity, now);
     if (state.passivity.scale < 1.0 && tick.contact) act(GuardPart::passivity);
   }
   const double wanted = std::sqrt(glm::dot(force, force));
@@ -53,10 +58,6 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
       given = over < 1.0 ? given * (1.0 - over) : 0.0;
       act(GuardPart::speed);
     }
-  }
-  if (settings.has(GuardPart::ramp_in) && state.ramp_ms < settings.ramp_in_ms) {
-    given *= state.ramp_ms / settings.ramp_in_ms;
-    if (wanted > 0.0) act(GuardPart::ramp_in);
   }
   if (settings.has(GuardPart::limit) && given > settings.limit_n) {
     given = settings.limit_n;
@@ -73,7 +74,7 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
   state.force_n = given;
   if (!(wanted > 1e-12)) given = 0.0;
   const Vec3 out = given == wanted ? force : wanted > 1e-12 ? force * (given / wanted) : Vec3(0.0);
-  hold(state.passivity, out);
+  hold(state.passivity, out, tick.contact ? tick.proxy_mm - tick.device_mm : Vec3(0.0));
   return out;
 }
 

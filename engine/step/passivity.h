@@ -24,14 +24,12 @@ inline constexpr int kMostDelayTicks = 8;
 
 struct PassivityState {
   bool primed = false;      // device_mm has begun
-  bool open = false;        // a contact episode is on
-  double gap_ms = 0.0;      // since the contact was lost; joins episodes up to kEpisodeGapMs
   double scale = 1.0;       // share of the coupling's stiffness that the hand gets, (0, 1]
   double room_mj = 0.0;     // what may be fed before scale falls; at most GuardSettings::passivity_mj
   double bank_mj = 0.0;     // what the hand put in and the loop did not give back: scale recovers from it
   Vec3 device_mm{0.0};      // low-passed
   Vec3 spring_mm{0.0};      // proxy - device, low-passed
-  Vec3 given_n{0.0};        // held force, low-passed
+  double stiffness_n_per_mm = 0.0;  // last one touched
   std::array<Vec3, kMostDelayTicks + 1> held_n{};  // newest first: forces that the device may hold by now
   friend bool operator==(const PassivityState&, const PassivityState&) = default;
 };
@@ -44,15 +42,13 @@ struct GuardTick {
   double stiffness_n_per_mm = 0.0;  // blended; 0 without contact
   bool contact = false;
   double dt_ms = 1.0;
+  double ramp = 1.0;                // share of the force that the ramp-in lets through
 };
-
-/// Gaps between contacts that are shorter belong to the episode.
-inline constexpr double kEpisodeGapMs = 20.0;
 
 /// Reckons with the motion since the last tick; then the force that may be given now, of `tick.raw_n` and not above it.
 Vec3 passive(const GuardSettings& settings, PassivityState& state, const GuardTick& tick) noexcept;
 
 /// What the hand gets in the end, to be called after passive() with what limit, slew and ramp left of it.
-void hold(PassivityState& state, Vec3 force_n) noexcept;
+void hold(PassivityState& state, Vec3 force_n, Vec3 spring_mm) noexcept;
 
 }  // namespace cusp

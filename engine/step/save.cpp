@@ -108,9 +108,10 @@ void write_guard(Writer& w, const GuardState& g) {
   w.d(g.stale_ms);
   w.v(g.velocity_mm_s);
   const PassivityState& p = g.passivity;
-  w.u((p.primed ? 1u : 0u) | (p.open ? 2u : 0u), 1);
-  for (const double value : {p.gap_ms, p.scale, p.room_mj, p.bank_mj}) w.d(value);
-  for (const Vec3& v : {p.device_mm, p.spring_mm, p.given_n}) w.v(v);
+  w.u(p.primed ? 1 : 0, 1);
+  for (const double value : {p.stiffness_n_per_mm, p.scale, p.room_mj, p.bank_mj}) w.d(value);
+  w.v(p.device_mm);
+  w.v(p.spring_mm);
   for (const Vec3& v : p.held_n) w.v(v);
 }
 
@@ -121,11 +122,10 @@ void read_guard(Reader& r, GuardState& g) {
   g.stale_ms = r.d();
   g.velocity_mm_s = r.v();
   PassivityState& p = g.passivity;
-  const std::uint64_t flags = r.u(1);
-  p.primed = (flags & 1) != 0;
-  p.open = (flags & 2) != 0;
-  for (double* value : {&p.gap_ms, &p.scale, &p.room_mj, &p.bank_mj}) *value = r.d();
-  for (Vec3* v : {&p.device_mm, &p.spring_mm, &p.given_n}) *v = r.v();
+  p.primed = r.u(1) != 0;
+  for (double* value : {&p.stiffness_n_per_mm, &p.scale, &p.room_mj, &p.bank_mj}) *value = r.d();
+  p.device_mm = r.v();
+  p.spring_mm = r.v();
   for (Vec3& v : p.held_n) v = r.v();
 }
 

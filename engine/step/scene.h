@@ -70,7 +70,8 @@ struct GuardSettings {
                                     // here the force fades, to nothing at twice that [M]: hands drill at 1 to 50
   double passivity_mj = 0.02;       // what the loop may feed before the passivity controller acts
   double delay_ms = 0.0;            // there and back, that the passivity controller reckons with, [0, 8]
-  double coupling_ns_per_m = 0.5;   // damper of the virtual coupling, where the controller has softened it
+  double encoder_mm = 0.05;         // of the device's reading: the controller takes less for no motion
+  double coupling_ns_per_m = 10.0;  // damper of the virtual coupling, where the controller has softened it
   std::uint16_t parts = kAllGuardParts;
 
   constexpr bool has(GuardPart part) const noexcept { return (parts & static_cast<std::uint16_t>(part)) != 0; }

@@ -71,12 +71,13 @@ std::uint64_t StepState::hash() const noexcept {
   h.add_double(s.guard.force_n);
   h.add_double(s.guard.stale_ms);
   const PassivityState& passivity = s.guard.passivity;
-  for (const Vec3& v : {s.guard.velocity_mm_s, passivity.device_mm, passivity.spring_mm, passivity.given_n})
+  for (const Vec3& v : {s.guard.velocity_mm_s, passivity.device_mm, passivity.spring_mm})
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
   for (const Vec3& v : passivity.held_n)
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
-  for (const double d : {passivity.gap_ms, passivity.scale, passivity.room_mj, passivity.bank_mj}) h.add_double(d);
-  h.add((passivity.primed ? 1u : 0u) | (passivity.open ? 2u : 0u));
+  for (const double d : {passivity.stiffness_n_per_mm, passivity.scale, passivity.room_mj, passivity.bank_mj})
+    h.add_double(d);
+  h.add(passivity.primed ? 1 : 0);
   for (const double owed : s.owed) h.add_double(owed);
   if (s.scene->method == Method::gradient)
     for (int i = 0; i < 3; ++i) h.add_double(s.foot[i]);

@@ -24,7 +24,14 @@ std::string header_to_json(const SessionHeader& h) {
         {"slew_n_per_ms", h.guard.slew_n_per_ms},
         {"ramp_in_ms", h.guard.ramp_in_ms},
         {"jump_mm", h.guard.jump_mm},
-        {"late_ms", h.guard.late_ms}}},
+        {"late_ms", h.guard.late_ms},
+        {"stale_ms", h.guard.stale_ms},
+        {"speed_mm_s", h.guard.speed_mm_s},
+        {"passivity_mj", h.guard.passivity_mj},
+        {"delay_ms", h.guard.delay_ms},
+        {"encoder_mm", h.guard.encoder_mm},
+        {"coupling_ns_per_m", h.guard.coupling_ns_per_m},
+        {"parts", h.guard.parts}}},
       {"specimen_hash", h.specimen_hash},
       {"specimen_blob", hex(h.specimen_blob)},
       {"scene", h.scene},
@@ -67,6 +74,14 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
     guard.at("ramp_in_ms").get_to(h.guard.ramp_in_ms);
     guard.at("jump_mm").get_to(h.guard.jump_mm);
     guard.at("late_ms").get_to(h.guard.late_ms);
+    // Written since engine version 3; the replay of an older session is refused before they matter.
+    h.guard.stale_ms = guard.value("stale_ms", h.guard.stale_ms);
+    h.guard.speed_mm_s = guard.value("speed_mm_s", h.guard.speed_mm_s);
+    h.guard.passivity_mj = guard.value("passivity_mj", h.guard.passivity_mj);
+    h.guard.delay_ms = guard.value("delay_ms", h.guard.delay_ms);
+    h.guard.encoder_mm = guard.value("encoder_mm", h.guard.encoder_mm);
+    h.guard.coupling_ns_per_m = guard.value("coupling_ns_per_m", h.guard.coupling_ns_per_m);
+    h.guard.parts = guard.value("parts", h.guard.parts);
     in.at("specimen_hash").get_to(h.specimen_hash);
     const auto blob = hash_from_hex(in.at("specimen_blob").get<std::string>());
     if (!blob) return std::nullopt;

@@ -60,12 +60,12 @@ std::uint64_t run(Method method, bool cut) {
   return hash.value();
 }
 
-TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 1763329717595611696ull); }
-TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 3850474868425700048ull); }
-TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 9805820558007386150ull); }
-TEST(GoldenHash, drilling_with_the_ray_proxy) { EXPECT_EQ(run(Method::ray, true), 15271303501799054274ull); }
-TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, true), 4325404502323302544ull); }
-TEST(GoldenHash, drilling_with_the_gradient_proxy) { EXPECT_EQ(run(Method::gradient, true), 666879923579523636ull); }
+TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 12946707666694253214ull); }
+TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 5343305043835441046ull); }
+TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 5607012726158106050ull); }
+TEST(GoldenHash, drilling_with_the_ray_proxy) { EXPECT_EQ(run(Method::ray, true), 75228421063564086ull); }
+TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, true), 2709985952044313501ull); }
+TEST(GoldenHash, drilling_with_the_gradient_proxy) { EXPECT_EQ(run(Method::gradient, true), 1126689794040164334ull); }
 
 }  // namespace
 }  // namespace cusp

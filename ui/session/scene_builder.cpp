@@ -57,6 +57,7 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
     // A trace's rows lie as far apart as they lie; and where the hand gives force, there is no energy to feed.
     guard = guard.without(GuardPart::stale).without(GuardPart::speed).without(GuardPart::passivity);
   }
+  if (device.encoder_mm) guard.encoder_mm = *device.encoder_mm;
   guard.delay_ms = std::clamp(device.delay_ms.value_or(1.0), 0.0, static_cast<double>(kMostDelayTicks));
   return build_scene(scenario, std::move(specimen), device, guard);
 }
