@@ -25,6 +25,7 @@ struct LoopTick {
   Vec3 from_mm{0.0}, to_mm{0.0};  // true place of the device at its ends
   Vec3 velocity_mm_s{0.0};        // true, at its end
   Vec3 held_n{0.0};               // what the motors gave at its end: limited and quantised
+  Vec3 mean_n{0.0};               // held, over its time
   Vec3 wanted_n{0.0};             // the controller's last answer
   double energy_mj = 0.0;         // held force times true motion: positive is given to the hand
   int answers = 0;                // of the controller in this millisecond: 0 after a loss

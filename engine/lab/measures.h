@@ -30,6 +30,9 @@ class ContactEnergy {
 
 /// Peak to peak, energy and limit over a window of time at the end of a run: what decides whether a stiffness is stable.
 /// Motion is true motion along three axes at right angles, given at the start, so that one may lie along the press.
+/// Net energy is what the held force gave beyond what its own mean over the window would have given on the same way:
+/// a wall that carries 1 N gives out 0.01 mJ for each 10 um that the device stands further out at the window's end than
+/// at its beginning, which a spring does too and which is no vibration. Over whole cycles both are the same.
 class Steadiness {
  public:
   static constexpr double kWindowS = 0.8, kMostSteps = 2.0, kMostEnergyMj = 0.01;
@@ -43,7 +46,7 @@ class Steadiness {
   Verdict verdict(double encoder_step_mm) const noexcept;
 
   double peak_to_peak_mm() const noexcept;  // the largest of the three axes
-  double energy_mj() const noexcept { return energy_; }
+  double energy_mj() const noexcept;  // net, out of the wall
   /// Of the axis that moves most: how often it turns back by more than half of its peak to peak. 0 when it does so less
   /// than twice.
   double cycle_hz() const noexcept;
@@ -53,7 +56,8 @@ class Steadiness {
   Vec3 low_{std::numeric_limits<double>::infinity()}, high_{-std::numeric_limits<double>::infinity()};
   std::array<Vec3, static_cast<std::size_t>(kWindowS * 1000.0)> window_{};  // along the axes, for cycle_hz
   std::size_t count_ = 0;
-  double energy_ = 0.0;
+  Vec3 from_{0.0}, to_{0.0}, moment_{0.0};  // ends of the window; sum of the held force over its ticks
+  double energy_ = 0.0;                     // given, all of it
   bool over_ = false;
 };
 

@@ -1,25 +1,25 @@
-/// How stiff a wall may be before a hand and a device ring on it (k_max), for a contact method and for the exact proxy of
-/// the same shape, in the laboratory's closed loop.
+/// How stiff a wall may be before a hand and a device ring on it (k_max), for a contact method and for the exact proxy
+/// of the same shape, in the laboratory's closed loop.
 ///
-/// A run: from just above its place the device is led at 50 mm/s along the press until the controller gives a first
-/// force; there it is let go at that speed, and the hand goes on until it presses with 1 N (a grip's spring, or without
-/// one a push that grows as a wall of that stiffness would ask of 50 mm/s); then it presses for 2 s. The final 0.8 s
-/// decide (lab::Steadiness). Where a shape holds nothing sideways and nobody holds the device, a rail does: a frictionless
-/// face would let it drift by a force quantum, which is no vibration.
+/// A run: from just above its place the device is led at 50 mm/s until the controller gives a first force; there it is
+/// let go at that speed, and the hand goes on until it presses with 1 N (a grip's spring; without a grip a push that
+/// grows as a wall of that stiffness would ask of 50 mm/s); then it presses for 2 s. The final 0.8 s decide
+/// (lab::Steadiness). Where a shape holds nothing sideways and nobody holds the device, a rail does: on a frictionless
+/// face the rest of a force quantum makes it drift, which is no vibration.
 ///
-/// k_max: of the grid 0.05 N/mm times powers of 1.02, the last stiffness before the first at which one of the seeds
-/// fails. Found by bisection on the grid, and confirmed by looking below it, at every second place of the 20 % beneath,
-/// then at places 10 % apart: a failure found there takes its place. What fails only between those is missed.
+/// k_max: of the grid 0.05 N/mm times powers of 1.02, the last stiffness before the first at which a seed fails. Found
+/// by bisection on the grid, and confirmed by looking below what it found: at every second place of the 20 % beneath,
+/// at every tenth below that. A failure met there takes its place. What fails only between those is missed.
 ///
-/// Stiffness enters as a factor on the force of a scene of 1 N/mm (friction off, it is linear in K); with the guard on
-/// the scene has it itself.
+/// Stiffness is a factor on the force of a scene of 1 N/mm (without friction the force is linear in it), so that
+/// specimen, cuts and state are made once for all stiffnesses; with the guard on the scene has it itself.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/lab/closed_loop.h"
 #include "engine/lab/measures.h"
@@ -28,34 +28,50 @@
 
 namespace cusp::bench {
 
-inline constexpr double kKMaxFloor = 0.05;   // N/mm
+inline constexpr double kKMaxFloor = 0.05;  // N/mm
 inline constexpr double kKMaxFactor = 1.02;
-inline constexpr int kKMaxPlaces = 270;      // to 10.3 N/mm
+inline constexpr int kKMaxPlaces = 270;  // to 10.3 N/mm
 inline constexpr double kPressN = 1.0, kApproachMmS = 50.0, kPressS = 2.0;
 
-/// Where one presses. Six of them: face, edge, corner, groove, pit, channel.
+/// The six: face, edge, corner, groove, pit, channel.
+///   edge     on a face, the ball's centre 0.05 to 0.2 mm beside where it would begin to roll over an outer edge of 90
+///            degrees. On the edge itself no press is steady for any method: what holds it there is a ridge.
+///   corner   of three walls, along their diagonal and up to 8 degrees off it
+///   groove   of 60 degrees, on both walls
+///   pit      a bowl 2 % wider than the burr: the burr lies in it with hundreds of points about it
+///   channel  the burr's own: at the bottom of the hole that it has cut, and against its wall
+inline constexpr std::string_view kPressNames[] = {"face", "edge", "corner", "groove", "pit", "channel"};
+
+/// Where one presses, by seed.
 struct Press {
-  std::shared_ptr<const Shape> shape;
-  std::unique_ptr<Truth> (*truth)(const Press&) = nullptr;  // nullptr: the shape's own
-  Vec3 above{0.0};      // an admissible centre from which the way along `into` touches
-  Vec3 touch{0.0};      // the exact proxy while pressed
-  Vec3 into{0.0};       // unit, direction of the push
-  Vec3 free_a{0.0}, free_b{0.0};  // unit directions in which nothing holds the burr
+  Vec3 touch{0.0};                // the exact proxy while pressed
+  Vec3 approach{0.0};             // unit, on the way there
+  Vec3 into{0.0};                 // unit, of the push
+  Vec3 free_a{0.0}, free_b{0.0};  // unit directions in which nothing holds the burr; zero: none
 };
 
-/// nullopt for another name.
-std::optional<Press> make_press(std::string_view shape, double burr_radius_mm);
+/// A shape with its places.
+class PressPlace {
+ public:
+  /// nullptr for another name.
+  static std::unique_ptr<PressPlace> make(std::string_view name, double burr_radius_mm);
+  virtual ~PressPlace() = default;
+  virtual const Shape& shape() const = 0;
+  virtual Press press(std::uint64_t seed) const = 0;
+  /// The exact proxy, fast enough for a loop.
+  virtual std::unique_ptr<Truth> truth() const = 0;
+};
 
 struct KMaxCase {
-  std::string shape = "face";
+  std::string place = "face";
   std::optional<Method> method;  // nullopt: the exact proxy
-  bool guard = false;
+  bool guard = false;            // off: the hand gets the method's own force
   double burr_radius_mm = 0.5;
   double voxel_mm = 10.0 / 128;
   lab::DeviceSettings device;
-  lab::TransportSettings transport;  // its seed is not used: seeds are 1 to `seeds`
+  lab::TransportSettings transport;  // its seed is the run's
   lab::Grip grip = lab::kNoGrip;
-  int seeds = 5;
+  int seeds = 5;  // 1 to this
 };
 
 /// One run at one stiffness.
@@ -64,22 +80,25 @@ struct PressRun {
   double cycle_um = 0.0, cycle_hz = 0.0;  // peak to peak and frequency over the final 0.8 s
   double window_mj = 0.0;                 // net energy out of the wall in it
   double energy_mj = 0.0;                 // lab::ContactEnergy over the whole run
-  double force_step_mn = 0.0, guard_step_mn = 0.0;  // of a method
+  // Of a method, where asked for:
+  double force_step_mn = 0.0, guard_step_mn = 0.0;
   double penetration_um = 0.0;
-  bool stuck = false;
+  double off_um = 0.0;  // farthest from the exact proxy at the same device point
   int stuck_ms = 0;
-  bool passed_through = false;            // the proxy left the exact one by more than a burr radius
 };
 
-/// A press and what answers it, made once and run at many stiffnesses. Not copyable; any thread, one at a time.
+/// A place and what answers there, made once and run at many stiffnesses, on many devices. One thread at a time.
 class PressBench {
  public:
-  PressBench(const KMaxCase& what, const Press& press);
+  explicit PressBench(const KMaxCase& what);
   ~PressBench();
-  /// measure: also what costs an exact proxy beside a method (force steps, stuck, penetration).
-  PressRun run(double k_n_per_mm, std::uint64_t seed, bool measure = false);
-  /// Changes device, grip and transport; the specimen and state stay.
+  PressBench(const PressBench&) = delete;
+  PressBench& operator=(const PressBench&) = delete;
+
+  /// Another device, transport, grip or guard. Place, method, burr and voxel stay as they were made.
   void use(const KMaxCase& what);
+  /// early: a run that has already failed ends there. compare: follow the exact proxy too, for what is "of a method".
+  PressRun run(double k_n_per_mm, std::uint64_t seed, bool early = false, bool compare = false);
 
  private:
   struct Inner;
@@ -87,15 +106,39 @@ class PressBench {
 };
 
 struct KMax {
-  double k_max_n_per_mm = 0.0;  // 0: the lowest already fails
-  bool beyond = false;          // nothing failed up to the grid's end
-  double cycle_um = 0.0, cycle_hz = 0.0;  // of the worst seed at the first stiffness that fails
-  lab::Steadiness::Verdict reason = lab::Steadiness::Verdict::steady;  // why it fails there
-  std::uint64_t seed = 0;       // that fails there
-  int runs = 0;                 // how many it took
+  double k_max_n_per_mm = 0.0;                                         // 0: the lowest already fails
+  bool beyond = false;                                                 // nothing failed up to the grid's end
+  lab::Steadiness::Verdict reason = lab::Steadiness::Verdict::steady;  // of the first stiffness that fails
+  double cycle_um = 0.0, cycle_hz = 0.0;                               // there
+  std::uint64_t seed = 0;                                              // that fails there
+  int runs = 0;                                                        // how many it took
 };
 
+constexpr std::string_view key_of(lab::Steadiness::Verdict v) noexcept {
+  switch (v) {
+    case lab::Steadiness::Verdict::steady:
+      return "steady";
+    case lab::Steadiness::Verdict::moves:
+      return "moves";
+    case lab::Steadiness::Verdict::feeds:
+      return "feeds";
+    case lab::Steadiness::Verdict::over_limit:
+      return "over-limit";
+  }
+  return "steady";
+}
+
+double k_at(int place);  // of the grid
+
+/// With a bench of the same place and method. near (N/mm): a guess, such as the exact proxy's; it saves half of the
+/// runs and does not change what is confirmed. 0: none.
+KMax find_k_max(PressBench& bench, const KMaxCase& what, double near_n_per_mm = 0.0);
 KMax find_k_max(const KMaxCase& what);
-KMax find_k_max(PressBench& bench, const KMaxCase& what);
+/// By the definition, place by place: for tests, it takes a hundred times as long.
+KMax scan_k_max(PressBench& bench, const KMaxCase& what);
+
+/// The sweep of what no source gives: mass 0.1 and 0.25 kg, damping 0.5, 2 and 5 N s/m, friction 0 and 0.1 N, grips
+/// none, soft and firm, delay 0, 1 and 3 ms: 108 cells, for each place. [M]
+std::vector<KMaxCase> k_max_cells(std::string_view place, std::optional<Method> method);
 
 }  // namespace cusp::bench

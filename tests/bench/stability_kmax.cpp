@@ -1,0 +1,455 @@
+#include "tests/bench/stability_kmax.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/contact/surface_contact.h"
+#include "tests/bench/cut_shape.h"
+#include "tests/bench/frame.h"
+#include "tests/bench/motions.h"
+
+namespace cusp::bench {
+
+namespace {
+
+using Verdict = lab::Steadiness::Verdict;
+
+constexpr double kAboveMm = 0.25;  // where the way down begins
+constexpr double kReadyMm = 0.02;  // a tick, on the last bit of the way there
+constexpr double kLostMm = 10.0;   // off the touch, besides the press's own depth: the device has left the place
+constexpr int kMostApproachTicks = 200;
+constexpr int kConfirmPlaces = 10;   // of the grid: 20 %
+constexpr int kConfirmStride = 8;    // below those
+constexpr double kTiltMost = 0.14;  // sideways part of a push into a hollow: 8 degrees
+
+Vec3 direction(const Frame& frame, double x, double y, double z) { return frame.direction(unit(Vec3(x, y, z))); }
+
+/// A place on one of the benches' own shapes.
+class ShapePlace : public PressPlace {
+ public:
+  ShapePlace(std::string_view name, double r) : shape_(make_shape(name, r)) {}
+  const Shape& shape() const override { return *shape_; }
+  std::unique_ptr<Truth> truth() const override { return shape_->truth(); }
+
+ protected:
+  double r() const { return shape_->burr_radius_mm(); }
+  Frame frame_ = oblique_frame();
+
+ private:
+  std::unique_ptr<Shape> shape_;
+};
+
+class FacePlace : public ShapePlace {
+ public:
+  explicit FacePlace(double r) : ShapePlace("face", r) {}
+  Press press(std::uint64_t seed) const override {
+    Random random(seed);
+    const Vec3 at(random.between(-2.0, 2.0), random.between(-2.0, 2.0), r());
+    return {frame_.to_world(at), -frame_.z, -frame_.z, frame_.x, frame_.y};
+  }
+};
+
+class EdgePlace : public ShapePlace {
+ public:
+  explicit EdgePlace(double r) : ShapePlace("edge", r) {}
+  Press press(std::uint64_t seed) const override {
+    Random random(seed);
+    const Vec3 at(random.between(-0.2, -0.05), random.between(-1.5, 1.5), r());
+    return {frame_.to_world(at), -frame_.z, -frame_.z, frame_.x, frame_.y};
+  }
+};
+
+class CornerPlace : public ShapePlace {
+ public:
+  explicit CornerPlace(double r) : ShapePlace("corner", r) {}
+  Press press(std::uint64_t seed) const override {
+    Random random(seed);
+    // Three walls at right angles about the frame's z, their corner 1.5 mm below its origin.
+    const Vec3 at(0.0, 0.0, std::sqrt(3.0) * r() - 1.5);
+    const Vec3 into =
+        direction(frame_, random.between(-kTiltMost, kTiltMost), random.between(-kTiltMost, kTiltMost), -1.0);
+    return {frame_.to_world(at), -frame_.z, into, Vec3(0.0), Vec3(0.0)};
+  }
+};
+
+class GroovePlace : public ShapePlace {
+ public:
+  explicit GroovePlace(double r) : ShapePlace("groove", r) {}
+  Press press(std::uint64_t seed) const override {
+    Random random(seed);
+    // The groove is as deep as its shape makes it, its apex half of that below the frame's origin; 60 degrees.
+    const double deep = std::max(2.5, 2.2 * r());
+    const Vec3 at(0.0, random.between(-1.5, 1.5), 2.0 * r() - 0.5 * deep);
+    const Vec3 into = direction(frame_, random.between(-kTiltMost, kTiltMost), 0.0, -1.0);
+    return {frame_.to_world(at), -frame_.z, into, frame_.y, Vec3(0.0)};
+  }
+};
+
+/// The half space z <= 0 of the frame without a ball 2 % wider than the burr about its origin.
+class FittingPit : public Shape {
+ public:
+  explicit FittingPit(double r) : Shape("fitting-pit", r), ball_(1.02 * r) {}
+  std::string key() const override { return name() + std::to_string(ball_); }
+  double distance_mm(Vec3 world) const override {
+    const Vec3 p = frame_.to_local(world);
+    const double far = length(p), rho = std::sqrt(p.x * p.x + p.y * p.y);
+    const double rim = std::sqrt((rho - ball_) * (rho - ball_) + p.z * p.z);
+    if (p.z <= 0.0 && far >= ball_) return -std::min(far - ball_, rho >= ball_ ? -p.z : rim);
+    if (p.z > 0.0) return rho >= ball_ ? p.z : rim;
+    return ball_ - far;
+  }
+  double least_radius_mm() const override { return ball_; }
+  Vec3 tool_axis() const override { return frame_.z; }
+  Vec3 home() const override { return frame_.to_world({0.0, 0.0, 14.0}); }
+  Spot spot(Random&) const override { return {frame_.origin - frame_.z * play(), frame_.z}; }
+  Leg leg(Random&, const Vec3*) const override {
+    const Vec3 at = frame_.origin - frame_.z * (play() + kDepthMm);
+    return {1e-3, [at](double) { return at; }};
+  }
+  Vec3 before(Vec3) const override { return frame_.origin; }
+  std::unique_ptr<Truth> truth() const override;
+
+  double play() const { return ball_ - burr_radius_mm(); }
+  const Frame& frame() const { return frame_; }
+
+ private:
+  Frame frame_ = oblique_frame();
+  double ball_;
+};
+
+/// A ball's proxy where its centre may be within `play` of a segment, which leads on out of the tissue: a bowl (a
+/// segment that begins at its middle) and a hole of the burr's own width. Right below the mouth, where presses are.
+class InHole : public Truth {
+ public:
+  InHole(Vec3 bottom, Vec3 out, double play) : bottom_(bottom), out_(out), play_(play) {}
+  double clearance_mm(Vec3 centre) const override { return play_ - length(centre - on(centre)); }
+  Exact follow(Vec3 device) override { return move_to(device); }
+
+ protected:
+  Vec3 place(Vec3 centre) override { return move_to(centre).pose_mm; }
+  Exact move_to(Vec3 device) override {
+    const Vec3 foot = on(device), off = device - foot;
+    const double far = length(off);
+    if (far <= play_) return {device, false, false};
+    return {foot + off * (play_ / far), true, false};
+  }
+
+ private:
+  Vec3 on(Vec3 q) const { return bottom_ + out_ * std::max(0.0, glm::dot(q - bottom_, out_)); }
+  Vec3 bottom_, out_;
+  double play_;
+};
+
+std::unique_ptr<Truth> FittingPit::truth() const { return std::make_unique<InHole>(frame_.origin, frame_.z, play()); }
+
+class PitPlace : public PressPlace {
+ public:
+  explicit PitPlace(double r) : pit_(r) {}
+  const Shape& shape() const override { return pit_; }
+  std::unique_ptr<Truth> truth() const override { return pit_.truth(); }
+  Press press(std::uint64_t seed) const override {
+    Random random(seed);
+    const Frame& f = pit_.frame();
+    const Vec3 into = direction(f, random.between(-0.4, 0.4), random.between(-0.4, 0.4), -1.0);
+    return {f.origin + into * pit_.play(), -f.z, into, Vec3(0.0), Vec3(0.0)};
+  }
+
+ private:
+  FittingPit pit_;
+};
+
+class ChannelPlace : public PressPlace {
+ public:
+  explicit ChannelPlace(double r) {
+    // The first oblique hole that is deep enough for the burr to stand wholly below its mouth's middle.
+    for (std::uint64_t seed = 1;; ++seed) {
+      hole_ = std::make_unique<Hole>(r, HoleKind::oblique, seed, SurfaceContact::kClearanceMm);
+      if (glm::dot(frame_.z, frame_.origin - hole_->bottom()) >= kDeepRadii * r) break;
+    }
+  }
+  const Shape& shape() const override { return *hole_; }
+  std::unique_ptr<Truth> truth() const override {
+    return std::make_unique<InHole>(hole_->bottom(), hole_->axis(), SurfaceContact::kClearanceMm);
+  }
+  Press press(std::uint64_t seed) const override {
+    Random random(seed);
+    const Frame f = Frame::of(hole_->axis(), {0.3, 1.0, 0.2}, hole_->bottom());
+    const Vec3 into = direction(f, random.between(-0.5, 0.5), random.between(-0.5, 0.5), -1.0);
+    return {hole_->bottom() + into * SurfaceContact::kClearanceMm, -hole_->axis(), into, Vec3(0.0), Vec3(0.0)};
+  }
+
+ private:
+  static constexpr double kDeepRadii = 1.8;
+  Frame frame_ = oblique_frame();
+  std::unique_ptr<Hole> hole_;
+};
+
+}  // namespace
+
+std::unique_ptr<PressPlace> PressPlace::make(std::string_view name, double r) {
+  if (name == "face") return std::make_unique<FacePlace>(r);
+  if (name == "edge") return std::make_unique<EdgePlace>(r);
+  if (name == "corner") return std::make_unique<CornerPlace>(r);
+  if (name == "groove") return std::make_unique<GroovePlace>(r);
+  if (name == "pit") return std::make_unique<PitPlace>(r);
+  if (name == "channel") return std::make_unique<ChannelPlace>(r);
+  return nullptr;
+}
+
+struct PressBench::Inner {
+  explicit Inner(const KMaxCase& w) : what(w), place(PressPlace::make(w.place, w.burr_radius_mm)) {
+    exact = place->truth();
+  }
+
+  /// The state to run on: one for all stiffnesses without a guard, a fresh one with it.
+  void make_state(double k) {
+    if (state && !what.guard) return;
+    auto scene = scene_of(place->shape(), *what.method, what.voxel_mm);
+    if (what.guard) {
+      for (TissueFeel& feel : scene->tissues) feel.stiffness_n_per_mm = k;
+      scene->guard = GuardSettings{};
+      scene->guard.limit_n = what.device.limit_n;
+    }
+    state = std::make_unique<StepState>(std::move(scene));
+    place->shape().prepare(*state);
+  }
+
+  KMaxCase what;
+  std::unique_ptr<PressPlace> place;
+  std::unique_ptr<Truth> exact;
+  std::unique_ptr<StepState> state;
+  Stepper stepper = [](StepState& s, const StepInput& input) { return step(s, input); };
+};
+
+PressBench::PressBench(const KMaxCase& what) : inner_(std::make_unique<Inner>(what)) {}
+PressBench::~PressBench() = default;
+
+void PressBench::use(const KMaxCase& what) {
+  const bool fresh = what.guard != inner_->what.guard;
+  inner_->what = what;
+  if (fresh) inner_->state.reset();
+}
+
+PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare) {
+  const KMaxCase& what = inner_->what;
+  const Press press = inner_->place->press(seed);
+  const Vec3 start = press.touch - press.approach * kAboveMm;
+  StepState* state = nullptr;
+  if (what.method) {
+    inner_->make_state(k);
+    state = inner_->state.get();
+    bring(*state, inner_->stepper, inner_->place->shape(), start - press.approach * 2.0);
+    lead(*state, inner_->stepper, start, kReadyMm);
+  }
+  Truth& exact = *inner_->exact;
+  const bool follow = !state || compare;
+  exact.start(start);
+
+  Random random(seed * 7919);
+  const Vec3 phase(random.between(0.0, 1.0), random.between(0.0, 1.0), random.between(0.0, 1.0));
+  lab::TransportSettings transport = what.transport;
+  transport.seed = seed;
+  lab::ClosedLoop loop(what.device, transport, what.grip, start, phase);
+  if (!what.grip.holds()) loop.plant().rail(press.free_a, press.free_b);
+  loop.plant().drive(press.approach * kApproachMmS);
+
+  PressRun out;
+  lab::ContactEnergy energy;
+  lab::ForceSteps steps;
+  lab::StuckWatch stuck;
+  lab::Penetration penetration;
+  bool touched = false;
+  const auto controller = [&](const lab::Reading& reading) {
+    StepInput input;
+    input.x = reading.x;
+    input.y = reading.y;
+    input.z = reading.z;
+    input.elapsed_us = reading.elapsed_us;
+    const Vec3 device = input.position_mm();
+    Vec3 force(0.0);
+    Exact there;
+    if (follow) there = exact.follow(device);
+    if (!state) {
+      force = (there.pose_mm - device) * k;
+      touched = touched || there.contact;
+      return force;
+    }
+    const StepOutput answer = step(*state, input);
+    force = what.guard ? answer.force_n : answer.force_raw_n * k;
+    touched = touched || answer.contact;
+    if (compare) {
+      const double off = length(answer.proxy_mm - there.pose_mm) * 1000.0;
+      if (!(off <= out.off_um)) out.off_um = off;
+      const Vec3 raw = what.guard ? answer.force_raw_n : force;
+      steps.add(force, (there.pose_mm - device) * k, what.guard && length(force - raw) > 1e-9);
+      stuck.add(there.pose_mm, answer.proxy_mm);
+      penetration.add(exact.clearance_mm(answer.proxy_mm));
+    }
+    return force;
+  };
+
+  // To the first force.
+  for (int t = 0; t < kMostApproachTicks && !touched; ++t) energy.add(loop.tick(controller));
+  lab::Plant& plant = loop.plant();
+  plant.release();
+  // From here on the hand goes straight to where it presses with kPressN against the wall as it is.
+  const Vec3 from = plant.position_mm();
+  const double give = 1.0 / k + (what.grip.holds() ? 1.0 / what.grip.stiffness_n_per_mm : 0.0);
+  const Vec3 to = press.touch + press.into * (kPressN * give);
+  const double way = length(to - from);
+  const double arrive_s = way / kApproachMmS, rest_s = arrive_s + kPressS;
+  const Vec3 along = (to - from) / way;
+  const auto ticks = static_cast<int>(std::ceil(rest_s / lab::kTickS));
+  const auto window = static_cast<int>(lab::Steadiness::kWindowS / lab::kTickS);
+  lab::Steadiness steady(press.into, Frame::of(press.into, {0.3, 0.5, 1.0}, Vec3(0.0)).x);
+  for (int t = 0; t < ticks; ++t) {
+    const double now = t * lab::kTickS;
+    const bool arrived = now >= arrive_s;
+    if (what.grip.holds()) {
+      plant.intend(arrived ? to : from + along * (kApproachMmS * now), arrived ? Vec3(0.0) : along * kApproachMmS);
+    } else {
+      plant.push(press.into * (kPressN * std::min(1.0, now / arrive_s)));
+    }
+    const lab::LoopTick tick = loop.tick(controller);
+    energy.add(tick);
+    const bool final = t >= ticks - window;
+    steady.add(tick, final);
+    if (!(length(tick.to_mm - press.touch) < kLostMm + kPressN / k)) {
+      out.verdict = Verdict::moves;
+      break;
+    }
+    if (early && (tick.over_limit || final)) {
+      out.verdict = steady.verdict(what.device.encoder_step_mm);
+      if (out.verdict == Verdict::over_limit || out.verdict == Verdict::moves) break;
+      out.verdict = Verdict::steady;
+    }
+  }
+  if (out.verdict == Verdict::steady) out.verdict = steady.verdict(what.device.encoder_step_mm);
+  out.cycle_um = steady.peak_to_peak_mm() * 1000.0;
+  out.cycle_hz = steady.cycle_hz();
+  out.window_mj = steady.energy_mj();
+  out.energy_mj = energy.most_mj();
+  out.force_step_mn = steps.force_step_mn();
+  out.guard_step_mn = steps.guard_step_mn();
+  out.penetration_um = penetration.most_um();
+  out.stuck_ms = stuck.stuck_ms();
+  return out;
+}
+
+double k_at(int place) { return kKMaxFloor * std::pow(kKMaxFactor, place); }
+
+namespace {
+
+/// What a stiffness of the grid comes to, over the seeds: the first that fails.
+class Tries {
+ public:
+  Tries(PressBench& bench, const KMaxCase& what) : bench_(bench), what_(what) {}
+  bool fails(int place) {
+    // The seed that failed last is the likeliest to fail next.
+    for (int i = 0; i < what_.seeds; ++i) {
+      const int seed = i == 0 ? likely_ : i == likely_ - 1 ? 1 : i + 1;
+      ++runs_;
+      if (bench_.run(k_at(place), static_cast<std::uint64_t>(seed), true).verdict != Verdict::steady) {
+        likely_ = seed;
+        return true;
+      }
+    }
+    return false;
+  }
+  KMax answer(int first_failing) {
+    KMax out;
+    out.beyond = first_failing >= kKMaxPlaces;
+    out.k_max_n_per_mm = first_failing > 0 ? k_at(std::min(first_failing, kKMaxPlaces) - 1) : 0.0;
+    if (!out.beyond && fails(first_failing)) {
+      // Again, to its end, for what it looks like.
+      const PressRun run = bench_.run(k_at(first_failing), static_cast<std::uint64_t>(likely_));
+      ++runs_;
+      out.reason = run.verdict;
+      out.cycle_um = run.cycle_um;
+      out.cycle_hz = run.cycle_hz;
+      out.seed = static_cast<std::uint64_t>(likely_);
+    }
+    out.runs = runs_;
+    return out;
+  }
+
+ private:
+  PressBench& bench_;
+  const KMaxCase& what_;
+  int likely_ = 1, runs_ = 0;
+};
+
+}  // namespace
+
+KMax find_k_max(PressBench& bench, const KMaxCase& what, double near_n_per_mm) {
+  bench.use(what);
+  Tries tries(bench, what);
+  int low = -1, high = kKMaxPlaces;
+  if (near_n_per_mm >= kKMaxFloor) {
+    // Outwards from the guess in growing strides, until one place holds and a higher one fails.
+    int at = static_cast<int>(std::lround(std::log(near_n_per_mm / kKMaxFloor) / std::log(kKMaxFactor)));
+    for (int stride = 1; low < 0 || high == kKMaxPlaces; stride *= 2) {
+      if (at < 0 || at >= kKMaxPlaces) break;
+      if (tries.fails(at)) {
+        high = at;
+        if (low >= 0) break;
+        at -= stride;
+      } else {
+        low = at;
+        if (high < kKMaxPlaces) break;
+        at += stride;
+      }
+    }
+  }
+  for (bool again = true; again;) {
+    while (high - low > 1) {
+      const int middle = (low + high) / 2;
+      (tries.fails(middle) ? high : low) = middle;
+    }
+    // Below: a place that fails begins the search anew beneath it.
+    again = false;
+    for (int place = high - 2; place >= 0 && !again; place -= high - place < kConfirmPlaces ? 1 : kConfirmStride) {
+      if (!tries.fails(place)) continue;
+      high = place;
+      low = -1;
+      again = true;
+    }
+  }
+  return tries.answer(high);
+}
+
+KMax find_k_max(const KMaxCase& what) {
+  PressBench bench(what);
+  return find_k_max(bench, what);
+}
+
+KMax scan_k_max(PressBench& bench, const KMaxCase& what) {
+  bench.use(what);
+  Tries tries(bench, what);
+  int place = 0;
+  while (place < kKMaxPlaces && !tries.fails(place)) ++place;
+  return tries.answer(place);
+}
+
+std::vector<KMaxCase> k_max_cells(std::string_view place, std::optional<Method> method) {
+  std::vector<KMaxCase> out;
+  for (const lab::Grip& grip : {lab::kNoGrip, lab::kSoftGrip, lab::kFirmGrip})
+    for (const double delay : {0.0, 1.0, 3.0})
+      for (const double friction : {0.0, 0.1})
+        for (const double mass : {0.1, 0.25})
+          for (const double damping : {0.5, 2.0, 5.0}) {
+            KMaxCase cell;
+            cell.place = place;
+            cell.method = method;
+            cell.grip = grip;
+            cell.transport.delay_ms = delay;
+            cell.device.friction_n = friction;
+            cell.device.mass_kg = mass;
+            cell.device.damping_ns_per_m = damping;
+            out.push_back(cell);
+          }
+  return out;
+}
+
+}  // namespace cusp::bench
