@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kRunBaud = 1.5e6, kHelloBaud = 9600;
 constexpr std::uint8_t kModemIdle = 0x01, kLineIdle = 0x60, kOverrun = 0x02, kFraming = 0x08;
+constexpr LinkTime kFetched = std::chrono::milliseconds(1);
 constexpr std::uint16_t kKey = 0x08AA;
 constexpr std::size_t kHeaderWords = 11;  // key, eight reserved, entry point
 
@@ -280,19 +281,23 @@ LinkTime Emulator::next_read() const noexcept {
 }
 
 std::size_t Emulator::read(std::span<std::uint8_t, kPacketBytes> out, LinkTime now) noexcept {
-  if (next_read() > now) return 0;
+  const LinkTime ready = next_read();
+  if (ready > now) return 0;
+  // The chip closed the packet when it was ready; the host's way to it takes its own time. One that nobody fetched
+  // goes on filling.
+  const LinkTime closed = std::max(ready, now - kFetched);
   out[0] = kModemIdle;
   out[1] = kLineIdle;
   if (overrun_) out[1] |= kOverrun;
   overrun_ = false;
   std::size_t size = kStatusBytes;
-  while (size < kPacketBytes && line_count_ > 0 && line_[line_at_].at <= now) {
+  while (size < kPacketBytes && line_count_ > 0 && line_[line_at_].at <= closed) {
     if (line_[line_at_].broken) out[1] |= kFraming;
     out[size++] = line_[line_at_].byte;
     line_at_ = (line_at_ + 1) % kLine;
     --line_count_;
   }
-  last_packet_ = now;
+  last_packet_ = closed;
   return size;
 }
 

@@ -1,0 +1,239 @@
+#include "device/falcon/falcon_port.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp {
+
+namespace {
+
+using falcon::LinkTime;
+using falcon::Phase;
+using falcon::Trouble;
+
+constexpr LinkTime kPeriod = std::chrono::milliseconds(1);
+// Tried over ways of 50 to 1000 us with up to 500 us of jitter: 982 samples a second on average, 928 with a pace that
+// never begins anew and repeats at once.
+constexpr LinkTime kRephase = std::chrono::microseconds(200);  // an answer later than this begins the pace anew
+constexpr LinkTime kRepeat = std::chrono::microseconds(100);   // a packet waits so long for an answer to go before it
+constexpr LinkTime kLongestWait = std::chrono::milliseconds(20);
+constexpr LinkTime kGlance = std::chrono::milliseconds(100);  // of open(), at cancel()
+constexpr int kLastWords = 5;                                 // packets of zero torque before the device is let go
+constexpr std::uint8_t kPressTicks = 20;  // a button counts when it was down so long: switches bounce
+
+falcon::Workspace workspace_of(const falcon::WorkspaceSettings& settings) {
+  if (const auto wanted = falcon::Workspace::from(settings)) return *wanted;
+  return *falcon::Workspace::from({});
+}
+
+}  // namespace
+
+FalconPort::FalconPort(std::unique_ptr<falcon::FalconLink> link, const FalconSettings& settings)
+    : link_(std::move(link)),
+      settings_(settings),
+      session_(settings.session),
+      workspace_(workspace_of(settings.workspace)) {}
+
+FalconPort::~FalconPort() { close(); }
+
+void FalconPort::give_image(falcon::FirmwareImage image) {
+  image_ = image;
+  session_.give_image(std::move(image));
+}
+
+void FalconPort::hand_over() noexcept {
+  while (const auto ask = session_.next_ask()) link_->start(*ask);
+}
+
+void FalconPort::once(LinkTime until) noexcept {
+  hand_over();
+  const LinkTime now = link_->now();
+  const falcon::LinkEvent event = link_->wait(std::min(until, std::max(session_.due(), now)));
+  session_.advance(event, link_->now());
+  hand_over();
+}
+
+Result<void, PortFailure> FalconPort::open() {
+  close();
+  cancelled_.store(false, std::memory_order_release);
+  session_ = falcon::Session(settings_.session);
+  if (image_) session_.give_image(*image_);
+  pose_.reset();
+  last_ = Sample{};
+  open_ = true;
+  for (;;) {
+    once(link_->now() + kGlance);
+    publish();
+    const falcon::SessionState& state = session_.state();
+    std::optional<PortFailure> failure;
+    const auto fails = [&](PortError code) {
+      failure = PortFailure{code, link_->name(), std::string(falcon::key_of(state.trouble))};
+    };
+    if (state.phase == Phase::homing || state.phase == Phase::ready) break;
+    if (state.phase == Phase::needs_image) {
+      failure = PortFailure{PortError::bad_file, link_->name(), "needs_image"};
+    } else if (state.phase == Phase::failed) {
+      fails(PortError::io);
+    } else if (state.phase == Phase::unplugged && state.trouble == Trouble::absent) {
+      fails(PortError::not_found);
+    } else if (state.phase == Phase::unplugged && state.trouble == Trouble::denied) {
+      fails(PortError::no_permission);
+    } else if (state.phase == Phase::unplugged && state.trouble == Trouble::busy) {
+      fails(PortError::busy);
+    } else if (cancelled_.load(std::memory_order_acquire)) {
+      failure = PortFailure{PortError::io, link_->name(), "cancelled"};
+    }
+    if (failure) {
+      close();
+      return std::unexpected(std::move(*failure));
+    }
+  }
+  due_ = link_->now();
+  seen_replies_ = session_.state().replies;
+  return {};
+}
+
+bool FalconPort::forcing() const noexcept { return session_.phase() == Phase::ready && pose_ && !workspace_.held(); }
+
+void FalconPort::take_buttons(std::uint8_t bits) noexcept {
+  const FalconButtons& does = settings_.buttons;
+  const bool cut = (bits & does.cut) != 0;
+  last_.buttons = cut ? 1 : 0;
+  last_.pedal = cut ? 65535 : 0;
+  const auto pressed = [bits](std::uint8_t button, std::uint8_t& ticks) {
+    if ((bits & button) == 0) {
+      ticks = 0;
+      return false;
+    }
+    if (ticks > kPressTicks) return false;
+    return ++ticks == kPressTicks;
+  };
+  if (pressed(does.next_burr, next_ticks_) && last_.burr + 1 < settings_.burrs) ++last_.burr;
+  if (pressed(does.previous_burr, previous_ticks_) && last_.burr > 0) --last_.burr;
+}
+
+Sample FalconPort::fresh() noexcept {
+  const falcon::SessionState& state = session_.state();
+  seen_replies_ = state.replies;
+  const Vec3 arms = falcon::arm_rad_of_ticks(settings_.geometry, settings_.calibration, state.encoders);
+  pose_ = falcon::forward(settings_.geometry, arms, last_grip_m_);
+  if (!pose_) {
+    // No place of the grip has these angles: a broken encoder, a wrong offset. No force on such a reading.
+    ++unsolved_;
+    session_.command({});
+    Sample doubtful = last_;
+    doubtful.status = Sample::Status::late;
+    return doubtful;
+  }
+  last_grip_m_ = pose_->grip_m;
+  if ((state.buttons & settings_.buttons.clutch) != 0) {
+    workspace_.hold(pose_->grip_m);
+  } else if (workspace_.held()) {
+    workspace_.release(pose_->grip_m);
+    session_.restart_ramp(link_->now());
+  }
+  take_buttons(state.buttons);
+  last_.status = Sample::Status::fresh;
+  last_.position_mm = workspace_.specimen_mm(pose_->grip_m);
+  return last_;
+}
+
+Sample FalconPort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
+  Sample lost = last_;
+  lost.status = Sample::Status::gone;
+  lost.buttons = 0;  // whatever stops telling has let go
+  lost.pedal = 0;
+  if (!open_) return lost;
+  session_.set_leds(leds_.load(std::memory_order_relaxed));
+  const LinkTime wanted = std::chrono::duration_cast<LinkTime>(deadline.time_since_epoch());
+  const LinkTime until = std::min(wanted, link_->now() + kLongestWait);
+  for (;;) {
+    const LinkTime now = link_->now();
+    const bool ready = session_.phase() == Phase::ready;
+    const bool answered = ready && session_.state().replies != seen_replies_;
+    if (now >= due_) {
+      if (answered) {
+        // What was missed is not made up for by a burst: the pace begins anew where an answer came late.
+        due_ = now - due_ < kRephase ? due_ + kPeriod : now + kPeriod;
+        repeated_ = false;
+        const Sample sample = fresh();
+        publish();
+        return sample;
+      }
+      // Nothing came in time: a packet goes out all the same, so that two are under way where an answer takes longer
+      // than a millisecond. Before `ready` this alone keeps the exchange going.
+      if (!ready || (!repeated_ && now >= due_ + kRepeat)) {
+        session_.exchange(now);
+        repeated_ = true;
+      }
+      if (!ready) due_ = now + kPeriod;
+    }
+    if (now >= until) break;
+    LinkTime next = until;
+    if (now < due_) {
+      next = due_;
+    } else if (!repeated_) {
+      next = due_ + kRepeat;
+    }
+    once(std::min(next, until));
+  }
+  if (session_.phase() != Phase::ready) {
+    pose_.reset();
+    session_.command({});
+    publish();
+    return lost;
+  }
+  publish();
+  Sample late = last_;
+  late.status = Sample::Status::late;
+  return late;
+}
+
+void FalconPort::write(const Feedback& feedback) noexcept {
+  if (!open_ || session_.phase() != Phase::ready) return;
+  if (feedback.faulted || !forcing()) {
+    session_.command({});
+  } else {
+    const Vec3 push = falcon::torque_nm(pose_->rows, workspace_.device_n(feedback.force_n));
+    const Vec3 weight = falcon::gravity_torque_nm(settings_.geometry, *pose_, settings_.gravity);
+    session_.command(falcon::counts_of_torque(settings_.calibration, push + weight));
+  }
+  session_.exchange(link_->now());
+  hand_over();
+}
+
+DeviceLimits FalconPort::limits() const {
+  DeviceLimits limits;
+  limits.name = settings_.name;
+  limits.device_class = settings_.device_class;
+  limits.max_force_n = settings_.max_force_n;
+  limits.max_stiffness_n_per_mm = settings_.max_stiffness_n_per_mm;
+  limits.has_own_clock = true;
+  return limits;
+}
+
+void FalconPort::close() noexcept {
+  if (!open_) return;
+  session_.command({});
+  session_.set_leds(0);
+  for (int i = 0; i < kLastWords && session_.phase() == Phase::ready; ++i) {
+    const LinkTime until = link_->now() + kPeriod;
+    session_.exchange(link_->now());
+    while (link_->now() < until) once(until);
+  }
+  link_->start({.kind = falcon::LinkAsk::Kind::close});
+  open_ = false;
+  pose_.reset();
+}
+
+void FalconPort::publish() noexcept {
+  FalconView view;
+  view.session = session_.state();
+  view.grip_m = last_grip_m_;
+  view.torque = session_.last_torque();
+  view.unsolved = unsolved_;
+  view.clutched = workspace_.held();
+  view_.write(view);
+}
+
+}  // namespace cusp

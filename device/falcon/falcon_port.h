@@ -1,0 +1,106 @@
+/// The Falcon as a device of the haptic loop, over any link. It paces the loop: wait() returns when the device has
+/// answered, one packet a millisecond, at most two unanswered. Sample::gone whenever its place or its force cannot be
+/// trusted (unplugged, uploading, not homed, 10 ms of silence): the loop then holds at zero force, and resuming
+/// re-arms.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "device/falcon/gravity.h"
+#include "device/falcon/kinematics.h"
+#include "device/falcon/link.h"
+#include "device/falcon/session.h"
+#include "device/falcon/workspace.h"
+#include "engine/base/haptic_port.h"
+#include "engine/base/triple_buffer.h"
+
+namespace cusp {
+
+/// Which button does what; falcon::status bits, 0 for none.
+struct FalconButtons {
+  std::uint8_t cut = falcon::status::kCentre;
+  std::uint8_t clutch = falcon::status::kForward;
+  std::uint8_t next_burr = falcon::status::kPlus;
+  std::uint8_t previous_burr = falcon::status::kMinus;
+};
+
+struct FalconSettings {
+  falcon::SessionSettings session{};
+  falcon::Geometry geometry{};
+  falcon::Calibration calibration{};
+  falcon::GravityCalibration gravity{};
+  falcon::WorkspaceSettings workspace{};
+  FalconButtons buttons{};
+  std::uint16_t burrs = 1;  // how many the scene has; the buttons stop at the ends
+  std::string name = "Novint Falcon";
+  std::string device_class = "falcon";
+  double max_force_n = 4.4;             // in any direction, anywhere within 40 mm of the axis and z 0.080 to 0.170 m
+  double max_stiffness_n_per_mm = 3.0;  // [M] CHAI3D's figure for a Falcon; a self-test may say less
+};
+
+/// What a screen may want to know; plain values.
+struct FalconView {
+  falcon::SessionState session{};
+  Vec3 grip_m{0.0};                      // last solved; of no meaning before homing
+  std::array<std::int16_t, 3> torque{};  // words of the last packet
+  std::uint64_t unsolved = 0;            // readings that no place of the grip has
+  bool clutched = false;
+};
+
+class FalconPort final : public HapticPort {
+ public:
+  /// `settings.workspace` out of range is taken as the default workspace.
+  FalconPort(std::unique_ptr<falcon::FalconLink> link, const FalconSettings& settings = {});
+  ~FalconPort() override;
+
+  /// Not while the loop runs. Kept for this port's life.
+  void give_image(falcon::FirmwareImage image);
+
+  /// Until firmware answers: at once where it runs already, some seconds with an upload, up to a minute where nothing
+  /// says hello. Homing comes later, in wait(). not_found, no_permission, busy; bad_file "needs_image" when firmware
+  /// has to be loaded and none was given; io with the Trouble's key. `where` is the link's name.
+  Result<void, PortFailure> open() override;
+  /// Any thread: an open() under way returns io "cancelled".
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_release); }
+
+  /// Returns by `deadline`, and within 20 ms whatever that is. Looks for a lost device twice a second by itself.
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
+  void write(const Feedback& feedback) noexcept override;
+  DeviceLimits limits() const override;
+  void close() noexcept override;
+
+  /// One other thread: what the last wait() or open() left.
+  const FalconView& view() noexcept { return view_.read(); }
+  /// Any thread; falcon::control bits, lit while ready.
+  void set_leds(std::uint8_t leds) noexcept { leds_.store(leds, std::memory_order_relaxed); }
+
+ private:
+  void hand_over() noexcept;
+  void once(falcon::LinkTime until) noexcept;
+  Sample fresh() noexcept;
+  void take_buttons(std::uint8_t bits) noexcept;
+  void publish() noexcept;
+  bool forcing() const noexcept;
+
+  std::unique_ptr<falcon::FalconLink> link_;
+  FalconSettings settings_;
+  falcon::Session session_;
+  std::optional<falcon::FirmwareImage> image_;
+  falcon::Workspace workspace_;
+  std::optional<falcon::Pose> pose_;  // of the newest answer; none when it cannot be trusted
+  Vec3 last_grip_m_ = falcon::kMiddleM;
+  falcon::LinkTime due_{0};  // of the next packet
+  std::uint64_t seen_replies_ = 0, unsolved_ = 0;
+  bool repeated_ = false;  // this period's packet went out without a new force
+  std::uint8_t next_ticks_ = 0, previous_ticks_ = 0;
+  Sample last_;
+  bool open_ = false;
+  std::atomic<bool> cancelled_{false};
+  std::atomic<std::uint8_t> leds_{falcon::control::kBlue};
+  TripleBuffer<FalconView> view_;
+};
+
+}  // namespace cusp
