@@ -41,6 +41,7 @@ Exact CarvedTruth::follow(Vec3 device) {
   const Exact exact = run[done_++].exact;
   y_ = exact.pose_mm;
   device_ = device;
+  keep(exact);
   return exact;
 }
 

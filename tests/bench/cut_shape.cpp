@@ -14,6 +14,16 @@ constexpr double kAbove = 0.05;
 constexpr double kCutterOverBurr = 1.5;
 constexpr double kRadians = 0.017453292519943296;
 
+bool cut_in_pieces(StepState& state, std::uint16_t cutter, const Capsule& c) {
+  const int pieces = static_cast<int>(length(c.b - c.a) / kPieceMm) + 1;
+  bool room = true;
+  for (int k = 0; k < pieces; ++k)
+    room = cut_along(state, cutter, c.a + (c.b - c.a) * (static_cast<double>(k) / pieces),
+                     c.a + (c.b - c.a) * (static_cast<double>(k + 1) / pieces)) &&
+           room;
+  return room;
+}
+
 class Cut : public CutBlock {
  public:
   Cut(double r, bool crossing) : CutBlock("cut", r), crossing_(crossing) {
@@ -80,6 +90,40 @@ class Cut : public CutBlock {
   }
 };
 
+/// What two crossing pairs of slots leave: an islet on a neck of 0.4 mm, 0.5 mm across at its top, with four sharp
+/// tips. A smaller burr goes to and fro over it.
+class Islet : public CutBlock {
+ public:
+  explicit Islet(double r) : CutBlock("islet", r) {
+    std::vector<Capsule> paths;
+    for (const double side : {-kApartMm, kApartMm}) {
+      paths.push_back({{side, -1.4, -kAxisMm}, {side, 1.4, -kAxisMm}, kCutterMm});
+      paths.push_back({{-1.4, side, -kAxisMm - 0.003}, {1.4, side, -kAxisMm - 0.003}, kCutterMm});
+    }
+    carve(paths, SurfaceContact::kClearanceMm);
+  }
+  Vec3 tool_axis() const override { return frame_.z; }
+  Vec3 home() const override { return frame_.to_world({0.0, 0.0, 14.0}); }
+  double cutter_radius_mm() const override { return kCutterMm; }
+  double thinnest_mm() const override { return 2.0 * (kApartMm - kCutterMm); }
+  Spot spot(Random& random) const override {
+    const Vec3 c = frame_.to_world({random.between(-0.05, 0.05), random.between(-0.05, 0.05), burr_radius_mm()});
+    return {c, frame_.z};
+  }
+  Leg leg(Random& random, const Vec3* from) const override {
+    const double low = burr_radius_mm() - kDepthMm;
+    const Vec3 a = from ? frame_.to_local(*from) : Vec3(-1.3, random.between(-0.3, 0.3), low);
+    const double phi = random.between(0.0, 6.283185307179586);
+    const Vec3 b(1.3 * std::cos(phi), 1.3 * std::sin(phi), low);
+    const double whole = std::max(length(b - a), 0.01);
+    return {whole, [frame = frame_, a, b, whole](double s) { return frame.to_world(a + (b - a) * (s / whole)); }};
+  }
+  Vec3 before(Vec3 first) const override { return first + frame_.z * (kDepthMm + kAbove); }
+
+ private:
+  static constexpr double kCutterMm = 0.4, kApartMm = 0.6, kAxisMm = 0.2;
+};
+
 }  // namespace
 
 void CutBlock::carve(std::vector<Capsule> local, double thinner_mm) {
@@ -94,15 +138,59 @@ void CutBlock::carve(std::vector<Capsule> local, double thinner_mm) {
 bool CutBlock::prepare(StepState& state) const {
   const std::uint16_t cutter = cutter_radius_mm() > 0.0 ? 1 : 0;
   bool room = true;
-  for (const Capsule& c : block_->capsules()) {
-    const int pieces = static_cast<int>(length(c.b - c.a) / kPieceMm) + 1;
-    for (int k = 0; k < pieces; ++k)
-      room = cut_along(state, cutter, c.a + (c.b - c.a) * (static_cast<double>(k) / pieces),
-                       c.a + (c.b - c.a) * (static_cast<double>(k + 1) / pieces)) &&
-             room;
-  }
+  for (const Capsule& c : block_->capsules()) room = cut_in_pieces(state, cutter, c) && room;
   return room;
 }
+
+namespace {
+
+constexpr double kPitfallMm = 0.8;
+constexpr Vec3 kPitfallTop(0.0, 0.0, 1.0), kPitfallBottom(0.0, 0.0, -0.4);
+
+/// Below a hole's mouth a ball's centre may be within `play` of the hole's axis.
+class InPitfall : public Truth {
+ public:
+  InPitfall(Vec3 bottom, Vec3 out, double play) : bottom_(bottom), out_(out), play_(play) {}
+  double clearance_mm(Vec3 centre) const override { return play_ - length(centre - on(centre)); }
+
+ protected:
+  Vec3 place(Vec3 centre) override { return move_to(centre).pose_mm; }
+  Exact move_to(Vec3 device) override {
+    const Vec3 foot = on(device), off = device - foot;
+    const double far = length(off);
+    if (far <= play_) return {device, false, false};
+    return {foot + off * (play_ / far), true, false};
+  }
+
+ private:
+  Vec3 on(Vec3 q) const { return bottom_ + out_ * std::max(0.0, glm::dot(q - bottom_, out_)); }
+  Vec3 bottom_, out_;
+  double play_;
+};
+
+}  // namespace
+
+Pitfall::Pitfall(double r) : Shape("pitfall", r), face_(make_shape("face", r)) {}
+
+double Pitfall::cutter_radius_mm() const { return kPitfallMm; }
+
+bool Pitfall::give_way(StepState& state) const {
+  return cut_in_pieces(state, 1, {frame_.to_world(kPitfallTop), frame_.to_world(kPitfallBottom), kPitfallMm});
+}
+
+std::unique_ptr<Truth> Pitfall::truth_after() const {
+  return std::make_unique<InPitfall>(frame_.to_world(kPitfallBottom), frame_.z,
+                                     kPitfallMm - burr_radius_mm() + SurfaceContact::kClearanceMm);
+}
+
+/// Within the hole's middle half.
+Spot Pitfall::spot(Random& random) const {
+  const double half = 0.35 * kPitfallMm;
+  const Vec3 c(random.between(-half, half), random.between(-half, half), burr_radius_mm());
+  return {frame_.to_world(c), frame_.z};
+}
+
+std::unique_ptr<Shape> make_islet(double burr_radius_mm) { return std::make_unique<Islet>(burr_radius_mm); }
 
 std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing) {
   return std::make_unique<Cut>(burr_radius_mm, crossing);

@@ -35,6 +35,33 @@ class CutBlock : public Shape {
 /// that meet in a triangle, with ridges where two of them cross.
 std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing);
 
+/// An islet on a neck of 0.4 mm between four slots.
+std::unique_ptr<Shape> make_islet(double burr_radius_mm);
+
+/// A face out of which, while a burr presses on it, a hole of 1.6 mm is cut at once.
+class Pitfall : public Shape {
+ public:
+  explicit Pitfall(double burr_radius_mm);
+  /// Cuts the hole. False: the volume had no room.
+  bool give_way(StepState& state) const;
+  std::unique_ptr<Truth> truth() const override { return face_->truth(); }
+  /// In the hole, below its mouth.
+  std::unique_ptr<Truth> truth_after() const;
+
+  std::string key() const override { return face_->key(); }
+  double distance_mm(Vec3 p) const override { return face_->distance_mm(p); }
+  Vec3 tool_axis() const override { return face_->tool_axis(); }
+  Vec3 home() const override { return face_->home(); }
+  double cutter_radius_mm() const override;
+  Spot spot(Random& random) const override;
+  Leg leg(Random& random, const Vec3* from) const override { return face_->leg(random, from); }
+  Vec3 before(Vec3 first) const override { return face_->before(first); }
+
+ private:
+  std::unique_ptr<Shape> face_;
+  Frame frame_ = oblique_frame();
+};
+
 enum class HoleKind { straight, oblique, slot };
 const char* name_of(HoleKind kind);
 

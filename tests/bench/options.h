@@ -14,6 +14,12 @@ struct Options {
   std::vector<std::string> shapes;
   std::vector<std::string> motions;
   std::vector<std::string> tasks;
+  std::vector<std::string> cases;    // stability
+  std::vector<std::string> guards;   // stability: on, off
+  std::vector<std::string> devices;  // stability
+  std::vector<std::string> grips;    // stability
+  std::vector<double> frictions_n;   // stability
+  std::vector<double> delays_ms;     // stability
   std::vector<double> speeds_mm_s;
   std::vector<double> burr_radii_mm;
   std::vector<double> voxels_mm;

@@ -69,8 +69,9 @@ class ProfileTruth : public Truth {
 
 class ProfileShape : public Shape {
  public:
-  ProfileShape(std::string name, double burr_radius_mm, std::vector<Vec2> corners, double lift_mm, Vec3 axis)
-      : Shape(std::move(name), burr_radius_mm), profile_(std::move(corners), burr_radius_mm) {
+  ProfileShape(std::string name, double burr_radius_mm, std::vector<Vec2> corners, double lift_mm, Vec3 axis,
+               const Frame& frame = oblique_frame())
+      : Shape(std::move(name), burr_radius_mm), profile_(std::move(corners), burr_radius_mm), frame_(frame) {
     frame_.origin += frame_.z * lift_mm;
     axis_ = frame_.direction(unit(axis));
   }
@@ -137,20 +138,22 @@ class ProfileShape : public Shape {
   }
 
  protected:
+  const Frame& frame() const { return frame_; }
   /// Where the first slide begins, and by which corners the next leg goes on from there; both in the plane.
   virtual Vec2 start(Random& random) const = 0;
   virtual std::vector<Vec2> way_on(Random& random, Vec2 at) const = 0;
 
  private:
   Profile profile_;
-  Frame frame_ = oblique_frame();
+  Frame frame_;
   Vec3 axis_;
 };
 
 /// Tissue where x <= 0 and z <= 0. The slide goes out over the edge along one face, and back in on the other.
 class Edge : public ProfileShape {
  public:
-  explicit Edge(double r) : ProfileShape("edge", r, {{-kFar, 0.0}, {0.0, 0.0}, {0.0, -kFar}}, 0.0, {1.0, 0.0, 1.0}) {}
+  explicit Edge(double r, std::string name = "edge", const Frame& frame = oblique_frame())
+      : ProfileShape(std::move(name), r, {{-kFar, 0.0}, {0.0, 0.0}, {0.0, -kFar}}, 0.0, {1.0, 0.0, 1.0}, frame) {}
 
  protected:
   Vec2 start(Random& random) const override { return {random.between(-1.5, -0.3), under()}; }
@@ -163,6 +166,16 @@ class Edge : public ProfileShape {
  private:
   double under() const { return burr_radius_mm() - kDepthMm; }
   double out() const { return burr_radius_mm() + 0.1; }
+};
+
+/// The same where a volume ends whose every voxel is tissue: its own edge, between its faces towards +x and +z.
+class Rim : public Edge {
+ public:
+  explicit Rim(double r) : Edge(r, "rim", Frame::of({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {kHalfBoxMm, 0.0, kHalfBoxMm})) {}
+  bool fills_grid() const override { return true; }
+
+ private:
+  static constexpr double kHalfBoxMm = 5.0;
 };
 
 /// A groove of 60 degrees, sharp at its bottom, deep enough for the burr to rest on both walls below the mouth.
@@ -219,11 +232,45 @@ class Step : public ProfileShape {
   double lower_x(Random& random) const { return burr_radius_mm() + random.between(0.4, 1.5); }
 };
 
+/// A slot 1.2 burr radii wide and three deep, which the burr cannot enter: it rests on both mouth edges. The slide goes
+/// across it, in and out again.
+class NarrowSlot : public ProfileShape {
+ public:
+  /// Where the centre may go is what a notch leaves it whose walls the burr all but touches as it rests on the mouth
+  /// (10 nm off, relative to a radius of 0.25): tan of their slope 0.75 where the mouth edges stand at 0.6 radii.
+  explicit NarrowSlot(double r)
+      : ProfileShape("narrow-slot", r,
+                     {{-kFar, 0.0}, {-kHalf * r, 0.0}, {0.0, -0.7495 * kHalf * r}, {kHalf * r, 0.0}, {kFar, 0.0}},
+                     kLift, {0.0, 0.0, 1.0}),
+        slot_({{-kFar, 0.0},
+               {-kHalf * r, 0.0},
+               {-kHalf * r, -3.0 * r},
+               {kHalf * r, -3.0 * r},
+               {kHalf * r, 0.0},
+               {kFar, 0.0}},
+              0.1 * r) {}
+  double distance_mm(Vec3 p) const override { return slot_.distance_mm(flat(frame().to_local(p))); }
+
+ protected:
+  Vec2 start(Random& random) const override { return {-side(random), under()}; }
+  std::vector<Vec2> way_on(Random& random, Vec2 at) const override {
+    return {{0.0, under() - 0.2}, {at.x < 0.0 ? side(random) : -side(random), under()}};
+  }
+
+ private:
+  static constexpr double kHalf = 0.6, kLift = 0.5;
+  Profile slot_;
+  double under() const { return burr_radius_mm() - kDepthMm; }
+  double side(Random& random) const { return burr_radius_mm() + random.between(0.3, 1.2); }
+};
+
 }  // namespace
 
 std::unique_ptr<Shape> make_profile_shape(std::string_view name, double r) {
   if (name == "edge") return std::make_unique<Edge>(r);
   if (name == "groove") return std::make_unique<Groove>(r);
+  if (name == "rim") return std::make_unique<Rim>(r);
+  if (name == "narrow-slot") return std::make_unique<NarrowSlot>(r);
   if (name == "step") return std::make_unique<Step>(r);
   return nullptr;
 }

@@ -11,6 +11,7 @@
 #include "tests/bench/options.h"
 #include "tests/bench/rate.h"
 #include "tests/bench/scale.h"
+#include "tests/bench/stability.h"
 
 namespace cusp::bench {
 
@@ -27,6 +28,8 @@ constexpr Verb kVerbs[] = {
     {"accuracy", "every contact method against the exact proxy of a ball burr", run_accuracy, false},
     {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
     {"scale", "what a tick and a scene cost as the volume grows from 128^3 to 1024^3 voxels", run_scale, false},
+    {"stability", "where every method, its guard on and off, becomes unstable, falls through, jams or kicks",
+     run_stability, false},
     {"chart", "all of it, or what --from names, as the tables and pictures of tests/bench/results", run_chart, true},
 };
 
@@ -39,6 +42,25 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
       ->check(CLI::IsMember(std::vector<std::string>{"press", "slide"}));
   app.add_option("--task", options.tasks, "displacement, exploration or perforation (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"displacement", "exploration", "perforation"}));
+  std::vector<std::string> cases;
+  const auto add_cases = [&cases](const auto& names) {
+    for (const CaseName& name : names) cases.emplace_back(name.key);
+  };
+  add_cases(kPressCases);
+  add_cases(kWayCases);
+  add_cases(kFaultCases);
+  add_cases(kTaskCases);
+  app.add_option("--case", options.cases, "stability: only this case (repeatable)")->check(CLI::IsMember(cases));
+  app.add_option("--guard", options.guards, "stability: on or off (repeatable)")
+      ->check(CLI::IsMember(std::vector<std::string>{"on", "off"}));
+  app.add_option("--device", options.devices, "stability: m0.1-b2 is 0.1 kg and 2 N s/m (repeatable)")
+      ->check(CLI::IsMember(device_names()));
+  app.add_option("--grip", options.grips, "stability: none, soft, firm; scripted: no hand in the loop (repeatable)")
+      ->check(CLI::IsMember(std::vector<std::string>{"none", "soft", "firm", "scripted"}));
+  app.add_option("--friction-n", options.frictions_n, "stability: Coulomb friction of the device, 0 or 0.1 (repeatable)")
+      ->check(CLI::Range(0.0, 10.0));
+  app.add_option("--delay-ms", options.delays_ms, "stability: there and back, 0, 1 or 3 (repeatable)")
+      ->check(CLI::Range(0.0, 20.0));
   app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));
   app.add_option("--burr-radius-mm", options.burr_radii_mm, "burr radii (repeatable)")->check(CLI::Range(0.05, 5.0));
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")
@@ -56,7 +78,7 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
 }  // namespace
 
 int run_program(std::vector<std::string> args) {
-  CLI::App app{"Cusp's evidence: how fast and how exact each contact method is", "cusp-bench"};
+  CLI::App app{"Cusp's evidence: how fast, how exact and how stable each contact method is", "cusp-bench"};
   app.require_subcommand(1);
   Options options;
   const Verb* chosen_verb = nullptr;

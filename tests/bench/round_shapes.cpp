@@ -90,6 +90,20 @@ class Flat : public RoundShape {
   double thickness_;
 };
 
+/// A flat face, enamel on one side of a plane across it and dentine on the other. Ways lead to and fro over the joint.
+class Joint : public Flat {
+ public:
+  explicit Joint(double burr_radius_mm) : Flat("joint", burr_radius_mm, 0.0) {}
+  Tissue tissue(Vec3 p) const override { return frame_.to_local(p).x < 0.0 ? Tissue::enamel : Tissue::dentine; }
+  Leg leg(Random& random, const Vec3* from) const override {
+    const auto aim = [&](double side) {
+      return frame_.to_world({side * random.between(0.3, 1.5), random.between(-1.5, 1.5), burr_radius_mm() - kDepthMm});
+    };
+    const Vec3 a = from ? *from : aim(-1.0);
+    return straight(a, aim(frame_.to_local(a).x < 0.0 ? 1.0 : -1.0));
+  }
+};
+
 /// Ball of 4 mm; the burr keeps to the 55 degrees about the frame's z. Or its inside, a pit of 1.2 burr radii.
 class Ball : public RoundShape {
  public:
@@ -272,6 +286,7 @@ class Corner : public RoundShape {
 
 std::unique_ptr<Shape> make_round_shape(std::string_view name, double r) {
   if (name == "face") return std::make_unique<Flat>("face", r, 0.0);
+  if (name == "joint") return std::make_unique<Joint>(r);
   if (name == "wall") return std::make_unique<Flat>("wall", r, kWallMm);
   if (name == "sphere") return std::make_unique<Ball>("sphere", r, kSphereMm, false);
   if (name == "pit") return std::make_unique<Ball>("pit", r, kPitOverBurr * r, true);

@@ -16,11 +16,19 @@ inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
 /// A number that is NaN, a count below zero and an empty string are absent: left out of JSON, empty in CSV.
 struct Row {
-  std::string method;   // occupancy, occupancy-pivot, ray, penalty, gradient, surface
-  std::string shape;    // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel
-  std::string variant;  // of a cut: single, crossing; of a channel: straight, oblique, slot
-  std::string motion;   // press, slide
-  std::string task;     // rate: displacement, exploration, perforation
+  std::string method;              // occupancy, occupancy-pivot, ray, penalty, gradient, surface
+  std::string case_name;           // stability: "case", see stability_cases.h
+  std::string guard;               // stability: on, off
+  std::string device;              // stability: falcon-like, or what the laboratory's device was
+  std::string grip;                // stability: none, soft, firm; scripted where no hand was in the loop
+  double mass_kg = kAbsent;        // stability: of the device that moves
+  double damping_n_s_m = kAbsent;  // stability: of the device
+  double friction_n = kAbsent;     // stability: of the device, Coulomb
+  double delay_ms = kAbsent;       // stability: from sample to force
+  std::string shape;               // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel
+  std::string variant;             // of a cut: single, crossing; of a channel: straight, oblique, slot
+  std::string motion;              // press, slide
+  std::string task;                // rate: displacement, exploration, perforation
   double speed_mm_s = kAbsent;
   double burr_radius_mm = kAbsent;
   double voxel_mm = kAbsent;
@@ -44,6 +52,25 @@ struct Row {
   double follow_ticks = kAbsent;              // where the exact minimum vanishes: ticks until the method follows, mean
   std::int64_t infeasible_ticks = -1;
   std::int64_t max_candidates = -1;
+  std::int64_t runs = -1;             // stability: approaches, presses or ways, of which samples are the ticks
+  double k_max_n_per_mm = kAbsent;    // stability: see the laboratory's measures.h for this and all that follow
+  double k_exact_n_per_mm = kAbsent;  // k_max of the exact proxy on the same shape, with the same hand and device
+  double energy_mj = kAbsent;
+  double energy_exact_mj = kAbsent;
+  double cycle_um = kAbsent;
+  double cycle_hz = kAbsent;
+  double force_max_n = kAbsent;    // most that the hand got
+  double force_step_mn = kAbsent;  // the largest
+  double force_step_p99_mn = kAbsent;
+  double guard_step_mn = kAbsent;
+  double penetration_um = kAbsent;   // deepest the burr stood in tissue at the method's proxy, exactly
+  std::int64_t passed_through = -1;  // runs in which the burr's pivot got into the tissue, or behind it
+  std::int64_t stuck = -1;           // times
+  double stuck_ms = kAbsent;         // the longest
+  double vibration_mn = kAbsent;     // the three tasks: peak to peak of the force above 20 Hz, the exact one's off
+  double zero_ms = kAbsent;     // faults: from the first faulty input until the force is zero for good; absent: never
+  double back_ms = kAbsent;     // faults: from re-arming until the force is within 5 % of what it comes to
+  double back_share = kAbsent;  // faults: of the exact force, half a second after re-arming
   double updates_per_s = kAbsent;
   double tick_us_p50 = kAbsent;
   double tick_us_p99 = kAbsent;
@@ -63,6 +90,14 @@ struct Row {
 template <class R, class Visit>
 void for_each_field(R& row, Visit&& visit) {
   visit("method", row.method);
+  visit("case", row.case_name);
+  visit("guard", row.guard);
+  visit("device", row.device);
+  visit("grip", row.grip);
+  visit("mass_kg", row.mass_kg);
+  visit("damping_n_s_m", row.damping_n_s_m);
+  visit("friction_n", row.friction_n);
+  visit("delay_ms", row.delay_ms);
   visit("shape", row.shape);
   visit("variant", row.variant);
   visit("motion", row.motion);
@@ -90,6 +125,25 @@ void for_each_field(R& row, Visit&& visit) {
   visit("follow_ticks", row.follow_ticks);
   visit("infeasible_ticks", row.infeasible_ticks);
   visit("max_candidates", row.max_candidates);
+  visit("runs", row.runs);
+  visit("k_max_n_per_mm", row.k_max_n_per_mm);
+  visit("k_exact_n_per_mm", row.k_exact_n_per_mm);
+  visit("energy_mj", row.energy_mj);
+  visit("energy_exact_mj", row.energy_exact_mj);
+  visit("cycle_um", row.cycle_um);
+  visit("cycle_hz", row.cycle_hz);
+  visit("force_max_n", row.force_max_n);
+  visit("force_step_mn", row.force_step_mn);
+  visit("force_step_p99_mn", row.force_step_p99_mn);
+  visit("guard_step_mn", row.guard_step_mn);
+  visit("penetration_um", row.penetration_um);
+  visit("passed_through", row.passed_through);
+  visit("stuck", row.stuck);
+  visit("stuck_ms", row.stuck_ms);
+  visit("vibration_mn", row.vibration_mn);
+  visit("zero_ms", row.zero_ms);
+  visit("back_ms", row.back_ms);
+  visit("back_share", row.back_share);
   visit("updates_per_s", row.updates_per_s);
   visit("tick_us_p50", row.tick_us_p50);
   visit("tick_us_p99", row.tick_us_p99);

@@ -20,6 +20,11 @@ VoxelVolume sampled(const Shape& shape, double voxel_mm) {
   const int n = static_cast<int>(std::ceil(std::max(kBoxMm / voxel_mm - 1e-9, need)));
   const Grid grid{IVec3(n), voxel_mm, Vec3(-(n - 1) * voxel_mm / 2.0)};
   VoxelVolume out(grid);
+  if (shape.fills_grid()) {
+    std::ranges::fill(out.s, kSolid);
+    std::ranges::fill(out.tissue, Tissue::dentine);
+    return out;
+  }
   // The outermost four voxels stay empty: the shape is cut off at the padding's inner side, s = 1/2 half a voxel
   // before.
   const double half = (0.5 * n - kPaddingVoxels - kBandVoxels) * voxel_mm;
@@ -35,7 +40,7 @@ VoxelVolume sampled(const Shape& shape, double voxel_mm) {
         if (box >= kBandVoxels * voxel_mm) continue;
         const std::size_t i = grid.index(v);
         out.s[i] = solid_from_distance(std::max(shape.distance_mm(p), box) / voxel_mm);
-        if (out.s[i] > 0) out.tissue[i] = Tissue::dentine;
+        if (out.s[i] > 0) out.tissue[i] = shape.tissue(p);
       }
   return out;
 }
@@ -54,6 +59,7 @@ std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm, 
   if (auto shape = make_round_shape(name, burr_radius_mm)) return shape;
   if (auto shape = make_profile_shape(name, burr_radius_mm)) return shape;
   if (name == "cut") return make_cut(burr_radius_mm, variant == "crossing");
+  if (name == "islet") return make_islet(burr_radius_mm);
   return nullptr;
 }
 

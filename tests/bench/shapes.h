@@ -44,6 +44,10 @@ class Shape {
 
   /// Signed distance of the tissue before any cut, negative inside; exact wherever a band can reach.
   virtual double distance_mm(Vec3 p) const = 0;
+  /// Of the place, before any cut.
+  virtual Tissue tissue(Vec3) const { return Tissue::dentine; }
+  /// True: the grid's every voxel is tissue, and the shape ends where the grid does.
+  virtual bool fills_grid() const { return false; }
   /// Half edge of the cube about the origin that must hold tissue and its band; 0: as much as 10 mm give.
   virtual double half_mm() const { return 0.0; }
   /// Thickness of the thinnest feature; 0: none that matters.

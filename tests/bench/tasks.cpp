@@ -67,28 +67,7 @@ class Task {
   int left_ = 0;
 };
 
-constexpr double kFreeS = 2.0, kExploreS = 2.0, kDrillS = 2.5;
 constexpr double kTouchMm = 0.4;  // how deep the device point goes while exploring
-
-/// The device point of a hand that moves freely, strokes the top of a block and drills into it. Smooth sines in time.
-Vec3 hand_at(double t, double top_mm, double radius_mm) {
-  constexpr double kTurn = 6.283185307179586;
-  const double rest = top_mm + radius_mm;
-  if (t < kFreeS) {
-    const double u = t / kFreeS;
-    return {3.0 * std::sin(kTurn * u), 2.0 * std::sin(2.0 * kTurn * u), rest + 0.2 + 1.8 * std::sin(0.5 * kTurn * u)};
-  }
-  if (t < kFreeS + kExploreS) {
-    const double u = (t - kFreeS) / kExploreS;
-    const double deep = kTouchMm * std::sin(0.5 * kTurn * u);
-    return {1.5 * std::sin(kTurn * u), 1.0 * std::sin(2.0 * kTurn * u),
-            rest + 0.2 - (0.2 + deep) * std::min(1.0, 8.0 * u)};
-  }
-  const double u = (t - kFreeS - kExploreS) / kDrillS;
-  // A little ahead of what the burr can wear, and leaning to one side and the other.
-  return {0.25 * std::sin(2.0 * kTurn * u), 0.15 * std::sin(3.0 * kTurn * u),
-          rest - 0.3 * std::min(1.0, 8.0 * u) - kDrillS * u};
-}
 
 std::string_view task_at(double t) {
   return t < kFreeS ? "displacement" : t < kFreeS + kExploreS ? "exploration" : "perforation";
@@ -139,6 +118,36 @@ Result<void, RowsFailure> read_lines(const std::string& text, std::string_view n
 
 }  // namespace
 
+Vec3 hand_at(double t, double top_mm, double radius_mm) {
+  constexpr double kTurn = 6.283185307179586;
+  const double rest = top_mm + radius_mm;
+  if (t < kFreeS) {
+    const double u = t / kFreeS;
+    return {3.0 * std::sin(kTurn * u), 2.0 * std::sin(2.0 * kTurn * u), rest + 0.2 + 1.8 * std::sin(0.5 * kTurn * u)};
+  }
+  if (t < kFreeS + kExploreS) {
+    const double u = (t - kFreeS) / kExploreS;
+    const double deep = kTouchMm * std::sin(0.5 * kTurn * u);
+    return {1.5 * std::sin(kTurn * u), 1.0 * std::sin(2.0 * kTurn * u),
+            rest + 0.2 - (0.2 + deep) * std::min(1.0, 8.0 * u)};
+  }
+  const double u = (t - kFreeS - kExploreS) / kDrillS;
+  // A little ahead of what the burr can wear, and leaning to one side and the other.
+  return {0.25 * std::sin(2.0 * kTurn * u), 0.15 * std::sin(3.0 * kTurn * u),
+          rest - 0.3 * std::min(1.0, 8.0 * u) - kDrillS * u};
+}
+
+std::shared_ptr<Scene> task_scene(Method method) {
+  auto scene = std::make_shared<Scene>();
+  scene->method = method;
+  scene->specimen = solid_block(128, kRateVoxelMm, reading_of(method));
+  const double r = kPaperBurrMm;
+  scene->burrs = {Burr{"bench", r, 0.4 * r, 4.0 + r, 0.4 * r, 4.0}};
+  for (TissueFeel& feel : scene->tissues) feel = {1.0, 1.0};
+  scene->full_force_n = 0.25;
+  return scene;
+}
+
 PaceReport record_pace() {
   const Report here = empty_report();
   PaceReport out{here.commit, here.machine, {}};
@@ -166,14 +175,8 @@ MotionReport record_motion() {
   MotionReport out{here.commit, here.machine, {}};
   const double top = solid_block_half_mm(128, kRateVoxelMm);
   for (const Method method : kShown) {
-    auto scene = std::make_shared<Scene>();
-    scene->method = method;
-    scene->specimen = solid_block(128, kRateVoxelMm, reading_of(method));
+    StepState state(task_scene(method));
     const double r = kPaperBurrMm;
-    scene->burrs = {Burr{"bench", r, 0.4 * r, 4.0 + r, 0.4 * r, 4.0}};
-    for (TissueFeel& feel : scene->tissues) feel = {1.0, 1.0};
-    scene->full_force_n = 0.25;
-    StepState state(scene);
     const Vec3 begin = hand_at(0.0, top, r);
     lead(state, step, begin, 0.05);
     const int ticks = static_cast<int>((kFreeS + kExploreS + kDrillS) * 1000.0);

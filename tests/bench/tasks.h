@@ -40,6 +40,13 @@ struct MotionReport {
 /// The paper's "0.5 mm spherical drill bit", read as the larger of the two that it can mean.
 inline constexpr double kPaperBurrMm = 0.5;
 
+/// The device point of a hand that moves freely, strokes the top of a block and drills into it, by the time in s.
+/// Smooth sines; a task has its seconds.
+inline constexpr double kFreeS = 2.0, kExploreS = 2.0, kDrillS = 2.5;
+Vec3 hand_at(double t, double top_mm, double radius_mm);
+/// The block's scene: K = 1 N/mm, full wear at 0.25 N.
+std::shared_ptr<Scene> task_scene(Method method);
+
 /// Surface and occupancy proxy on the face, 128^3 voxels in 10 mm; the two take turns sample by sample.
 PaceReport record_pace();
 /// In a block of K = 1 N/mm that a burr goes through at 1 mm/s. No clock: the same on every machine.

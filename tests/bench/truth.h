@@ -46,6 +46,7 @@ class Truth {
  protected:
   /// Forgets the past: the nearest admissible centre, which is where the proxy stands from now on.
   virtual Vec3 place(Vec3 centre) = 0;
+  void keep(const Exact& exact) { exact_ = exact; }
   /// One sub-step.
   virtual Exact move_to(Vec3 device) = 0;
 

@@ -1,0 +1,216 @@
+#include "tests/bench/stability.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "tests/bench/names.h"
+#include "tests/bench/stability_kmax.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kVoxelMm = 10.0 / 128;
+constexpr int kSeeds = 5, kFewSeeds = 2;
+/// Of the budget, what a row of kWayCases takes: there are hundreds.
+constexpr double kWayShare = 0.4;
+
+bool asked_near(const std::vector<double>& filter, double value) {
+  return filter.empty() || std::ranges::any_of(filter, [value](double f) { return std::fabs(f - value) < 1e-9; });
+}
+
+bool asked(const Options& options, const Setting& setting) {
+  if (!bench::asked(options.grips, setting.grip)) return false;
+  if (!setting.in_loop()) return options.devices.empty() && options.frictions_n.empty() && options.delays_ms.empty();
+  return bench::asked(options.devices, device_name(setting.mass_kg, setting.damping_ns_per_m)) &&
+         asked_near(options.frictions_n, setting.friction_n) && asked_near(options.delays_ms, setting.delay_ms);
+}
+
+/// True when a setting other than the usual one was asked for by name.
+bool asks_for_others(const Options& options) {
+  return !options.devices.empty() || !options.frictions_n.empty() || !options.delays_ms.empty() ||
+         !options.grips.empty();
+}
+
+/// Every device, friction, delay and grip of the laboratory.
+std::vector<Setting> all_settings() {
+  std::vector<Setting> out;
+  for (const double mass : {0.1, 0.25})
+    for (const double damping : {0.5, 2.0, 5.0})
+      for (const double friction : {0.0, 0.1})
+        for (const double delay : {0.0, 1.0, 3.0})
+          for (const std::string_view grip : {"none", "soft", "firm"})
+            out.push_back({mass, damping, friction, delay, grip});
+  return out;
+}
+
+KMaxCase k_max_case(const CaseRun& what) {
+  KMaxCase out;
+  out.place = what.key;
+  out.guard = what.guard;
+  out.burr_radius_mm = what.burr_radius_mm;
+  out.voxel_mm = what.voxel_mm;
+  out.device = what.setting.device();
+  out.transport = what.setting.transport(what.seed);
+  out.grip = what.setting.hand();
+  out.seeds = kSeeds;
+  return out;
+}
+
+/// k_max of the exact proxy, which no method, guard or voxel changes: found once.
+const KMax& exact_k_max(const CaseRun& what) {
+  using Key = std::tuple<std::string, double, double, double, double, double, std::string>;
+  static std::map<Key, KMax> known;
+  const Setting& s = what.setting;
+  const Key key{what.key,     what.burr_radius_mm, s.mass_kg,          s.damping_ns_per_m,
+                s.friction_n, s.delay_ms,          std::string(s.grip)};
+  auto found = known.find(key);
+  if (found == known.end()) {
+    KMaxCase exact = k_max_case(what);
+    exact.method.reset();
+    exact.guard = false;
+    found = known.emplace(key, find_k_max(exact)).first;
+  }
+  return found->second;
+}
+
+void print(const std::vector<Row>& rows) {
+  fmt::print(
+      "{:<18}{:<17}{:<6}{:<11}{:<9}{:>5}{:>6}{:>7}{:>7}{:>8}{:>8}{:>9}{:>9}{:>8}{:>7}{:>8}{:>8}{:>8}{:>8}{:>9}\n",
+      "case", "method", "guard", "device", "grip", "f N", "ms", "voxel", "runs", "k_max", "k_exact", "mJ", "exact mJ",
+      "um", "Hz", "step mN", "p99", "guarded", "deep um", "passed");
+  const auto number = [](double v) { return std::isnan(v) ? std::string("-") : fmt::format("{:.3g}", v); };
+  for (const Row& r : rows) {
+    fmt::print(
+        "{:<18}{:<17}{:<6}{:<11}{:<9}{:>5}{:>6}{:>7}{:>7}{:>8}{:>8}{:>9}{:>9}{:>8}{:>7}{:>8}{:>8}{:>8}{:>8}{:>9}",
+        r.case_name, r.method, r.guard, r.device, r.grip, number(r.friction_n), number(r.delay_ms), number(r.voxel_mm),
+        r.runs, number(r.k_max_n_per_mm), number(r.k_exact_n_per_mm), number(r.energy_mj), number(r.energy_exact_mj),
+        number(r.cycle_um), number(r.cycle_hz), number(r.force_step_mn), number(r.force_step_p99_mn),
+        number(r.guard_step_mn), number(r.penetration_um), r.passed_through);
+    if (r.stuck > 0) fmt::print("  stuck {} times, {} ms", r.stuck, number(r.stuck_ms));
+    if (!std::isnan(r.vibration_mn)) fmt::print("  vibration {} mN", number(r.vibration_mn));
+    if (!std::isnan(r.zero_ms))
+      fmt::print("  zero after {} ms, back after {} to {}", number(r.zero_ms), number(r.back_ms), number(r.back_share));
+    fmt::print("\n");
+  }
+}
+
+/// Voxel sizes of a case.
+std::vector<double> voxels_of(std::string_view key, const Options& options) {
+  if (key == "voxel-size") return chosen(options.voxels_mm, {0.2, 0.1, kVoxelMm, 0.04});
+  if (key == "thin-wall") return chosen(options.voxels_mm, {kVoxelMm, 0.04});
+  return chosen(options.voxels_mm, {kVoxelMm});
+}
+
+/// Hands of a case of ways.
+std::vector<Setting> settings_of(std::string_view key) {
+  Setting none = usual_setting(), soft = usual_setting(), firm = usual_setting();
+  none.grip = "none";
+  firm.grip = "firm";
+  if (key == "thin-wall" || key == "start-inside") return {Setting{}};
+  if (key == "grip-weight") return {none, soft};
+  return {Setting{}, soft, firm};
+}
+
+}  // namespace
+
+Setting usual_setting() { return {0.1, 2.0, 0.0, 1.0, "soft"}; }
+
+std::vector<std::string> device_names() {
+  std::vector<std::string> out;
+  for (const Setting& s : all_settings()) {
+    std::string name = device_name(s.mass_kg, s.damping_ns_per_m);
+    if (out.empty() || out.back() != name) out.push_back(std::move(name));
+  }
+  return out;
+}
+
+Row press_row(const CaseRun& what) {
+  Row row = row_of(what);
+  row.shape = what.key;
+  KMaxCase own = k_max_case(what);
+  own.method = what.method;
+  PressBench bench(own);
+  const KMax found = find_k_max(bench, own);
+  row.k_max_n_per_mm = found.k_max_n_per_mm;
+  row.cycle_um = found.cycle_um;
+  row.cycle_hz = found.cycle_hz;
+  row.k_exact_n_per_mm = exact_k_max(what).k_max_n_per_mm;
+  // At half of what it may be.
+  const double half = 0.5 * std::min(found.k_max_n_per_mm, row.k_exact_n_per_mm);
+  row.runs = kSeeds;
+  if (!(half > 0.0)) return row;
+  KMaxCase exact = own;
+  exact.method.reset();
+  exact.guard = false;
+  PressBench reference(exact);
+  row.energy_mj = row.energy_exact_mj = row.force_step_mn = row.guard_step_mn = row.penetration_um = 0.0;
+  row.stuck_ms = 0.0;
+  row.passed_through = row.stuck = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const PressRun run = bench.run(half, seed, false, true);
+    row.energy_mj = std::max(row.energy_mj, run.energy_mj);
+    row.energy_exact_mj = std::max(row.energy_exact_mj, reference.run(half, seed).energy_mj);
+    row.force_step_mn = std::max(row.force_step_mn, run.force_step_mn);
+    row.guard_step_mn = std::max(row.guard_step_mn, run.guard_step_mn);
+    row.penetration_um = std::max(row.penetration_um, run.penetration_um);
+    row.passed_through += run.off_um > 1000.0 * what.burr_radius_mm ? 1 : 0;
+    row.stuck += run.stuck_ms > 0 ? 1 : 0;
+    row.stuck_ms = std::max(row.stuck_ms, static_cast<double>(run.stuck_ms));
+  }
+  return row;
+}
+
+std::vector<Row> stability_rows(const Options& options) {
+  std::vector<Row> rows;
+  CaseRun what;
+  what.seed = options.seed;
+  what.budget_s = options.budget_s;
+  // Methods of one reading share a specimen: they follow each other.
+  const auto each = [&](std::string_view key, const std::vector<Setting>& settings, const std::vector<double>& voxels,
+                        auto&& run) {
+    if (!bench::asked(options.cases, key)) return;
+    what.key = key;
+    for (const double voxel : voxels)
+      for (const Method method : kMethods) {
+        if (!bench::asked(options.methods, key_of(method))) continue;
+        for (const bool guard : {true, false}) {
+          if (!bench::asked(options.guards, guard ? "on" : "off")) continue;
+          for (const Setting& setting : settings) {
+            what.voxel_mm = voxel;
+            what.method = method;
+            what.guard = guard;
+            what.setting = setting;
+            if (asked(options, setting)) rows.push_back(run(what));
+          }
+        }
+      }
+  };
+  for (const double radius : chosen(options.burr_radii_mm, {0.5})) {
+    what.burr_radius_mm = radius;
+    for (const CaseName& name : kPressCases)
+      each(name.key, asks_for_others(options) ? all_settings() : std::vector<Setting>{usual_setting()},
+           voxels_of(name.key, options), press_row);
+  }
+  for (const double radius : chosen(options.burr_radii_mm, {0.25})) {
+    what.burr_radius_mm = radius;
+    for (const CaseName& name : kWayCases)
+      each(name.key, settings_of(name.key), voxels_of(name.key, options), run_case);
+    for (const CaseName& name : kFaultCases) each(name.key, {Setting{}}, voxels_of(name.key, options), run_case);
+  }
+  what.burr_radius_mm = 0.5;
+  for (const CaseName& name : kTaskCases) each(name.key, {Setting{}}, {kVoxelMm}, run_case);
+  return rows;
+}
+
+int run_stability(const Options& options) {
+  Report report = empty_report();
+  report.rows = stability_rows(options);
+  return hand_over(report, options.json, print);
+}
+
+}  // namespace cusp::bench
