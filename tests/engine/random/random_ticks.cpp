@@ -1,0 +1,241 @@
+// Every contact method under random ticks in a scene of 64^3 voxels: walks, slides, rushes, presses and teleports of
+// the device, cuts, swaps of burr, samples that are late, lost or no number. After each tick: every force finite,
+// within the limit, zero while the guard is latched; nothing removed has come back; nothing that was reserved ran out.
+//
+// 200,000 ticks of each method; with CUSP_RANDOM_FULL=1 ten million of the surface proxy and a million of each other.
+// Every 20,000 ticks begin anew, with a seed of their own: a failure names it, and CUSP_RANDOM_SEED=N runs it alone.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/bench/random.h"
+#include "tests/engine/step/scenes.h"
+
+namespace cusp {
+namespace {
+
+using namespace test;
+using bench::Random;
+
+constexpr int kVoxels = 64;
+constexpr double kVoxelMm = 0.1;
+constexpr int kTicksOfASeed = 20'000;
+
+/// Tooth-like: dentine under enamel with a bay, a slot narrower than any burr, and a wall of two voxels.
+double tooth(Vec3 p) {
+  double d = length(p / Vec3(1.0, 0.8, 0.9)) - 2.3;
+  d = std::max(d, 0.6 - length(p - Vec3(1.2, 0.0, 1.8)));
+  d = std::max(d, 0.1 - std::abs(p.x + 0.9));
+  return std::min(d, box_distance(p - Vec3(0.0, 1.9, 1.5), Vec3(1.5, 0.1, 1.0)));
+}
+/// Tissue up to the edge of the volume, on all sides but one.
+double slab(Vec3 p) { return p.z - 0.7 + 0.3 * std::abs(p.x) - 0.2 * std::abs(p.y); }
+
+std::shared_ptr<Scene> scene_for(Method method, double (*shape)(Vec3)) {
+  VoxelVolume volume(Grid{IVec3(kVoxels), kVoxelMm, Vec3(-0.5 * (kVoxels - 1) * kVoxelMm)});
+  IVec3 v;
+  for (v.z = 0; v.z < kVoxels; ++v.z)
+    for (v.y = 0; v.y < kVoxels; ++v.y)
+      for (v.x = 0; v.x < kVoxels; ++v.x) {
+        const Vec3 p = volume.grid.centre_mm(v);
+        const std::size_t i = volume.grid.index(v);
+        volume.s[i] = solid_from_distance(shape(p) / kVoxelMm);
+        if (volume.s[i] > 0) volume.tissue[i] = p.z > 0.4 ? Tissue::enamel : Tissue::dentine;
+      }
+  auto scene = scene_of(volume, method, 0.4);
+  scene->burrs.push_back(Burr{"small", 0.25, 0.2, 1.0, 0.8, 6.0});
+  scene->burrs.push_back(Burr{"large", 0.6, 0.3, 2.0, 0.8, 6.0});
+  scene->tissues[index_of(Tissue::enamel)] = {2.0, 4.0};
+  scene->tissues[index_of(Tissue::dentine)] = {1.0, 12.0};
+  scene->full_force_n = 1.5;
+  scene->friction = true;
+  scene->guard = GuardSettings{};
+  scene->guard.ramp_in_ms = 20.0;
+  return scene;
+}
+
+/// A hand without sense.
+class Hand {
+ public:
+  explicit Hand(std::uint64_t seed) : random_(seed) { place_ = anywhere(); }
+
+  StepInput next(bool faulted) {
+    if (--left_ <= 0) choose();
+    const Vec3 wobble = Vec3(unit(), unit(), unit());
+    switch (way_) {
+      case Way::walk:
+        place_ += wobble * 0.03;
+        break;
+      case Way::move:
+        place_ += velocity_ * 1e-3 + wobble * 0.002;
+        break;
+      case Way::hold:
+        place_ += (aim_ - place_) * 0.05;
+        break;
+    }
+    for (int i = 0; i < 3; ++i)
+      if (!(std::abs(place_[i]) < kReachMm)) {
+        place_[i] = place_[i] > 0 ? kReachMm : -kReachMm;
+        velocity_[i] = -velocity_[i];
+      }
+    if (one_in(1500)) place_ = anywhere();
+    if (one_in(700)) place_ += wobble * 2.5;
+    if (one_in(300)) cut_ = !cut_;
+    if (one_in(500)) burr_ = static_cast<std::uint16_t>(random_.bits() % 3);
+
+    Sample sample;
+    sample.status = one_in(2500) ? Sample::Status::gone : one_in(150) ? Sample::Status::late : Sample::Status::fresh;
+    sample.position_mm = place_;
+    sample.buttons = cut_ ? StepInput::kCut : std::uint16_t{0};
+    sample.burr = one_in(3000) ? std::uint16_t{65535} : burr_;
+    if (one_in(3000)) sample.position_mm.y = std::numeric_limits<double>::quiet_NaN();
+    if (one_in(3000)) sample.position_mm.x = -std::numeric_limits<double>::infinity();
+    if (one_in(3000)) sample.position_mm.z = 1e7 * unit();
+    const auto elapsed = one_in(400)      ? static_cast<std::uint32_t>(random_.between(1.0, 70'000.0))
+                         : one_in(20'000) ? std::numeric_limits<std::uint32_t>::max()
+                                          : std::uint32_t{1000};
+    StepInput input = quantise(sample, elapsed, last_);
+    last_ = input;
+    last_.buttons = 0;
+    if (faulted ? one_in(20) : one_in(5000)) input.buttons |= StepInput::kRearm;
+    return input;
+  }
+
+ private:
+  enum class Way { walk, move, hold };
+  static constexpr double kReachMm = 4.2;  // the volume's edge lies at 3.2
+  double unit() { return random_.between(-1.0, 1.0); }
+  bool one_in(std::uint64_t n) { return random_.bits() % n == 0; }
+  Vec3 anywhere() { return Vec3(unit(), unit(), unit()) * kReachMm; }
+  void choose() {
+    left_ = 1 + static_cast<int>(random_.bits() % 400);
+    way_ = static_cast<Way>(random_.bits() % 3);
+    aim_ = anywhere() * 0.8;
+    // 1 to 1000 mm/s, slow ones as often as fast ones.
+    const double speed = std::sqrt(std::sqrt(random_.between(1.0, 1e12)));
+    const Vec3 direction(unit(), unit(), unit());
+    velocity_ = direction * (speed / (length(direction) + 1e-9));
+  }
+
+  Random random_;
+  StepInput last_;
+  Vec3 place_{0.0}, velocity_{0.0}, aim_{0.0};
+  Way way_ = Way::walk;
+  int left_ = 0;
+  bool cut_ = false;
+  std::uint16_t burr_ = 0;
+};
+
+/// Remembers every cut brick, and looks again at those that say that they changed. A voxel that wears says so when it
+/// vanishes: filled readings are looked through whole every 64 ticks.
+class RemovalWatch {
+ public:
+  explicit RemovalWatch(const Volume& volume) : wears_(volume.specimen().reading() == Reading::filled) {
+    seen_.reserve(volume.cut_capacity());
+  }
+
+  /// True when no voxel holds more than it did.
+  bool only_removed(const Volume& volume, bool every_brick) {
+    every_brick = every_brick || (wears_ && ++looks_ % 64 == 0);
+    const auto bricks = volume.cut_bricks();
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+      const std::uint32_t revision = volume.revision(bricks[i]);
+      if (i == seen_.size()) {
+        seen_.push_back({});
+        seen_[i].s.assign(kBrickVoxels, kSolid);
+      }
+      if (seen_[i].revision == revision && !every_brick) continue;
+      const std::uint16_t* now = volume.cut_of(bricks[i]);
+      for (std::size_t v = 0; v < kBrickVoxels; ++v) {
+        if (now[v] > seen_[i].s[v]) return false;
+        // Changed, and did not say so.
+        if (!wears_ && seen_[i].revision == revision && now[v] != seen_[i].s[v]) return false;
+        seen_[i].s[v] = now[v];
+      }
+      seen_[i].revision = revision;
+    }
+    return true;
+  }
+
+ private:
+  struct Seen {
+    std::uint32_t revision = 0;
+    std::vector<std::uint16_t> s;
+  };
+  std::vector<Seen> seen_;
+  bool wears_;
+  std::uint64_t looks_ = 0;
+};
+
+bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+struct Counts {
+  std::uint64_t ticks = 0, contacts = 0, faults = 0, cutting = 0, cut_bricks = 0, infeasible = 0, deferred = 0;
+};
+
+void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int ticks, Counts& counts) {
+  StepState state(scene);
+  RemovalWatch watch(state.volume());
+  Hand hand(seed);
+  const double limit = scene->guard.limit_n * (1.0 + 1e-12);
+  for (int k = 0; k < ticks; ++k) {
+    const StepInput input = hand.next(state.last().faulted);
+    const StepOutput out = step(state, input);
+    const auto where = [&] {
+      return testing::Message() << "CUSP_RANDOM_SEED=" << seed << ", tick " << k << ", device " << input.x << ' '
+                                << input.y << ' ' << input.z << " (0.1 um)";
+    };
+    ASSERT_TRUE(finite(out.force_n) && finite(out.force_raw_n) && finite(out.proxy_mm)) << where();
+    ASSERT_LE(length(out.force_n), limit) << where();
+    ASSERT_TRUE(!out.faulted || out.force_n == Vec3(0.0)) << where();
+    ASSERT_FALSE(out.overflow) << where();
+    ASSERT_TRUE(watch.only_removed(state.volume(), k == ticks - 1)) << where();
+    counts.contacts += out.contact ? 1 : 0;
+    counts.faults += out.faulted ? 1 : 0;
+    counts.cutting += out.cutting ? 1 : 0;
+    counts.infeasible += out.infeasible ? 1 : 0;
+    counts.deferred += out.deferred ? 1 : 0;
+  }
+  counts.ticks += static_cast<std::uint64_t>(ticks);
+  counts.cut_bricks += state.volume().cut_bricks().size();
+}
+
+class RandomTicks : public testing::TestWithParam<Method> {};
+
+TEST_P(RandomTicks, forces_stay_finite_and_limited_and_removal_only_removes) {
+  const bool full = std::getenv("CUSP_RANDOM_FULL") != nullptr;
+  const char* one = std::getenv("CUSP_RANDOM_SEED");
+  const std::uint64_t ticks = !full ? 200'000 : GetParam() == Method::surface ? 10'000'000 : 1'000'000;
+  const std::shared_ptr<const Scene> scenes[2] = {scene_for(GetParam(), tooth), scene_for(GetParam(), slab)};
+  Counts counts;
+  const std::uint64_t first = one ? std::strtoull(one, nullptr, 10) : 1;
+  const std::uint64_t seeds = one ? 1 : ticks / kTicksOfASeed;
+  for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
+    run_seed(scenes[seed % 2], seed, kTicksOfASeed, counts);
+    if (HasFatalFailure()) return;
+  }
+  std::cout << key_of(GetParam()) << ": " << counts.ticks << " ticks, " << counts.contacts << " in contact, "
+            << counts.cutting << " cutting, " << counts.faults << " faulted, " << counts.infeasible << " infeasible, "
+            << counts.deferred << " deferred, " << counts.cut_bricks << " bricks cut" << std::endl;
+  // A hand that never touched, cut or erred would prove nothing.
+  EXPECT_GT(counts.contacts, counts.ticks / 10);
+  EXPECT_GT(counts.cutting, counts.ticks / 100);
+  EXPECT_GT(counts.faults, counts.ticks / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, RandomTicks,
+                         testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot, Method::ray,
+                                         Method::penalty, Method::gradient),
+                         [](const auto& p) {
+                           std::string name(key_of(p.param));
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace cusp
