@@ -10,8 +10,8 @@ constexpr double kSlicesPerMs = 1000.0 / kSliceUs;
 constexpr double kMostMm = 1e5;  // beyond 100 m an encoder has nothing to say
 }  // namespace
 
-ClosedLoop::ClosedLoop(const DeviceSettings& device, const TransportSettings& transport, const Grip& grip, Vec3 start_mm,
-                       Vec3 encoder_phase)
+ClosedLoop::ClosedLoop(const DeviceSettings& device, const TransportSettings& transport, const Grip& grip,
+                       Vec3 start_mm, Vec3 encoder_phase)
     : device_(device),
       transport_(transport),
       plant_(device, grip, start_mm),

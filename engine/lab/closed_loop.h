@@ -66,12 +66,12 @@ class ClosedLoop {
   struct Sampled {
     std::int32_t x, y, z;
   };
-  void begin() noexcept;              // samples the encoders
-  bool hear(Reading& out) noexcept;   // what has arrived by now, the newest of several
+  void begin() noexcept;             // samples the encoders
+  bool hear(Reading& out) noexcept;  // what has arrived by now, the newest of several
   void answer(Vec3 wanted) noexcept;
   void run(std::int64_t end) noexcept;  // to the next event, at most to end
   void finish() noexcept;
-  std::int64_t way() noexcept;        // slices of one way of one packet
+  std::int64_t way() noexcept;  // slices of one way of one packet
   std::int32_t read(int axis) const noexcept;
 
   DeviceSettings device_;

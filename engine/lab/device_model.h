@@ -1,5 +1,5 @@
-/// A haptic device between two samples of the loop: a mass with damping and Coulomb friction in three axes, alike in all
-/// directions, held by a grip and moved by the force that the host left in its motors. Linear parts are integrated
+/// A haptic device between two samples of the loop: a mass with damping and Coulomb friction in three axes, alike in
+/// all directions, held by a grip and moved by the force that the host left in its motors. Linear parts are integrated
 /// exactly, friction in slices of 50 us with a proper stick: what friction can hold does not creep.
 /// Units: millimetres, newtons, seconds; N mm is mJ. Same numbers for the same calls on one build. No heap after the
 /// constructor. Thread: any, one at a time.
@@ -13,8 +13,8 @@
 
 namespace cusp::lab {
 
-inline constexpr int kSliceUs = 50;          // the laboratory's grain of time
-inline constexpr int kSlicesPerTick = 20;    // 1 kHz
+inline constexpr int kSliceUs = 50;        // the laboratory's grain of time
+inline constexpr int kSlicesPerTick = 20;  // 1 kHz
 inline constexpr double kTickS = 0.001;
 
 /// What is known of no device is swept by whoever runs the laboratory [M].
@@ -28,9 +28,9 @@ struct DeviceSettings {
   Vec3 weight_n{0.0};              // of the grip, where nothing compensates it
 };
 
-/// Novint Falcon, at the middle of its workspace (0.125 m), the worst direction of each: encoder 0.049 mm, force quantum
-/// 16.2 N / 4095, limit 6.1 N, all computed from the published mechanism and constants. Its moving mass, damping and
-/// friction are not known: they stay at whatever the caller sweeps [M].
+/// Novint Falcon, at the middle of its workspace (0.125 m), the worst direction of each: encoder 0.049 mm, force
+/// quantum 16.2 N / 4095, limit 6.1 N, all computed from the published mechanism and constants. Its moving mass,
+/// damping and friction are not known: they stay at whatever the caller sweeps [M].
 DeviceSettings falcon(double mass_kg, double damping_ns_per_m, double friction_n) noexcept;
 
 class Plant {

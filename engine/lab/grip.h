@@ -1,6 +1,6 @@
-/// How a hand holds the device: its mass rides on the device's, a spring and a damper tie both to where the hand intends
-/// to be. Same in all directions. Figures of soft and firm: the laboratory's two grips [M], after published ranges of a
-/// hand's endpoint impedance; no measurement on a dental grip is known.
+/// How a hand holds the device: its mass rides on the device's, a spring and a damper tie both to where the hand
+/// intends to be. Same in all directions. Figures of soft and firm: the laboratory's two grips [M], after published
+/// ranges of a hand's endpoint impedance; no measurement on a dental grip is known.
 #pragma once
 
 namespace cusp::lab {

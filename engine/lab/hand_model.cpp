@@ -45,8 +45,8 @@ Vec3 HandModel::advance(Vec3 wanted_mm, Vec3 force_n, double dt_s) {
       // White noise of uniform numbers (variance 1/3), scaled to the wanted variance.
       const double kick = settings_.tremor_mm * std::sqrt(4.0 * kTremorDamping * omega * omega * omega * dt * 3.0);
       for (int a = 0; a < 3; ++a) {
-        tremor_rate_[a] += dt * (-omega * omega * tremor_mm_[a] - 2.0 * kTremorDamping * omega * tremor_rate_[a]) +
-                           kick * uniform();
+        tremor_rate_[a] +=
+            dt * (-omega * omega * tremor_mm_[a] - 2.0 * kTremorDamping * omega * tremor_rate_[a]) + kick * uniform();
         tremor_mm_[a] += dt * tremor_rate_[a];
       }
     }

@@ -1,6 +1,6 @@
 /// The muscles of a scripted hand: a mass held by spring and damper between where the mind wants it and the device's
-/// force, late by the nerves' delay, with a tremor. The same numbers for the same seed on one build; only the inputs that
-/// come out are recorded, so a replay does not need it. Thread: the one that plays.
+/// force, late by the nerves' delay, with a tremor. The same numbers for the same seed on one build; only the inputs
+/// that come out are recorded, so a replay does not need it. Thread: the one that plays.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@ namespace cusp {
 
 /// Of a hand resting on the teeth while it holds a handpiece [M]: order of magnitude of a braced precision grip.
 struct HandSettings {
-  double mass_kg = 0.15;                // handpiece and fingers
-  double stiffness_n_per_mm = 1.0;      // grip
-  double damping_ratio = 1.0;           // of mass and grip alone; 1 = no overshoot
-  double delay_s = 0.02;                // from wanting to pulling, for a practised movement
-  double tremor_mm = 0.0;               // rms of each axis
-  double tremor_hz = 9.0;               // physiological tremor: 8 to 12 Hz
+  double mass_kg = 0.15;            // handpiece and fingers
+  double stiffness_n_per_mm = 1.0;  // grip
+  double damping_ratio = 1.0;       // of mass and grip alone; 1 = no overshoot
+  double delay_s = 0.02;            // from wanting to pulling, for a practised movement
+  double tremor_mm = 0.0;           // rms of each axis
+  double tremor_hz = 9.0;           // physiological tremor: 8 to 12 Hz
   std::uint64_t seed = 1;
 };
 

@@ -19,8 +19,8 @@ class ContactEnergy {
   static constexpr int kGapMs = 20;
   void add(const LoopTick& tick) noexcept { add(tick.held_any, tick.energy_mj); }
   void add(bool contact, double energy_mj) noexcept;
-  double most_mj() const noexcept { return most_; }   // 0 before any contact: what is given back is not negative
-  double sum_mj() const noexcept { return sum_; }     // of the episode that is on, or of the last one
+  double most_mj() const noexcept { return most_; }  // 0 before any contact: what is given back is not negative
+  double sum_mj() const noexcept { return sum_; }    // of the episode that is on, or of the last one
   int episodes() const noexcept { return episodes_; }
 
  private:
@@ -28,11 +28,11 @@ class ContactEnergy {
   int gap_ = kGapMs, episodes_ = 0;
 };
 
-/// Peak to peak, energy and limit over a window of time at the end of a run: what decides whether a stiffness is stable.
-/// Motion is true motion along three axes at right angles, given at the start, so that one may lie along the press.
-/// Net energy is what the held force gave beyond what its own mean over the window would have given on the same way:
-/// a wall that carries 1 N gives out 0.01 mJ for each 10 um that the device stands further out at the window's end than
-/// at its beginning, which a spring does too and which is no vibration. Over whole cycles both are the same.
+/// Peak to peak, energy and limit over a window of time at the end of a run: what decides whether a stiffness is
+/// stable. Motion is true motion along three axes at right angles, given at the start, so that one may lie along the
+/// press. Net energy is what the held force gave beyond what its own mean over the window would have given on the same
+/// way: a wall that carries 1 N gives out 0.01 mJ for each 10 um that the device stands further out at the window's end
+/// than at its beginning, which a spring does too and which is no vibration. Over whole cycles both are the same.
 class Steadiness {
  public:
   static constexpr double kWindowS = 0.8, kMostSteps = 2.0, kMostEnergyMj = 0.01;
@@ -46,7 +46,7 @@ class Steadiness {
   Verdict verdict(double encoder_step_mm) const noexcept;
 
   double peak_to_peak_mm() const noexcept;  // the largest of the three axes
-  double energy_mj() const noexcept;  // net, out of the wall
+  double energy_mj() const noexcept;        // net, out of the wall
   /// Of the axis that moves most: how often it turns back by more than half of its peak to peak. 0 when it does so less
   /// than twice.
   double cycle_hz() const noexcept;

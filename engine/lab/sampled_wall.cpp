@@ -32,9 +32,8 @@ Held held(double mass, double damping, double stiffness, double tick) {
     // Below 1e-4 the series: the closed forms lose half their digits there.
     const double small = -std::expm1(-t);
     const double v = t < 1e-4 ? tick / mass * (1.0 - t / 2.0 + t * t / 6.0) : small / damping;
-    const double x =
-        t < 1e-4 ? tick * tick / mass * (0.5 - t / 6.0 + t * t / 24.0) : (tick - small / a) / damping;
-    const double p = 1.0 - small;                        // v decays by it
+    const double x = t < 1e-4 ? tick * tick / mass * (0.5 - t / 6.0 + t * t / 24.0) : (tick - small / a) / damping;
+    const double p = 1.0 - small;                                                   // v decays by it
     const double xv = t < 1e-4 ? tick * (1.0 - t / 2.0 + t * t / 6.0) : small / a;  // x gained from v
     out.d1 = -(1.0 + p);
     out.d0 = p;

@@ -19,8 +19,8 @@ constexpr double kAboveMm = 0.25;  // where the way down begins
 constexpr double kReadyMm = 0.02;  // a tick, on the last bit of the way there
 constexpr double kLostMm = 10.0;   // off the touch, besides the press's own depth: the device has left the place
 constexpr int kMostApproachTicks = 200;
-constexpr int kConfirmPlaces = 10;   // of the grid: 20 %
-constexpr int kConfirmStride = 8;    // below those
+constexpr int kConfirmPlaces = 10;  // of the grid: 20 %
+constexpr int kConfirmStride = 8;   // below those
 constexpr double kTiltMost = 0.14;  // sideways part of a push into a hollow: 8 degrees
 
 Vec3 direction(const Frame& frame, double x, double y, double z) { return frame.direction(unit(Vec3(x, y, z))); }
@@ -206,10 +206,12 @@ struct PressBench::Inner {
   void make_state(double k) {
     if (state && !what.guard) return;
     auto scene = scene_of(place->shape(), *what.method, what.voxel_mm);
+    scene->guard = unguarded();
     if (what.guard) {
       for (TissueFeel& feel : scene->tissues) feel.stiffness_n_per_mm = k;
       scene->guard = GuardSettings{};
       scene->guard.limit_n = what.device.limit_n;
+      scene->guard.delay_ms = what.transport.delay_ms;
     }
     state = std::make_unique<StepState>(std::move(scene));
     place->shape().prepare(*state);
@@ -281,8 +283,7 @@ PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare)
     if (compare) {
       const double off = length(answer.proxy_mm - there.pose_mm) * 1000.0;
       if (!(off <= out.off_um)) out.off_um = off;
-      const Vec3 raw = what.guard ? answer.force_raw_n : force;
-      steps.add(force, (there.pose_mm - device) * k, what.guard && length(force - raw) > 1e-9);
+      steps.add(force, (there.pose_mm - device) * k, what.guard && answer.guard_acts != 0);
       stuck.add(there.pose_mm, answer.proxy_mm);
       penetration.add(exact.clearance_mm(answer.proxy_mm));
     }
