@@ -18,7 +18,7 @@ struct DeviceLimits {
   int position_axes = 3;             // axes it senses
   int rotation_axes = 0;             // axes of orientation it senses
   double max_force_n = 8.9;          // most force the guard may ask of it, per vector
-  double max_stiffness_n_per_mm = 3.0;  // a scene's stiffness is cut to this; declared or calibrated
+  double max_stiffness_n_per_mm = 3.0;  // the device's own most, declared or calibrated; engine/step/stiffness_rule.h
   bool has_own_clock = false;        // true: wait() returns when the device delivers, not at the deadline
   // The closed loop: with a mass behind the device point that the force moves, a stiffness may be too much.
   bool closed_loop = true;           // false: the hand gives force and not depth (a mouse), or nobody holds it (a script)

@@ -6,6 +6,13 @@ namespace cusp {
 
 using nlohmann::json;
 
+namespace {
+json known(const std::optional<double>& value) { return value ? json(*value) : json(); }
+std::optional<double> known_in(const json& in, const char* key) {
+  return in.contains(key) && in.at(key).is_number() ? std::optional<double>(in.at(key).get<double>()) : std::nullopt;
+}
+}  // namespace
+
 std::string header_to_json(const SessionHeader& h) {
   const json out = {
       {"engine_version", h.engine_version},
@@ -17,7 +24,13 @@ std::string header_to_json(const SessionHeader& h) {
         {"rotation_axes", h.device.rotation_axes},
         {"max_force_n", h.device.max_force_n},
         {"max_stiffness_n_per_mm", h.device.max_stiffness_n_per_mm},
-        {"has_own_clock", h.device.has_own_clock}}},
+        {"has_own_clock", h.device.has_own_clock},
+        {"closed_loop", h.device.closed_loop},
+        {"damping_ns_per_m", known(h.device.damping_ns_per_m)},
+        {"delay_ms", known(h.device.delay_ms)},
+        {"encoder_mm", known(h.device.encoder_mm)},
+        {"softest_grip_ns_per_m", known(h.device.softest_grip_ns_per_m)}}},
+      {"stiffness_share", h.stiffness_share},
       {"calibration", h.calibration},
       {"guard",
        {{"limit_n", h.guard.limit_n},
@@ -67,6 +80,14 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
     device.at("max_force_n").get_to(h.device.max_force_n);
     device.at("max_stiffness_n_per_mm").get_to(h.device.max_stiffness_n_per_mm);
     device.at("has_own_clock").get_to(h.device.has_own_clock);
+    // Written since engine version 3, as is what follows for the guard: the replay of an older session is refused before
+    // they matter.
+    h.device.closed_loop = device.value("closed_loop", h.device.closed_loop);
+    h.device.damping_ns_per_m = known_in(device, "damping_ns_per_m");
+    h.device.delay_ms = known_in(device, "delay_ms");
+    h.device.encoder_mm = known_in(device, "encoder_mm");
+    h.device.softest_grip_ns_per_m = known_in(device, "softest_grip_ns_per_m");
+    h.stiffness_share = in.value("stiffness_share", h.stiffness_share);
     in.at("calibration").get_to(h.calibration);
     const json& guard = in.at("guard");
     guard.at("limit_n").get_to(h.guard.limit_n);
@@ -74,7 +95,6 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
     guard.at("ramp_in_ms").get_to(h.guard.ramp_in_ms);
     guard.at("jump_mm").get_to(h.guard.jump_mm);
     guard.at("late_ms").get_to(h.guard.late_ms);
-    // Written since engine version 3; the replay of an older session is refused before they matter.
     h.guard.stale_ms = guard.value("stale_ms", h.guard.stale_ms);
     h.guard.speed_mm_s = guard.value("speed_mm_s", h.guard.speed_mm_s);
     h.guard.passivity_mj = guard.value("passivity_mj", h.guard.passivity_mj);

@@ -44,6 +44,7 @@ struct SessionHeader {
   DeviceLimits device{};
   std::string calibration{};        // the device's, as it names it; empty = none
   GuardSettings guard{};            // as used: already cut to the device
+  double stiffness_share = 1.0;     // of the scenario's stiffness, as used
   std::uint64_t specimen_hash = 0;  // Specimen::hash() at start
   Hash256 specimen_blob{};          // of the voxels in Blobs; zeros when none were kept
   std::string scene{};              // the caller's own account of the scene (JSON); kept as given

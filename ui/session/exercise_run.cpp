@@ -188,5 +188,6 @@ const Scenario& ExerciseRun::scenario() const { return inner_->plan.scenario; }
 const std::shared_ptr<const Scene>& ExerciseRun::scene() const { return inner_->setup.scene; }
 const std::shared_ptr<const Reference>& ExerciseRun::reference() const { return inner_->setup.reference; }
 DeviceLimits ExerciseRun::device() const { return inner_->setup.device; }
+double ExerciseRun::stiffness_share() const { return inner_->setup.stiffness_share; }
 
 }  // namespace cusp

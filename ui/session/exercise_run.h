@@ -48,6 +48,7 @@ struct RunResult {
   std::uint64_t volume_hash = 0;
   double seconds = 0;
   DeviceLimits device;
+  double stiffness_share = 1.0;              // of the scenario's, that the device could hold
   std::string hand;
   int engine_version = kEngineVersion;
 };
@@ -83,6 +84,8 @@ class ExerciseRun {
   /// Target, leeway and pulp, for overlays.
   const std::shared_ptr<const Reference>& reference() const;
   DeviceLimits device() const;
+  /// What the tissues' stiffness was multiplied with, because the device cannot hold more; 1: nothing was cut.
+  double stiffness_share() const;
 
  private:
   struct Inner;

@@ -47,7 +47,8 @@ Run<OpenedSession> open_session(Store& store, SessionId id) {
   if (!dense) return run_fail(RunError::specimen_changed, id.text());
   auto specimen = Specimen::build(*dense, reading_of(out.scenario.method));
   if (specimen->hash() != header.specimen_hash) return run_fail(RunError::specimen_changed, id.text());
-  auto scene = build_scene(out.scenario, std::move(specimen), header.device, header.guard);
+  auto scene = build_scene(out.scenario, std::move(specimen), header.device, header.guard,
+                           header.stiffness_share);
   if (!scene) return std::unexpected(scene.error());
   out.scene = std::move(*scene);
 
@@ -131,6 +132,7 @@ RunResult result_of(const OpenedSession& opened) {
   result.scenario = opened.scenario;
   result.seconds = static_cast<double>(opened.elapsed_us) * 1e-6;
   result.device = opened.session.header.device;
+  result.stiffness_share = opened.session.header.stiffness_share;
   result.hand = opened.session.hand;
   result.engine_version = opened.session.header.engine_version;
   return result;

@@ -61,6 +61,7 @@ Run<void> go_on(RunPlan& plan, RunSetup& setup) {
   plan.specimen = opened->scene->specimen;
   setup.device = opened->session.header.device;
   setup.scene = opened->scene;
+  setup.stiffness_share = opened->session.header.stiffness_share;
   auto replay = Replay::open(*setup.store, std::move(*opened));
   if (!replay) return std::unexpected(replay.error());
   if (auto done = replay->to(UINT64_MAX, true); !done) return std::unexpected(done.error());
@@ -100,6 +101,7 @@ Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device) {
   auto scene = build_scene(plan.scenario, plan.specimen, device);
   if (!scene) return std::unexpected(scene.error());
   setup.scene = std::move(*scene);
+  setup.stiffness_share = stiffness_cut(plan.scenario, plan.specimen->grid().voxel_mm, device).share;
   setup.reference = std::make_shared<const Reference>(plan.scenario, plan.specimen);
   setup.loop_start.emplace(setup.scene);
   setup.mirror_start.emplace(setup.scene);
@@ -122,6 +124,7 @@ Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device) {
   row.header.build = build_info();
   row.header.device = device;
   row.header.guard = setup.scene->guard;
+  row.header.stiffness_share = setup.stiffness_share;
   row.header.specimen_hash = plan.specimen->hash();
   row.header.specimen_blob = *blob;
   nlohmann::json account;
@@ -163,6 +166,7 @@ Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store
   result.volume_hash = state.volume().hash();
   result.seconds = process.time_s();
   result.device = setup.device;
+  result.stiffness_share = setup.stiffness_share;
   result.hand = plan.hand;
   result.interrupted = interrupts(end);
   result.measures = measure(*setup.reference, *result.volume, process);

@@ -14,6 +14,7 @@ namespace cusp {
 struct RunSetup {
   DeviceLimits device;
   std::shared_ptr<const Scene> scene;
+  double stiffness_share = 1.0;          // of the scenario's, that the device leaves
   std::shared_ptr<const Reference> reference;
   std::unique_ptr<Store> store;          // null: nothing is kept
   SessionId session;

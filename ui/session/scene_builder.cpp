@@ -46,6 +46,15 @@ Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, co
   return Specimen::build(*dense, reading_of(scenario.method));
 }
 
+StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const DeviceLimits& device) noexcept {
+  StiffnessCut out;
+  out.rule = stiffness_rule(device, scenario.method, voxel_mm);
+  for (const ScenarioTissue& tissue : scenario.tissues)
+    out.asked_n_per_mm = std::max(out.asked_n_per_mm, tissue.stiffness_n_per_mm);
+  if (out.asked_n_per_mm > out.rule.most_n_per_mm) out.share = out.rule.most_n_per_mm / out.asked_n_per_mm;
+  return out;
+}
+
 Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device) {
   GuardSettings guard;
@@ -59,11 +68,13 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   }
   if (device.encoder_mm) guard.encoder_mm = *device.encoder_mm;
   guard.delay_ms = std::clamp(device.delay_ms.value_or(1.0), 0.0, static_cast<double>(kMostDelayTicks));
-  return build_scene(scenario, std::move(specimen), device, guard);
+  const double share = stiffness_cut(scenario, specimen->grid().voxel_mm, device).share;
+  return build_scene(scenario, std::move(specimen), device, guard, share);
 }
 
 Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
-                                              const DeviceLimits& device, const GuardSettings& guard) {
+                                              const DeviceLimits& device, const GuardSettings& guard,
+                                              double stiffness_share) {
   const auto& admitted = scenario.device.admitted;
   const bool scripted = device.device_class == "scripted";  // a script may play every exercise; its results stay apart
   if (!scripted && !admitted.empty() && std::find(admitted.begin(), admitted.end(), device.device_class) == admitted.end()) {
@@ -80,8 +91,7 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
     const bool stiff = tissue.stiffness_n_per_mm > 0.0 && tissue.stiffness_n_per_mm <= 20.0;
     if (!stiff || index_of(tissue.tissue) >= kTissueCodes) return run_fail(RunError::scene, where);
     if (!(tissue.speed_mm_s >= 0.0)) return run_fail(RunError::scene, where);
-    scene->tissues[index_of(tissue.tissue)] = {std::min(tissue.stiffness_n_per_mm, device.max_stiffness_n_per_mm),
-                                               tissue.speed_mm_s};
+    scene->tissues[index_of(tissue.tissue)] = {tissue.stiffness_n_per_mm * stiffness_share, tissue.speed_mm_s};
     described[index_of(tissue.tissue)] = true;
   }
   const auto there = tissues_in(*specimen);

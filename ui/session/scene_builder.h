@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/step/scene.h"
+#include "engine/step/stiffness_rule.h"
 #include "scenarios/format/scenario.h"
 #include "ui/session/run_error.h"
 
@@ -13,12 +14,22 @@ namespace cusp {
 /// The scenario's voxels in the reading of its method. Up to seconds. `folder`: where a volume that it names lies.
 Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder);
 
+/// What a device leaves of a scenario's stiffness: all tissues get the same share, so that they stay told apart.
+struct StiffnessCut {
+  double share = 1.0;              // (0, 1]
+  double asked_n_per_mm = 0.0;     // of the stiffest tissue
+  StiffnessRule rule;
+  bool cuts() const noexcept { return share < 1.0; }
+};
+StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const DeviceLimits& device) noexcept;
+
 /// Refuses (scene) a tissue of the specimen that the scenario does not describe, no instruments, and values out of the
-/// engine's range; (device_class) a device that the scenario does not admit. Stiffness is cut to the device's.
+/// engine's range; (device_class) a device that the scenario does not admit. Stiffness is cut by stiffness_cut().
 Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device);
-/// The same with the guard's settings of a stored session.
+/// The same with the guard's settings and the share of stiffness of a stored session.
 Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
-                                              const DeviceLimits& device, const GuardSettings& guard);
+                                              const DeviceLimits& device, const GuardSettings& guard,
+                                              double stiffness_share);
 
 }  // namespace cusp
