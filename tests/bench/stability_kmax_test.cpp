@@ -1,0 +1,180 @@
+// The search for k_max: places, runs and grid. What it says of the methods is stability_test.cpp's.
+#include "tests/bench/stability_kmax.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/bench/frame.h"
+
+namespace cusp::bench {
+namespace {
+
+using Verdict = lab::Steadiness::Verdict;
+
+KMaxCase cell(std::string_view place, std::optional<Method> method) {
+  KMaxCase c;
+  c.place = place;
+  c.method = method;
+  c.grip = lab::kFirmGrip;
+  c.transport.delay_ms = 1.0;
+  return c;
+}
+
+TEST(PressPlace, holds_the_exact_proxy_where_it_says_and_lets_it_down_freely) {
+  for (const std::string_view name : kPressNames)
+    for (const double r : {0.25, 0.5}) {
+      const auto place = PressPlace::make(name, r);
+      ASSERT_NE(place, nullptr) << name;
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const Press press = place->press(seed);
+        EXPECT_NEAR(length(press.into), 1.0, 1e-12);
+        EXPECT_NEAR(length(press.approach), 1.0, 1e-12);
+        const auto truth = place->truth();
+        const Vec3 above = press.touch - press.approach * 0.25;
+        EXPECT_GE(truth->clearance_mm(above), -1e-9) << name << " seed " << seed;
+        truth->start(above);
+        truth->follow(press.touch);
+        for (const double deep : {0.1, 1.0, 5.0}) {
+          const Exact exact = truth->follow(press.touch + press.into * deep);
+          EXPECT_TRUE(exact.contact) << name;
+          EXPECT_LE(length(exact.pose_mm - press.touch), 1e-9) << name << " seed " << seed << " deep " << deep;
+        }
+        // In its free directions the proxy goes along, in all others it does not.
+        for (const Vec3& free : {press.free_a, press.free_b}) {
+          truth->follow(press.touch + press.into * 0.2);
+          const Exact aside = truth->follow(press.touch + press.into * 0.2 + free * 0.01);
+          EXPECT_LE(length(aside.pose_mm - press.touch - free * 0.01), 1e-9) << name;
+        }
+      }
+    }
+  EXPECT_EQ(PressPlace::make("elsewhere", 0.5), nullptr);
+}
+
+TEST(PressPlace, exact_proxy_in_the_fitting_pit_is_one_that_the_tissue_admits) {
+  // Blind: 4000 points of the ball against the tissue's own distance, for device points all about the place.
+  const double r = 0.5;
+  const auto place = PressPlace::make("pit", r);
+  const auto truth = place->truth();
+  const Press press = place->press(1);
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 aside(random.between(-0.4, 0.4), random.between(-0.4, 0.4), random.between(-0.4, 0.4));
+    truth->start(press.touch);
+    const Vec3 centre = truth->follow(press.touch + aside).pose_mm;
+    double least = 1e9;
+    for (int k = 0; k < 4000; ++k) {
+      const double z = 1.0 - (2.0 * k + 1.0) / 4000, phi = k * 2.399963229728653, rho = std::sqrt(1.0 - z * z);
+      const Vec3 p = centre + Vec3(rho * std::cos(phi), rho * std::sin(phi), z) * r;
+      least = std::min(least, place->shape().distance_mm(p));
+    }
+    EXPECT_GE(least, -1e-9) << i;
+    // The rim is sharp, and two of the directions are 20 um apart on the ball: measured 2.5 um.
+    EXPECT_NEAR(truth->clearance_mm(centre), least, 0.005) << i;
+  }
+}
+
+TEST(PressRun, is_the_same_for_the_same_seed_and_differs_for_another) {
+  KMaxCase c = cell("face", std::nullopt);
+  PressBench bench(c);
+  const PressRun a = bench.run(1.0, 1), other = bench.run(1.0, 2), b = bench.run(1.0, 1);
+  EXPECT_EQ(a.cycle_um, b.cycle_um);
+  EXPECT_EQ(a.energy_mj, b.energy_mj);
+  EXPECT_NE(a.cycle_um, other.cycle_um);
+}
+
+TEST(PressRun, of_the_surface_proxy_does_not_depend_on_what_the_bench_ran_before) {
+  KMaxCase c = cell("groove", Method::surface);
+  PressBench bench(c), fresh(c);
+  bench.run(8.0, 3);  // rings
+  bench.run(0.3, 2);
+  const PressRun a = bench.run(1.0, 1), b = fresh.run(1.0, 1);
+  EXPECT_EQ(a.verdict, b.verdict);
+  EXPECT_NEAR(a.cycle_um, b.cycle_um, 1e-6);
+  EXPECT_NEAR(a.energy_mj, b.energy_mj, 1e-9);
+}
+
+TEST(PressRun, is_steady_on_a_soft_wall_and_rings_on_one_far_too_stiff) {
+  KMaxCase c = cell("face", std::nullopt);
+  PressBench bench(c);
+  EXPECT_EQ(bench.run(0.3, 1).verdict, Verdict::steady);
+  const PressRun stiff = bench.run(8.0, 1);
+  EXPECT_NE(stiff.verdict, Verdict::steady);
+  EXPECT_GT(stiff.cycle_um, 100.0);
+  EXPECT_GT(stiff.window_mj, 0.01);
+}
+
+TEST(PressRun, feels_the_same_on_a_face_through_the_surface_proxy_as_through_the_exact_one) {
+  KMaxCase exact = cell("face", std::nullopt), surface = cell("face", Method::surface);
+  PressBench a(exact), b(surface);
+  for (const double k : {0.3, 1.0}) {
+    const PressRun one = a.run(k, 1), two = b.run(k, 1, false, true);
+    EXPECT_EQ(one.verdict, two.verdict);
+    EXPECT_LE(two.off_um, 0.5);          // measured 0.22: what the two differ by at the same device point
+    EXPECT_LE(two.penetration_um, 0.1);  // measured 0.001
+    EXPECT_LE(two.force_step_mn, 0.5);   // measured 0.1
+    EXPECT_EQ(two.stuck_ms, 0);
+    EXPECT_FALSE(two.left);
+  }
+}
+
+TEST(KMax, is_what_the_definition_finds_place_by_place) {
+  for (const double damping : {2.0, 5.0}) {
+    KMaxCase c = cell("face", std::nullopt);
+    c.device.damping_ns_per_m = damping;
+    PressBench bench(c);
+    const KMax quick = find_k_max(bench, c), slow = scan_k_max(bench, c), near = find_k_max(bench, c, 1.0);
+    EXPECT_EQ(quick.k_max_n_per_mm, slow.k_max_n_per_mm) << damping;
+    EXPECT_EQ(near.k_max_n_per_mm, slow.k_max_n_per_mm) << damping;
+    EXPECT_LT(quick.runs, slow.runs / 2);
+    EXPECT_LT(near.runs, slow.runs / 2);
+    // On the grid, and the next place fails.
+    const double place = std::log(slow.k_max_n_per_mm / kKMaxFloor) / std::log(kKMaxFactor);
+    EXPECT_NEAR(place, std::round(place), 1e-6);
+    EXPECT_NE(bench.run(slow.k_max_n_per_mm * kKMaxFactor, slow.seed).verdict, Verdict::steady);
+    EXPECT_NE(slow.reason, Verdict::steady);
+  }
+}
+
+TEST(KMax, falls_with_delay_and_rises_with_damping) {
+  KMaxCase c = cell("face", std::nullopt);
+  PressBench bench(c);
+  double last = 1e9;
+  for (const double delay : {0.0, 1.0, 3.0}) {
+    c.transport.delay_ms = delay;
+    const double k = find_k_max(bench, c).k_max_n_per_mm;
+    EXPECT_LT(k, last) << delay;  // measured 3.60, 2.24, 1.34
+    last = k;
+  }
+  c.grip = lab::kNoGrip;  // whose own damping would hide the device's
+  last = 0.0;
+  for (const double damping : {0.5, 2.0, 5.0}) {
+    c.device.damping_ns_per_m = damping;
+    const double k = find_k_max(bench, c).k_max_n_per_mm;
+    EXPECT_TRUE(k > last || damping == 0.5) << damping;  // measured 0, 0.42, 0.80
+    last = k;
+  }
+}
+
+TEST(KMax, of_nobody_holding_a_device_that_damps_too_little_is_none) {
+  // 0.25 kg and 0.5 N s/m: a touch rings for seconds (2 m / b = 1 s) at every stiffness.
+  KMaxCase c = cell("face", std::nullopt);
+  c.grip = lab::kNoGrip;
+  c.device.mass_kg = 0.25;
+  c.device.damping_ns_per_m = 0.5;
+  const KMax k = find_k_max(c);
+  EXPECT_EQ(k.k_max_n_per_mm, 0.0);
+  EXPECT_EQ(k.reason, Verdict::moves);
+}
+
+TEST(KMax, cells_are_those_that_the_laboratory_sweeps) {
+  const auto cells = k_max_cells("groove", Method::surface);
+  EXPECT_EQ(cells.size(), 108u);  // 2 masses, 3 dampings, 2 frictions, 3 grips, 3 delays
+  for (const KMaxCase& c : cells) {
+    EXPECT_EQ(c.place, "groove");
+    EXPECT_EQ(c.device.encoder_step_mm, 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace cusp::bench
