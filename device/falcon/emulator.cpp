@@ -143,8 +143,8 @@ void Emulator::put(std::uint8_t byte, LinkTime earliest, double baud) noexcept {
     return;
   }
   const bool broken = !same_speed(baud);  // sent at a speed that the bridge is not listening at
-  line_[(line_at_ + line_count_) % kLine] = {device_line_free_,
-                                                       broken ? static_cast<std::uint8_t>(byte ^ 0xA9) : byte, broken};
+  line_[(line_at_ + line_count_) % kLine] = {device_line_free_, broken ? static_cast<std::uint8_t>(byte ^ 0xA9) : byte,
+                                             broken};
   ++line_count_;
 }
 

@@ -157,6 +157,9 @@ void Session::begin_script(Phase phase, LinkTime now) noexcept {
   enter(phase);
   script_at_ = 0;
   lock_sent_ = false;
+  state_.lost += unanswered_count_;
+  unanswered_count_ = 0;
+  waiting_since_.reset();
   next_request(now);
 }
 
@@ -248,6 +251,7 @@ void Session::send_frame(std::array<std::int16_t, 3> torque, std::uint8_t leds, 
     --unanswered_count_;
     ++state_.lost;
   }
+  if (unanswered_count_ == 0) busy_since_ = now;
   unanswered_[unanswered_count_++] = now;
   if (!waiting_since_) waiting_since_ = now;
 }
@@ -260,10 +264,12 @@ bool Session::exchange(LinkTime now) noexcept {
     ++state_.lost;
   }
   // A lost answer leaves its place taken, each later answer being counted for the packet before its own. A window that
-  // is full again and again without ever being empty gives that place back.
+  // is full again and again without being empty for so long gives that place back.
   constexpr int kFullTooOften = 4;
-  if (unanswered_count_ == kWindow && ++full_ < kFullTooOften) return false;
-  if (unanswered_count_ == kWindow) full_ = 0;
+  if (unanswered_count_ == kWindow) {
+    if (++full_ < kFullTooOften || now - busy_since_ < settings_.times.lost) return false;
+    full_ = 0;
+  }
   if (state_.phase == Phase::homing) {
     send_frame(kNoTorque, control::kRed, now);
     return true;

@@ -161,6 +161,7 @@ class Session {
   int steady_ = 0;                      // homed answers in a row
   std::array<LinkTime, kWindow> unanswered_{};
   std::size_t unanswered_count_ = 0;
+  LinkTime busy_since_{0};                 // the window was empty last before this
   int full_ = 0;                           // times that the window was full since it was last empty
   std::optional<LinkTime> waiting_since_;  // first packet after the last answer
   LinkTime silent_since_{0};

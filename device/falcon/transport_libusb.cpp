@@ -1,0 +1,460 @@
+#include "device/falcon/transport_libusb.h"
+
+#include <libusb-1.0/libusb.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <map>
+
+#include "device/falcon/wait_for_files.h"
+
+namespace cusp::falcon {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct ContextEnd {
+  void operator()(libusb_context* context) const noexcept { libusb_exit(context); }
+};
+using Context = std::unique_ptr<libusb_context, ContextEnd>;
+
+Result<Context, PortFailure> start_libusb() {
+  libusb_context* context = nullptr;
+  const int error = libusb_init(&context);
+  if (error != 0) return fail(PortError::io, "libusb", libusb_error_name(error));
+  return Context(context);
+}
+
+/// The devices of the bus; unreferenced with the list.
+class DeviceList {
+ public:
+  explicit DeviceList(libusb_context* context) noexcept : count_(libusb_get_device_list(context, &list_)) {}
+  ~DeviceList() {
+    if (list_ != nullptr) libusb_free_device_list(list_, 1);
+  }
+  DeviceList(const DeviceList&) = delete;
+  DeviceList& operator=(const DeviceList&) = delete;
+  std::span<libusb_device* const> all() const noexcept {
+    return {list_, count_ > 0 ? static_cast<std::size_t>(count_) : 0};
+  }
+
+ private:
+  libusb_device** list_ = nullptr;
+  ssize_t count_;
+};
+
+bool is_falcon(libusb_device* device, libusb_device_descriptor& descriptor) noexcept {
+  return libusb_get_device_descriptor(device, &descriptor) == 0 && descriptor.idVendor == kVendor &&
+         descriptor.idProduct == kProduct;
+}
+
+std::string port_of(libusb_device* device) {
+  std::array<std::uint8_t, 7> ports{};  // USB allows seven tiers
+  const int count = libusb_get_port_numbers(device, ports.data(), static_cast<int>(ports.size()));
+  std::string out = std::to_string(libusb_get_bus_number(device));
+  if (count <= 0) return out + "-address" + std::to_string(libusb_get_device_address(device));
+  for (int i = 0; i < count; ++i) {
+    out += (i == 0 ? "-" : ".") + std::to_string(ports[static_cast<std::size_t>(i)]);
+  }
+  return out;
+}
+
+std::string serial_of(libusb_device_handle* handle, const libusb_device_descriptor& descriptor) {
+  if (descriptor.iSerialNumber == 0) return {};
+  std::array<unsigned char, 128> text{};
+  const int size =
+      libusb_get_string_descriptor_ascii(handle, descriptor.iSerialNumber, text.data(), static_cast<int>(text.size()));
+  if (size <= 0) return {};
+  return {reinterpret_cast<const char*>(text.data()), static_cast<std::size_t>(size)};
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+class UsbWatch final : public FalconWatch {
+ public:
+  explicit UsbWatch(Context context) : context_(std::move(context)) {
+    if (libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) == 0) return;
+    hotplug_ = libusb_hotplug_register_callback(
+                   context_.get(), LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT, 0, kVendor,
+                   kProduct, LIBUSB_HOTPLUG_MATCH_ANY, &UsbWatch::told, this, nullptr) == LIBUSB_SUCCESS;
+  }
+
+  std::vector<FalconOnBus> list() override {
+    std::vector<FalconOnBus> out;
+    std::map<std::string, FalconOnBus> known;
+    const DeviceList devices(context_.get());
+    for (libusb_device* device : devices.all()) {
+      libusb_device_descriptor descriptor{};
+      if (!is_falcon(device, descriptor)) continue;
+      const std::string port = port_of(device);
+      const std::string key = port + "/" + std::to_string(libusb_get_device_address(device));
+      const auto before = known_.find(key);
+      const bool again = before != known_.end() && !before->second.denied;
+      out.push_back(again ? before->second : look_at(device, descriptor, port));
+      known[key] = out.back();
+    }
+    known_ = std::move(known);
+    std::sort(out.begin(), out.end(), [](const FalconOnBus& a, const FalconOnBus& b) { return a.port < b.port; });
+    for (FalconOnBus& falcon : out) {
+      const auto same = std::count_if(out.begin(), out.end(), [&falcon](const FalconOnBus& other) {
+        return !falcon.serial.empty() && other.serial == falcon.serial;
+      });
+      falcon.name = same == 1 ? falcon.serial : falcon.port;  // one number on two devices tells nothing
+    }
+    return out;
+  }
+
+  bool changed() noexcept override {
+    if (!hotplug_) return changed_by_list();
+    timeval at_once{0, 0};
+    libusb_handle_events_timeout_completed(context_.get(), &at_once, nullptr);
+    return changed_.exchange(false);
+  }
+
+ private:
+  static int LIBUSB_CALL told(libusb_context*, libusb_device*, libusb_hotplug_event, void* self) {
+    static_cast<UsbWatch*>(self)->changed_ = true;
+    return 0;
+  }
+
+  static FalconOnBus look_at(libusb_device* device, const libusb_device_descriptor& descriptor,
+                             const std::string& port) {
+    FalconOnBus out;
+    out.port = port;
+    libusb_device_handle* handle = nullptr;
+    const int error = libusb_open(device, &handle);
+    out.denied = error == LIBUSB_ERROR_ACCESS;
+    if (error == 0) {
+      out.serial = serial_of(handle, descriptor);
+      libusb_close(handle);
+    }
+    return out;
+  }
+
+  bool changed_by_list() noexcept {
+    std::size_t count = 0, sum = 0;
+    const DeviceList devices(context_.get());
+    for (libusb_device* device : devices.all()) {
+      libusb_device_descriptor descriptor{};
+      if (!is_falcon(device, descriptor)) continue;
+      ++count;
+      sum += std::size_t{libusb_get_bus_number(device)} << 8 | libusb_get_device_address(device);
+    }
+    const bool first = changed_.exchange(false);
+    const bool differs = first || count != count_ || sum != sum_;
+    count_ = count;
+    sum_ = sum;
+    return differs;
+  }
+
+  Context context_;
+  std::map<std::string, FalconOnBus> known_;
+  bool hotplug_ = false;
+  std::atomic<bool> changed_{true};
+  std::size_t count_ = 0, sum_ = 0;
+};
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+class UsbLink final : public FalconLink {
+ public:
+  UsbLink(Context context, std::string wanted) : context_(std::move(context)), wanted_(std::move(wanted)) {}
+  ~UsbLink() override { close(); }
+
+  LinkTime now() const noexcept override { return Clock::now().time_since_epoch(); }
+  std::string name() const override { return name_.empty() ? wanted_ : name_; }
+
+  void start(const LinkAsk& ask) noexcept override {
+    give_back();
+    switch (ask.kind) {
+      case LinkAsk::Kind::open:
+        open();
+        break;
+      case LinkAsk::Kind::close:
+        close();
+        break;
+      case LinkAsk::Kind::control:
+        request(ask.request);
+        break;
+      case LinkAsk::Kind::send:
+        send(ask.payload());
+        break;
+    }
+  }
+
+  LinkEvent wait(LinkTime until) noexcept override {
+    give_back();
+    for (;;) {
+      if (const auto event = next_event()) return *event;
+      const LinkTime left = until - now();
+      if (left > LinkTime(0)) sleep(left);
+      timeval at_once{0, 0};
+      libusb_handle_events_timeout_completed(context_.get(), &at_once, nullptr);
+      if (left <= LinkTime(0)) {
+        if (const auto event = next_event()) return *event;
+        return {};
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kReads = 3, kWrites = 8, kEvents = 32;
+  static constexpr unsigned kRequestMs = 1000;
+
+  struct Slot {
+    UsbLink* link = nullptr;
+    libusb_transfer* transfer = nullptr;
+    bool under_way = false;
+    std::array<unsigned char, kReadBytes> buffer{};
+  };
+  struct Told {
+    LinkEvent::Kind kind = LinkEvent::Kind::time;
+    Slot* read = nullptr;  // of `received`
+  };
+
+  void tell(LinkEvent::Kind kind, Slot* read = nullptr) noexcept {
+    if (told_count_ == kEvents) return;  // each read is told once and each ask answered once: 3 + 8 + 1 at most
+    told_[(told_at_ + told_count_) % kEvents] = {kind, read};
+    ++told_count_;
+  }
+
+  std::optional<LinkEvent> next_event() noexcept {
+    if (told_count_ == 0) return std::nullopt;
+    const Told told = told_[told_at_];
+    told_at_ = (told_at_ + 1) % kEvents;
+    --told_count_;
+    LinkEvent event{.kind = told.kind};
+    if (told.kind == LinkEvent::Kind::received) {
+      given_ = told.read;
+      event.bytes = std::span(told.read->buffer).first(static_cast<std::size_t>(told.read->transfer->actual_length));
+    }
+    return event;
+  }
+
+  /// The read whose bytes the driver has seen goes out again.
+  void give_back() noexcept {
+    Slot* slot = given_;
+    given_ = nullptr;
+    if (slot != nullptr && handle_ != nullptr) submit(*slot);
+  }
+
+  void submit(Slot& slot) noexcept {
+    const int error = libusb_submit_transfer(slot.transfer);
+    slot.under_way = error == 0;
+    if (error == LIBUSB_ERROR_NO_DEVICE) {
+      lose();
+    } else if (error != 0) {
+      tell(LinkEvent::Kind::failed);
+    }
+  }
+
+  void lose() noexcept {
+    if (!lost_) tell(LinkEvent::Kind::gone);
+    lost_ = true;
+  }
+
+  static void LIBUSB_CALL done(libusb_transfer* transfer) noexcept {
+    Slot& slot = *static_cast<Slot*>(transfer->user_data);
+    slot.under_way = false;
+    slot.link->finished(slot);
+  }
+
+  void finished(Slot& slot) noexcept {
+    if (closing_) return;
+    switch (slot.transfer->status) {
+      case LIBUSB_TRANSFER_COMPLETED:
+        if (is_read(slot)) {
+          tell(LinkEvent::Kind::received, &slot);
+        } else if (&slot == &control_) {
+          tell(LinkEvent::Kind::control_done);
+        }
+        break;
+      case LIBUSB_TRANSFER_CANCELLED:
+        break;
+      case LIBUSB_TRANSFER_NO_DEVICE:
+        lose();
+        break;
+      case LIBUSB_TRANSFER_ERROR:
+      case LIBUSB_TRANSFER_TIMED_OUT:
+      case LIBUSB_TRANSFER_STALL:
+      case LIBUSB_TRANSFER_OVERFLOW:
+        tell(LinkEvent::Kind::failed);
+        break;
+    }
+  }
+
+  bool is_read(const Slot& slot) const noexcept { return &slot >= reads_.data() && &slot < reads_.data() + kReads; }
+
+  /// The device that was asked for, opened: or why not.
+  LinkEvent::Kind find() noexcept {
+    const DeviceList devices(context_.get());
+    LinkEvent::Kind outcome = LinkEvent::Kind::absent;
+    for (libusb_device* device : devices.all()) {
+      libusb_device_descriptor descriptor{};
+      if (!is_falcon(device, descriptor)) continue;
+      const std::string port = port_of(device);
+      libusb_device_handle* handle = nullptr;
+      const int error = libusb_open(device, &handle);
+      if (error != 0) {
+        // Which one it is cannot be told without opening it: it may be the one that is wanted.
+        if (error == LIBUSB_ERROR_ACCESS) outcome = LinkEvent::Kind::denied;
+        continue;
+      }
+      const std::string serial = serial_of(handle, descriptor);
+      if (!wanted_.empty() && wanted_ != port && wanted_ != serial) {
+        libusb_close(handle);
+        continue;
+      }
+      libusb_set_auto_detach_kernel_driver(handle, 1);
+      const int claimed = libusb_claim_interface(handle, 0);
+      if (claimed != 0) {
+        libusb_close(handle);
+        outcome = claimed == LIBUSB_ERROR_NO_DEVICE ? LinkEvent::Kind::absent : LinkEvent::Kind::busy;
+        if (!wanted_.empty()) return outcome;
+        continue;  // another program holds the first: the next may be free
+      }
+      handle_ = handle;
+      name_ = serial.empty() ? port : serial;
+      return LinkEvent::Kind::opened;
+    }
+    return outcome;
+  }
+
+  void open() noexcept {
+    close();
+    const LinkEvent::Kind outcome = find();
+    if (outcome != LinkEvent::Kind::opened) return tell(outcome);
+    lost_ = false;
+    bool made = make(control_);
+    for (Slot& slot : reads_) made = made && make(slot);
+    for (Slot& slot : writes_) made = made && make(slot);
+    if (!made) {
+      close();
+      return tell(LinkEvent::Kind::absent);
+    }
+    watch_files();
+    for (Slot& slot : reads_) {
+      libusb_fill_bulk_transfer(slot.transfer, handle_, kInEndpoint, slot.buffer.data(),
+                                static_cast<int>(slot.buffer.size()), &UsbLink::done, &slot, 0);
+    }
+    tell(LinkEvent::Kind::opened);
+    for (Slot& slot : reads_) submit(slot);
+  }
+
+  bool make(Slot& slot) noexcept {
+    slot.link = this;
+    slot.under_way = false;
+    if (slot.transfer == nullptr) slot.transfer = libusb_alloc_transfer(0);
+    return slot.transfer != nullptr;
+  }
+
+  void request(FtdiRequest request) noexcept {
+    if (handle_ == nullptr) return;
+    if (control_.under_way) return tell(LinkEvent::Kind::failed);
+    constexpr std::uint8_t kVendorOut = 0x40;
+    libusb_fill_control_setup(control_.buffer.data(), kVendorOut, request.request, request.value, 0, 0);
+    libusb_fill_control_transfer(control_.transfer, handle_, control_.buffer.data(), &UsbLink::done, &control_,
+                                 kRequestMs);
+    submit(control_);
+  }
+
+  void send(std::span<const std::uint8_t> bytes) noexcept {
+    if (handle_ == nullptr) return;
+    for (Slot& slot : writes_) {
+      if (slot.under_way) continue;
+      std::copy(bytes.begin(), bytes.end(), slot.buffer.begin());
+      libusb_fill_bulk_transfer(slot.transfer, handle_, kOutEndpoint, slot.buffer.data(),
+                                static_cast<int>(bytes.size()), &UsbLink::done, &slot, kRequestMs);
+      return submit(slot);
+    }
+    tell(LinkEvent::Kind::failed);  // eight writes wait: the bridge takes nothing any more
+  }
+
+  void sleep(LinkTime left) noexcept {
+    if (handle_ != nullptr && file_count_ > 0) return wait_for_files(std::span(files_).first(file_count_), left);
+    // Without files to watch (no device, or a system that has none) libusb waits, in whole milliseconds.
+    const auto us =
+        std::chrono::duration_cast<std::chrono::microseconds>(std::min<LinkTime>(left, std::chrono::seconds(1)));
+    timeval time{};
+    time.tv_sec = static_cast<decltype(time.tv_sec)>(us.count() / 1'000'000);
+    time.tv_usec = static_cast<decltype(time.tv_usec)>(us.count() % 1'000'000);
+    libusb_handle_events_timeout_completed(context_.get(), &time, nullptr);
+  }
+
+  void watch_files() noexcept {
+    file_count_ = 0;
+    const libusb_pollfd** files = libusb_get_pollfds(context_.get());
+    if (files == nullptr) return;
+    for (std::size_t i = 0; files[i] != nullptr && file_count_ < files_.size(); ++i) {
+      files_[file_count_++] = {files[i]->fd, files[i]->events};
+    }
+    libusb_free_pollfds(files);
+  }
+
+  template <class F>
+  void each_slot(F&& f) noexcept {
+    f(control_);
+    for (Slot& slot : reads_) f(slot);
+    for (Slot& slot : writes_) f(slot);
+  }
+
+  void close() noexcept {
+    told_count_ = 0;
+    given_ = nullptr;
+    if (handle_ != nullptr) {
+      closing_ = true;
+      each_slot([](Slot& slot) {
+        if (slot.under_way) libusb_cancel_transfer(slot.transfer);
+      });
+      constexpr int kRounds = 50;  // of 10 ms: what does not come back by then is cut off by closing the handle
+      for (int round = 0; round < kRounds; ++round) {
+        bool waiting = false;
+        each_slot([&waiting](Slot& slot) { waiting = waiting || slot.under_way; });
+        if (!waiting) break;
+        timeval ten_ms{0, 10'000};
+        libusb_handle_events_timeout_completed(context_.get(), &ten_ms, nullptr);
+      }
+      libusb_release_interface(handle_, 0);  // gives a kernel driver that was detached its device back
+      libusb_close(handle_);
+      handle_ = nullptr;
+      closing_ = false;
+    }
+    each_slot([](Slot& slot) {
+      if (slot.transfer != nullptr) libusb_free_transfer(slot.transfer);
+      slot.transfer = nullptr;
+      slot.under_way = false;
+    });
+    file_count_ = 0;
+  }
+
+  Context context_;
+  std::string wanted_, name_;
+  libusb_device_handle* handle_ = nullptr;
+  bool lost_ = false, closing_ = false;
+  Slot control_;
+  std::array<Slot, kReads> reads_{};
+  std::array<Slot, kWrites> writes_{};
+  Slot* given_ = nullptr;
+  std::array<Told, kEvents> told_{};
+  std::size_t told_at_ = 0, told_count_ = 0;
+  std::array<WatchedFile, 16> files_{};
+  std::size_t file_count_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<FalconWatch>, PortFailure> watch_usb_falcons() {
+  auto context = start_libusb();
+  if (!context) return std::unexpected(std::move(context.error()));
+  return std::make_unique<UsbWatch>(std::move(*context));
+}
+
+Result<std::unique_ptr<FalconLink>, PortFailure> make_usb_link(std::string name) {
+  auto context = start_libusb();
+  if (!context) return std::unexpected(std::move(context.error()));
+  return std::make_unique<UsbLink>(std::move(*context), std::move(name));
+}
+
+}  // namespace cusp::falcon

@@ -1,0 +1,17 @@
+/// Waits for files to become ready with the system's own resolution: libusb rounds a wait up to whole milliseconds.
+#pragma once
+
+#include <chrono>
+#include <span>
+
+namespace cusp::falcon {
+
+struct WatchedFile {
+  int descriptor = -1;
+  short events = 0;  // as libusb tells them
+};
+
+/// Returns when one is ready or the time is over; at most 16 files are watched.
+void wait_for_files(std::span<const WatchedFile> files, std::chrono::nanoseconds at_most) noexcept;
+
+}  // namespace cusp::falcon
