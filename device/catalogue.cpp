@@ -5,8 +5,10 @@
 namespace cusp {
 namespace {
 
-constexpr std::array<DeviceKind, 2> kKinds = {{
+constexpr std::array<DeviceKind, 4> kKinds = {{
     {.key = "pointer", .device_class = "pointer"},
+    {.key = "falcon", .device_class = "falcon"},
+    {.key = "emulated-falcon", .device_class = "emulated-falcon", .offered = false},
     {.key = "scripted", .device_class = "scripted", .needs_file = true, .offered = false},
 }};
 

@@ -7,7 +7,7 @@
 namespace cusp {
 
 struct DeviceKind {
-  std::string_view key;           // "pointer", "scripted": of settings and of the command line
+  std::string_view key;           // "pointer", "falcon", "emulated-falcon", "scripted": of settings and command line
   std::string_view device_class;  // of statistics; never mixed
   bool needs_file = false;        // must be told what to play
   bool offered = true;            // in the list that a student sees

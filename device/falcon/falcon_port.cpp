@@ -11,6 +11,7 @@ using falcon::LinkTime;
 using falcon::Phase;
 using falcon::Trouble;
 
+constexpr double kCoarsestMmPerTick = 0.057;  // across the axis at z 0.150; published figures, tests hold them
 constexpr LinkTime kPeriod = std::chrono::milliseconds(1);
 // Tried over ways of 50 to 1000 us with up to 500 us of jitter: 982 samples a second on average, 928 with a pace that
 // never begins anew and repeats at once.
@@ -207,8 +208,12 @@ DeviceLimits FalconPort::limits() const {
   limits.name = settings_.name;
   limits.device_class = settings_.device_class;
   limits.max_force_n = settings_.max_force_n;
-  limits.max_stiffness_n_per_mm = settings_.max_stiffness_n_per_mm;
+  limits.max_stiffness_n_per_mm = settings_.max_stiffness_n_per_mm / workspace_.scale();
   limits.has_own_clock = true;
+  limits.closed_loop = settings_.closed_loop;
+  if (settings_.damping_ns_per_m) limits.damping_ns_per_m = *settings_.damping_ns_per_m / workspace_.scale();
+  limits.delay_ms = settings_.delay_ms;
+  limits.encoder_mm = kCoarsestMmPerTick * workspace_.scale();
   return limits;
 }
 

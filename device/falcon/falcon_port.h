@@ -39,6 +39,9 @@ struct FalconSettings {
   std::string device_class = "falcon";
   double max_force_n = 4.4;             // in any direction, anywhere within 40 mm of the axis and z 0.080 to 0.170 m
   double max_stiffness_n_per_mm = 3.0;  // [M] CHAI3D's figure for a Falcon; a self-test may say less
+  bool closed_loop = true;
+  std::optional<double> damping_ns_per_m;  // of the device at the grip; known of no Falcon until it is measured [M]
+  std::optional<double> delay_ms;          // from motion to force, there and back; likewise [M]
 };
 
 /// What a screen may want to know; plain values.
@@ -69,6 +72,7 @@ class FalconPort final : public HapticPort {
   /// Returns by `deadline`, and within 20 ms whatever that is. Looks for a lost device twice a second by itself.
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
   void write(const Feedback& feedback) noexcept override;
+  /// Stiffness and damping as the specimen's frame sees them: with a scale under 1 more of both.
   DeviceLimits limits() const override;
   void close() noexcept override;
 

@@ -35,6 +35,10 @@ Vec3 Workspace::device_n(Vec3 n) const noexcept {
   return {x, n.z, -y};
 }
 
+Vec3 Workspace::grip_m(Vec3 specimen_mm) const noexcept {
+  return settings_.centre_m + device_n(specimen_mm - settings_.origin_mm) / (kMmPerM * settings_.scale);
+}
+
 void Workspace::hold(Vec3 grip_m) noexcept {
   if (held_) return;
   held_mm_ = specimen_mm(grip_m);

@@ -19,12 +19,15 @@ struct WorkspaceSettings {
 
 class Workspace {
  public:
-  static constexpr double kMinScale = 0.05, kMaxScale = 2.0;
+  static constexpr double kMinScale = 0.05;
+  static constexpr double kMaxScale = 1.0;  // beyond it a tissue would feel stiffer to the hand than the scene says
 
   /// Nothing when a number is not finite or the scale is out of range.
   static std::optional<Workspace> from(const WorkspaceSettings& settings) noexcept;
 
   Vec3 specimen_mm(Vec3 grip_m) const noexcept;
+  /// Where the grip is to be for that place; of no meaning while the clutch is held.
+  Vec3 grip_m(Vec3 specimen_mm) const noexcept;
   /// Newtons stay newtons: with a scale under 1 a tissue of stiffness K feels K * scale to the hand.
   Vec3 device_n(Vec3 specimen_n) const noexcept;
 
@@ -33,6 +36,7 @@ class Workspace {
   void hold(Vec3 grip_m) noexcept;
   void release(Vec3 grip_m) noexcept;
   bool held() const noexcept { return held_; }
+  double scale() const noexcept { return settings_.scale; }
 
  private:
   explicit Workspace(const WorkspaceSettings& settings) noexcept;

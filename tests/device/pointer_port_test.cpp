@@ -183,7 +183,11 @@ TEST(Catalogue, OffersTheMouseFirstAndKnowsItsKeys) {
   EXPECT_EQ(device_kinds().front().key, "pointer");
   ASSERT_NE(device_kind("scripted"), nullptr);
   EXPECT_TRUE(device_kind("scripted")->needs_file);
-  EXPECT_EQ(device_kind("falcon"), nullptr);
+  ASSERT_NE(device_kind("falcon"), nullptr);
+  EXPECT_TRUE(device_kind("falcon")->offered);
+  ASSERT_NE(device_kind("emulated-falcon"), nullptr);
+  EXPECT_NE(device_kind("emulated-falcon")->device_class, device_kind("falcon")->device_class);  // never mixed
+  EXPECT_EQ(device_kind("trackball"), nullptr);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ TEST(FalconWorkspace, a_push_does_the_same_work_on_both_sides) {
     // Work in the specimen is the device's times 1000 mm/m and the scale.
     EXPECT_NEAR(glm::dot(force, moved), glm::dot(space->device_n(force), step) * 500, 1e-9);
     EXPECT_NEAR(glm::length(space->device_n(force)), glm::length(force), 1e-12);
+    EXPECT_LT(glm::length(space->grip_m(space->specimen_mm(at)) - at), 1e-15);
   }
 }
 
@@ -50,7 +51,7 @@ TEST(FalconWorkspace, refuses_numbers_that_are_none) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(Workspace::from({.scale = 0.0}));
   EXPECT_FALSE(Workspace::from({.scale = -1.0}));
-  EXPECT_FALSE(Workspace::from({.scale = 50.0}));
+  EXPECT_FALSE(Workspace::from({.scale = 1.5}));
   EXPECT_FALSE(Workspace::from({.scale = kNan}));
   EXPECT_FALSE(Workspace::from({.centre_m = Vec3(kNan)}));
   EXPECT_FALSE(Workspace::from({.yaw_rad = kNan}));
