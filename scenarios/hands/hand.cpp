@@ -7,6 +7,7 @@ namespace cusp {
 
 namespace {
 constexpr double kEasePerS = 8.0;       // speed towards a stroke's end, for each mm left
+constexpr double kSlippedWanders = 2.0;  // this far off the line the foot leaves the pedal until the burr is back
 constexpr double kLeastSpeedMmS = 0.05; // but no less
 constexpr double kProgressMm = 0.02;    // less than this in the hand's patience is none
 constexpr double kTravelArriveMm = 0.1;
@@ -111,6 +112,13 @@ bool Hand::arrived(Vec3 proxy) const noexcept {
   return carried_on() > 0.0 && left <= style_.wander_mm && glm::dot(to_end, now.to_mm - from_mm_) <= 0.0;
 }
 
+bool Hand::slipped(Vec3 proxy) const noexcept {
+  const Vec3 whole = plan_.strokes[stroke_].to_mm - from_mm_;
+  const double square = glm::dot(whole, whole);
+  const double done = square > 1e-12 ? std::clamp(glm::dot(proxy - from_mm_, whole) / square, 0.0, 1.0) : 0.0;
+  return glm::length(from_mm_ + done * whole - proxy) > kSlippedWanders * style_.wander_mm;
+}
+
 Sample Hand::next(const StepOutput& last, double dt_s) {
   clock_s_ += dt_s;
   Vec3 goal = muscles_.position_mm();
@@ -132,7 +140,7 @@ Sample Hand::next(const StepOutput& last, double dt_s) {
   Sample sample;
   sample.status = Sample::Status::fresh;
   sample.position_mm = muscles_.advance(goal, last.force_n, dt_s);
-  sample.buttons = !done() && plan_.strokes[stroke_].cut ? StepInput::kCut : std::uint16_t{0};
+  sample.buttons = !done() && plan_.strokes[stroke_].cut && !slipped(last.proxy_mm) ? StepInput::kCut : std::uint16_t{0};
   sample.burr = plan_.burr;
   return sample;
 }

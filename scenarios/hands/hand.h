@@ -48,6 +48,8 @@ class Hand {
   const TissueFeel& feel(double stiffness_n_per_mm) const noexcept;
   Vec3 wanted(const StepOutput& last, double dt_s) noexcept;
   bool arrived(Vec3 proxy) const noexcept;
+  /// The burr has climbed out of its line.
+  bool slipped(Vec3 proxy) const noexcept;
   /// Share of this stroke's speed that the next one goes on with: 1 straight on, 0 round a corner.
   double carried_on() const noexcept;
 

@@ -224,12 +224,15 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
     const int layers = std::max(1, static_cast<int>(std::ceil((top - floor) / (errors.bolder * layer_radii * r))));
     for (int layer = 1; layer <= layers; ++layer) {
       const double z = layer == layers ? floor : top - (top - floor) * layer / layers;
-      for (const Line& line : lines) {
-        const Vec3 here = plan.strokes.back().to_mm;
-        const Line way = from_nearest(line, {here.x, here.y});
-        if (here.z > z) go({here.x, here.y}, z, true);
-        for (const Vec2& p : way) go(p, z, true);
-      }
+      // The floor is gone over twice: what the first time was left standing where the burr slipped or was held off.
+      const int times = layer == layers && reading_of(scenario.method) == Reading::banded ? 2 : 1;
+      for (int time = 0; time < times; ++time)
+        for (const Line& line : lines) {
+          const Vec3 here = plan.strokes.back().to_mm;
+          const Line way = from_nearest(line, {here.x, here.y});
+          if (here.z > z) go({here.x, here.y}, z, true);
+          for (const Vec2& p : way) go(p, z, true);
+        }
     }
     const Vec3 last = plan.strokes.back().to_mm;
     go({last.x, last.y}, above, false);
