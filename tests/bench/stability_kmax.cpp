@@ -20,6 +20,7 @@ constexpr double kReadyMm = 0.02;  // a tick, on the last bit of the way there
 constexpr double kLostMm = 10.0;   // off the touch, besides the press's own depth: the device has left the place
 constexpr double kRestMm = 1e-12;  // rounding in a solver that starts where it ended
 constexpr double kAsideMm = 1.0;   // of where the press holds it: more than friction lets a soft grip miss it by
+constexpr int kRampTicks = 300;    // longer than GuardSettings::ramp_in_ms
 constexpr int kMostApproachTicks = 200;
 constexpr int kConfirmPlaces = 10;  // of the grid: 20 %
 constexpr int kConfirmStride = 8;   // below those
@@ -275,6 +276,8 @@ PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare)
     state = inner_->state.get();
     bring(*state, inner_->stepper, inner_->place->shape(), start - press.approach * 2.0);
     lead(*state, inner_->stepper, start, kReadyMm);
+    // A guard lets the force in slowly after a start: that is over before the touch.
+    for (int t = 0; what.guard && t < kRampTicks; ++t) step(*state, input_at(start));
   }
   Truth& exact = *inner_->exact;
   const bool follow = !state || compare;
