@@ -19,7 +19,7 @@ Vec3 nearest_on(const CutMemory::Segment& s, Vec3 y) noexcept {
 }
 }  // namespace
 
-CutMemory::CutMemory() : segments_(kSegments), nodes_(kNodes), heads_(kBuckets, -1) {}
+CutMemory::CutMemory() : segments_(kSegments), blocks_(kSegments / kBlock), nodes_(kNodes), heads_(kBuckets, -1) {}
 
 std::size_t CutMemory::bucket(IVec3 c) noexcept {
   const auto h = static_cast<std::uint32_t>(c.x) * 73856093u ^ static_cast<std::uint32_t>(c.y) * 19349663u ^
@@ -45,8 +45,56 @@ void CutMemory::link(std::int32_t index) noexcept {
 
 void CutMemory::rebuild() noexcept {
   std::fill(heads_.begin(), heads_.end(), -1);
+  std::fill(blocks_.begin(), blocks_.end(), Block{});
   nodes_used_ = 0;
-  for (std::size_t i = 0; i < count_; ++i) link(static_cast<std::int32_t>(i));
+  for (std::size_t i = 0; i < count_; ++i) {
+    link(static_cast<std::int32_t>(i));
+    enclose(i);
+  }
+}
+
+void CutMemory::enclose(std::size_t i) noexcept {
+  const Segment& s = segments_[i];
+  Block& block = blocks_[i / kBlock];
+  block.low = glm::min(block.low, glm::min(s.a, s.b) - s.radius_mm);
+  block.high = glm::max(block.high, glm::max(s.a, s.b) + s.radius_mm);
+}
+
+int CutMemory::reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment> out) const noexcept {
+  const auto apart = [&](Vec3 a, Vec3 b) {
+    for (int i = 0; i < 3; ++i)
+      if (a[i] > high[i] + reach_mm || b[i] < low[i] - reach_mm) return true;
+    return false;
+  };
+  const Vec3 middle = 0.5 * (low + high);
+  const Vec3 half = 0.5 * (high - low);
+  const double around = std::sqrt(glm::dot(half, half)) + reach_mm;
+  std::size_t found = 0, last = 0;
+  for (std::size_t block = 0; block * kBlock < count_; ++block) {
+    if (apart(blocks_[block].low, blocks_[block].high)) continue;
+    const std::size_t end = std::min(count_, (block + 1) * kBlock);
+    for (std::size_t i = block * kBlock; i < end; ++i) {
+      const Segment& s = segments_[i];
+      if (apart(glm::min(s.a, s.b) - s.radius_mm, glm::max(s.a, s.b) + s.radius_mm)) continue;
+      const Vec3 off = nearest_on(s, middle) - middle;
+      const double far = s.radius_mm + around;
+      if (glm::dot(off, off) > far * far) continue;
+      if (found > 0 && i == last + 1) {
+        Segment& before = out[found - 1];
+        const Segment joined{before.a, s.b, s.radius_mm};
+        const Vec3 gap = s.a - before.b, bent = nearest_on(joined, s.a) - s.a;
+        if (before.radius_mm == s.radius_mm && glm::dot(gap, gap) < 1e-18 && glm::dot(bent, bent) < kStraightMm * kStraightMm) {
+          before.b = s.b;
+          last = i;
+          continue;
+        }
+      }
+      if (found == out.size()) return -1;
+      out[found++] = s;
+      last = i;
+    }
+  }
+  return static_cast<int>(found);
 }
 
 bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
@@ -66,6 +114,7 @@ bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
       const Vec3 off = nearest_on(longer, last.b) - last.b;
       if (glm::dot(along, along) <= kLongestMm * kLongestMm && glm::dot(off, off) < kStraightMm * kStraightMm) {
         last.b = to;
+        enclose(count_ - 1);
         link(static_cast<std::int32_t>(count_ - 1));
         return true;
       }
@@ -73,6 +122,8 @@ bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
   }
   segments_[count_] = {from, to, radius_mm};
   link(static_cast<std::int32_t>(count_));
+  if (count_ % kBlock == 0) blocks_[count_ / kBlock] = Block{};
+  enclose(count_);
   ++count_;
   open_ = true;
   return false;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/base/vec.h"
@@ -34,6 +35,10 @@ class CutMemory {
     Vec3 a{0.0}, b{0.0};
     double radius_mm = 0.0;
   };
+  /// Segments whose swept ball's surface comes within reach_mm of a box, oldest first, those that go straight on joined;
+  /// -1 when `out` has no room for them.
+  int reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment> out) const noexcept;
+
   /// For saving and hashing: oldest first. load() replaces all.
   std::size_t size() const noexcept { return count_; }
   const Segment& segment(std::size_t i) const noexcept { return segments_[i]; }
@@ -51,11 +56,18 @@ class CutMemory {
   static constexpr std::size_t kBuckets = 16384;
   static constexpr double kCellMm = 0.15;
 
+  /// Box about the swept balls of kBlock segments, in order.
+  static constexpr std::size_t kBlock = 64;
+  struct Block {
+    Vec3 low{1e300}, high{-1e300};
+  };
+  void enclose(std::size_t segment) noexcept;
   void link(std::int32_t segment) noexcept;
   void rebuild() noexcept;
   static std::size_t bucket(IVec3 cell) noexcept;
 
   std::vector<Segment> segments_;
+  std::vector<Block> blocks_;
   std::vector<Node> nodes_;
   std::vector<std::int32_t> heads_;
   std::size_t count_ = 0;

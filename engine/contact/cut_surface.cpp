@@ -29,14 +29,44 @@ void base_feature(const BaseSurface& surface, const BasePoints& points, int i, d
   if (!normal.edge() && !normal.beside_edge()) return;
   const BaseSurface::Sharp& sharp = surface.sharp(points, i);
   out.other_normal = sharp.vector;
-  out.near_other = normal.beside_edge();
-  out.other_d_mm = static_cast<float>(sharp.other_d * voxel_mm);
+  if (normal.edge()) {
+    out.third_d_mm = static_cast<float>(StrokeCells::kHalfEdge * voxel_mm);
+    out.other_d_mm = -out.third_d_mm;
+  } else {
+    out.others = 1;
+    out.other_d_mm = static_cast<float>(sharp.other_d * voxel_mm);
+  }
 }
 
-CutSurface::CutSurface(const Volume& volume)
+namespace {
+/// Another surface ends the plane of a point: of more than two, the nearest two.
+void add_beside(CutFeature& point, double d_mm, Vec3f normal) noexcept {
+  const auto d = static_cast<float>(d_mm);
+  if (point.others == 0 || (point.others == 2 && point.other_d_mm <= point.third_d_mm && d > point.other_d_mm)) {
+    point.other_d_mm = d;
+    point.other_normal = normal;
+    point.others = point.others == 0 ? 1 : 2;
+  } else if (point.others == 1 || d > point.third_d_mm) {
+    point.third_d_mm = d;
+    point.third_normal = normal;
+    point.others = 2;
+  }
+}
+
+/// The tissue at a place of a cell (voxels), else of one of its corners.
+Tissue tissue_under(const Volume& volume, IVec3 cell, Vec3 place) noexcept {
+  Tissue tissue = volume.tissue(cell_of_voxels(Vec3(cell) + place + 0.5));
+  for (int i = 0; i < 8 && tissue == Tissue::empty; ++i)
+    tissue = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
+  return tissue;
+}
+}  // namespace
+
+CutSurface::CutSurface(const Volume& volume, const CutMemory* strokes)
     : slots_(volume.cut_capacity()),
       made_(kMostFeatures),
       merged_(kMostFeatures),
+      strokes_(strokes),
       kept_pages_(std::min(kPages, volume.cut_capacity() * 8)) {
   pages_.resize(kept_pages_ + kMostFeatures / kPage);
   free_.reserve(kept_pages_);
@@ -140,6 +170,7 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
   made_count_ = old;
 
   // The cells that are not, in cell order.
+  if (strokes_ != nullptr) stroke_cells_.turn_to(*strokes_, volume.grid(), corner);
   bool decoded = false;
   const BasePoints points = volume.specimen().surface().in(brick);
   int next_point = 0;
@@ -151,7 +182,7 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
       if (next_point < points.count && points.normal[next_point].cell() == o) {
         if (!decoded) decode(volume, at);
         decoded = true;
-        make_base(volume, points, next_point);
+        if (make_base(volume, points, next_point)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
       }
       if (values[o] < kLeast || values[o] > kMost) continue;
       if (!decoded) decode(volume, at);
@@ -196,7 +227,7 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
     for (std::uint64_t& word : slot.stale) word = ~std::uint64_t{0};
 }
 
-void CutSurface::make_base(const Volume& volume, const BasePoints& points, int i) noexcept {
+bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i) noexcept {
   const int o = points.normal[i].cell();
   const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
   const Vec3f place(points.x[i], points.y[i], points.z[i]);
@@ -208,15 +239,45 @@ void CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   cut.load(&samples_[local.x + kSide * (local.y + kSide * local.z)], kSide, kSide * kSide);
   Vec3 g;
   const double d = cut.eval(Vec3(place) - Vec3(local), g);
-  if (d > 0.0) return;  // the cut has taken it
-  const double length = std::sqrt(glm::dot(g, g));
-  const bool nearer = !made.feature.near_other || d * volume.grid().voxel_mm / length > made.feature.other_d_mm;
-  if (d > -2.5 && length > 0.25 && !made.feature.edge && nearer) {
-    made.feature.near_other = true;
-    made.feature.other_d_mm = static_cast<float>(d * volume.grid().voxel_mm / length);
-    made.feature.other_normal = Vec3f(g / length);
+  if (sharp_ && cut.crease_near() && !made.feature.edge && strokes_ != nullptr && stroke_cells_.explain(local, cut, 2)) {
+    // More than one cut may end it here.
+    Beside beside[2];
+    int count = 0;
+    if (!stroke_cells_.beside(Vec3(place) - Vec3(local), Vec3(made.feature.normal), beside, count)) return true;
+    for (int k = 0; k < count; ++k) add_beside(made.feature, beside[k].d * volume.grid().voxel_mm, Vec3f(beside[k].normal));
+    ++made_count_;
+    return true;
   }
+  if (d > 0.0) return cut.crease_near();  // the cut has taken it
+  const double length = std::sqrt(glm::dot(g, g));
+  if (d > -2.5 && length > 0.25 && !made.feature.edge)
+    add_beside(made.feature, d * volume.grid().voxel_mm / length, Vec3f(g / length));
   ++made_count_;
+  return cut.crease_near();
+}
+
+void CutSurface::make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept {
+  const double voxel = volume.grid().voxel_mm;
+  const Vec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
+  for (const StrokeFeature& f : stroke_cells_.features(base)) {
+    if (made_count_ == made_.size()) return;
+    Made& made = made_[made_count_++];
+    made = Made{};
+    made.at = Vec3f(local + f.at);
+    made.feature.normal = Vec3f(f.normal);
+    made.feature.cell = static_cast<std::uint16_t>(offset);
+    made.feature.tissue = tissue_under(volume, cell, f.edge ? f.at : f.at - 0.5 * f.normal);
+    if (f.edge) {
+      made.feature.edge = true;
+      made.feature.other_normal = Vec3f(f.bend);
+      made.feature.third_normal = Vec3f(f.twist);
+      made.feature.fourth = Vec3f(f.fourth);
+      made.feature.other_d_mm = static_cast<float>(f.from * voxel);
+      made.feature.third_d_mm = static_cast<float>(f.to * voxel);
+    } else {
+      for (int k = 0; k < f.besides; ++k) add_beside(made.feature, f.beside[k].d * voxel, Vec3f(f.beside[k].normal));
+    }
+  }
 }
 
 bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexcept {
@@ -228,9 +289,11 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   bool crossed = false;
   for (int i = 1; i < 8; ++i)
     crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
-  if (!crossed) return false;
+  // A thin ridge may pass between corners that are all in the void.
+  if (!crossed && !(sharp_ && inside && strokes_ != nullptr)) return false;
   CellField cut;
   cut.load(low, kSide, kSide * kSide);
+  if (!crossed && !cut.crease_near()) return false;
   // Deep in the specimen its own surface is further than 2.5 voxels: nothing of it to keep.
   const Specimen& specimen = volume.specimen();
   bool deep = true;
@@ -238,23 +301,26 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   CellField base;
   if (!deep) base.load(volume, Field::base, cell);
   const double voxel = volume.grid().voxel_mm;
-  const auto tissue_at = [&](Vec3 under) {
-    Tissue tissue = volume.tissue(cell_of_voxels(under + 0.5));
-    for (int i = 0; i < 8 && tissue == Tissue::empty; ++i)
-      tissue = volume.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
-    return tissue;
-  };
+  const bool mouth = !deep && base.crossed();  // the cut meets the specimen's own surface
   const auto add_edge = [&](const SharpEdge& edge) {
     Made& made = made_[made_count_++];
     made = Made{};
     made.at = Vec3f(Vec3(local) + edge.at);
     made.feature.normal = Vec3f(edge.tangent);
     made.feature.other_normal = Vec3f(edge.bend);
+    made.feature.third_normal = Vec3f(edge.twist);
     made.feature.edge = true;
+    made.feature.third_d_mm = static_cast<float>(StrokeCells::kHalfEdge * voxel);
+    made.feature.other_d_mm = -made.feature.third_d_mm;
     made.feature.cell = static_cast<std::uint16_t>(offset);
-    made.feature.tissue = tissue_at(Vec3(cell) + edge.at);
+    made.feature.tissue = tissue_under(volume, cell, edge.at);
   };
   // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
+  if (sharp_ && strokes_ != nullptr && stroke_cells_.explain(local, cut, mouth ? 1 : 2)) {
+    make_from_strokes(volume, cell, offset, deep ? nullptr : &base);
+    return true;
+  }
+  if (!crossed) return true;
   Vec3 f, n;
   SharpEdge edge;
   const Creased crease = creased(cut, sharp_ ? kMostOff : 0.0, [&](IVec3 o, CellField& to) {
@@ -277,10 +343,8 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
       made.at = Vec3f(Vec3(local) + crease.point);
       made.feature.normal = Vec3f(crease.normal);
       made.feature.cell = static_cast<std::uint16_t>(offset);
-      made.feature.tissue = tissue_at(Vec3(cell) + crease.point - 0.5 * crease.normal);
-      made.feature.near_other = true;
-      made.feature.other_d_mm = static_cast<float>(crease.other_d * voxel);
-      made.feature.other_normal = Vec3f(crease.other_normal);
+      made.feature.tissue = tissue_under(volume, cell, crease.point - 0.5 * crease.normal);
+      add_beside(made.feature, crease.other_d * voxel, Vec3f(crease.other_normal));
     }
   } else if (cell_point(cut, f, n)) {
     Vec3 g(0.0);
@@ -291,21 +355,16 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
       made.at = Vec3f(Vec3(local) + f);
       made.feature.normal = Vec3f(n);
       made.feature.cell = static_cast<std::uint16_t>(offset);
-      made.feature.tissue = tissue_at(Vec3(cell) + f - 0.5 * n);
+      made.feature.tissue = tissue_under(volume, cell, f - 0.5 * n);
       const double length = std::sqrt(glm::dot(g, g));
-      if (other > -2.5 && length > 0.25) {
-        made.feature.near_other = true;
-        made.feature.other_d_mm = static_cast<float>(other * voxel / length);
-        made.feature.other_normal = Vec3f(g / length);
-      }
+      if (other > -2.5 && length > 0.25) add_beside(made.feature, other * voxel / length, Vec3f(g / length));
     }
   }
-  // The mouth, where the cut meets the specimen's own surface.
-  if (deep || !base.crossed()) return crease.looked;
+  if (!mouth) return crease.looked;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))
     add_edge(edge);
-  return crease.looked;
+  return true;
 }
 
 }  // namespace cusp

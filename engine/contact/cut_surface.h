@@ -1,12 +1,13 @@
 /// The surface of a brick that a burr has reached, as points and edges in cell order: what is left of the specimen's own
-/// points, the cut's points, and the edges where both meet. Computed when contact asks for a brick, kept until a voxel
-/// that it was read from changes. What it answers depends on the volume and on sharpen() alone, so that an incremental
-/// answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features. Thread: haptic.
+/// points, the cut's points, and the edges where surfaces meet. Computed when contact asks for a brick, kept until a voxel
+/// that it was read from changes. What it answers depends on the volume, the strokes that made it and sharpen() alone, so
+/// that an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features. Thread: haptic.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "engine/contact/stroke_cells.h"
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
@@ -14,13 +15,16 @@ namespace cusp {
 
 struct CutFeature {
   Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
-  Vec3f other_normal{0.0f};     // of the other field near a point; an edge's bend, per voxel
-  float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside
+  Vec3f other_normal{0.0f};     // of the nearest other surface; an edge's bend, per voxel
+  Vec3f third_normal{0.0f};     // of the next; an edge's twist, per voxel squared
+  Vec3f fourth{0.0f};           // of an edge, per voxel cubed
+  float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside; where an edge's piece begins
+  float third_d_mm = 0.0f;      // to the next; where an edge's piece ends
   std::uint16_t cell = 0;       // brick_offset of the cell's lower corner
   Field field = Field::cut;     // which surface it lies on
   Tissue tissue = Tissue::empty;
   bool edge = false;
-  bool near_other = false;
+  std::uint8_t others = 0;      // surfaces near the point
 };
 
 /// What the specimen's own surface has at place i of a brick's points.
@@ -37,12 +41,13 @@ class CutSurface {
     std::int32_t next = -1;
   };
 
-  explicit CutSurface(const Volume& volume);
+  /// strokes: what has been cut, complete whenever sharpen() is on; or nullptr. Outlives this.
+  CutSurface(const Volume& volume, const CutMemory* strokes);
 
   /// Voxels low..high (inclusive) of the cut field have changed.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
-  /// Whether ridges between cuts are found to their edge (dear), or rounded as the field has them.
+  /// Whether ridges between cuts are found to their edge, or rounded as the field has them (while the burr cuts).
   void sharpen(const Volume& volume, bool on) noexcept;
 
   /// First page of a brick's features, brought up to date; -1 when it has none. Valid until the next call.
@@ -73,13 +78,17 @@ class CutSurface {
   void decode(const Volume& volume, IVec3 brick) noexcept;
   /// True when the cell is creased.
   bool make_cell(const Volume& volume, IVec3 corner, int offset) noexcept;
-  void make_base(const Volume& volume, const BasePoints& points, int i) noexcept;
+  /// True when the cell is creased.
+  bool make_base(const Volume& volume, const BasePoints& points, int i) noexcept;
+  void make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept;
 
   std::vector<Slot> slots_;
   std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
   std::vector<std::int32_t> free_;
   std::vector<Made> made_;    // of the brick being refreshed
   std::vector<Made> merged_;
+  const CutMemory* strokes_;
+  StrokeCells stroke_cells_;
   bool sharp_ = true;
   std::size_t made_count_ = 0;
   std::size_t kept_pages_ = 0;

@@ -53,12 +53,14 @@ class PlaneSet {
   double slack(std::size_t i, Vec3 y) const noexcept { return nx_[i] * y.x + ny_[i] * y.y + nz_[i] * y.z - c_[i]; }
   /// Index of the plane that y violates most, by more than tolerance; the lowest of equals; -1 when none.
   int worst(Vec3 y, double tolerance_mm) const noexcept;
-  /// c of planes from..to - 1 lowered to what each of the places satisfies with slack_mm to spare; calls relaxed(i) for those.
-  template <class Relaxed>
-  void recede_to(std::span<const Vec3> places, double slack_mm, std::size_t from, std::size_t to,
+  /// c of planes from..to - 1 lowered to what each of the places satisfies with slack_mm to spare; calls relaxed(i)
+  /// for those. May(i): whether a plane may be.
+  template <class May, class Relaxed>
+  void recede_to(std::span<const Vec3> places, double slack_mm, std::size_t from, std::size_t to, May&& may,
                  Relaxed&& relaxed) noexcept {
     if (places.empty()) return;
     for (std::size_t i = from; i < to; ++i) {
+      if (!may(i)) continue;
       double least = c_[i];
       for (const Vec3& p : places) {
         const double reached = nx_[i] * p.x + ny_[i] * p.y + nz_[i] * p.z - slack_mm;

@@ -20,8 +20,9 @@ constexpr double kTogether = 2e-3;          // mm: slack that a polished pose ma
 constexpr double kMemorySlack = 5e-4;       // mm
 constexpr double kPredicted = 0.35;         // of a step: how far a burr may be from where its device's move takes it
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has arrived
+constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge
 constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
-constexpr double kLongestLeap = 4.0;        // of the last pass's move
+constexpr double kLongestLeap = 10.0;       // of the last pass's move
 constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less has arrived
 
 /// Crossing cells within reach of the widest burr: the ball's own area twice over (two fields), and the shank's.
@@ -38,8 +39,9 @@ std::size_t candidate_room(const Scene& scene) {
 
 }  // namespace
 
-SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume)
+SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory)
     : voxel_mm_(scene.specimen->grid().voxel_mm),
+      memory_(memory),
       candidates_(candidate_room(scene)),
       sources_(candidates_.size()),
       place_x_(candidates_.size() + 7),
@@ -47,7 +49,7 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume)
       place_z_(candidates_.size() + 7),
       planes_(candidates_.size()),
       origins_(candidates_.size()),
-      cut_(volume) {
+      cut_(volume, memory) {
   const Specimen& specimen = volume.specimen();
   const IVec3 n = specimen.brick_count();
   boxes_.resize(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
@@ -79,6 +81,60 @@ void SurfaceContact::forget() noexcept {
   fields_.forget_cut();
   gathered_.valid = free_.valid = false;
   free_pause_ = 0;
+}
+
+/// The nearest place of an edge's piece. `off`: from the edge's middle to a place; then from that nearest place to it.
+/// along, curved: the curve's derivative there, and half the second derivative of the squared distance along it. False at
+/// the piece's end.
+bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, Vec3& off, Vec3& along, double& curved) noexcept {
+  const Vec3 d = off;
+  const Vec3 tangent(edge.normal);
+  const Vec3 bend = Vec3(edge.other_normal) / voxel_mm;
+  const Vec3 twist = Vec3(edge.third_normal) / (voxel_mm * voxel_mm);
+  const Vec3 fourth = Vec3(edge.fourth) / (voxel_mm * voxel_mm * voxel_mm);
+  const double from = edge.other_d_mm, to = edge.third_d_mm;
+  const auto look = [&](double t) {
+    off = d - t * (tangent + t * (bend + t * (twist + t * fourth)));
+    along = tangent + t * (2.0 * bend + t * (3.0 * twist + (4.0 * t) * fourth));
+    curved = glm::dot(along, along) - glm::dot(2.0 * bend + t * (6.0 * twist + (12.0 * t) * fourth), off);
+  };
+  // Newton from the tangent's nearest place.
+  double t = glm::dot(d, tangent);
+  t = t < from ? from : t > to ? to : t;
+  bool steep = true;
+  for (int pass = 0; pass < 4; ++pass) {
+    look(t);
+    steep = curved > 0.2;
+    if (!steep) break;
+    const double step = glm::dot(off, along) / curved;
+    const double next = t + step < from ? from : t + step > to ? to : t + step;
+    const bool there = std::fabs(next - t) < 1e-6 * voxel_mm;
+    t = next;
+    if (there) break;
+  }
+  if (!steep) {
+    // The edge bends about the place about as the ball does: the nearest of many, then between its neighbours.
+    constexpr int kPlaces = 8;
+    double nearest2 = 1e300;
+    int best = 0;
+    for (int k = 0; k <= kPlaces; ++k) {
+      look(from + (to - from) * k / kPlaces);
+      const double square = glm::dot(off, off);
+      if (square < nearest2) {
+        nearest2 = square;
+        best = k;
+      }
+    }
+    double low = from + (to - from) * (best > 0 ? best - 1 : 0) / kPlaces;
+    double high = from + (to - from) * (best < kPlaces ? best + 1 : kPlaces) / kPlaces;
+    for (int pass = 0; pass < 16; ++pass) {
+      t = 0.5 * (low + high);
+      look(t);
+      (glm::dot(off, along) > 0.0 ? low : high) = t;
+    }
+  }
+  look(t);
+  return t > from && t < to;
 }
 
 /// The plane that keeps the burr off one candidate, seen from y; false where it is further than slack_mm off.
@@ -119,11 +175,11 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
     const Vec3 n(c.normal);
     const double height = glm::dot(n, d);
     if (height > 0.0 && square - height * height <= plane_reach_mm * plane_reach_mm) {
-      bool beyond = false;
-      if (c.near_other) {
-        const Vec3 other(c.other_normal);
-        beyond = c.other_d_mm + glm::dot(other, d) - height * glm::dot(other, n) > 0.0;
-      }
+      const auto past = [&](Vec3 other, double other_d) {
+        return other_d + glm::dot(other, d) - height * glm::dot(other, n) > 0.0;
+      };
+      const bool beyond = (c.others > 0 && past(Vec3(c.other_normal), c.other_d_mm)) ||
+                          (c.others > 1 && past(Vec3(c.third_normal), c.third_d_mm));
       if (!beyond) {
         const double slack = height - r;
         if (slack > slack_mm) return false;
@@ -134,17 +190,9 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
       }
     }
   } else {
-    const Vec3 tangent(c.normal);
-    double t = glm::dot(d, tangent);
-    const double half = 0.7 * voxel_mm_;
-    // Nearest place of the parabola: one step of Newton from the tangent's.
-    const Vec3 bend = Vec3(c.other_normal) / voxel_mm_;
-    const Vec3 off = d - tangent * t - bend * (t * t);
-    const Vec3 along = tangent + bend * (2.0 * t);
-    const double curved = glm::dot(along, along) - 2.0 * glm::dot(bend, off);
-    if (curved > 0.2) t += glm::dot(off, along) / curved;
-    t = t < -half ? -half : t > half ? half : t;
-    d -= tangent * t + bend * (t * t);
+    Vec3 along;
+    double curved = 0.0;
+    nearest_on(c, voxel_mm_, d, along, curved);
   }
   const double square = glm::dot(d, d);
   const double far = r + slack_mm;
@@ -167,7 +215,9 @@ void SurfaceContact::planes(const Tool& tool, Vec3 y, std::size_t from, std::siz
 }
 
 void SurfaceContact::relax_by_memory(std::size_t from, std::size_t to) noexcept {
+  // An edge that the strokes themselves told needs no mending.
   planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, kMemorySlack, from, to,
+                    [&](std::size_t i) { return !sharp_ || candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind != Kind::edge; },
                     [&](std::size_t i) { origins_[i].relaxed = true; });
 }
 
@@ -181,6 +231,61 @@ void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
   planes_.set(i, plane.n, plane.c);
   origins_[i].trusted_plane = trusted;
   relax_by_memory(i, i + 1);
+}
+
+/// Where a burr rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the
+/// passes to come would add to off_by, the move of the last one from where its planes were laid. rolls: they would not come
+/// to rest.
+Vec3 SurfaceContact::leap_of(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept {
+  if (found.active == 0 || found.active > 2) return Vec3(0.0);
+  // Along what is left free: one direction between two planes, two on one.
+  Vec3 free[2] = {Vec3(0.0), Vec3(0.0)};
+  const Vec3 n = planes_.n(static_cast<std::size_t>(found.index[0]));
+  if (found.active == 2) {
+    const Vec3 along = glm::cross(n, planes_.n(static_cast<std::size_t>(found.index[1])));
+    const double length = length_of(along);
+    if (length < 1e-3) return Vec3(0.0);
+    free[0] = along / length;
+  } else {
+    const Vec3 along = std::fabs(n.x) < 0.6 ? Vec3(0.0, n.z, -n.y) : Vec3(-n.z, 0.0, n.x);
+    free[0] = along / length_of(along);
+    free[1] = glm::cross(n, free[0]);
+  }
+  const int directions = 3 - found.active;
+  // m = sum of weight times the second derivative of the distance to what each plane stands for.
+  double m[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
+  for (int a = 0; a < found.active; ++a) {
+    const auto i = static_cast<std::size_t>(found.index[a]);
+    const Origin& origin = origins_[i];
+    const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
+    if (origin.trusted_plane || origin.relaxed || c.kind == Kind::shank) continue;
+    Vec3 off = at - c.point, along(0.0);
+    double curved = 0.0;
+    if (c.kind == Kind::edge && !nearest_on(c, voxel_mm_, off, along, curved)) curved = 0.0;
+    const double distance = length_of(off);
+    if (distance < 1e-6) continue;
+    const Vec3 out = off / distance;
+    for (int j = 0; j < directions; ++j)
+      for (int k = 0; k <= j; ++k) {
+        double h = (j == k ? 1.0 : 0.0) - glm::dot(free[j], out) * glm::dot(free[k], out);
+        if (curved > 0.0) h -= glm::dot(free[j], along) * glm::dot(free[k], along) / curved;
+        m[j][k] += found.weight[a] * h / distance;
+      }
+  }
+  m[0][1] = m[1][0];
+  // The geometric series m + m^2 + ..: m (1 - m)^-1, where it converges.
+  constexpr double kLeast = 0.03;
+  const Vec3 moved(glm::dot(off_by, free[0]), directions > 1 ? glm::dot(off_by, free[1]) : 0.0, 0.0);
+  const double a = 1.0 - m[0][0], b = -m[0][1], d = directions > 1 ? 1.0 - m[1][1] : 1.0;
+  const double det = a * d - b * b;
+  rolls = !(a > kLeast && d > kLeast && det > kLeast * kLeast);
+  const double most = kLongestLeap * length_of(moved);
+  if (rolls) return (free[0] * moved.x + free[1] * moved.y) * kLongestLeap;
+  const double u = (d * moved.x - b * moved.y) / det - moved.x;
+  const double v = (a * moved.y - b * moved.x) / det - moved.y;
+  const double length = std::sqrt(u * u + v * v);
+  const double share = length > most ? most / length : 1.0;
+  return (free[0] * u + (directions > 1 ? free[1] * v : Vec3(0.0))) * share;
 }
 
 /// The search among planes_, begun with those that held the pose before.
@@ -215,7 +320,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
   for (int a = 0; a < found.active; ++a) {
     const Origin& origin = origins_[static_cast<std::size_t>(found.index[a])];
     const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-    if (c.kind != Kind::surface || origin.relaxed || c.near_other) return out;
+    if (c.kind != Kind::surface || origin.relaxed || c.others > 0) return out;
     int g = 0;
     while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > static_cast<float>(kSameNormal))) ++g;
     if (g == groups) {
@@ -316,8 +421,7 @@ void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Co
 }
 
 Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
-                              Vec3 from, Vec3 device, Vec3 ahead, double reach_mm,
-                              const CutMemory* memory) noexcept {
+                              Vec3 from, Vec3 device, Vec3 ahead, double reach_mm) noexcept {
   const Burr& burr = scene.burrs[burr_index];
   Contact out;
   out.pose_mm = device;
@@ -353,8 +457,8 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       const double length = length_of(ahead);
       if (length > 2.0 * kSettledMm) at += length > step ? ahead * (step / length) : ahead;
     }
-    Vec3 off_before(0.0);
     bool left = false;  // the step ends before the search does
+    bool rolling = false;
     for (int pass = 0; pass < 10; ++pass) {
       if (last_moved > kSettledMm) {
         held_.count = 0;
@@ -366,7 +470,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
           planes(tool, at, at_hand_count, count_, limit);
           count_ = at_hand_count;
         }
-        past_count_ = memory ? memory->near(at, burr.radius_mm, past_) : 0;
+        past_count_ = memory_ ? memory_->near(at, burr.radius_mm, past_) : 0;
         relax_by_memory(0, planes_.size());
       } else {
         // It has nearly come to rest: only the tangents that hold it need to turn with it.
@@ -412,23 +516,23 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       if (left) break;
       const Vec3 off_by = target - at;
       const double moved = length_of(off_by);
+      // Where it creeps towards its rest, as on an edge that it rolls over, the next planes are laid where the creeping
+      // leads; the answer still is of the planes.
+      bool rolls = false;
+      const Vec3 leap = polished.accepted ? Vec3(0.0) : leap_of(found, at, off_by, rolls);
       // Passes shrink the error like moved / before; a plane that was laid moved away is off by moved^2 / 2r only.
-      if ((polished.accepted && moved < 0.06) || moved < kArrivedMm || moved * moved < kArrivedMm * before) {
+      if ((polished.accepted && moved < 0.06) || moved < (rolls ? kRollsMm : kArrivedMm) ||
+          (!rolls && moved * moved < kArrivedMm * before)) {
         arrived = true;
         break;
       }
-      // Where it creeps towards its rest, as on an edge that it rolls over, the next planes are laid where the creeping
-      // leads; the answer still is of the planes.
-      at = y;
-      const double square = glm::dot(off_before, off_before);
-      if (pass > 0 && !polished.accepted && square > 0.0) {
-        const double left_over = glm::dot(off_by, off_before) / square;
-        if (left_over > 0.3 && left_over < 0.95 && moved * moved < square) at += off_by * std::min(left_over / (1.0 - left_over), kLongestLeap);
-      }
-      off_before = off_by;
-      before = last_moved = moved;
+      at = y + leap;
+      rolling = rolls;
+      before = moved;
+      last_moved = length_of(off_by + leap);
     }
-    if (!left) arrived = true;
+    // What still rolls on goes further in the next search.
+    if (!left && !(rolling && last_moved > kSettledMm)) arrived = true;
     step = kLongestStep;
   }
   out.pose_mm = y;
@@ -445,11 +549,11 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
 }
 
 Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
-                                  const Contact& before, Vec3 device, double advance_mm, const CutMemory& memory) noexcept {
+                                  const Contact& before, Vec3 device, double advance_mm) noexcept {
   // The field is the same: only the stroke's memory lets planes recede that are laid already.
   if (held_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
     Contact out;
-    past_count_ = memory.near(before.pose_mm, scene.burrs[burr_index].radius_mm, past_);
+    past_count_ = memory_ ? memory_->near(before.pose_mm, scene.burrs[burr_index].radius_mm, past_) : 0;
     relax_by_memory(0, planes_.size());
     const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
     if (found.feasible && !out.infeasible && length_of(found.y - before.pose_mm) <= 2.0 * advance_mm + kSettledMm) {
@@ -458,7 +562,7 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
       return out;
     }
   }
-  return solve(volume, scene, burr_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004, &memory);
+  return solve(volume, scene, burr_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004);
 }
 
 bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept {

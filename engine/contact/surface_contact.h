@@ -33,17 +33,18 @@ class SurfaceContact {
   /// Clearance by which the burr is thinner against what it has cut itself: without it the burr jams in its own hole.
   static constexpr double kClearanceMm = 0.001;
 
-  SurfaceContact(const Scene& scene, const Volume& volume);
+  /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
+  SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory);
 
   /// From `from` (admissible) towards `device`. ahead: how the device has moved since, where the search begins to look.
-  /// reach_mm: how far one search looks, about as long. memory: past cut poses, or nullptr.
+  /// reach_mm: how far one search looks, about as long.
   Contact solve(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, Vec3 from, Vec3 device, Vec3 ahead,
-                double reach_mm, const CutMemory* memory) noexcept;
+                double reach_mm) noexcept;
 
   /// Contact again after a cut that the field does not hold yet, from `before`, what solve() answered last: the memory
   /// alone has grown, by advance_mm.
   Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, const Contact& before,
-                    Vec3 device, double advance_mm, const CutMemory& memory) noexcept;
+                    Vec3 device, double advance_mm) noexcept;
 
   /// True when the burr at this pose is in free space: ball, neck and shank clear of tissue.
   bool fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept;
@@ -59,7 +60,8 @@ class SurfaceContact {
     gathered_.valid = false;
   }
 
-  /// Off while the burr cuts: then ridges between cuts are felt as the field rounds them, and a carved piece costs less.
+  /// Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for strokes are carved later than
+  /// they are remembered.
   void sharpen(const Volume& volume, bool on) noexcept {
     if (on == sharp_) return;
     sharp_ = on;
@@ -82,13 +84,13 @@ class SurfaceContact {
   enum class Kind : std::uint8_t { surface, edge, shank };
   struct Candidate {
     Vec3 point{0.0};
-    Vec3f normal{0.0f};        // surface; tangent for an edge
-    Vec3f other_normal{0.0f};  // an edge's bend, per voxel
-    float other_d_mm = 0.0f;
+    Vec3f normal{0.0f};        // the rest as in CutFeature
+    Vec3f other_normal{0.0f}, third_normal{0.0f}, fourth{0.0f};
+    float other_d_mm = 0.0f, third_d_mm = 0.0f;
     Kind kind = Kind::surface;
     Field field = Field::base;
     Tissue tissue = Tissue::empty;
-    bool near_other = false;
+    std::uint8_t others = 0;
   };
   /// Box about the points of a brick, in sixteenths of a voxel from a quarter voxel below its first voxel.
   struct PointsBox {
@@ -169,6 +171,8 @@ class SurfaceContact {
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
   bool plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void relax_by_memory(std::size_t from, std::size_t to) noexcept;
+  static bool nearest_on(const Candidate& edge, double voxel_mm, Vec3& off, Vec3& along, double& curved) noexcept;
+  Vec3 leap_of(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
   PlaneSearch search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept;
   Polished polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device, const PlaneSearch& found) noexcept;
@@ -177,6 +181,7 @@ class SurfaceContact {
   bool inside_tissue(const Volume& volume, Vec3 pose) const noexcept;
 
   double voxel_mm_;
+  const CutMemory* memory_;
   std::vector<PointsBox> boxes_;       // [brick]: where the specimen's own points lie
   IVec3 bricks_low_{0}, bricks_high_{0};  // bricks that hold a surface or can be cut
   std::vector<Candidate> candidates_;  // at hand, then those of the foot

@@ -100,11 +100,14 @@ const SurfaceContact::Candidate& SurfaceContact::made(const Volume& volume, std:
   out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
   out.normal = feature.normal;
   out.other_normal = feature.other_normal;
+  out.third_normal = feature.third_normal;
+  out.fourth = feature.fourth;
   out.other_d_mm = feature.other_d_mm;
+  out.third_d_mm = feature.third_d_mm;
   out.kind = feature.edge ? Kind::edge : Kind::surface;
   out.field = feature.field;
   out.tissue = feature.tissue;
-  out.near_other = feature.near_other;
+  out.others = feature.others;
   return out;
 }
 
@@ -439,7 +442,7 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
     const FieldPoint other = fields_.at(volume, field == Field::base ? Field::cut : Field::base, candidate.point);
     if (other.d_mm > 0.0) continue;
     if (other.known && other.d_mm > -2.5 * voxel_mm_) {
-      candidate.near_other = true;
+      candidate.others = 1;
       candidate.other_d_mm = static_cast<float>(other.d_mm);
       candidate.other_normal = Vec3f(other.normal);
     }

@@ -42,7 +42,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
 }
 
 StepState::Inner::Inner(std::shared_ptr<const Scene> s) : scene(std::move(s)), volume(scene->specimen) {
-  if (scene->method == Method::surface) surface = std::make_unique<SurfaceContact>(*scene, volume);
+  if (scene->method == Method::surface) surface = std::make_unique<SurfaceContact>(*scene, volume, &memory);
   method = make_method(*this);
 }
 

@@ -67,8 +67,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   const Vec3 before = state.proxy;
 
   surface.sharpen(state.volume, !cut);
-  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach,
-                                  &state.memory);
+  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach);
   out.infeasible = contact.infeasible;
   out.overflow = contact.overflow;
   const Vec3 slid = contact.pose_mm - state.proxy;
@@ -142,7 +141,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     }
     state.cut_valid = true;
 
-    contact = surface.after_cut(state.volume, scene, out.burr, axis, contact, device, advance, state.memory);
+    contact = surface.after_cut(state.volume, scene, out.burr, axis, contact, device, advance);
     out.infeasible = out.infeasible || contact.infeasible;
     out.overflow = out.overflow || contact.overflow;
     state.proxy = contact.pose_mm;

@@ -71,6 +71,8 @@ class CellField {
       for (const double e : axis) most = std::fabs(e) > most ? std::fabs(e) : most;
     return most;
   }
+  /// Distance at a sample, from the lower corner: -1 to 2 each, one of them outside 0 and 1 at most.
+  double sample(int x, int y, int z) const noexcept { return d_[kFirstCorner + x + 4 * y + 16 * z]; }
   /// Distance at corner i: bits of i are x, y, z.
   double at_corner(int i) const noexcept { return corner(i); }
   /// True when the surface d = 0 passes between the corners.

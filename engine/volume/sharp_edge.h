@@ -6,9 +6,10 @@
 
 namespace cusp {
 
-/// x(t) = at + tangent t + bend t^2 for |t| <= 0.7, in voxels from the cell's lower corner; tangent is unit.
+/// x(t) = at + tangent t + bend t^2 + twist t^3 + fourth t^4 for |t| <= 0.7, in voxels from the cell's lower corner;
+/// tangent is unit.
 struct SharpEdge {
-  Vec3 at{0.5}, tangent{0.0}, bend{0.0};
+  Vec3 at{0.5}, tangent{0.0}, bend{0.0}, twist{0.0}, fourth{0.0};
 };
 
 /// Where a and b are both zero, nearest to `from` by Newton's shortest steps. a, b: distance in voxels at a place of the
@@ -35,6 +36,29 @@ inline bool meet(const A& a, const B& b, Vec3 from, Vec3& at, Vec3& tangent) noe
   return true;
 }
 
+/// The curve along which a and b meet, about out.at, which lies on it: laid through four places as far as `half` either way.
+template <class A, class B>
+inline void lay_curve(const A& a, const B& b, double half, SharpEdge& out) noexcept {
+  out.bend = out.twist = out.fourth = Vec3(0.0);
+  const double near = 0.5 * half;
+  Vec3 x[4], along;
+  int k = 0;
+  for (const double s : {-half, -near, near, half})
+    if (!meet(a, b, out.at + out.tangent * s, x[k++], along)) return;
+  const Vec3 even = 0.5 * (x[3] + x[0]) - out.at, even_near = 0.5 * (x[2] + x[1]) - out.at;
+  const Vec3 odd = 0.5 * (x[3] - x[0]) - out.tangent * half, odd_near = 0.5 * (x[2] - x[1]) - out.tangent * near;
+  const double square = half * half;
+  const Vec3 fourth = (even - 4.0 * even_near) / (0.75 * square * square);
+  const Vec3 bend = even / square - fourth * square;
+  // Of the two cubics the mean: they differ by the fifth power.
+  const Vec3 twist = 0.5 * (odd + 8.0 * odd_near) / (square * half);
+  if (glm::dot(bend, bend) < 0.25 && glm::dot(twist, twist) < 0.25 && glm::dot(fourth, fourth) < 0.25) {
+    out.bend = bend;
+    out.twist = twist;
+    out.fourth = fourth;
+  }
+}
+
 /// The edge where a and b meet in the cell [0,1]^3, with its bend; false where they do not.
 template <class A, class B>
 inline bool edge_of(const A& a, const B& b, Vec3 from, SharpEdge& out) noexcept {
@@ -44,13 +68,17 @@ inline bool edge_of(const A& a, const B& b, Vec3 from, SharpEdge& out) noexcept 
   if (!meet(a, b, slid, out.at, out.tangent)) return false;
   for (int i = 0; i < 3; ++i)
     if (!(out.at[i] > -0.1 && out.at[i] < 1.1)) return false;
-  // A parabola through half a voxel on either side.
+  out.bend = out.twist = out.fourth = Vec3(0.0);
+  // A cubic through half a voxel on either side.
   Vec3 before, after, t;
   constexpr double kSide = 0.5;
-  out.bend = Vec3(0.0);
   if (meet(a, b, out.at - out.tangent * kSide, before, t) && meet(a, b, out.at + out.tangent * kSide, after, t)) {
     const Vec3 bend = (before + after - 2.0 * out.at) / (2.0 * kSide * kSide);
-    if (glm::dot(bend, bend) < 0.25) out.bend = bend;
+    const Vec3 twist = (0.5 * (after - before) - out.tangent * kSide) / (kSide * kSide * kSide);
+    if (glm::dot(bend, bend) < 0.25 && glm::dot(twist, twist) < 0.25) {
+      out.bend = bend;
+      out.twist = twist;
+    }
   }
   return true;
 }
