@@ -51,7 +51,8 @@ class FalconLink {
  public:
   virtual ~FalconLink() = default;
   virtual LinkTime now() const noexcept = 0;
-  /// Begins it and returns. Opening and closing take some milliseconds on a real link; everything else is at once.
+  /// Begins it and returns. Closing takes some milliseconds on a real link (half a second where a device does not give
+  /// back what is under way); everything else is at once.
   virtual void start(const LinkAsk& ask) noexcept = 0;
   /// The next event in order, or `time` when `until` has come (at once when it lies in the past and nothing waits).
   virtual LinkEvent wait(LinkTime until) noexcept = 0;

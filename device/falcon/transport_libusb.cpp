@@ -6,6 +6,8 @@
 #include <array>
 #include <atomic>
 #include <map>
+#include <system_error>
+#include <thread>
 
 #include "device/falcon/wait_for_files.h"
 
@@ -164,7 +166,7 @@ class UsbLink final : public FalconLink {
   ~UsbLink() override { close(); }
 
   LinkTime now() const noexcept override { return Clock::now().time_since_epoch(); }
-  std::string name() const override { return name_.empty() ? wanted_ : name_; }
+  std::string name() const override { return opener_.joinable() || name_.empty() ? wanted_ : name_; }
 
   void start(const LinkAsk& ask) noexcept override {
     give_back();
@@ -187,11 +189,14 @@ class UsbLink final : public FalconLink {
   LinkEvent wait(LinkTime until) noexcept override {
     give_back();
     for (;;) {
+      take_opened();
       if (const auto event = next_event()) return *event;
       const LinkTime left = until - now();
       if (left > LinkTime(0)) sleep(left);
-      timeval at_once{0, 0};
-      libusb_handle_events_timeout_completed(context_.get(), &at_once, nullptr);
+      if (!opener_.joinable()) {
+        timeval at_once{0, 0};
+        libusb_handle_events_timeout_completed(context_.get(), &at_once, nullptr);
+      }
       if (left <= LinkTime(0)) {
         if (const auto event = next_event()) return *event;
         return {};
@@ -322,9 +327,23 @@ class UsbLink final : public FalconLink {
     return outcome;
   }
 
+  /// On a thread of its own: a device that does not answer holds up whoever asks for its serial number by a second, and
+  /// a lost one is looked for on the haptic thread.
   void open() noexcept {
     close();
-    const LinkEvent::Kind outcome = find();
+    found_.store(LinkEvent::Kind::time, std::memory_order_relaxed);
+    try {
+      opener_ = std::thread([this] { found_.store(find(), std::memory_order_release); });
+    } catch (const std::system_error&) {
+      tell(LinkEvent::Kind::absent);  // no thread to be had: the driver asks again
+    }
+  }
+
+  void take_opened() noexcept {
+    if (!opener_.joinable()) return;
+    const LinkEvent::Kind outcome = found_.load(std::memory_order_acquire);
+    if (outcome == LinkEvent::Kind::time) return;
+    opener_.join();
     if (outcome != LinkEvent::Kind::opened) return tell(outcome);
     lost_ = false;
     bool made = make(control_);
@@ -373,6 +392,7 @@ class UsbLink final : public FalconLink {
   }
 
   void sleep(LinkTime left) noexcept {
+    if (opener_.joinable()) return std::this_thread::sleep_for(std::min<LinkTime>(left, std::chrono::milliseconds(1)));
     if (handle_ != nullptr && file_count_ > 0) return wait_for_files(std::span(files_).first(file_count_), left);
     // Without files to watch (no device, or a system that has none) libusb waits, in whole milliseconds.
     const auto us =
@@ -401,6 +421,7 @@ class UsbLink final : public FalconLink {
   }
 
   void close() noexcept {
+    if (opener_.joinable()) opener_.join();
     told_count_ = 0;
     given_ = nullptr;
     if (handle_ != nullptr) {
@@ -433,6 +454,8 @@ class UsbLink final : public FalconLink {
   std::string wanted_, name_;
   libusb_device_handle* handle_ = nullptr;
   bool lost_ = false, closing_ = false;
+  std::thread opener_;  // while it can be joined, handle_ and name_ are its own
+  std::atomic<LinkEvent::Kind> found_{LinkEvent::Kind::time};
   Slot control_;
   std::array<Slot, kReads> reads_{};
   std::array<Slot, kWrites> writes_{};

@@ -2,9 +2,10 @@
 // keys and figures. With --emulated it runs on the emulated one, in no time: that is how it is tested.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ constexpr const char* kUsage =
     "falcon_contact watch SECONDS            rate, losses, place, buttons once a second\n"
     "falcon_contact push FX FY FZ SECONDS    newtons in the device's frame: x right, y up, z to the user\n"
     "falcon_contact angle X Y Z              trim that makes the place where the grip is now be this one, metres\n"
+    "falcon_contact weigh                    holds nine places softly: weight of grip and arms\n"
     "falcon_contact hold FX FY FZ            travel during silences of 5 to 320 ms after a push\n"
     "  --name NAME   --image FILE   --gain G   --event-character   --emulated\n";
 
@@ -34,9 +36,31 @@ struct Options {
   bool event_character = false, emulated = false;
 };
 
+/// What hangs on the emulated grip after homing: a mass with friction, and the weight that `weigh` is to find again.
+struct Body {
+  falcon::Emulator& emulator;
+  Vec3 at_m, speed{0.0};
+  LinkTime before;
+  static constexpr falcon::GravityCalibration kWeight{0.2, 0.003};
+
+  void live(LinkTime now) {
+    constexpr double kMassKg = 0.3, kFrictionNsPerM = 4.0;
+    for (; before < now; before += 100us) {
+      const auto legs = falcon::inverse({}, at_m);
+      const auto rows = legs ? falcon::jacobian({}, *legs) : std::nullopt;
+      if (!rows) return;
+      const Vec3 weight = falcon::force_n(*rows, falcon::gravity_torque_nm({}, {at_m, *legs, *rows}, kWeight));
+      speed += (emulator.force_n(before) - weight - speed * kFrictionNsPerM) / kMassKg * 1e-4;
+      at_m += speed * 1e-4;
+      emulator.set_grip(at_m);
+    }
+  }
+};
+
 /// The link and port of one run, and on the emulated device a hand that homes it.
 struct Contact {
   std::unique_ptr<falcon::Emulator> emulator;
+  std::optional<Body> body;  // the link's clock moves it: outlives the port
   falcon::FalconLink* link = nullptr;
   std::unique_ptr<FalconPort> port;
   double z = 0.100, step = 0.0005;
@@ -160,6 +184,44 @@ void hold(Contact& contact, Vec3 force) {
   }
 }
 
+/// A soft spring with a damper draws the grip to each place; what it takes on average to keep it there is the weight's.
+void weigh(Contact& contact) {
+  if (contact.emulator) {
+    auto& body = contact.body;
+    body.emplace(*contact.emulator, contact.emulator->grip_m(), Vec3(0.0), contact.link->now());
+    static_cast<falcon::EmulatedLink*>(contact.link)->on_time([&body](LinkTime now) { body->live(now); });
+  }
+  constexpr double kSpring = 300.0, kDamper = 8.0;  // N/m and Ns/m: soft, and far from ringing on what the lab knows
+  constexpr int kDraw = 1500, kSettle = 1000, kMean = 500;
+  std::vector<falcon::HeldPose> held;
+  Vec3 from = contact.port->view().grip_m, last = from, speed(0.0);
+  for (const double x : {-0.02, 0.0, 0.02})
+    for (const double y : {-0.02, 0.0, 0.02}) {
+      const Vec3 to(x, y, falcon::kMiddleM.z);
+      Vec3 place(0.0), torque(0.0);
+      for (int i = 0; i < kDraw + kSettle + kMean; ++i) {
+        const Vec3 target = from + (to - from) * std::min(1.0, i / static_cast<double>(kDraw));
+        const Vec3 now = contact.port->view().grip_m;
+        speed += ((now - last) * 1e3 - speed) * 0.1;
+        last = now;
+        contact.tick((target - now) * kSpring - speed * kDamper);
+        if (i < kDraw + kSettle) continue;
+        place += contact.port->view().grip_m / static_cast<double>(kMean);
+        torque += falcon::torque_of_counts({}, contact.port->view().torque) / static_cast<double>(kMean);
+      }
+      from = to;
+      const auto legs = falcon::inverse({}, place);
+      const auto rows = legs ? falcon::jacobian({}, *legs) : std::nullopt;
+      if (!rows) return fmt::print("out_of_reach\n");
+      held.push_back({{place, *legs, *rows}, torque});
+      fmt::print("place_mm {:.1f} {:.1f} {:.1f} torque_nm {:.4f} {:.4f} {:.4f}\n", place.x * 1e3, place.y * 1e3,
+                 place.z * 1e3, torque.x, torque.y, torque.z);
+    }
+  const auto fit = falcon::fit_gravity({}, held);
+  if (!fit) return fmt::print("no_fit\n");
+  fmt::print("grip_kg {:.3f} arm_kg_m {:.4f}\n", fit->grip_kg, fit->arm_kg_m);
+}
+
 int run(const Options& options) {
   const auto number = [&options](std::size_t at) {
     return at < options.words.size() ? std::strtod(options.words[at].c_str(), nullptr) : 0.0;
@@ -167,7 +229,11 @@ int run(const Options& options) {
   if (options.words.empty()) return fmt::print(stderr, "{}", kUsage), 2;
   const std::string& verb = options.words[0];
   if (verb == "list") return list();
-  const std::size_t wants = verb == "watch" ? 2 : verb == "push" ? 5 : verb == "angle" || verb == "hold" ? 4 : 0;
+  const std::size_t wants = verb == "watch"                     ? 2
+                            : verb == "push"                    ? 5
+                            : verb == "angle" || verb == "hold" ? 4
+                            : verb == "weigh"                   ? 1
+                                                                : 0;
   if (options.words.size() != wants) return fmt::print(stderr, "{}", kUsage), 2;
   Contact contact;
   if (!begin(options, contact)) return 1;
@@ -176,6 +242,7 @@ int run(const Options& options) {
   if (verb == "push") watch(contact, three, number(4));
   if (verb == "angle") angle(contact, three);
   if (verb == "hold") hold(contact, three);
+  if (verb == "weigh") weigh(contact);
   contact.port->close();
   return 0;
 }
