@@ -19,8 +19,10 @@ constexpr double kAboveMm = 0.25;  // where the way down begins
 constexpr double kReadyMm = 0.02;  // a tick, on the last bit of the way there
 constexpr double kLostMm = 10.0;   // off the touch, besides the press's own depth: the device has left the place
 constexpr double kRestMm = 1e-12;  // rounding in a solver that starts where it ended
-constexpr double kAsideMm = 1.0;   // of where the press holds it: more than friction lets a soft grip miss it by
-constexpr int kRampTicks = 300;    // longer than GuardSettings::ramp_in_ms
+// Off the place where a press comes to rest, besides what friction lets the wall's spring miss it by; it lets a soft
+// grip miss it by less.
+constexpr double kAsideMm = 1.0;
+constexpr int kRampTicks = 300;  // longer than GuardSettings::ramp_in_ms
 constexpr int kMostApproachTicks = 200;
 constexpr int kConfirmPlaces = 10;  // of the grid: 20 %
 constexpr int kConfirmStride = 8;   // below those
@@ -372,7 +374,7 @@ PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare)
     }
   }
   const Vec3 aside = plant.position_mm() - (press.touch + press.into * (kPressN / k));
-  out.left = !(length(aside - press.into * glm::dot(aside, press.into)) < kAsideMm);
+  out.left = !(length(aside) < kAsideMm + what.device.friction_n / k);
   if (out.verdict == Verdict::steady) out.verdict = steady.verdict(what.device.encoder_step_mm);
   if (out.left && out.verdict == Verdict::steady) out.verdict = Verdict::moves;
   out.cycle_um = steady.peak_to_peak_mm() * 1000.0;
@@ -417,6 +419,7 @@ class Tries {
       out.reason = run.verdict;
       out.cycle_um = run.cycle_um;
       out.cycle_hz = run.cycle_hz;
+      out.left = run.left;
       out.seed = static_cast<std::uint64_t>(likely_);
     }
     out.runs = runs_;

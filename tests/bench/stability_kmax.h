@@ -85,7 +85,7 @@ struct PressRun {
   double penetration_um = 0.0;
   double off_um = 0.0;  // farthest from the exact proxy at the same device point
   int stuck_ms = 0;
-  bool left = false;  // it came to rest elsewhere: slipped off an edge, fell through; counts as moving
+  bool left = false;  // it came to rest elsewhere: slipped off an edge, fell through, flew off; counts as moving
 };
 
 /// A place and what answers there, made once and run at many stiffnesses, on many devices. One thread at a time.
@@ -111,6 +111,7 @@ struct KMax {
   bool beyond = false;                                                 // nothing failed up to the grid's end
   lab::Steadiness::Verdict reason = lab::Steadiness::Verdict::steady;  // of the first stiffness that fails
   double cycle_um = 0.0, cycle_hz = 0.0;                               // there
+  bool left = false;                                                   // there, the burr left the place
   std::uint64_t seed = 0;                                              // that fails there
   int runs = 0;                                                        // how many it took
 };

@@ -167,6 +167,14 @@ TEST(KMax, of_nobody_holding_a_device_that_damps_too_little_is_none) {
   EXPECT_EQ(k.reason, Verdict::moves);
 }
 
+TEST(KMax, of_a_penalty_that_a_press_goes_through_is_none_because_it_left) {
+  // At 0.05 N/mm 1 N stands 20 mm deep: a shell of points that lies wholly in tissue pushes nowhere.
+  KMaxCase c = cell("face", Method::penalty);
+  const KMax k = find_k_max(c);
+  EXPECT_EQ(k.k_max_n_per_mm, 0.0);
+  EXPECT_TRUE(k.left);
+}
+
 TEST(KMax, cells_are_those_that_the_laboratory_sweeps) {
   const auto cells = k_max_cells("groove", Method::surface);
   EXPECT_EQ(cells.size(), 108u);  // 2 masses, 3 dampings, 2 frictions, 3 grips, 3 delays
