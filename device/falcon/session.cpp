@@ -112,8 +112,7 @@ LinkTime Session::due() const noexcept {
 
 void Session::retry() noexcept {
   if (state_.phase != Phase::failed) return;
-  state_.attempt = 0;
-  state_.trouble = Trouble::none;
+  state_.attempt = 0;  // what went wrong last stays to be read until something goes right
   state_.phase = Phase::unplugged;
   due_ = LinkTime::min();
 }
@@ -146,7 +145,7 @@ void Session::attempt_failed(Trouble trouble, LinkTime now) noexcept {
   ++state_.attempt;
   if (state_.attempt >= settings_.times.attempts) {
     enter(Phase::failed);
-    due_ = kNever;
+    due_ = now + settings_.times.rest;
   } else {
     enter(Phase::unplugged);
     due_ = now + settings_.times.reopen;
@@ -312,6 +311,7 @@ void Session::answered(const Frame& frame, LinkTime now) noexcept {
       steady_ = homed == status::kHomed ? steady_ + 1 : 0;
       if (steady_ >= settings_.times.steady) {
         enter(Phase::ready);
+        wanted_ = kNoTorque;
         ramp_from_ = now;
       }
       break;
@@ -416,10 +416,13 @@ void Session::time_passed(LinkTime now) noexcept {
         due_ = now + settings_.times.resync;
       }
       break;
+    case Phase::failed:
+      retry();
+      ask_open();
+      break;
     case Phase::opening:
     case Phase::homing:
     case Phase::ready:
-    case Phase::failed:
       due_ = kNever;
       break;
   }

@@ -5,7 +5,7 @@
 ///       ▲                                     └─ needs_image               ▲  ◄──┘ │ homed bits missing
 ///       │ from anywhere: unplugged                  │ image                │       ▼ 10 ms without an answer
 ///       │                          arming ─ greeting ─ locking ─ uploading ─ switching ─ probing      silent
-///       └─ each failed attempt closes, opens and begins again; ten make `failed`
+///       └─ each failed attempt closes, opens and begins again; ten make `failed`, which rests before the next ten
 /// Source: facts 1.4, 1.5, 1.8 to 1.10.
 #pragma once
 
@@ -37,7 +37,7 @@ enum class Phase : std::uint8_t {
   homing,     // exchanging, torque zero: the grip is to be pulled out and pushed in
   ready,      // exchanging, torque allowed
   silent,     // no answer: torque zero, asking for one
-  failed,     // gave up: retry() begins again
+  failed,     // ten attempts came to nothing: rests, or until retry()
 };
 std::string_view key_of(Phase phase) noexcept;
 
@@ -65,6 +65,7 @@ struct SessionTimes {
   int hellos = 3;               // in one attempt; each attempt arms the loader anew
   LinkTime echo = ms(1000);     // for the echo of one chunk
   int attempts = 10;            // first attempts are known to fail
+  LinkTime rest = ms(5000);     // after them: the plug may be pulled and put in again meanwhile
   LinkTime lost = ms(4);        // an exchange not answered by then never will be
   LinkTime silence = ms(10);    // without any answer: torque zero
   LinkTime give_up = ms(1000);  // of silence: begins again with the line, for the adapter may have lost power
@@ -108,8 +109,10 @@ class Session {
   /// When advance() wants to be called at the latest, with a `time` event if with nothing else.
   LinkTime due() const noexcept;
 
-  /// Torque words for the exchanges to come. Used in `ready` alone, and ramped in there.
-  void command(std::array<std::int16_t, 3> counts) noexcept { wanted_ = counts; }
+  /// Torque words for the exchanges to come; taken in `ready` alone, and ramped in there.
+  void command(std::array<std::int16_t, 3> counts) noexcept {
+    if (state_.phase == Phase::ready) wanted_ = counts;
+  }
   /// LEDs while ready (control::kLeds); red while homing or silent.
   void set_leds(std::uint8_t leds) noexcept { leds_ = leds & control::kLeds; }
   /// Torque to zero now, and ramped in from there.

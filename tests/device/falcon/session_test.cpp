@@ -264,11 +264,52 @@ TEST(FalconSession, a_bridge_that_keeps_another_speed_fails_and_forces_nothing) 
   EXPECT_EQ(rig.session.state().trouble, Trouble::no_hello);
   EXPECT_EQ(rig.session.state().attempt, 10);
   EXPECT_FALSE(rig.forced_ever);
-  rig.run(10s);
-  EXPECT_EQ(rig.session.phase(), Phase::failed);  // it gave up, until somebody says so
+  rig.run(4s);
+  EXPECT_EQ(rig.session.phase(), Phase::failed);  // rests
   rig.falcon.stick_speed(false);
+  EXPECT_TRUE(rig.reach(Phase::homing, 30s));
+}
+
+TEST(FalconSession, rests_no_longer_when_it_is_asked_again) {
+  Rig rig({.powered = false});
+  rig.session.give_image(image());
+  ASSERT_TRUE(rig.reach(Phase::failed, 300s));
+  rig.falcon.restore_power();
+  const LinkTime asked = rig.link.now();
   rig.session.retry();
-  EXPECT_TRUE(rig.reach(Phase::homing));
+  EXPECT_TRUE(rig.reach(Phase::homing, 30s));
+  EXPECT_LT(rig.link.now() - asked, 4s);
+}
+
+TEST(FalconSession, probes_that_nobody_answered_take_no_place_in_the_window) {
+  Rig rig;
+  rig.session.give_image(image());
+  ASSERT_TRUE(rig.reach(Phase::homing));
+  const auto lost = rig.session.state().lost;
+  EXPECT_EQ(lost, 10u);  // the ten probes before the upload
+  rig.home();
+  rig.run(1s);
+  EXPECT_EQ(rig.session.state().lost, lost);
+}
+
+TEST(FalconSession, a_wish_from_before_a_silence_is_forgotten) {
+  Rig rig({.firmware_running = true});
+  rig.reach(Phase::homing);
+  rig.home();
+  rig.run(1s);
+  rig.falcon.fall_mute(true);
+  rig.run(50ms);
+  ASSERT_EQ(rig.session.phase(), Phase::silent);
+  rig.falcon.fall_mute(false);
+  ASSERT_TRUE(rig.reach(Phase::homing, 1s));
+  for (int i = 0; i < 700; ++i) {  // exchanges without a command, as before a loop's first step
+    const LinkTime tick = rig.link.now() + 1ms;
+    while (rig.link.now() < tick) rig.once(tick);
+    rig.session.exchange(rig.link.now());
+    rig.hand_over();
+    ASSERT_EQ(rig.session.last_torque(), kNoTorque);
+  }
+  EXPECT_EQ(rig.session.phase(), Phase::ready);
 }
 
 TEST(FalconSession, firmware_that_hangs_after_the_upload_is_loaded_again) {
