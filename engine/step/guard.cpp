@@ -11,6 +11,8 @@ constexpr double kVelocityMs = 4.0;
 /// A late tick earns no more rise than one in time.
 constexpr double kMostRiseMs = 1.0;
 
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
 }  // namespace
 
 Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms, bool first) noexcept {
@@ -48,7 +50,7 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
     force = passive(settings, state.passivity, now);
     if (state.passivity.scale < 1.0 && tick.contact) act(GuardPart::passivity);
   }
-  const double wanted = std::sqrt(glm::dot(force, force));
+  const double wanted = length_of(force);
   double given = wanted;
   if (settings.has(GuardPart::speed) && wanted > 1e-12) {
     // Thrown: along the force. A hand that pushes against it at any speed feels all of it.
@@ -63,24 +65,31 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
     given = settings.limit_n;
     act(GuardPart::limit);
   }
+  if (given < wanted) force *= given / wanted;
   if (settings.has(GuardPart::slew)) {
-    const double rise_ms = tick.dt_ms < kMostRiseMs ? tick.dt_ms : kMostRiseMs;
-    const double rise = state.force_n + settings.slew_n_per_ms * rise_ms;
-    if (given > rise) {
-      given = rise;
+    const double before = glm::dot(state.given_n, state.given_n);
+    double kept = before > 1e-18 ? glm::dot(force, state.given_n) / before : 0.0;
+    kept = kept < 0.0 ? 0.0 : kept > 1.0 ? 1.0 : kept;
+    const Vec3 rise = force - state.given_n * kept;
+    const double most = settings.slew_n_per_ms * (tick.dt_ms < kMostRiseMs ? tick.dt_ms : kMostRiseMs);
+    const double rises = length_of(rise);
+    if (rises > most) {
+      force = state.given_n * kept + rise * (most / rises);
       act(GuardPart::slew);
     }
   }
-  state.force_n = given;
-  if (!(wanted > 1e-12)) given = 0.0;
-  const Vec3 out = given == wanted ? force : wanted > 1e-12 ? force * (given / wanted) : Vec3(0.0);
-  hold(state.passivity, out, tick.contact ? tick.proxy_mm - tick.device_mm : Vec3(0.0));
-  return out;
+  state.given_n = force;
+  hold(state.passivity, force, tick.contact ? tick.proxy_mm - tick.device_mm : Vec3(0.0));
+  const std::uint16_t now_acted = acts;
+  acts = static_cast<std::uint16_t>(acts | state.acted);
+  state.acted = now_acted;
+  return force;
 }
 
 void release(GuardState& state) noexcept {
   state.ramp_ms = 0.0;
-  state.force_n = 0.0;
+  state.given_n = Vec3(0.0);
+  state.acted = 0;
   state.velocity_mm_s = Vec3(0.0);
   state.passivity = PassivityState{};
 }

@@ -18,7 +18,8 @@ namespace cusp {
 struct GuardState {
   Fault fault = Fault::none;
   double ramp_ms = 0.0;     // since start, burr change or re-arm
-  double force_n = 0.0;     // magnitude given in the tick before
+  Vec3 given_n{0.0};        // in the tick before
+  std::uint16_t acted = 0;  // GuardPart bits of the tick before
   double stale_ms = 0.0;    // since the device last said something new
   Vec3 velocity_mm_s{0.0};  // of the device, low-passed
   PassivityState passivity;
@@ -28,7 +29,8 @@ struct GuardState {
 /// this input, how long the device has said nothing new.
 Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms, bool first) noexcept;
 
-/// Force for the hand (N); `acts` gets the GuardParts that changed it. A raw force that is not finite latches
+/// Force for the hand (N); `acts` gets the GuardParts that changed it, and those that did in the tick before, for its way
+/// back is their doing too. What rises is what the force gains along itself or aside, whatever it lets go at once. A raw force that is not finite latches
 /// Fault::not_finite. `moved_mm`: of the device point since the input before.
 Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& tick, Vec3 moved_mm,
              std::uint16_t& acts) noexcept;

@@ -6,16 +6,17 @@ namespace cusp {
 
 namespace {
 
-/// Low-pass of 3 ms at any tick, never further behind than one encoder step: what dithers between two counts weighs a
-/// twenty-eighth of itself in the energy, and what really moves is seen at once.
-constexpr double kSmoothMs = 3.0;
+/// Low-pass of 3 ms at any tick, never further behind than half an encoder step: what dithers between two counts weighs
+/// little in the energy, and what really moves is seen at once. (A whole step behind, up to 0.09 mJ went out of a groove
+/// that rang, before it was seen; half a step: 0.044.)
+constexpr double kSmoothMs = 3.0, kBehindSteps = 0.5;
 /// How fast the coupling stiffens again: where the hand has put in what that takes; and in the air [M].
 constexpr double kRecoverPerMs = 0.0005, kRecoverFreePerMs = 0.005;
 /// The damper begins above what one encoder count can look like, so that it does not chatter.
 constexpr double kDamperFromMmS = 15.0;
-/// A wall softer than this is none; and so soft it is passive on any device that a hand holds: 0.5 N s/m of the device and
-/// 2 of the softest grip bear 0.7 N/mm at 3 ms of delay (stiffness_rule.h).
-constexpr double kLeastNPerMm = 0.2;
+/// A wall softer than this is none. What half of the least damping (0.5 N s/m) bears where the force comes late by
+/// half a tick and the delay is passive on any device, and needs no controller.
+constexpr double kLeastNPerMm = 0.2, kHalfDampingNsPerMm = 0.25e-3, kHalfTickS = 0.0005;
 /// What an encoder's noise costs at most while the burr slides on a slope (measured: 0.004 mJ/s at 2 N/mm, 50 mm/s).
 constexpr double kNoiseMjPerMs = 5e-6;
 
@@ -41,7 +42,8 @@ Vec3 passive(const GuardSettings& settings, PassivityState& state, const GuardTi
 
   double follow = tick.dt_ms / (tick.dt_ms + kSmoothMs);
   const double off = length_of(spring - state.spring_mm);
-  if (off * (1.0 - follow) > settings.encoder_mm) follow = 1.0 - settings.encoder_mm / off;
+  const double behind_mm = kBehindSteps * settings.encoder_mm;
+  if (off * (1.0 - follow) > behind_mm) follow = 1.0 - behind_mm / off;
   if (!tick.contact) follow = 1.0;
   int back = static_cast<int>(settings.delay_ms + 0.5);
   if (!(back > 0)) back = 0;
@@ -71,7 +73,9 @@ Vec3 passive(const GuardSettings& settings, PassivityState& state, const GuardTi
     return tick.raw_n * tick.ramp;
   }
   if (state.room_mj < 0.0) {
-    const double least = k > kLeastNPerMm ? kLeastNPerMm / k : 1.0;
+    const double bears = kHalfDampingNsPerMm / (kHalfTickS + 1e-3 * back);
+    const double least_n_per_mm = bears < kLeastNPerMm ? bears : kLeastNPerMm;
+    const double least = k > least_n_per_mm ? least_n_per_mm / k : 1.0;
     double scale = stored > -state.room_mj ? state.scale * (1.0 + state.room_mj / stored) : 0.0;
     if (scale < least) scale = least;
     if (scale < state.scale) state.scale = scale;

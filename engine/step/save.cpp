@@ -104,7 +104,8 @@ void read_output(Reader& r, StepOutput& o) {
 void write_guard(Writer& w, const GuardState& g) {
   w.u(static_cast<std::uint64_t>(g.fault), 1);
   w.d(g.ramp_ms);
-  w.d(g.force_n);
+  w.v(g.given_n);
+  w.u(g.acted, 2);
   w.d(g.stale_ms);
   w.v(g.velocity_mm_s);
   const PassivityState& p = g.passivity;
@@ -118,7 +119,8 @@ void write_guard(Writer& w, const GuardState& g) {
 void read_guard(Reader& r, GuardState& g) {
   g.fault = static_cast<Fault>(r.u(1));
   g.ramp_ms = r.d();
-  g.force_n = r.d();
+  g.given_n = r.v();
+  g.acted = static_cast<std::uint16_t>(r.u(2));
   g.stale_ms = r.d();
   g.velocity_mm_s = r.v();
   PassivityState& p = g.passivity;

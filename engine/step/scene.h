@@ -68,7 +68,7 @@ struct GuardSettings {
                                     // each millisecond, and lets its motors go when the host is silent
   double speed_mm_s = 400.0;        // velocity bound: a device that the force itself drives faster is being thrown; from
                                     // here the force fades, to nothing at twice that [M]: hands drill at 1 to 50
-  double passivity_mj = 0.02;       // what the loop may feed before the passivity controller acts
+  double passivity_mj = 0.015;      // what the loop may feed before the passivity controller acts
   double delay_ms = 0.0;            // there and back, that the passivity controller reckons with, [0, 8]
   double encoder_mm = 0.05;         // of the device's reading: the controller takes less for no motion
   double coupling_ns_per_m = 10.0;  // damper of the virtual coupling, where the controller has softened it

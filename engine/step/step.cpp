@@ -68,16 +68,15 @@ std::uint64_t StepState::hash() const noexcept {
         static_cast<std::uint64_t>(s.started) << 24 | static_cast<std::uint64_t>(s.cut_valid) << 25 |
         static_cast<std::uint64_t>(s.cut_pending) << 26);
   h.add_double(s.guard.ramp_ms);
-  h.add_double(s.guard.force_n);
   h.add_double(s.guard.stale_ms);
   const PassivityState& passivity = s.guard.passivity;
-  for (const Vec3& v : {s.guard.velocity_mm_s, passivity.device_mm, passivity.spring_mm})
+  for (const Vec3& v : {s.guard.given_n, s.guard.velocity_mm_s, passivity.device_mm, passivity.spring_mm})
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
   for (const Vec3& v : passivity.held_n)
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
   for (const double d : {passivity.stiffness_n_per_mm, passivity.scale, passivity.room_mj, passivity.bank_mj})
     h.add_double(d);
-  h.add(passivity.primed ? 1 : 0);
+  h.add((passivity.primed ? 1u : 0u) | static_cast<unsigned>(s.guard.acted) << 1);
   for (const double owed : s.owed) h.add_double(owed);
   if (s.scene->method == Method::gradient)
     for (int i = 0; i < 3; ++i) h.add_double(s.foot[i]);

@@ -60,12 +60,12 @@ std::uint64_t run(Method method, bool cut) {
   return hash.value();
 }
 
-TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 12946707666694253214ull); }
-TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 5376508498540619509ull); }
-TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 5607012726158106050ull); }
-TEST(GoldenHash, drilling_with_the_ray_proxy) { EXPECT_EQ(run(Method::ray, true), 75228421063564086ull); }
-TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, true), 2709985952044313501ull); }
-TEST(GoldenHash, drilling_with_the_gradient_proxy) { EXPECT_EQ(run(Method::gradient, true), 1126689794040164334ull); }
+TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 7421822259197432659ull); }
+TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 15416827668295909427ull); }
+TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 16999613114495229119ull); }
+TEST(GoldenHash, drilling_with_the_ray_proxy) { EXPECT_EQ(run(Method::ray, true), 6353989396873261444ull); }
+TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, true), 18235116637025769018ull); }
+TEST(GoldenHash, drilling_with_the_gradient_proxy) { EXPECT_EQ(run(Method::gradient, true), 15036402589694644214ull); }
 
 }  // namespace
 }  // namespace cusp
