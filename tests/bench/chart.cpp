@@ -11,6 +11,7 @@
 #include "tests/bench/program.h"
 #include "tests/bench/rate.h"
 #include "tests/bench/scale.h"
+#include "tests/bench/stability.h"
 
 namespace cusp::bench {
 
@@ -21,7 +22,10 @@ namespace fs = std::filesystem;
 /// Rows of one report go to their kinds, each with the report's commit and machine.
 void sort_in(Evidence& to, const Report& report) {
   for (const Row& row : report.rows) {
-    Report& kind = row.volume_voxels >= 0 ? to.scale : !row.task.empty() ? to.rate : to.accuracy;
+    Report& kind = !row.case_name.empty()   ? to.stability
+                   : row.volume_voxels >= 0 ? to.scale
+                   : !row.task.empty()      ? to.rate
+                                            : to.accuracy;
     kind.commit = report.commit;
     kind.machine = report.machine;
     kind.rows.push_back(row);
@@ -52,17 +56,18 @@ Result<void, ChartFailure> read_file(const fs::path& path, Evidence& to) {
   return {};
 }
 
-/// Puts the table between the two lines that mark its place in a README.
-Result<void, ChartFailure> place_table(const fs::path& path, const std::string& table) {
+/// Puts a table between the two lines that mark its place in a README.
+Result<void, ChartFailure> place_table(const fs::path& path, std::string_view begin_line, std::string_view end_line,
+                                       const std::string& table) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   std::string whole = text.str();
-  const std::size_t begin = whole.find(kTableBegin);
-  const std::size_t end = whole.find(kTableEnd);
+  const std::size_t begin = whole.find(begin_line);
+  const std::size_t end = whole.find(end_line);
   if (!file || begin == std::string::npos || end == std::string::npos || end < begin)
     return fail(ChartError::cannot_read, path.string(), "no place for the table");
-  const std::size_t from = begin + kTableBegin.size();
+  const std::size_t from = begin + begin_line.size();
   whole.replace(from, end - from, table);
   std::ofstream out(path, std::ios::binary);
   out << whole;
@@ -85,10 +90,11 @@ int failed(const ChartFailure& failure) {
 Evidence measure_all(const Options& options) {
   Evidence out;
   const Report here = empty_report();
-  out.accuracy = out.rate = out.scale = here;
+  out.accuracy = out.rate = out.scale = out.stability = here;
   out.accuracy.rows = accuracy_rows(options);
   out.rate.rows = rate_rows(options);
   out.scale.rows = scale_rows(options);
+  out.stability.rows = stability_rows(options);
   return out;
 }
 
@@ -100,7 +106,7 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
       files.emplace_back(name);
       continue;
     }
-    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "pace.csv", "motion.csv"})
+    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "pace.csv", "motion.csv"})
       if (fs::exists(fs::path(name) / table, none)) files.push_back(fs::path(name) / table);
   }
   Evidence out;
@@ -110,18 +116,18 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
 }
 
 Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence& evidence) {
-  std::map<std::string, std::string> out = {{"accuracy.csv", to_csv(evidence.accuracy)},
-                                            {"rate.csv", to_csv(evidence.rate)},
-                                            {"scale.csv", to_csv(evidence.scale)},
-                                            {"pace.csv", to_csv(evidence.pace)},
-                                            {"motion.csv", to_csv(evidence.motion)}};
+  std::map<std::string, std::string> out = {
+      {"accuracy.csv", to_csv(evidence.accuracy)}, {"rate.csv", to_csv(evidence.rate)},
+      {"scale.csv", to_csv(evidence.scale)},       {"stability.csv", to_csv(evidence.stability)},
+      {"pace.csv", to_csv(evidence.pace)},         {"motion.csv", to_csv(evidence.motion)}};
   // Drawn from what the tables hold, not from more figures than they do: then they give the same pictures later.
   const auto accuracy = from_csv(out["accuracy.csv"]);
   const auto rate = from_csv(out["rate.csv"]);
   const auto scale = from_csv(out["scale.csv"]);
+  const auto stability = from_csv(out["stability.csv"]);
   const auto pace = pace_from_csv(out["pace.csv"]);
   const auto motion = motion_from_csv(out["motion.csv"]);
-  for (const auto* read : {&accuracy, &rate, &scale})
+  for (const auto* read : {&accuracy, &rate, &scale, &stability})
     if (!*read) return fail(ChartError::cannot_read, "a row", read->error().where);
   if (!pace) return fail(ChartError::cannot_read, "pace", pace.error().where);
   if (!motion) return fail(ChartError::cannot_read, "motion", motion.error().where);
@@ -133,6 +139,9 @@ Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence
       {"error-voxel.svg", error_against_voxel(*accuracy)},
       {"cost-size.svg", cost_against_size(*rate, *scale)},
       {"methods.md", method_table(*accuracy, *rate)},
+      {"stability-map.svg", stability_map(*stability)},
+      {"stability-damping.svg", stiffness_against_damping(*stability)},
+      {"stability.md", stability_table(*stability)},
   };
   for (const auto& [name, picture] : pictures) {
     if (!picture) return std::unexpected(picture.error());
@@ -167,14 +176,15 @@ int run_chart(const Options& options) {
   }
   if (!options.json.empty()) {
     Report all{evidence.rate.commit, evidence.rate.machine, evidence.accuracy.rows};
-    for (const Report* more : {&evidence.rate, &evidence.scale})
+    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability})
       all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());
     if (const auto written = print_json(all, options.json); !written)
       return failed({ChartError::cannot_write, written.error().where, ""});
   }
-  if (!options.readme.empty())
-    if (const auto placed = place_table(options.readme, files->at("methods.md")); !placed)
-      return failed(placed.error());
+  if (options.readme.empty()) return kDone;
+  for (const auto& placed : {place_table(options.readme, kTableBegin, kTableEnd, files->at("methods.md")),
+                             place_table(options.readme, kStabilityBegin, kStabilityEnd, files->at("stability.md"))})
+    if (!placed) return failed(placed.error());
   return kDone;
 }
 

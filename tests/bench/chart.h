@@ -13,7 +13,7 @@ namespace cusp::bench {
 
 /// All that the pictures are drawn from.
 struct Evidence {
-  Report accuracy, rate, scale;
+  Report accuracy, rate, scale, stability;
   PaceReport pace;
   MotionReport motion;
 };
@@ -27,9 +27,12 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
 /// [name]: text of every file. The same evidence, the same bytes.
 Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence& evidence);
 
-/// Lines of a README between which the table of methods stands.
+/// Lines of a README between which the table of methods stands; a README has to have both places.
 inline constexpr std::string_view kTableBegin = "<!-- methods: written by cusp-bench chart -->\n";
 inline constexpr std::string_view kTableEnd = "<!-- /methods -->\n";
+/// And the one of what breaks.
+inline constexpr std::string_view kStabilityBegin = "<!-- stability: written by cusp-bench chart -->\n";
+inline constexpr std::string_view kStabilityEnd = "<!-- /stability -->\n";
 
 /// Records pace and motion where nothing that was read holds them.
 int run_chart(const Options& options);

@@ -10,6 +10,7 @@
 #include "tests/bench/names.h"
 #include "tests/bench/plot.h"
 #include "tests/bench/program.h"
+#include "tests/bench/stability.h"
 
 namespace cusp::bench {
 namespace {
@@ -29,10 +30,45 @@ Row accuracy_row(std::string_view method, std::string_view shape, double radius,
   return row;
 }
 
+/// Every method through every case; the penalty falls through the thin wall.
+void add_stability(Report& report) {
+  const auto row_in = [](std::string_view method, const CaseName& name, bool guard, const Setting& setting) {
+    CaseRun what;
+    what.key = name.key;
+    what.guard = guard;
+    what.setting = setting;
+    Row row = row_of(what);
+    row.method = method;
+    row.runs = 10;
+    row.passed_through = method == "penalty" && name.key == "thin-wall" ? 10 : 0;
+    row.stuck = 0;
+    row.force_step_mn = row.force_step_p99_mn = row.zero_ms = 1.0;
+    row.energy_mj = row.energy_exact_mj = 0.1;
+    return row;
+  };
+  for (const std::string_view method : kMethodNames)
+    for (const bool guard : {true, false}) {
+      for (const CaseName& name : kPressCases) {
+        Row& row = report.rows.emplace_back(row_in(method, name, guard, usual_setting()));
+        row.k_max_n_per_mm = guard ? 2.0 : 0.9;
+        row.k_exact_n_per_mm = 1.0;
+      }
+      for (const CaseName& name : kWayCases) report.rows.push_back(row_in(method, name, guard, {}));
+      for (const CaseName& name : kFaultCases) report.rows.push_back(row_in(method, name, guard, {}));
+    }
+  for (const double friction : {0.0, 0.1})
+    for (const double damping : {0.5, 2.0, 5.0})
+      for (const std::string_view grip : {"none", "soft", "firm"}) {
+        Row& row = report.rows.emplace_back(
+            row_in("surface", kPressCases[0], false, Setting{0.1, damping, friction, 0.0, grip}));
+        row.k_max_n_per_mm = row.k_exact_n_per_mm = damping;
+      }
+}
+
 /// Made up, complete, and of second order above a floor of 0.001 degrees.
 Evidence made_up() {
   Evidence out;
-  out.accuracy = out.rate = out.scale = {"0123456789abcdef", "A CPU", {}};
+  out.accuracy = out.rate = out.scale = out.stability = {"0123456789abcdef", "A CPU", {}};
   out.pace = {"0123456789abcdef", "A CPU", {}};
   out.motion = {"0123456789abcdef", "A CPU", {}};
   double rate = 100e3;
@@ -77,6 +113,7 @@ Evidence made_up() {
       out.scale.rows.push_back(row);
     }
   }
+  add_stability(out.stability);
   for (const std::string method : {"surface", "occupancy"})
     for (const std::string task : {"displacement", "exploration", "perforation"})
       for (int i = 1; i <= kSamplesATask; ++i) {
@@ -91,7 +128,7 @@ TEST(Chart, draws_the_same_bytes_from_the_same_rows) {
   const auto a = draw_all(made_up());
   const auto b = draw_all(made_up());
   ASSERT_TRUE(a && b);
-  EXPECT_EQ(a->size(), 12u);
+  EXPECT_EQ(a->size(), 16u);
   EXPECT_EQ(*a, *b);
 }
 
@@ -108,6 +145,23 @@ TEST(Chart, draws_the_same_from_the_tables_that_it_wrote) {
   ASSERT_TRUE(again);
   for (const auto& [name, text] : *first) EXPECT_TRUE(again->at(name) == text) << name;
   std::filesystem::remove_all(folder);
+}
+
+TEST(Chart, marks_what_failed_and_how_stiff_a_wall_may_be) {
+  const auto map = stability_map(made_up().stability);
+  ASSERT_TRUE(map);
+  EXPECT_NE(map->find(">0.9</text>"), std::string::npos);
+  EXPECT_NE(map->find(">2</text>"), std::string::npos);
+  // Without the penalty's fall, one cell less is tinted; two guards.
+  Report whole = made_up().stability;
+  for (Row& row : whole.rows) row.passed_through = 0;
+  const auto tinted = [](const std::string& text) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find("#FBE3D2"); at != std::string::npos; at = text.find("#FBE3D2", at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(tinted(*map), 2u);
+  EXPECT_EQ(tinted(*stability_map(whole)), 0u);
 }
 
 TEST(Chart, names_commit_and_machine_in_every_file) {
@@ -149,6 +203,14 @@ TEST(Chart, says_what_is_missing_instead_of_drawing_without_it) {
             }).find("rate"),
             std::string::npos);
   EXPECT_NE(failure_without([&](Evidence& e) { e.scale.rows.clear(); }).find("scale"), std::string::npos);
+  EXPECT_NE(failure_without([&](Evidence& e) {
+              drop(e.stability, [](const Row& r) { return r.method == "ray" && r.case_name == "islands"; });
+            }).find("islands"),
+            std::string::npos);
+  EXPECT_NE(failure_without([&](Evidence& e) {
+              drop(e.stability, [](const Row& r) { return r.grip == "firm"; });
+            }).find("firm"),
+            std::string::npos);
   EXPECT_NE(failure_without([](Evidence& e) {
               std::erase_if(e.pace.samples, [](const PaceSample& s) { return s.task == "perforation"; });
             }).find("perforation"),
@@ -163,14 +225,16 @@ TEST(Chart, writes_its_table_between_the_marks_of_a_readme_and_nothing_else) {
   ASSERT_TRUE(files);
   for (const auto& [name, text] : *files) std::ofstream(folder / name, std::ios::binary) << text;
   const auto readme = folder / "README.md";
-  const std::string before = "before\n" + std::string(kTableBegin), after = std::string(kTableEnd) + "after\n";
-  std::ofstream(readme) << before << "old\n" << after;
+  const std::string before = "before\n" + std::string(kTableBegin);
+  const std::string between = std::string(kTableEnd) + "between\n" + std::string(kStabilityBegin);
+  const std::string after = std::string(kStabilityEnd) + "after\n";
+  std::ofstream(readme) << before << "old\n" << between << "old too\n" << after;
   const std::vector<std::string> args = {"chart",         "--from",   folder.string(), "--out",
                                          folder.string(), "--readme", readme.string()};
   ASSERT_EQ(run_program(args), kDone);
   std::ifstream file(readme);
   const std::string text((std::istreambuf_iterator<char>(file)), {});
-  EXPECT_EQ(text, before + files->at("methods.md") + after);
+  EXPECT_EQ(text, before + files->at("methods.md") + between + files->at("stability.md") + after);
   std::ofstream(readme) << "no marks\n";
   EXPECT_EQ(run_program(args), kFailed);
   std::filesystem::remove_all(folder);
@@ -187,8 +251,9 @@ TEST(Chart, the_committed_results_are_what_their_tables_draw) {
     return std::string((std::istreambuf_iterator<char>(file)), {});
   };
   for (const auto& [name, text] : *drawn) EXPECT_TRUE(text_of(folder / name) == text) << name;
-  EXPECT_NE(text_of(std::filesystem::path(CUSP_SOURCE_DIR) / "README.md").find(drawn->at("methods.md")),
-            std::string::npos);
+  for (const char* table : {"methods.md", "stability.md"})
+    EXPECT_NE(text_of(std::filesystem::path(CUSP_SOURCE_DIR) / "README.md").find(drawn->at(table)), std::string::npos)
+        << table;
 }
 
 TEST(Chart, refuses_what_is_no_report) {
@@ -206,6 +271,7 @@ TEST(Chart, rows_of_one_report_go_to_their_kinds) {
   Report one = all.accuracy;
   one.rows.insert(one.rows.end(), all.rate.rows.begin(), all.rate.rows.end());
   one.rows.insert(one.rows.end(), all.scale.rows.begin(), all.scale.rows.end());
+  one.rows.insert(one.rows.end(), all.stability.rows.begin(), all.stability.rows.end());
   const auto path = std::filesystem::path(testing::TempDir()) / "cusp_one_report.json";
   std::ofstream(path) << to_json(one);
   const auto read = read_evidence({path.string()});
@@ -213,6 +279,7 @@ TEST(Chart, rows_of_one_report_go_to_their_kinds) {
   EXPECT_EQ(read->accuracy.rows.size(), all.accuracy.rows.size());
   EXPECT_EQ(read->rate.rows.size(), all.rate.rows.size());
   EXPECT_EQ(read->scale.rows.size(), all.scale.rows.size());
+  EXPECT_EQ(read->stability.rows.size(), all.stability.rows.size());
   std::filesystem::remove(path);
 }
 

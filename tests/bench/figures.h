@@ -33,6 +33,13 @@ Picture cost_against_size(const Report& rate, const Report& scale);
 /// Speed and accuracy of every method at the usual voxel size, as a Markdown table with where it is from.
 Picture method_table(const Report& accuracy, const Report& rate);
 
+/// Methods by cases: the largest stable stiffness over the exact proxy's, and what failed (verdict.h).
+Picture stability_map(const Report& stability);
+/// k_max of the surface proxy on a face against the device's damping, beside the bounds that promise passivity.
+Picture stiffness_against_damping(const Report& stability);
+/// The worst of every method with the guard on, as a Markdown table with where it is from.
+Picture stability_table(const Report& stability);
+
 /// Order p of error = c h^p, by least squares on the logarithms. Pre: at least two points, all positive.
 double fitted_order(const std::vector<std::pair<double, double>>& h_and_error);
 

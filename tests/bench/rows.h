@@ -57,10 +57,12 @@ struct Row {
   double k_exact_n_per_mm = kAbsent;  // k_max of the exact proxy on the same shape, with the same hand and device
   double energy_mj = kAbsent;
   double energy_exact_mj = kAbsent;
-  double cycle_um = kAbsent;
+  double late_mj = kAbsent;   // force times travel in the milliseconds that went without an answer
+  double cycle_um = kAbsent;  // where the hand rests; with k_max, at the first stiffness that fails
   double cycle_hz = kAbsent;
-  double force_max_n = kAbsent;    // most that the hand got
-  double force_step_mn = kAbsent;  // the largest
+  double cycle_exact_um = kAbsent;  // of the exact proxy in the same loop
+  double force_max_n = kAbsent;     // most that the hand got
+  double force_step_mn = kAbsent;   // the largest
   double force_step_p99_mn = kAbsent;
   double guard_step_mn = kAbsent;
   double penetration_um = kAbsent;   // deepest the burr stood in tissue at the method's proxy, exactly
@@ -130,8 +132,10 @@ void for_each_field(R& row, Visit&& visit) {
   visit("k_exact_n_per_mm", row.k_exact_n_per_mm);
   visit("energy_mj", row.energy_mj);
   visit("energy_exact_mj", row.energy_exact_mj);
+  visit("late_mj", row.late_mj);
   visit("cycle_um", row.cycle_um);
   visit("cycle_hz", row.cycle_hz);
+  visit("cycle_exact_um", row.cycle_exact_um);
   visit("force_max_n", row.force_max_n);
   visit("force_step_mn", row.force_step_mn);
   visit("force_step_p99_mn", row.force_step_p99_mn);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kVoxelMm = 10.0 / 128;
 constexpr int kSeeds = 5, kFewSeeds = 2;
 /// Of the budget, what a row of kWayCases takes: there are hundreds.
-constexpr double kWayShare = 0.4;
+constexpr double kWayShare = 0.4, kWallShare = 6.0;
 
 bool asked_near(const std::vector<double>& filter, double value) {
   return filter.empty() || std::ranges::any_of(filter, [value](double f) { return std::fabs(f - value) < 1e-9; });
@@ -57,7 +57,7 @@ KMaxCase k_max_case(const CaseRun& what) {
   out.device = what.setting.device();
   out.transport = what.setting.transport(what.seed);
   out.grip = what.setting.hand();
-  out.seeds = kSeeds;
+  out.seeds = what.budget_s < kWholeBudgetS ? kFewSeeds : kSeeds;
   return out;
 }
 
@@ -96,6 +96,23 @@ void print(const std::vector<Row>& rows) {
     if (!std::isnan(r.zero_ms))
       fmt::print("  zero after {} ms, back after {} to {}", number(r.zero_ms), number(r.back_ms), number(r.back_share));
     fmt::print("\n");
+  }
+}
+
+/// What the picture of damping shows: the surface proxy on a face, without a guard and without delay.
+void sweep_damping(CaseRun what, const Options& options, std::vector<Row>& rows) {
+  if (!bench::asked(options.cases, "face") || !bench::asked(options.methods, key_of(Method::surface)) ||
+      !bench::asked(options.guards, "off") || !options.voxels_mm.empty() || !options.burr_radii_mm.empty())
+    return;
+  what.key = "face";
+  what.method = Method::surface;
+  what.guard = false;
+  what.voxel_mm = kVoxelMm;
+  what.burr_radius_mm = 0.25;
+  for (const Setting& setting : all_settings()) {
+    if (setting.mass_kg != 0.1 || setting.delay_ms != 0.0) continue;
+    what.setting = setting;
+    rows.push_back(press_row(what));
   }
 }
 
@@ -142,7 +159,7 @@ Row press_row(const CaseRun& what) {
   row.k_exact_n_per_mm = exact_k_max(what).k_max_n_per_mm;
   // At half of what it may be.
   const double half = 0.5 * std::min(found.k_max_n_per_mm, row.k_exact_n_per_mm);
-  row.runs = kSeeds;
+  row.runs = own.seeds;
   if (!(half > 0.0)) return row;
   KMaxCase exact = own;
   exact.method.reset();
@@ -151,7 +168,7 @@ Row press_row(const CaseRun& what) {
   row.energy_mj = row.energy_exact_mj = row.force_step_mn = row.guard_step_mn = row.penetration_um = 0.0;
   row.stuck_ms = 0.0;
   row.passed_through = row.stuck = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(own.seeds); ++seed) {
     const PressRun run = bench.run(half, seed, false, true);
     row.energy_mj = std::max(row.energy_mj, run.energy_mj);
     row.energy_exact_mj = std::max(row.energy_exact_mj, reference.run(half, seed).energy_mj);
@@ -190,16 +207,26 @@ std::vector<Row> stability_rows(const Options& options) {
         }
       }
   };
-  for (const double radius : chosen(options.burr_radii_mm, {0.5})) {
-    what.burr_radius_mm = radius;
-    for (const CaseName& name : kPressCases)
-      each(name.key, asks_for_others(options) ? all_settings() : std::vector<Setting>{usual_setting()},
-           voxels_of(name.key, options), press_row);
-  }
+  for (const CaseName& name : kPressCases)
+    // Hundreds of points about the burr in its pit; one burr for the rest.
+    for (const double radius : chosen(options.burr_radii_mm, {name.key == "pit" ? 0.5 : 0.25})) {
+      what.burr_radius_mm = radius;
+      if (asks_for_others(options)) {
+        each(name.key, all_settings(), voxels_of(name.key, options), press_row);
+        continue;
+      }
+      each(name.key, {usual_setting()}, voxels_of(name.key, options), press_row);
+    }
+  if (!asks_for_others(options)) sweep_damping(what, options, rows);
   for (const double radius : chosen(options.burr_radii_mm, {0.25})) {
     what.burr_radius_mm = radius;
-    for (const CaseName& name : kWayCases)
-      each(name.key, settings_of(name.key), voxels_of(name.key, options), run_case);
+    what.budget_s = kWayShare * options.budget_s;
+    const auto way = [&options](CaseRun one) {
+      // Ten thousand approaches at the usual budget.
+      if (one.key == "thin-wall" && one.method == Method::surface) one.budget_s = kWallShare * options.budget_s;
+      return run_case(one);
+    };
+    for (const CaseName& name : kWayCases) each(name.key, settings_of(name.key), voxels_of(name.key, options), way);
     for (const CaseName& name : kFaultCases) each(name.key, {Setting{}}, voxels_of(name.key, options), run_case);
   }
   what.burr_radius_mm = 0.5;

@@ -46,6 +46,8 @@ inline constexpr std::array<CaseName, 8> kFaultCases = {{{"frozen", "frozen"},
 inline constexpr std::array<CaseName, 3> kTaskCases = {
     {{"displacement", "displacement"}, {"exploration", "exploration"}, {"perforation", "perforation"}}};
 
+inline constexpr std::int64_t kMostRuns = 10000;
+
 /// What a row is measured with.
 struct CaseRun {
   std::string_view key;
@@ -54,11 +56,10 @@ struct CaseRun {
   Setting setting;
   double voxel_mm = 10.0 / 128;
   double burr_radius_mm = 0.25;
-  double budget_s = 1.0;  // no further run is begun after it; one always is
+  double budget_s = 1.0;  // of the core's time: no further run is begun after it; one always is
+  std::int64_t most_runs = kMostRuns;
   std::uint64_t seed = 1;
 };
-
-inline constexpr std::int64_t kWallApproaches = 10000;
 
 /// One row. Pre: the key is of kWayCases, kFaultCases or kTaskCases.
 Row run_case(const CaseRun& what);

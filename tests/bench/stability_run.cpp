@@ -88,6 +88,7 @@ void Tally::begin() {
   stuck_ = {};
   energy_ = exact_energy_ = {};
   through_ = was_stuck_ = false;
+  run_late_mj_ = 0.0;
 }
 
 void Tally::add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double burr_radius_mm,
@@ -143,6 +144,11 @@ void Tally::note_stuck() {
 
 void Tally::gave(const StepOutput& out) { force_max_n_ = std::max(force_max_n_, length(out.force_n)); }
 
+void Tally::loop(const lab::LoopTick& tick) {
+  energy_.add(tick);
+  if (tick.answers == 0) run_late_mj_ += length(tick.held_n) * length(tick.to_mm - tick.from_mm);
+}
+
 void Tally::rest(const lab::Steadiness& steady) {
   const double um = 1000.0 * steady.peak_to_peak_mm();
   if (std::isnan(cycle_um_) || um > cycle_um_) {
@@ -151,12 +157,17 @@ void Tally::rest(const lab::Steadiness& steady) {
   }
 }
 
+void Tally::exact_rest(const lab::Steadiness& steady) {
+  exact_cycle_um_ = larger(exact_cycle_um_, 1000.0 * steady.peak_to_peak_mm());
+}
+
 void Tally::end() {
   ++runs_;
   note_steps();
   note_stuck();
   passed_ += through_ ? 1 : 0;
   stuck_runs_ += was_stuck_ ? 1 : 0;
+  late_mj_ = std::max(late_mj_, run_late_mj_);
   if (energy_.episodes() > 0) energy_mj_ = larger(energy_mj_, energy_.most_mj());
   if (exact_energy_.episodes() > 0) exact_energy_mj_ = larger(exact_energy_mj_, exact_energy_.most_mj());
 }
@@ -166,8 +177,10 @@ void Tally::fill(Row& row) {
   row.runs = runs_;
   row.energy_mj = energy_mj_;
   row.energy_exact_mj = exact_energy_mj_;
+  if (late_mj_ > 0.0) row.late_mj = late_mj_;
   row.cycle_um = cycle_um_;
   row.cycle_hz = cycle_hz_;
+  row.cycle_exact_um = exact_cycle_um_;
   row.force_max_n = force_max_n_;
   row.force_step_mn = steps_.force_step_mn();
   if (!step_mn_.empty()) row.force_step_p99_mn = std::max(0.0, percentile(step_mn_, 0.99));
@@ -235,7 +248,7 @@ void run_hand(Pair& pair, const Shape& shape, const Setting& setting, Vec3 start
   std::unique_ptr<Truth> own = shape.truth();
   own->start(start);
   lab::ClosedLoop loop(setting.device(), setting.transport(seed), setting.hand(), start, phase);
-  hold_and_go(loop, intent, ms, [&](int t) {
+  tally.exact_rest(hold_and_go(loop, intent, ms, [&](int t) {
     if (events.exact) events.exact(t, own, loop);
     const lab::LoopTick tick = loop.tick([&](const lab::Reading& reading) {
       const Exact exact = own->follow(reading.position_mm());
@@ -244,7 +257,7 @@ void run_hand(Pair& pair, const Shape& shape, const Setting& setting, Vec3 start
     });
     tally.exact_loop(tick);
     return tick;
-  });
+  }));
 }
 
 double depth_for(const Setting& setting, double force_n, double k_n_per_mm) {

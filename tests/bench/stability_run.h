@@ -59,9 +59,10 @@ class Tally {
   void passed() { through_ = true; }
   /// A swap, a re-arm: the next rise is none.
   void interrupt();
-  void loop(const lab::LoopTick& tick) { energy_.add(tick); }
+  void loop(const lab::LoopTick& tick);
   void exact_loop(const lab::LoopTick& tick) { exact_energy_.add(tick); }
   void rest(const lab::Steadiness& steady);
+  void exact_rest(const lab::Steadiness& steady);
   /// The run is over.
   void end();
 
@@ -84,8 +85,9 @@ class Tally {
   std::vector<double> step_mn_;
   std::int64_t ticks_ = 0, runs_ = 0, passed_ = 0, stuck_runs_ = 0;
   int stuck_ms_ = 0;
-  double force_max_n_ = 0.0;
-  double energy_mj_ = kAbsent, exact_energy_mj_ = kAbsent, cycle_um_ = kAbsent, cycle_hz_ = kAbsent;
+  double force_max_n_ = 0.0, run_late_mj_ = 0.0, late_mj_ = 0.0;
+  double energy_mj_ = kAbsent, exact_energy_mj_ = kAbsent, cycle_um_ = kAbsent, cycle_hz_ = kAbsent,
+         exact_cycle_um_ = kAbsent;
   bool through_ = false, was_stuck_ = false;
 };
 
@@ -140,7 +142,7 @@ inline constexpr int kRearmTicks = 100;
 
 /// A hand follows `intent` for so many milliseconds and then holds still for kHoldMs. First the method (with the exact
 /// proxy at the same device points), then the exact proxy on its own in the same loop. Both begin at `start`.
-inline constexpr int kHoldMs = 1200;
+inline constexpr int kHoldMs = 2000;
 void run_hand(Pair& pair, const Shape& shape, const Setting& setting, Vec3 start, const Intent& intent, int ms,
               std::uint64_t seed, Tally& tally, const Events& events = {});
 

@@ -1,12 +1,12 @@
 // Cases in which a burr goes its way: led by script, or by a hand in the laboratory's loop.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
 #include "tests/bench/cut_shape.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
+#include "tests/bench/pin.h"
 #include "tests/bench/stability_cases.h"
 
 namespace cusp::bench {
@@ -20,16 +20,15 @@ constexpr int kWayTicks = 2000, kHandMs = 1800, kInMs = 200;
 constexpr double kHandN = 0.5;  // what a hand presses with
 constexpr int kStallEveryMs = 150, kMostLateMs = 50;
 
-/// Runs until the budget is spent; one at least.
+/// Runs until the budget is spent or as many are done as are wanted; one at least.
 class Budget {
  public:
-  explicit Budget(double seconds)
-      : end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
-  bool more(std::int64_t done) const { return done == 0 || Clock::now() < end_; }
+  explicit Budget(const CaseRun& what) : end_(core_time_s() + what.budget_s), most_(what.most_runs) {}
+  bool more(std::int64_t done) const { return done == 0 || (done < most_ && core_time_s() < end_); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point end_;
+  double end_;
+  std::int64_t most_;
 };
 
 std::string_view shape_of(std::string_view key) {
@@ -133,7 +132,7 @@ Row run_way(const CaseRun& what) {
   Tally tally;
   Pair pair(*shape, scene);
   if (tissues) two_tissues(pair, *shape, what.voxel_mm);
-  const Budget budget(what.budget_s);
+  const Budget budget(what);
   for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
     if (what.setting.in_loop()) {
       handled(pair, *shape, what.setting, what.seed + run, late, tally);
@@ -162,8 +161,8 @@ Row run_thin_wall(const CaseRun& what) {
   Random random(what.seed);
   Vec3 at = frame.to_world({0.0, 0.0, r + kAboveMm});
   pair.bring(at);
-  const Budget budget(what.budget_s);
-  for (std::int64_t run = 0; run < kWallApproaches && budget.more(run); ++run) {
+  const Budget budget(what);
+  for (std::int64_t run = 0; budget.more(run); ++run) {
     const double cosine = random.between(kFlattest, kSteepest), sine = std::sqrt(1.0 - cosine * cosine);
     const double phi = random.between(0.0, 6.283185307179586), rho = kDiscMm * std::sqrt(random.between(0.0, 1.0));
     const double side = random.between(0.0, 6.283185307179586);
@@ -209,7 +208,7 @@ Row run_vanishing(const CaseRun& what) {
   constexpr int kGoneMs = 600, kLedGoneMs = 150, kLedMs = 500;
   constexpr double kLedMm = 0.005;  // a tick, on downwards
   Tally tally;
-  const Budget budget(what.budget_s);
+  const Budget budget(what);
   for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
     Random random(what.seed + run);
     const Spot spot = shape.spot(random);
@@ -256,7 +255,7 @@ Row run_start_inside(const CaseRun& what) {
   constexpr int kStayMs = 300, kMoveMs = 250, kOutMs = 100;
   constexpr double kLeastMm = 0.1, kMostMm = 3.0, kAgainMm = 0.3;
   Tally tally;
-  const Budget budget(what.budget_s);
+  const Budget budget(what);
   for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
     Random random(what.seed + run);
     const Spot spot = face->spot(random);
@@ -285,7 +284,7 @@ Row run_weight(const CaseRun& what) {
   setting.weighs = true;
   Tally tally;
   Pair pair(*corner, scene);
-  const Budget budget(what.budget_s);
+  const Budget budget(what);
   for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
     Random random(what.seed + run);
     // Somewhere above the three walls' corner; a hand lets it rest there.

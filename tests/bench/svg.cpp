@@ -143,8 +143,9 @@ void Svg::text(Point at, std::string_view text, Letters letters) {
   if (letters.anchor != Anchor::start)
     body_ += attribute("text-anchor", letters.anchor == Anchor::middle ? "middle" : "end");
   // A rim of paper keeps letters legible over grid and lines.
-  body_ += attribute("stroke", ink::kPaper) + attribute("stroke-width", 3.0) + attribute("paint-order", "stroke") +
-           attribute("stroke-linejoin", "round");
+  if (!letters.plain)
+    body_ += attribute("stroke", ink::kPaper) + attribute("stroke-width", 3.0) + attribute("paint-order", "stroke") +
+             attribute("stroke-linejoin", "round");
   if (letters.bold) body_ += attribute("font-weight", "600");
   if (letters.upwards) body_ += attribute("transform", "rotate(-90 " + pixels(at.x) + ' ' + pixels(at.y) + ')');
   body_ += '>' + escaped(text) + "</text>\n";

@@ -32,6 +32,7 @@ struct Letters {
   std::string_view colour = ink::kText;
   Anchor anchor = Anchor::start;
   bool bold = false;
+  bool plain = false;    // without the rim of paper, on a coloured ground
   bool upwards = false;  // turned by 90 degrees, reading upwards
 };
 
@@ -48,7 +49,7 @@ class Svg {
   double width() const { return width_; }
   double height() const { return height_; }
 
-  void rect(Point a, Point b, std::string_view fill, Stroke edge = {.colour = "", .width = 0.0});
+  void rect(Point a, Point b, std::string_view fill, Stroke edge = {.colour = "", .width = 0.0, .dash = ""});
   void line(Point a, Point b, Stroke stroke);
   void path(const std::vector<Point>& points, Stroke stroke);
   void mark(Mark mark, Point at, double size, std::string_view colour, bool hollow = false);

@@ -1,7 +1,10 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
 #include <optional>
 
 #include "tests/bench/figures.h"
@@ -9,6 +12,8 @@
 #include "tests/bench/options.h"
 #include "tests/bench/plot.h"
 #include "tests/bench/rate.h"
+#include "tests/bench/stability.h"
+#include "tests/bench/verdict.h"
 
 namespace cusp::bench {
 
@@ -78,6 +83,53 @@ Picture method_table(const Report& accuracy, const Report& rate) {
                    "offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and "
                    "sphere; drilling at 1 mm/s with all its upkeep.\n",
                    accuracy.machine, accuracy.commit, rate.commit);
+}
+
+Picture stability_table(const Report& stability) {
+  std::string out =
+      "| guard on | stiffest stable wall over the exact proxy's | fell through a 0.2 mm wall | stuck | force step p99 "
+      "· "
+      "most, mN | fed beyond the exact proxy, mJ | cases survived |\n|---|---|---|---|---|---|---|\n";
+  const Setting usual = usual_setting();
+  for (const Method method :
+       {Method::surface, Method::gradient, Method::penalty, Method::ray, Method::occupancy, Method::occupancy_pivot}) {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0, step = 0.0, p99 = 0.0, fed = 0.0;
+    std::int64_t through = 0, approaches = 0, stuck = 0;
+    std::map<std::string, bool> survived;
+    for (const Row& row : stability.rows) {
+      if (row.method != key_of(method) || row.guard != "on" || row.unresolved) continue;
+      const bool swept = !std::isnan(row.k_max_n_per_mm) &&
+                         (row.device != device_name(usual.mass_kg, usual.damping_ns_per_m) || row.grip != usual.grip ||
+                          row.friction_n != usual.friction_n || row.delay_ms != usual.delay_ms);
+      if (swept) continue;
+      if (!std::isnan(row.k_max_n_per_mm)) {
+        least = std::min(least, row.k_max_n_per_mm / row.k_exact_n_per_mm);
+        most = std::max(most, row.k_max_n_per_mm / row.k_exact_n_per_mm);
+      }
+      if (row.case_name == "thin-wall") {
+        through += row.passed_through;
+        approaches += row.runs;
+      }
+      stuck += std::max<std::int64_t>(0, row.stuck);
+      if (!std::isnan(row.force_step_mn)) step = std::max(step, row.force_step_mn);
+      if (!std::isnan(row.force_step_p99_mn)) p99 = std::max(p99, row.force_step_p99_mn);
+      if (!std::isnan(row.energy_mj)) fed = std::max(fed, row.energy_mj - row.energy_exact_mj);
+      const auto [at, fresh] = survived.try_emplace(row.case_name, true);
+      at->second = at->second && breaks_of(row).empty();
+    }
+    if (!(least <= most) || approaches == 0)
+      return fail(ChartError::missing_rows, fmt::format("stability: {}, guard on", key_of(method)));
+    const auto whole = std::ranges::count_if(survived, [](const auto& s) { return s.second; });
+    out += fmt::format("| {} | {:.2g}\u00d7 to {:.2g}\u00d7 | {} of {} | {} | {} \u00b7 {} | {} | {} of {} |\n",
+                       look_of(method).label, least, most, through, approaches,
+                       stuck == 0 ? "never" : fmt::format("{} times", stuck), small(p99), small(step), small(fed),
+                       whole, survived.size());
+  }
+  return out +
+         fmt::format(
+             "\n{}, commit {:.10}: {:g} kg, {:g} N s/m, {:g} ms there and back [M]; the worst over every case, hand "
+             "and voxel size.\n",
+             stability.machine, stability.commit, usual.mass_kg, usual.damping_ns_per_m, usual.delay_ms);
 }
 
 }  // namespace cusp::bench

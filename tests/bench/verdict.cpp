@@ -1,0 +1,31 @@
+#include "tests/bench/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/bench/stability_cases.h"
+
+namespace cusp::bench {
+
+std::vector<Breaks> breaks_of(const Row& row) {
+  std::vector<Breaks> out;
+  const auto is = [&out](Breaks b, bool broken) {
+    if (broken) out.push_back(b);
+  };
+  is(Breaks::through, row.passed_through > 0);
+  // Who falls through overlaps as well: once is enough.
+  is(Breaks::overlap, out.empty() && row.penetration_um > 1000.0 * row.voxel_mm);
+  is(Breaks::stuck, row.stuck > 0);
+  is(Breaks::kicks, row.force_step_mn > kMostStepMn || row.guard_step_mn > kMostGuardStepMn);
+  // With k_max, the cycle is that of the first stiffness that fails: no failure of the row's.
+  const bool press = std::ranges::any_of(kPressCases, [&row](const CaseName& c) { return c.key == row.case_name; });
+  is(Breaks::rings, !press && row.cycle_um > kMostCycleUm && row.cycle_um > 2.0 * row.cycle_exact_um);
+  is(Breaks::feeds, row.energy_mj > row.energy_exact_mj + kMostFedMj + (std::isnan(row.late_mj) ? 0.0 : row.late_mj));
+  const bool fault = std::ranges::any_of(kFaultCases, [&row](const CaseName& c) { return c.key == row.case_name; });
+  const bool exchange = row.case_name == "specimen-exchange" || row.case_name == "burr-exchange";
+  is(Breaks::stays_on,
+     fault && !exchange && !(row.zero_ms <= (row.case_name == "frozen" ? kMostFrozenMs : kMostZeroMs)));
+  return out;
+}
+
+}  // namespace cusp::bench

@@ -1,0 +1,35 @@
+/// What of a row of `stability` counts as a failure. The bounds are those of the goals, and stand in the README.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/bench/rows.h"
+
+namespace cusp::bench {
+
+enum class Breaks : std::uint8_t { through, overlap, stuck, kicks, rings, feeds, stays_on };
+
+/// In the order of harm, with what a person reads.
+inline constexpr std::array<std::pair<Breaks, std::string_view>, 7> kBreaks = {
+    {{Breaks::through, "falls through"},
+     {Breaks::overlap, "stands in tissue by more than a voxel"},
+     {Breaks::stuck, "stuck for 50 ms"},
+     {Breaks::kicks, "kicks by more than 50 mN"},
+     {Breaks::rings, "rings on"},
+     {Breaks::feeds, "feeds the hand"},
+     {Breaks::stays_on, "force stays on"}}};
+
+inline constexpr double kMostStepMn = 50.0;        // of force_step
+inline constexpr double kMostGuardStepMn = 301.0;  // the slew in a tick, and its rounding
+inline constexpr double kMostFedMj = 0.05;         // beyond the exact proxy
+inline constexpr double kMostCycleUm = 100.0;      // two encoder steps, and more than twice the exact proxy's
+inline constexpr double kMostZeroMs = 1.0;         // after a faulty input
+inline constexpr double kMostFrozenMs = 11.0;      // a device is not known to be frozen before its 10 ms are over
+
+/// In the order of kBreaks.
+std::vector<Breaks> breaks_of(const Row& row);
+
+}  // namespace cusp::bench
