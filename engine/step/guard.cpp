@@ -15,7 +15,8 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 
 }  // namespace
 
-Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms, bool first) noexcept {
+Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms,
+            bool first) noexcept {
   if (input.buttons & StepInput::kGone) return input.buttons & StepInput::kLate ? Fault::not_finite : Fault::gone;
   if (first || (input.buttons & StepInput::kRearm)) return Fault::none;
   if (settings.has(GuardPart::late) && input.elapsed_us > settings.late_ms * 1000.0) return Fault::late;

@@ -4,9 +4,9 @@
 ///
 /// Frozen inputs. Equal positions prove nothing: a hand that rests on the device reads the same encoder count for
 /// seconds. What tells is whether the device has answered: a port marks a sample that is not new as `late` (it counts
-/// packets, or has none by the deadline), and when for longer than stale_ms nothing new has come, that is a fault. A device
-/// that goes on answering with encoders that hang gives a force that no longer changes, within the limit; only the port
-/// can know that.
+/// packets, or has none by the deadline), and when for longer than stale_ms nothing new has come, that is a fault. A
+/// device that goes on answering with encoders that hang gives a force that no longer changes, within the limit; only
+/// the port can know that.
 #pragma once
 
 #include "engine/step/passivity.h"
@@ -27,11 +27,12 @@ struct GuardState {
 
 /// A fault of this input, or none. `jump_mm`: how far the device point moved since the input before; `stale_ms`: with
 /// this input, how long the device has said nothing new.
-Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms, bool first) noexcept;
+Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms,
+            bool first) noexcept;
 
-/// Force for the hand (N); `acts` gets the GuardParts that changed it, and those that did in the tick before, for its way
-/// back is their doing too. What rises is what the force gains along itself or aside, whatever it lets go at once. A raw force that is not finite latches
-/// Fault::not_finite. `moved_mm`: of the device point since the input before.
+/// Force for the hand (N); `acts` gets the GuardParts that changed it, and those that did in the tick before, for its
+/// way back is their doing too. What rises is what the force gains along itself or aside, whatever it lets go at once.
+/// A raw force that is not finite latches Fault::not_finite. `moved_mm`: of the device point since the input before.
 Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& tick, Vec3 moved_mm,
              std::uint16_t& acts) noexcept;
 

@@ -7,8 +7,8 @@ namespace cusp {
 namespace {
 
 /// Low-pass of 3 ms at any tick, never further behind than half an encoder step: what dithers between two counts weighs
-/// little in the energy, and what really moves is seen at once. (A whole step behind, up to 0.09 mJ went out of a groove
-/// that rang, before it was seen; half a step: 0.044.)
+/// little in the energy, and what really moves is seen at once. (A whole step behind, up to 0.09 mJ went out of a
+/// groove that rang, before it was seen; half a step: 0.044.)
 constexpr double kSmoothMs = 3.0, kBehindSteps = 0.5;
 /// How fast the coupling stiffens again: where the hand has put in what that takes; and in the air [M].
 constexpr double kRecoverPerMs = 0.0005, kRecoverFreePerMs = 0.005;

@@ -7,7 +7,7 @@ namespace cusp {
 namespace {
 
 constexpr double kTickS = 0.001;
-constexpr double kShare = 0.5;                // of what is allowed
+constexpr double kShare = 0.5;  // of what is allowed
 constexpr double kAssumedDampingNsPerM = 0.5, kAssumedDelayMs = 1.0;
 /// Damping of the softest grip that the laboratory knows (engine/lab/grip.h) [M]: a device that nobody holds leans on
 /// nothing for long.
