@@ -17,7 +17,7 @@ namespace {
 constexpr double kVoxelMm = 10.0 / 128;
 constexpr int kSeeds = 5, kFewSeeds = 2;
 /// Of the budget, what a row of kWayCases takes: there are hundreds.
-constexpr double kWayShare = 0.4, kWallShare = 6.0;
+constexpr double kWayShare = 0.4, kWallShare = 12.0;
 
 bool asked_near(const std::vector<double>& filter, double value) {
   return filter.empty() || std::ranges::any_of(filter, [value](double f) { return std::fabs(f - value) < 1e-9; });
@@ -176,8 +176,8 @@ Row press_row(const CaseRun& what) {
     row.guard_step_mn = std::max(row.guard_step_mn, run.guard_step_mn);
     row.penetration_um = std::max(row.penetration_um, run.penetration_um);
     row.passed_through += run.off_um > 1000.0 * what.burr_radius_mm ? 1 : 0;
-    row.stuck += run.stuck_ms > 0 ? 1 : 0;
-    row.stuck_ms = std::max(row.stuck_ms, static_cast<double>(run.stuck_ms));
+    row.stuck += stuck_for_ms(run.stuck_ms) > 0 ? 1 : 0;
+    row.stuck_ms = std::max(row.stuck_ms, static_cast<double>(stuck_for_ms(run.stuck_ms)));
   }
   return row;
 }

@@ -237,9 +237,10 @@ struct PressBench::Inner {
     exact = place->truth();
   }
 
-  /// The state to run on: one for all stiffnesses without a guard, a fresh one with it.
+  /// The state to run on: one for all stiffnesses without a guard, one for each with it.
   void make_state(double k) {
-    if (state && !what.guard) return;
+    if (state && (!what.guard || k == guarded_k)) return;
+    guarded_k = k;
     auto scene = scene_of(place->shape(), *what.method, what.voxel_mm);
     scene->guard = unguarded();
     if (what.guard) {
@@ -253,6 +254,7 @@ struct PressBench::Inner {
   }
 
   KMaxCase what;
+  double guarded_k = 0.0;  // of the state, with the guard on
   std::unique_ptr<PressPlace> place;
   std::unique_ptr<Truth> exact;
   std::unique_ptr<StepState> state;
@@ -263,9 +265,8 @@ PressBench::PressBench(const KMaxCase& what) : inner_(std::make_unique<Inner>(wh
 PressBench::~PressBench() = default;
 
 void PressBench::use(const KMaxCase& what) {
-  const bool fresh = what.guard != inner_->what.guard;
+  if (what.guard || inner_->what.guard) inner_->state.reset();  // the guard knows the device
   inner_->what = what;
-  if (fresh) inner_->state.reset();
 }
 
 PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare) {
@@ -278,8 +279,12 @@ PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare)
     state = inner_->state.get();
     bring(*state, inner_->stepper, inner_->place->shape(), start - press.approach * 2.0);
     lead(*state, inner_->stepper, start, kReadyMm);
-    // A guard lets the force in slowly after a start: that is over before the touch.
-    for (int t = 0; what.guard && t < kRampTicks; ++t) step(*state, input_at(start));
+    // A guard begins anew, and lets the force in slowly: that is over before the touch.
+    for (int t = 0; what.guard && t < kRampTicks; ++t) {
+      StepInput still = input_at(start);
+      if (t == 0) still.buttons |= StepInput::kRearm;
+      step(*state, still);
+    }
   }
   Truth& exact = *inner_->exact;
   const bool follow = !state || compare;

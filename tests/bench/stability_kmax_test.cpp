@@ -94,6 +94,20 @@ TEST(PressRun, of_the_surface_proxy_does_not_depend_on_what_the_bench_ran_before
   EXPECT_NEAR(a.energy_mj, b.energy_mj, 1e-9);
 }
 
+TEST(PressRun, with_the_guard_on_does_not_depend_on_what_the_bench_ran_before) {
+  KMaxCase c = cell("face", Method::surface);
+  c.guard = true;
+  PressBench bench(c), fresh(c);
+  bench.run(1.0, 3);
+  bench.run(6.0, 2);
+  bench.run(1.0, 2);
+  const PressRun a = bench.run(1.0, 1, false, true), b = fresh.run(1.0, 1, false, true);
+  EXPECT_EQ(a.verdict, b.verdict);
+  EXPECT_NEAR(a.cycle_um, b.cycle_um, 1e-6);
+  EXPECT_NEAR(a.energy_mj, b.energy_mj, 1e-9);
+  EXPECT_NEAR(a.guard_step_mn, b.guard_step_mn, 1e-6);
+}
+
 TEST(PressRun, is_steady_on_a_soft_wall_and_rings_on_one_far_too_stiff) {
   KMaxCase c = cell("face", std::nullopt);
   PressBench bench(c);

@@ -83,6 +83,12 @@ void name_setting(Row& row, const Setting& setting) {
   row.delay_ms = setting.delay_ms;
 }
 
+int stuck_for_ms(int watched_ms) {
+  const int behind = watched_ms - (lab::StuckWatch::kWindowMs - 1);
+  return behind >= lab::StuckWatch::kWindowMs ? behind : 0;
+}
+int stuck_for_ms(const lab::StuckWatch& watch) { return stuck_for_ms(watch.stuck_ms()); }
+
 void Tally::begin() {
   run_.clear();
   stuck_ = {};
@@ -137,8 +143,9 @@ void Tally::note_steps() {
 }
 
 void Tally::note_stuck() {
-  was_stuck_ = was_stuck_ || stuck_.stuck();
-  stuck_ms_ = std::max(stuck_ms_, stuck_.stuck_ms());
+  const int ms = stuck_for_ms(stuck_);
+  was_stuck_ = was_stuck_ || ms > 0;
+  stuck_ms_ = std::max(stuck_ms_, ms);
   stuck_ = {};
 }
 

@@ -52,7 +52,7 @@ class Tally {
   /// step.
   void add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double burr_radius_mm,
            double near_mm);
-  static constexpr int kSooner = 5, kLater = 100;
+  static constexpr int kSooner = 20, kLater = 100;
   /// Of a tick that add() was not told of: what the hand got.
   void gave(const StepOutput& out);
   /// The method's pivot stands where only a way through tissue leads.
@@ -90,6 +90,11 @@ class Tally {
          exact_cycle_um_ = kAbsent;
   bool through_ = false, was_stuck_ = false;
 };
+
+/// How long a method has been stuck: behind the exact proxy for 50 ms, not merely late by some after it jumped. The
+/// watch looks 50 ms back, and so counts the 49 before a jump as well. 0: not stuck.
+int stuck_for_ms(const lab::StuckWatch& watch);
+int stuck_for_ms(int watched_ms);
 
 /// A method and its exact proxy side by side.
 class Pair {
