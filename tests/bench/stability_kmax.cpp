@@ -30,6 +30,12 @@ constexpr double kTiltMost = 0.14;  // sideways part of a push into a hollow: 8 
 
 Vec3 direction(const Frame& frame, double x, double y, double z) { return frame.direction(unit(Vec3(x, y, z))); }
 
+StepInput rearmed(Vec3 device) {
+  StepInput out = input_at(device);
+  out.buttons |= StepInput::kRearm;
+  return out;
+}
+
 /// A place on one of the benches' own shapes.
 class ShapePlace : public PressPlace {
  public:
@@ -277,14 +283,12 @@ PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare)
   if (what.method) {
     inner_->make_state(k);
     state = inner_->state.get();
+    if (what.guard && state->last().tick > 0)
+      step(*state, rearmed(state->last().device_mm));  // a fault of the last run
     bring(*state, inner_->stepper, inner_->place->shape(), start - press.approach * 2.0);
     lead(*state, inner_->stepper, start, kReadyMm);
     // A guard begins anew, and lets the force in slowly: that is over before the touch.
-    for (int t = 0; what.guard && t < kRampTicks; ++t) {
-      StepInput still = input_at(start);
-      if (t == 0) still.buttons |= StepInput::kRearm;
-      step(*state, still);
-    }
+    for (int t = 0; what.guard && t < kRampTicks; ++t) step(*state, t == 0 ? rearmed(start) : input_at(start));
   }
   Truth& exact = *inner_->exact;
   const bool follow = !state || compare;
