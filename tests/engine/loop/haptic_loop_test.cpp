@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/engine/loop/block_scene.h"
 
 namespace cusp {
@@ -106,6 +108,36 @@ TEST(Ticker, ALostDeviceHoldsWithZeroForceUntilResumed) {
   ticker.tick(test::drilling_sample(300), 1000);
   EXPECT_EQ(hand_over.phase.load(), LoopPhase::running);
   EXPECT_EQ(hand_over.latest.read().fault, Fault::none);
+}
+
+TEST(Ticker, ADeviceThatOnlyRepeatsItselfHoldsWithZeroForceUntilResumed) {
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  for (std::uint64_t i = 0; i < 300; ++i) ticker.tick(test::drilling_sample(i), 1000);
+  Sample repeated = test::drilling_sample(299);
+  repeated.status = Sample::Status::late;
+  int ticks = 0;
+  while (hand_over.phase.load() == LoopPhase::running && ticks < 100) {
+    ++ticks;
+    ticker.tick(repeated, 1000);
+  }
+  EXPECT_EQ(ticks, 11) << "10 ms may be lost packets";
+  EXPECT_EQ(hand_over.latest.read().fault, Fault::stale);
+  EXPECT_EQ(glm::length(hand_over.latest.read().output.force_n), 0.0);
+  ticker.resume();
+  ticker.tick(test::drilling_sample(300), 1000);
+  EXPECT_EQ(hand_over.phase.load(), LoopPhase::running);
+}
+
+TEST(Ticker, APositionThatIsNoNumberHoldsWithZeroForce) {
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  for (std::uint64_t i = 0; i < 300; ++i) ticker.tick(test::drilling_sample(i), 1000);
+  Sample bad = test::drilling_sample(300);
+  bad.position_mm.z = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(glm::length(ticker.tick(bad, 1000).force_n), 0.0);
+  EXPECT_EQ(hand_over.phase.load(), LoopPhase::held);
+  EXPECT_EQ(hand_over.latest.read().fault, Fault::not_finite);
 }
 
 TEST(Ticker, TheLaterChoiceOfABurrWins) {
