@@ -85,7 +85,7 @@ struct PressRun {
   double penetration_um = 0.0;
   double off_um = 0.0;  // farthest from the exact proxy at the same device point
   int stuck_ms = 0;
-  bool left = false;  // it came to rest elsewhere: slipped off an edge, fell through, flew off; counts as moving
+  bool left = false;  // the proxy ended elsewhere: slipped off an edge, fell through, flew off; counts as moving
 };
 
 /// A place and what answers there, made once and run at many stiffnesses, on many devices. One thread at a time.
