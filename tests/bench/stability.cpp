@@ -19,33 +19,44 @@ constexpr int kSeeds = 5, kFewSeeds = 2;
 /// Of the budget, what a row of kWayCases takes: there are hundreds.
 constexpr double kWayShare = 0.4, kWallShare = 12.0;
 
-bool asked_near(const std::vector<double>& filter, double value) {
-  return filter.empty() || std::ranges::any_of(filter, [value](double f) { return std::fabs(f - value) < 1e-9; });
+struct Device {
+  double mass_kg, damping_ns_per_m;
+};
+constexpr Device kDevices[] = {{0.1, 0.5}, {0.1, 2.0}, {0.1, 5.0}, {0.25, 0.5}, {0.25, 2.0}, {0.25, 5.0}};
+
+/// True when another device, friction or delay than the usual one was asked for.
+bool asks_for_a_device(const Options& options) {
+  return !options.devices.empty() || !options.frictions_n.empty() || !options.delays_ms.empty();
 }
 
-bool asked(const Options& options, const Setting& setting) {
-  if (!bench::asked(options.grips, setting.grip)) return false;
-  if (!setting.in_loop()) return options.devices.empty() && options.frictions_n.empty() && options.delays_ms.empty();
-  return bench::asked(options.devices, device_name(setting.mass_kg, setting.damping_ns_per_m)) &&
-         asked_near(options.frictions_n, setting.friction_n) && asked_near(options.delays_ms, setting.delay_ms);
-}
-
-/// True when a setting other than the usual one was asked for by name.
-bool asks_for_others(const Options& options) {
-  return !options.devices.empty() || !options.frictions_n.empty() || !options.delays_ms.empty() ||
-         !options.grips.empty();
-}
-
-/// Every device, friction, delay and grip of the laboratory.
-std::vector<Setting> all_settings() {
+/// These grips, where asked for, on the usual device or those asked for.
+std::vector<Setting> settings_of(const std::vector<std::string_view>& grips, const Options& options) {
+  const Setting usual = usual_setting();
   std::vector<Setting> out;
-  for (const double mass : {0.1, 0.25})
-    for (const double damping : {0.5, 2.0, 5.0})
-      for (const double friction : {0.0, 0.1})
-        for (const double delay : {0.0, 1.0, 3.0})
-          for (const std::string_view grip : {"none", "soft", "firm"})
-            out.push_back({mass, damping, friction, delay, grip});
+  for (const std::string_view grip : grips) {
+    if (!asked(options.grips, grip)) continue;
+    if (grip == Setting{}.grip) {
+      if (!asks_for_a_device(options)) out.emplace_back();
+      continue;
+    }
+    for (const Device& device : kDevices) {
+      const std::string name = device_name(device.mass_kg, device.damping_ns_per_m);
+      if (options.devices.empty() ? name != device_name(usual.mass_kg, usual.damping_ns_per_m)
+                                  : !asked(options.devices, name))
+        continue;
+      for (const double friction : chosen(options.frictions_n, {usual.friction_n}))
+        for (const double delay : chosen(options.delays_ms, {usual.delay_ms}))
+          out.push_back({device.mass_kg, device.damping_ns_per_m, friction, delay, grip});
+    }
+  }
   return out;
+}
+
+/// Hands of a case of ways.
+std::vector<std::string_view> grips_of(std::string_view key) {
+  if (key == "thin-wall" || key == "start-inside") return {"scripted"};
+  if (key == "grip-weight") return {"none", "soft"};
+  return {"scripted", "soft", "firm"};
 }
 
 KMaxCase k_max_case(const CaseRun& what) {
@@ -101,19 +112,20 @@ void print(const std::vector<Row>& rows) {
 
 /// What the picture of damping shows: the surface proxy on a face, without a guard and without delay.
 void sweep_damping(CaseRun what, const Options& options, std::vector<Row>& rows) {
-  if (!bench::asked(options.cases, "face") || !bench::asked(options.methods, key_of(Method::surface)) ||
-      !bench::asked(options.guards, "off") || !options.voxels_mm.empty() || !options.burr_radii_mm.empty())
+  if (!asked(options.cases, "face") || !asked(options.methods, key_of(Method::surface)) ||
+      !asked(options.guards, "off") || !options.voxels_mm.empty() || !options.burr_radii_mm.empty())
     return;
   what.key = "face";
   what.method = Method::surface;
   what.guard = false;
   what.voxel_mm = kVoxelMm;
   what.burr_radius_mm = 0.25;
-  for (const Setting& setting : all_settings()) {
-    if (setting.mass_kg != 0.1 || setting.delay_ms != 0.0) continue;
-    what.setting = setting;
-    rows.push_back(press_row(what));
-  }
+  for (const double damping : {0.5, 2.0, 5.0})
+    for (const double friction : {0.0, 0.1})
+      for (const std::string_view grip : {"none", "soft", "firm"}) {
+        what.setting = {0.1, damping, friction, 0.0, grip};
+        rows.push_back(press_row(what));
+      }
 }
 
 /// Voxel sizes of a case.
@@ -123,26 +135,13 @@ std::vector<double> voxels_of(std::string_view key, const Options& options) {
   return chosen(options.voxels_mm, {kVoxelMm});
 }
 
-/// Hands of a case of ways.
-std::vector<Setting> settings_of(std::string_view key) {
-  Setting none = usual_setting(), soft = usual_setting(), firm = usual_setting();
-  none.grip = "none";
-  firm.grip = "firm";
-  if (key == "thin-wall" || key == "start-inside") return {Setting{}};
-  if (key == "grip-weight") return {none, soft};
-  return {Setting{}, soft, firm};
-}
-
 }  // namespace
 
 Setting usual_setting() { return {0.1, 2.0, 0.0, 1.0, "soft"}; }
 
 std::vector<std::string> device_names() {
   std::vector<std::string> out;
-  for (const Setting& s : all_settings()) {
-    std::string name = device_name(s.mass_kg, s.damping_ns_per_m);
-    if (out.empty() || out.back() != name) out.push_back(std::move(name));
-  }
+  for (const Device& d : kDevices) out.push_back(device_name(d.mass_kg, d.damping_ns_per_m));
   return out;
 }
 
@@ -160,6 +159,7 @@ Row press_row(const CaseRun& what) {
   // At half of what it may be.
   const double half = 0.5 * std::min(found.k_max_n_per_mm, row.k_exact_n_per_mm);
   row.runs = own.seeds;
+  row.passed_through = row.stuck = 0;
   if (!(half > 0.0)) return row;
   KMaxCase exact = own;
   exact.method.reset();
@@ -167,7 +167,6 @@ Row press_row(const CaseRun& what) {
   PressBench reference(exact);
   row.energy_mj = row.energy_exact_mj = row.force_step_mn = row.guard_step_mn = row.penetration_um = 0.0;
   row.stuck_ms = 0.0;
-  row.passed_through = row.stuck = 0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(own.seeds); ++seed) {
     const PressRun run = bench.run(half, seed, false, true);
     row.energy_mj = std::max(row.energy_mj, run.energy_mj);
@@ -190,34 +189,32 @@ std::vector<Row> stability_rows(const Options& options) {
   // Methods of one reading share a specimen: they follow each other.
   const auto each = [&](std::string_view key, const std::vector<Setting>& settings, const std::vector<double>& voxels,
                         auto&& run) {
-    if (!bench::asked(options.cases, key)) return;
+    if (!asked(options.cases, key)) return;
     what.key = key;
     for (const double voxel : voxels)
       for (const Method method : kMethods) {
-        if (!bench::asked(options.methods, key_of(method))) continue;
+        if (!asked(options.methods, key_of(method))) continue;
         for (const bool guard : {true, false}) {
-          if (!bench::asked(options.guards, guard ? "on" : "off")) continue;
+          if (!asked(options.guards, guard ? "on" : "off")) continue;
           for (const Setting& setting : settings) {
             what.voxel_mm = voxel;
             what.method = method;
             what.guard = guard;
             what.setting = setting;
-            if (asked(options, setting)) rows.push_back(run(what));
+            rows.push_back(run(what));
           }
         }
       }
   };
+  const std::vector<std::string_view> soft{"soft"}, every{"none", "soft", "firm"}, led{"scripted"};
   for (const CaseName& name : kPressCases)
     // Hundreds of points about the burr in its pit; one burr for the rest.
     for (const double radius : chosen(options.burr_radii_mm, {name.key == "pit" ? 0.5 : 0.25})) {
       what.burr_radius_mm = radius;
-      if (asks_for_others(options)) {
-        each(name.key, all_settings(), voxels_of(name.key, options), press_row);
-        continue;
-      }
-      each(name.key, {usual_setting()}, voxels_of(name.key, options), press_row);
+      each(name.key, settings_of(options.grips.empty() ? soft : every, options), voxels_of(name.key, options),
+           press_row);
     }
-  if (!asks_for_others(options)) sweep_damping(what, options, rows);
+  if (options.grips.empty() && !asks_for_a_device(options)) sweep_damping(what, options, rows);
   for (const double radius : chosen(options.burr_radii_mm, {0.25})) {
     what.burr_radius_mm = radius;
     what.budget_s = kWayShare * options.budget_s;
@@ -226,11 +223,13 @@ std::vector<Row> stability_rows(const Options& options) {
       if (one.key == "thin-wall" && one.method == Method::surface) one.budget_s = kWallShare * options.budget_s;
       return run_case(one);
     };
-    for (const CaseName& name : kWayCases) each(name.key, settings_of(name.key), voxels_of(name.key, options), way);
-    for (const CaseName& name : kFaultCases) each(name.key, {Setting{}}, voxels_of(name.key, options), run_case);
+    for (const CaseName& name : kWayCases)
+      each(name.key, settings_of(grips_of(name.key), options), voxels_of(name.key, options), way);
+    for (const CaseName& name : kFaultCases)
+      each(name.key, settings_of(led, options), voxels_of(name.key, options), run_case);
   }
   what.burr_radius_mm = 0.5;
-  for (const CaseName& name : kTaskCases) each(name.key, {Setting{}}, {kVoxelMm}, run_case);
+  for (const CaseName& name : kTaskCases) each(name.key, settings_of(led, options), {kVoxelMm}, run_case);
   return rows;
 }
 

@@ -129,8 +129,7 @@ TEST(Tasks, of_the_paper_leave_no_vibration_in_the_surface_proxy_s_force) {
       out.burr_radius_mm = 0.5;
       return out;
     }());
-    // Fingertips feel some 10 um at 20 to 50 Hz; of 1 N/mm that is 10 mN. Measured: 0, 0.00004, 1.4.
-    EXPECT_LT(row.vibration_mn, 10.0) << task.key;
+    EXPECT_LT(row.vibration_mn, kMostVibrationMn) << task.key;  // measured: 0, 0.00004, 1.4
   }
 }
 
@@ -171,9 +170,17 @@ TEST(Verdict, names_each_way_to_break) {
               r.energy_exact_mj = 0.1;
             }),
             List{Breaks::feeds});
+  EXPECT_EQ(with([](Row& r) { r.vibration_mn = 11.0; }), List{Breaks::rings});
   row.case_name = "jump";
   EXPECT_EQ(breaks_of(row), List{Breaks::stays_on});
   EXPECT_EQ(with([](Row& r) { r.zero_ms = 0.0; }), List{});
+}
+
+TEST(Stability, refuses_what_is_no_case_guard_grip_or_device) {
+  EXPECT_EQ(run_program({"stability", "--case", "anvil"}), kUsage);
+  EXPECT_EQ(run_program({"stability", "--guard", "maybe"}), kUsage);
+  EXPECT_EQ(run_program({"stability", "--grip", "iron"}), kUsage);
+  EXPECT_EQ(run_program({"stability", "--device", "m9-b9"}), kUsage);
 }
 
 TEST(Stability, writes_a_row_for_each_guard_that_holds_all_that_it_promises) {

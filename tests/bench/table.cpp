@@ -89,11 +89,13 @@ Picture stability_table(const Report& stability) {
   std::string out =
       "| guard on | stiffest stable wall over the exact proxy's | fell through a 0.2 mm wall | stuck | force step p99 "
       "· "
-      "most, mN | fed beyond the exact proxy, mJ | cases survived |\n|---|---|---|---|---|---|---|\n";
+      "most, mN | fed beyond the exact proxy, mJ | vibration in the paper's tasks, mN | cases survived "
+      "|\n|---|---|---|---|---|---|---|---|\n";
   const Setting usual = usual_setting();
   for (const Method method :
        {Method::surface, Method::gradient, Method::penalty, Method::ray, Method::occupancy, Method::occupancy_pivot}) {
-    double least = std::numeric_limits<double>::infinity(), most = 0.0, step = 0.0, p99 = 0.0, fed = 0.0;
+    double least = std::numeric_limits<double>::infinity(), most = 0.0, step = 0.0, p99 = 0.0, fed = 0.0,
+           vibration = 0.0;
     std::int64_t through = 0, approaches = 0, stuck = 0;
     std::map<std::string, bool> survived;
     for (const Row& row : stability.rows) {
@@ -114,16 +116,17 @@ Picture stability_table(const Report& stability) {
       if (!std::isnan(row.force_step_mn)) step = std::max(step, row.force_step_mn);
       if (!std::isnan(row.force_step_p99_mn)) p99 = std::max(p99, row.force_step_p99_mn);
       if (!std::isnan(row.energy_mj)) fed = std::max(fed, row.energy_mj - row.energy_exact_mj);
+      if (!std::isnan(row.vibration_mn)) vibration = std::max(vibration, row.vibration_mn);
       const auto [at, fresh] = survived.try_emplace(row.case_name, true);
       at->second = at->second && breaks_of(row).empty();
     }
     if (!(least <= most) || approaches == 0)
       return fail(ChartError::missing_rows, fmt::format("stability: {}, guard on", key_of(method)));
     const auto whole = std::ranges::count_if(survived, [](const auto& s) { return s.second; });
-    out += fmt::format("| {} | {:.2g}\u00d7 to {:.2g}\u00d7 | {} of {} | {} | {} \u00b7 {} | {} | {} of {} |\n",
+    out += fmt::format("| {} | {:.2g}\u00d7 to {:.2g}\u00d7 | {} of {} | {} | {} \u00b7 {} | {} | {} | {} of {} |\n",
                        look_of(method).label, least, most, through, approaches,
                        stuck == 0 ? "never" : fmt::format("{} times", stuck), small(p99), small(step), small(fed),
-                       whole, survived.size());
+                       small(vibration), whole, survived.size());
   }
   return out +
          fmt::format(

@@ -19,7 +19,8 @@ std::vector<Breaks> breaks_of(const Row& row) {
   is(Breaks::kicks, row.force_step_mn > kMostStepMn || row.guard_step_mn > kMostGuardStepMn);
   // With k_max, the cycle is that of the first stiffness that fails: no failure of the row's.
   const bool press = std::ranges::any_of(kPressCases, [&row](const CaseName& c) { return c.key == row.case_name; });
-  is(Breaks::rings, !press && row.cycle_um > kMostCycleUm && row.cycle_um > 2.0 * row.cycle_exact_um);
+  is(Breaks::rings, (!press && row.cycle_um > kMostCycleUm && row.cycle_um > 2.0 * row.cycle_exact_um) ||
+                        row.vibration_mn > kMostVibrationMn);
   is(Breaks::feeds, row.energy_mj > row.energy_exact_mj + kMostFedMj + (std::isnan(row.late_mj) ? 0.0 : row.late_mj));
   const bool fault = std::ranges::any_of(kFaultCases, [&row](const CaseName& c) { return c.key == row.case_name; });
   const bool exchange = row.case_name == "specimen-exchange" || row.case_name == "burr-exchange";

@@ -26,8 +26,10 @@ inline constexpr double kMostStepMn = 50.0;        // of force_step
 inline constexpr double kMostGuardStepMn = 301.0;  // the slew in a tick, and its rounding
 inline constexpr double kMostFedMj = 0.05;         // beyond the exact proxy
 inline constexpr double kMostCycleUm = 100.0;      // two encoder steps, and more than twice the exact proxy's
-inline constexpr double kMostZeroMs = 1.0;         // after a faulty input
-inline constexpr double kMostFrozenMs = 11.0;      // a device is not known to be frozen before its 10 ms are over
+inline constexpr double kMostVibrationMn =
+    10.0;                                      // what fingertips feel begins at some 10 um, which are 10 mN of 1 N/mm
+inline constexpr double kMostZeroMs = 1.0;     // after a faulty input
+inline constexpr double kMostFrozenMs = 11.0;  // a device is not known to be frozen before its 10 ms are over
 
 /// In the order of kBreaks.
 std::vector<Breaks> breaks_of(const Row& row);
