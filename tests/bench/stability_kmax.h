@@ -24,7 +24,7 @@
 #include "engine/lab/closed_loop.h"
 #include "engine/lab/measures.h"
 #include "engine/step/step.h"
-#include "tests/bench/shapes.h"
+#include "tests/bench/stability_places.h"
 
 namespace cusp::bench {
 
@@ -32,35 +32,6 @@ inline constexpr double kKMaxFloor = 0.05;  // N/mm
 inline constexpr double kKMaxFactor = 1.02;
 inline constexpr int kKMaxPlaces = 270;  // to 10.3 N/mm
 inline constexpr double kPressN = 1.0, kApproachMmS = 50.0, kPressS = 2.0;
-
-/// The six: face, edge, corner, groove, pit, channel.
-///   edge     on a face, the ball's centre 0.05 to 0.2 mm beside where it would begin to roll over an outer edge of 90
-///            degrees. On the edge itself no press is steady for any method: what holds it there is a ridge.
-///   corner   of three walls, along their diagonal and up to 8 degrees off it
-///   groove   of 60 degrees, on both walls
-///   pit      a bowl 2 % wider than the burr: the burr lies in it with hundreds of points about it
-///   channel  the burr's own: at the bottom of the hole that it has cut, and against its wall
-inline constexpr std::string_view kPressNames[] = {"face", "edge", "corner", "groove", "pit", "channel"};
-
-/// Where one presses, by seed.
-struct Press {
-  Vec3 touch{0.0};                // the exact proxy while pressed
-  Vec3 approach{0.0};             // unit, on the way there
-  Vec3 into{0.0};                 // unit, of the push
-  Vec3 free_a{0.0}, free_b{0.0};  // unit directions in which nothing holds the burr; zero: none
-};
-
-/// A shape with its places.
-class PressPlace {
- public:
-  /// nullptr for another name.
-  static std::unique_ptr<PressPlace> make(std::string_view name, double burr_radius_mm);
-  virtual ~PressPlace() = default;
-  virtual const Shape& shape() const = 0;
-  virtual Press press(std::uint64_t seed) const = 0;
-  /// The exact proxy, fast enough for a loop.
-  virtual std::unique_ptr<Truth> truth() const = 0;
-};
 
 struct KMaxCase {
   std::string place = "face";
