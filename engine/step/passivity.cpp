@@ -12,6 +12,9 @@ namespace {
 constexpr double kSmoothMs = 3.0, kBehindSteps = 0.5;
 /// How fast the coupling stiffens again: where the hand has put in what that takes; and in the air [M].
 constexpr double kRecoverPerMs = 0.0005, kRecoverFreePerMs = 0.005;
+/// What a late tick fed is owed for long, but not for ever: 0.45 mJ at most. (Forgotten at 0.015, ticks late by 50 ms
+/// fed six times as much.)
+constexpr double kMostOwed = 30.0;
 /// The damper begins above what one encoder count can look like, so that it does not chatter.
 constexpr double kDamperFromMmS = 15.0;
 /// A wall softer than this is none. What half of the least damping (0.5 N s/m) bears where the force comes late by
@@ -68,8 +71,8 @@ Vec3 passive(const GuardSettings& settings, PassivityState& state, const GuardTi
     state.bank_mj = 0.0;
     state.scale += kRecoverFreePerMs * tick.dt_ms;
     if (state.scale > 1.0) state.scale = 1.0;
-    state.room_mj += kRecoverFreePerMs * tick.dt_ms * settings.passivity_mj;
-    if (state.room_mj > settings.passivity_mj) state.room_mj = settings.passivity_mj;
+    const double forgive = kRecoverFreePerMs * tick.dt_ms < 1.0 ? kRecoverFreePerMs * tick.dt_ms : 1.0;
+    state.room_mj += forgive * (settings.passivity_mj - state.room_mj);
     return tick.raw_n * tick.ramp;
   }
   if (state.room_mj < 0.0) {
@@ -80,7 +83,8 @@ Vec3 passive(const GuardSettings& settings, PassivityState& state, const GuardTi
     if (scale < least) scale = least;
     if (scale < state.scale) state.scale = scale;
     state.room_mj += stored - stored_mj(state.scale * k, stretch, most);
-    if (state.room_mj < -settings.passivity_mj) state.room_mj = -settings.passivity_mj;
+    const double most_owed_mj = kMostOwed * settings.passivity_mj;
+    if (state.room_mj < -most_owed_mj) state.room_mj = -most_owed_mj;
   } else if (state.scale < 1.0) {
     double rise = rate_mm_s > kDamperFromMmS ? 1.0 : kRecoverPerMs * tick.dt_ms;
     if (rise > 1.0 - state.scale) rise = 1.0 - state.scale;

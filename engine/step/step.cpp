@@ -168,7 +168,9 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   state.method->tick(state, {device, scene.tool_axis, input.cutting(), dt_ms * 1e-3}, out);
   out.proxy_mm = state.proxy;
   const GuardTick tick{out.force_raw_n, device, state.proxy, out.stiffness_n_per_mm, out.contact, dt_ms};
-  out.force_n = guarded(scene.guard, state.guard, tick, first ? Vec3(0.0) : moved, out.guard_acts);
+  // Where the device went while the guard was latched is no speed.
+  const bool anew = first || (input.buttons & StepInput::kRearm) != 0;
+  out.force_n = guarded(scene.guard, state.guard, tick, anew ? Vec3(0.0) : moved, out.guard_acts);
   out.faulted = state.guard.fault != Fault::none;
   state.device = device;
   state.last = out;
