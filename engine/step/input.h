@@ -11,7 +11,7 @@ namespace cusp {
 struct StepInput {
   std::int32_t x = 0, y = 0, z = 0;                 // device point, 0.1 µm, specimen frame
   std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;  // orientation, 1/32767
-  std::uint16_t buttons = 0;                        // bit 0: cut; bit 15: device late; bit 14: device gone; bit 13: re-arm
+  std::uint16_t buttons = 0;                        // bit 0: cut; the others below
   std::uint16_t pedal = 0;                          // 0 to 65535
   std::uint16_t burr = 0;                           // index into Scene::burrs
   std::uint16_t reserved = 0;
@@ -26,7 +26,8 @@ struct StepInput {
 };
 static_assert(sizeof(StepInput) == 32);
 
-/// Quantises a device's sample. A position that is not finite (or orientation), or beyond 100 m, becomes the last one with kNotFinite set.
+/// Quantises a device's sample. One whose position is not finite or beyond 100 m, or whose orientation is none, repeats
+/// the last one with kNotFinite set.
 StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInput& last) noexcept;
 
 }  // namespace cusp

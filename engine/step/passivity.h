@@ -1,19 +1,18 @@
 /// Passivity controller of the guard (time domain). It watches what the held force gives to the hand, and softens the
 /// coupling between proxy and device point while that is more than a spring would give back. It never adds force.
 ///
-///   observer    energy given = sum of the force that was held times the device's motion, both through the same
-///               low-pass, so that an encoder's dither is not taken for motion (Hannaford and Ryu, "Time-domain
-///               passivity control of haptic interfaces", IEEE Trans. Robotics 18(1), 2002)
+///   observer    energy given = sum of the force that was held times the device's motion, both through the same low-pass,
+///               so that an encoder's dither is not taken for motion (Hannaford and Ryu, "Time-domain passivity control
+///               of haptic interfaces", IEEE Trans. Robotics and Automation 18(1), 2002)
 ///   reference   the energy of the softened spring, U = 1/2 scale K |proxy - device|^2: what may come back follows it
-///   all
-///               the way (Ryu, Preusche, Hannaford, Hirzinger, "Time domain passivity control with reference energy
-///               following", IEEE Trans. Control Systems Technology 13(5), 2005), so that the controller corrects a
-///               little each tick and never waits for a debt and kicks
-///   controller  a debt lowers `scale` by what it takes out of U; no velocity enters the force. Inward motion still
-///   gets
-///               the whole force: what it takes cannot be given
+///               all the way (after Ryu, Preusche, Hannaford, Hirzinger, "Time domain passivity control with reference
+///               energy following", IEEE Trans. Control Systems Technology 13(5), 2005), so that the controller corrects
+///               a little each tick and never waits for a debt and kicks
+///   controller  a debt lowers `scale` by what it takes out of U; no velocity enters the force. What the hand puts in by
+///               pressing on, against the spring and a damper that stands for what the spring lost, raises it again
 ///
-/// While nothing is owed scale is 1, and the force is exactly K (proxy - device). Thread: haptic.
+/// While nothing is owed scale is 1, and the force is exactly K (proxy - device). A delay has to be told
+/// (GuardSettings::delay_ms): each motion is then held against the force that the device held by then. Thread: haptic.
 #pragma once
 
 #include <array>
@@ -26,8 +25,8 @@ inline constexpr int kMostDelayTicks = 8;
 
 struct PassivityState {
   bool primed = false;              // device_mm has begun
-  double scale = 1.0;               // share of the coupling's stiffness that the hand gets, (0, 1]
-  double room_mj = 0.0;             // what may be fed before scale falls; at most GuardSettings::passivity_mj
+  double scale = 1.0;               // share of the coupling's stiffness that the hand gets, [0, 1]
+  double room_mj = 0.0;             // what may be fed before scale falls; below 0: owed
   double bank_mj = 0.0;             // what the hand put in and the loop did not give back: scale recovers from it
   Vec3 device_mm{0.0};              // low-passed
   Vec3 spring_mm{0.0};              // proxy - device, low-passed
