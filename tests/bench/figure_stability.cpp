@@ -376,14 +376,13 @@ Picture stiffness_against_damping(const Report& stability) {
       const Point end = plot.at(line.back().x, line.back().y);
       names.push_back({end.y, hand.label, end});
     }
-    // Named at their right ends, moved apart where they meet.
+    // Named at their right ends, moved apart where they meet, up as far as down.
     std::ranges::sort(names, {}, &Name::y);
-    double least = -1e9;
-    for (const Name& name : names) {
-      const double at = std::max(name.y, least);
-      svg.text({name.end.x + 12.0, at + 4.0}, name.text, {.size = 12.5, .bold = true});
-      least = at + 16.0;
-    }
+    std::vector<double> at;
+    for (const Name& name : names) at.push_back(at.empty() ? name.y : std::max(name.y, at.back() + 16.0));
+    const double pushed = at.back() - names.back().y;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      svg.text({names[i].end.x + 12.0, at[i] - 0.8 * pushed + 4.0}, names[i].text, {.size = 12.5, .bold = true});
     // Beside the bounds, on the side where nothing is.
     const Point steep = plot.at(0.85, colgate(0.85));
     svg.text({steep.x - 12.0, steep.y - 4.0}, "Colgate", {.size = 12.5, .anchor = Anchor::end});
