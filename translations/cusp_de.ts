@@ -2390,6 +2390,10 @@
             <translation>höchster Druck %1</translation>
         </message>
         <message>
+            <source>tissues at %1 of their stiffness</source>
+            <translation>Gewebe mit %1 ihrer Steifigkeit</translation>
+        </message>
+        <message>
             <source>Passed</source>
             <translation>Bestanden</translation>
         </message>
@@ -2593,6 +2597,10 @@
         <message>
             <source>Removed so far</source>
             <translation>Bisher abgetragen</translation>
+        </message>
+        <message>
+            <source>All tissues feel softer, at %1 of their stiffness: with more this device could begin to tremble.</source>
+            <translation>Alle Gewebe fühlen sich weicher an, mit %1 ihrer Steifigkeit: mit mehr könnte dieses Gerät zu zittern beginnen.</translation>
         </message>
         <message>
             <source>Device</source>

@@ -266,7 +266,7 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
   const Scenario& scenario = go.run->scenario();
   const bool is_tooth = scenario.specimen.generator != "block" && scenario.specimen.generator != "paper-block";
   in.panel->set_exercise(scenario, !go.look->empty(), go.has_pulp, is_tooth);
-  in.panel->set_device(go.run->device());
+  in.panel->set_device(go.run->device(), go.run->stiffness_share());
   in.device->setText(device_name(go.run->device().device_class));
   in.stage->set_exercise(scenario, *go.look, go.bounds, go.pointer != nullptr, is_tooth);
   ToothView* view = in.stage->view();

@@ -187,6 +187,10 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   device_line->addWidget(device_, 1);
   device_line->addWidget(device_state_);
   static_cast<QVBoxLayout*>(part->layout())->addLayout(device_line);
+  softened_ = make_label({}, TextRole::caption, false, "text2");
+  softened_->setWordWrap(true);
+  softened_->hide();
+  part->layout()->addWidget(softened_);
 
   column->addStretch();
   column->addWidget(make_rule());
@@ -224,7 +228,15 @@ void ScorePanel::set_exercise(const Scenario& scenario, bool has_target, bool ha
   }
 }
 
-void ScorePanel::set_device(const DeviceLimits& limits) { device_->setText(device_name(limits.device_class)); }
+void ScorePanel::set_device(const DeviceLimits& limits, double stiffness_share) {
+  device_->setText(device_name(limits.device_class));
+  softened_->setVisible(stiffness_share < 1.0);
+  if (stiffness_share < 1.0) {
+    softened_->setText(tr("All tissues feel softer, at %1 of their stiffness: with more this device could begin to "
+                          "tremble.")
+                           .arg(format({stiffness_share * 100, {}, QStringLiteral("%"), 0})));
+  }
+}
 
 void ScorePanel::show_values(const LiveView& live) {
   const QString mm3 = QStringLiteral("mm3");

@@ -43,7 +43,8 @@ class ScorePanel : public QFrame {
 
   /// Once: what the exercise has: tissues that are counted, target or not, a pulp or not.
   void set_exercise(const Scenario& scenario, bool has_target, bool has_pulp, bool is_tooth);
-  void set_device(const DeviceLimits& limits);
+  /// stiffness_share: what the device leaves of the tissues' stiffness; below 1 it is said.
+  void set_device(const DeviceLimits& limits, double stiffness_share = 1.0);
   void show_values(const LiveView& live);
   SectionView* section() { return section_; }
 
@@ -56,7 +57,7 @@ class ScorePanel : public QFrame {
   QFrame* add_part(const QString& title, QLabel** aside = nullptr);
 
   SectionView* section_;
-  QLabel *section_aside_, *percent_, *too_far_, *over_pulp_, *device_, *device_state_, *recording_icon_, *recording_;
+  QLabel *section_aside_, *percent_, *too_far_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
   QWidget *progress_part_, *over_pulp_row_;
   Bar* percent_bar_;
   QGridLayout* tissue_grid_;

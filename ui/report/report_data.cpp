@@ -76,6 +76,10 @@ QString circumstances_text(const ReportData& data) {
   parts += Words::tr("%1 min").arg(format_clock(data.result.seconds));
   if (data.peak_push_n) parts += Words::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
   parts += device_name(data.result.device.device_class);
+  if (data.result.stiffness_share < 1.0) {
+    parts += Words::tr("tissues at %1 of their stiffness")
+                 .arg(format({data.result.stiffness_share * 100, std::nullopt, u"%"_qs, 0}));
+  }
   return parts.join(u" · "_qs);
 }
 
