@@ -10,8 +10,8 @@ namespace cusp {
 namespace {
 /// Features kept at once: a cavity of 60 mm2 at 0.04 mm voxels has about 60,000, and pages are two thirds full.
 constexpr std::size_t kPages = 14000;
-/// A cell has at most a point of each surface and an edge.
-constexpr std::size_t kMostFeatures = 3 * static_cast<std::size_t>(kBrickVoxels);
+/// A cell has a few points and edges at most, and those with more than one are few.
+constexpr std::size_t kMostFeatures = 4 * static_cast<std::size_t>(kBrickVoxels);
 /// Two cuts make the larger of two distances, without rounding: what differs more is no ridge of two.
 constexpr double kMostOff = 0.3;
 /// s beyond which no surface crosses the cells that touch the voxel (1.8 voxels).
@@ -30,6 +30,7 @@ void base_feature(const BaseSurface& surface, const BasePoints& points, int i, d
   const BaseSurface::Sharp& sharp = surface.sharp(points, i);
   out.other_normal = sharp.vector;
   if (normal.edge()) {
+    out.other_normal /= static_cast<float>(voxel_mm);
     out.third_d_mm = static_cast<float>(StrokeCells::kHalfEdge * voxel_mm);
     out.other_d_mm = -out.third_d_mm;
   } else {
@@ -179,10 +180,11 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
       const int o = z << 6 | std::countr_zero(left);
       slot.creased[z] &= ~(std::uint64_t{1} << (o & 63));
       while (next_point < points.count && points.normal[next_point].cell() < o) ++next_point;
-      if (next_point < points.count && points.normal[next_point].cell() == o) {
+      while (next_point < points.count && points.normal[next_point].cell() == o) {
         if (!decoded) decode(volume, at);
         decoded = true;
         if (make_base(volume, points, next_point)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
+        ++next_point;
       }
       if (values[o] < kLeast || values[o] > kMost) continue;
       if (!decoded) decode(volume, at);
@@ -228,6 +230,7 @@ void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
 }
 
 bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i) noexcept {
+  if (made_count_ == made_.size()) return true;
   const int o = points.normal[i].cell();
   const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
   const Vec3f place(points.x[i], points.y[i], points.z[i]);
@@ -269,9 +272,9 @@ void CutSurface::make_from_strokes(const Volume& volume, IVec3 cell, int offset,
     made.feature.tissue = tissue_under(volume, cell, f.edge ? f.at : f.at - 0.5 * f.normal);
     if (f.edge) {
       made.feature.edge = true;
-      made.feature.other_normal = Vec3f(f.bend);
-      made.feature.third_normal = Vec3f(f.twist);
-      made.feature.fourth = Vec3f(f.fourth);
+      made.feature.other_normal = Vec3f(f.bend / voxel);
+      made.feature.third_normal = Vec3f(f.twist / (voxel * voxel));
+      made.feature.fourth = Vec3f(f.fourth / (voxel * voxel * voxel));
       made.feature.other_d_mm = static_cast<float>(f.from * voxel);
       made.feature.third_d_mm = static_cast<float>(f.to * voxel);
     } else {
@@ -297,7 +300,9 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   // Deep in the specimen its own surface is further than 2.5 voxels: nothing of it to keep.
   const Specimen& specimen = volume.specimen();
   bool deep = true;
-  for (int i = 0; i < 8 && deep; ++i) deep = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) == kSolid;
+  const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
+  const bool solid = local.x < 7 && local.y < 7 && local.z < 7 && specimen.s_of(brick) == nullptr && specimen.s_in(brick, 0) == kSolid;
+  for (int i = 0; i < 8 && deep && !solid; ++i) deep = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) == kSolid;
   CellField base;
   if (!deep) base.load(volume, Field::base, cell);
   const double voxel = volume.grid().voxel_mm;
@@ -307,8 +312,8 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
     made = Made{};
     made.at = Vec3f(Vec3(local) + edge.at);
     made.feature.normal = Vec3f(edge.tangent);
-    made.feature.other_normal = Vec3f(edge.bend);
-    made.feature.third_normal = Vec3f(edge.twist);
+    made.feature.other_normal = Vec3f(edge.bend / voxel);
+    made.feature.third_normal = Vec3f(edge.twist / (voxel * voxel));
     made.feature.edge = true;
     made.feature.third_d_mm = static_cast<float>(StrokeCells::kHalfEdge * voxel);
     made.feature.other_d_mm = -made.feature.third_d_mm;
@@ -346,7 +351,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
       made.feature.tissue = tissue_under(volume, cell, crease.point - 0.5 * crease.normal);
       add_beside(made.feature, crease.other_d * voxel, Vec3f(crease.other_normal));
     }
-  } else if (cell_point(cut, f, n)) {
+  } else if (crease.kind == Creased::Kind::no && cell_point(cut, f, n)) {
     Vec3 g(0.0);
     const double other = deep ? -kBandVoxels : base.eval(f, g);
     if (other <= 0.0) {

@@ -15,9 +15,9 @@ namespace cusp {
 
 struct CutFeature {
   Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
-  Vec3f other_normal{0.0f};     // of the nearest other surface; an edge's bend, per voxel
-  Vec3f third_normal{0.0f};     // of the next; an edge's twist, per voxel squared
-  Vec3f fourth{0.0f};           // of an edge, per voxel cubed
+  Vec3f other_normal{0.0f};     // of the nearest other surface; an edge's bend, per mm
+  Vec3f third_normal{0.0f};     // of the next; an edge's twist, per mm^2
+  Vec3f fourth{0.0f};           // of an edge, per mm^3
   float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside; where an edge's piece begins
   float third_d_mm = 0.0f;      // to the next; where an edge's piece ends
   std::uint16_t cell = 0;       // brick_offset of the cell's lower corner

@@ -1,25 +1,24 @@
 #include "engine/contact/stroke_cells.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace cusp {
 
 namespace {
 constexpr double kReach = 2.6;        // voxels: what is further from a surface is not looked at, it may be clamped
-/// Voxels: a stroke that is so much less deep than another in the cell's middle is nowhere the deepest among its samples,
-/// 1.66 voxels away at most.
-constexpr double kNowhereDeepest = 3.4;
 constexpr double kExplained = 0.01;   // voxels: a corner may differ by a straightened stroke, a rounded s
 constexpr double kTaken = 0.002;      // voxels: strokes that follow each other overlap by no more than they were straightened
 constexpr double kSmooth = 0.985;     // cosine: what turns by less than 10 degrees is one surface
-constexpr double kSide = 0.1;         // a cell's features may stand this far outside it
+constexpr double kOutside = 0.1;      // a cell's features may stand this far outside it
 constexpr double kBeside = 2.5;       // voxels: what is further from a point does not end its plane
 constexpr double kStrongBend = 0.08;  // per voxel: a radius of six voxels
 constexpr int kBase = -1;             // the specimen's own surface among surfaces
 
 bool in_cell(Vec3 x) noexcept {
   for (int i = 0; i < 3; ++i)
-    if (!(x[i] > -kSide && x[i] < 1.0 + kSide)) return false;
+    if (!(x[i] > -kOutside && x[i] < 1.0 + kOutside)) return false;
   return true;
 }
 Vec3 into_cell(Vec3 x) noexcept {
@@ -69,6 +68,7 @@ void StrokeCells::find(const CutMemory& memory, const Grid& grid, IVec3 corner) 
   const Vec3 low = grid.origin_mm + grid.voxel_mm * Vec3(corner);
   const int count = memory.reaching(low, low + grid.voxel_mm * 8.0, (kReach + 1.0) * grid.voxel_mm, segments_);
   usable_ = count > 0;
+  std::fill(std::begin(deepest_), std::end(deepest_), kUnknown);
   const double per_mm = 1.0 / grid.voxel_mm;
   for (int i = 0; i < count; ++i) {
     const CutMemory::Segment& s = segments_[static_cast<std::size_t>(i)];
@@ -81,51 +81,43 @@ void StrokeCells::find(const CutMemory& memory, const Grid& grid, IVec3 corner) 
   }
 }
 
+/// The deepest stroke at a sample of the brick (-1 to 9 each), looked for once; kOff where the field is not as it says.
+std::uint8_t StrokeCells::deepest(IVec3 at, double has) noexcept {
+  std::uint8_t& known = deepest_[(at.x + 1) + kSide * ((at.y + 1) + kSide * (at.z + 1))];
+  if (known != kUnknown) return known;
+  const Vec3 x(at);
+  double most = -1e300;
+  int which = 0;
+  for (int i = 0; i < capsule_count_; ++i) {
+    const double d = capsules_[static_cast<std::size_t>(i)].depth(x);
+    if (d > most) {
+      most = d;
+      which = i;
+    }
+  }
+  const auto limited = [](double d) { return d < -kReach ? -kReach : d > kReach ? kReach : d; };
+  known = std::fabs(limited(most) - limited(has)) > kExplained ? kOff
+          : most > -kReach && most < kReach                    ? static_cast<std::uint8_t>(which)
+                                                               : kFar;
+  return known;
+}
+
 bool StrokeCells::explain(IVec3 local, const CellField& cut, int least) noexcept {
   if (!found_) find(*memory_, grid_, corner_);
   near_count_ = 0;
-  if (!usable_) return false;
-  const Vec3 at(local);
-  const Vec3 middle = at + 0.5;
-  double deepest = -1e300;
-  for (int i = 0; i < capsule_count_; ++i) {
-    const double d = capsules_[static_cast<std::size_t>(i)].depth(middle);
-    deepest = d > deepest ? d : deepest;
-  }
-  if (deepest < -kReach) return false;
-  int wide = 0;
-  for (int i = 0; i < capsule_count_; ++i) {
-    const Capsule& c = capsules_[static_cast<std::size_t>(i)];
-    if (c.depth(middle) < deepest - kNowhereDeepest) continue;
-    if (wide == kMostNear) return false;
-    wide_[wide] = c;
-    wide_[wide++].a -= at;
-  }
-  if (wide < least) return false;
-  // The deepest stroke at each sample that the cell's field is made of; the field must have it so.
-  std::uint64_t shaping = 0;
+  if (!usable_ || capsule_count_ < least) return false;
+  std::uint64_t shaping[2] = {0, 0};
   for (const SampleAt& sample : kSamples) {
-    const Vec3 x(sample.x, sample.y, sample.z);
-    double most = -1e300;
-    int which = 0;
-    for (int i = 0; i < wide; ++i) {
-      const double d = wide_[i].depth(x);
-      if (d > most) {
-        most = d;
-        which = i;
-      }
+    const std::uint8_t which = deepest(local + IVec3(sample.x, sample.y, sample.z), cut.sample(sample.x, sample.y, sample.z));
+    if (which == kOff) return false;
+    if (which != kFar) shaping[which >> 6] |= std::uint64_t{1} << (which & 63);
+  }
+  for (int word = 0; word < 2; ++word)
+    for (std::uint64_t left = shaping[word]; left != 0; left &= left - 1) {
+      if (near_count_ == kMostShaping) return false;
+      near_[near_count_] = capsules_[static_cast<std::size_t>(word * 64 + std::countr_zero(left))];
+      near_[near_count_++].a -= Vec3(local);
     }
-    const double has = cut.sample(sample.x, sample.y, sample.z);
-    const double limited = most < -kReach ? -kReach : most > kReach ? kReach : most;
-    const double seen = has < -kReach ? -kReach : has > kReach ? kReach : has;
-    if (std::fabs(limited - seen) > kExplained) return false;
-    if (most > -kReach && most < kReach) shaping |= std::uint64_t{1} << which;
-  }
-  for (int i = 0; i < wide; ++i) {
-    if ((shaping >> i & 1) == 0) continue;
-    if (near_count_ == kMostShaping) return false;
-    near_[near_count_++] = wide_[i];
-  }
   return near_count_ >= least;
 }
 

@@ -60,8 +60,11 @@ class StrokeCells {
     double operator()(Vec3 x, Vec3& gradient) const noexcept;
     double depth(Vec3 x) const noexcept;
   };
-  static constexpr int kMostInBrick = 1024, kMostNear = 64, kMostShaping = 12;
+  static constexpr int kMostInBrick = 120, kMostShaping = 12;
+  static constexpr int kSide = 11;  // samples of a brick's cells along an edge
+  static constexpr std::uint8_t kUnknown = 255, kOff = 254, kFar = 253;
 
+  std::uint8_t deepest(IVec3 at, double has) noexcept;
   void find(const CutMemory& memory, const Grid& grid, IVec3 corner) noexcept;
   double depth(int surface, Vec3 x, Vec3& gradient) const noexcept;
   bool taken(Vec3 x, int but, int but_other) const noexcept;
@@ -77,9 +80,9 @@ class StrokeCells {
   std::vector<CutMemory::Segment> segments_;
   std::vector<Capsule> capsules_;          // of the brick
   int capsule_count_ = 0;
+  std::uint8_t deepest_[kSide * kSide * kSide];  // which capsule is, by sample
   Capsule near_[kMostShaping];             // that shape the cell, voxels from its corner
   int near_count_ = 0;
-  Capsule wide_[kMostNear];                // that may be
   const CellField* base_ = nullptr;
   StrokeFeature features_[kMostFeatures];
   int feature_count_ = 0;

@@ -15,7 +15,7 @@ constexpr double kTolerance = 1e-7;         // mm: planes closer than a tenth of
 constexpr double kSameNormal = 0.9396926;   // cos 20 deg: planes of one smooth surface
 constexpr double kTurned = 0.8480481;       // cos 32 deg: a normal that turns further belongs to something else
 constexpr double kFootReach = 1.2;          // voxels from its point within which a polished foot is that surface's
-constexpr int kSearches = 16;               // steps of the proxy in a tick, the rest next tick
+constexpr int kSearches = 64;               // steps of the proxy in a tick (5 mm), the rest next tick
 constexpr double kTogether = 2e-3;          // mm: slack that a polished pose may take from a plane it leaves out
 constexpr double kMemorySlack = 5e-4;       // mm
 constexpr double kPredicted = 0.35;         // of a step: how far a burr may be from where its device's move takes it
@@ -23,6 +23,7 @@ constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less i
 constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge
 constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
 constexpr double kLongestLeap = 10.0;       // of the last pass's move
+constexpr double kFarthestLeapMm = 0.1, kCloseLeapMm = 0.02;
 constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less has arrived
 
 /// Crossing cells within reach of the widest burr: the ball's own area twice over (two fields), and the shank's.
@@ -43,6 +44,7 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
     : voxel_mm_(scene.specimen->grid().voxel_mm),
       memory_(memory),
       candidates_(candidate_room(scene)),
+      features_(candidates_.size()),
       sources_(candidates_.size()),
       place_x_(candidates_.size() + 7),
       place_y_(candidates_.size() + 7),
@@ -85,62 +87,107 @@ void SurfaceContact::forget() noexcept {
 
 /// The nearest place of an edge's piece. `off`: from the edge's middle to a place; then from that nearest place to it.
 /// along, curved: the curve's derivative there, and half the second derivative of the squared distance along it. False at
-/// the piece's end.
-bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, Vec3& off, Vec3& along, double& curved) noexcept {
+/// the piece's end, and where all of it is further than far_mm (then nothing else is told).
+bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along,
+                                double& curved) noexcept {
   const Vec3 d = off;
-  const Vec3 tangent(edge.normal);
-  const Vec3 bend = Vec3(edge.other_normal) / voxel_mm;
-  const Vec3 twist = Vec3(edge.third_normal) / (voxel_mm * voxel_mm);
-  const Vec3 fourth = Vec3(edge.fourth) / (voxel_mm * voxel_mm * voxel_mm);
-  const double from = edge.other_d_mm, to = edge.third_d_mm;
-  const auto look = [&](double t) {
-    off = d - t * (tangent + t * (bend + t * (twist + t * fourth)));
-    along = tangent + t * (2.0 * bend + t * (3.0 * twist + (4.0 * t) * fourth));
-    curved = glm::dot(along, along) - glm::dot(2.0 * bend + t * (6.0 * twist + (12.0 * t) * fourth), off);
-  };
-  // Newton from the tangent's nearest place.
+  const CutFeature& f = *edge.feature;
+  const Vec3 tangent = edge.normal, bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
+  const double from = f.other_d_mm, to = f.third_d_mm;
   double t = glm::dot(d, tangent);
   t = t < from ? from : t > to ? to : t;
-  bool steep = true;
+  // A piece leaves its tangent by a quarter of a voxel at most.
+  const Vec3 straight = d - t * tangent;
+  const double reach = far_mm + 0.25 * voxel_mm;
+  curved = 1e300;
+  off = straight;
+  if (glm::dot(straight, straight) > reach * reach) return false;
+  const auto look = [&](double at) {
+    const Vec3 turn = twist + at * fourth;
+    off = d - at * (tangent + at * (bend + at * turn));
+    along = tangent + at * (2.0 * bend + at * (3.0 * turn + at * fourth));
+    curved = glm::dot(along, along) - glm::dot(2.0 * bend + at * (6.0 * turn + (6.0 * at) * fourth), off);
+  };
+  // Newton from the tangent's nearest place.
+  const double close = 1e-4 * voxel_mm;  // leaves the distance off by 1e-8, the normal by 2e-6 degrees
   for (int pass = 0; pass < 4; ++pass) {
     look(t);
-    steep = curved > 0.2;
-    if (!steep) break;
+    if (!(curved > 0.2)) break;
     const double step = glm::dot(off, along) / curved;
     const double next = t + step < from ? from : t + step > to ? to : t + step;
-    const bool there = std::fabs(next - t) < 1e-6 * voxel_mm;
+    if (std::fabs(next - t) < close) return t > from && t < to;
     t = next;
-    if (there) break;
   }
-  if (!steep) {
-    // The edge bends about the place about as the ball does: the nearest of many, then between its neighbours.
-    constexpr int kPlaces = 8;
-    double nearest2 = 1e300;
-    int best = 0;
-    for (int k = 0; k <= kPlaces; ++k) {
-      look(from + (to - from) * k / kPlaces);
-      const double square = glm::dot(off, off);
-      if (square < nearest2) {
-        nearest2 = square;
-        best = k;
-      }
+  if (curved > 0.2) {
+    look(t);
+    return t > from && t < to;
+  }
+  // The edge bends about the place about as the ball does: the nearest of three, then between its neighbours.
+  constexpr int kPlaces = 2;
+  double nearest2 = 1e300;
+  int best = 0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    look(from + (to - from) * k / kPlaces);
+    const double square = glm::dot(off, off);
+    if (square < nearest2) {
+      nearest2 = square;
+      best = k;
     }
-    double low = from + (to - from) * (best > 0 ? best - 1 : 0) / kPlaces;
-    double high = from + (to - from) * (best < kPlaces ? best + 1 : kPlaces) / kPlaces;
-    for (int pass = 0; pass < 16; ++pass) {
-      t = 0.5 * (low + high);
-      look(t);
-      (glm::dot(off, along) > 0.0 ? low : high) = t;
-    }
+  }
+  if (nearest2 > (far_mm + 0.01 * voxel_mm) * (far_mm + 0.01 * voxel_mm)) return false;
+  double low = from + (to - from) * (best > 0 ? best - 1 : 0) / kPlaces;
+  double high = from + (to - from) * (best < kPlaces ? best + 1 : kPlaces) / kPlaces;
+  t = from + (to - from) * best / kPlaces;
+  for (int pass = 0; pass < 5; ++pass) {
+    look(t);
+    const double down = glm::dot(off, along);
+    (down > 0.0 ? low : high) = t;
+    const double next = curved > 1e-3 ? t + down / curved : low;
+    const double kept = next > low && next < high ? next : 0.5 * (low + high);
+    const bool there = std::fabs(kept - t) < close;
+    t = kept;
+    if (there) break;
   }
   look(t);
   return t > from && t < to;
+}
+
+/// The plane of a point of a surface, seen from y; false where it is further than slack_mm off.
+inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
+                                             bool& trusted) const noexcept {
+  const double beside = kPlaneReach * voxel_mm_;
+  const double far = r + slack_mm;
+  const Vec3 d = y - c.point;
+  const double square = glm::dot(d, d);
+  if (square > far * far + beside * beside) return false;
+  const double height = glm::dot(c.normal, y) - c.level;
+  if (height > 0.0 && square - height * height <= beside * beside) {
+    const auto past = [&](Vec3 other, double other_d) {
+      return other_d + glm::dot(other, d) - height * glm::dot(other, c.normal) > 0.0;
+    };
+    const bool beyond = c.others > 0 && (past(Vec3(c.feature->other_normal), c.feature->other_d_mm) ||
+                                         (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm)));
+    if (!beyond) {
+      if (height > far) return false;
+      plane.n = c.normal;
+      plane.c = c.level + r;
+      trusted = true;
+      return true;
+    }
+  }
+  trusted = false;
+  if (square > far * far || square < 1e-18) return false;
+  const double distance = std::sqrt(square);
+  plane.n = d / distance;
+  plane.c = glm::dot(plane.n, y) - (distance - r);
+  return true;
 }
 
 /// The plane that keeps the burr off one candidate, seen from y; false where it is further than slack_mm off.
 bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
                               bool& trusted) const noexcept {
   const double r = c.field == Field::base ? tool.r_base : tool.r_cut;
+  if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm, plane, trusted);
   trusted = false;
   if (c.kind == Kind::shank) {
     // Neck and shank: capsules along the axis; the nearer of the two holds the point off.
@@ -166,34 +213,9 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
     plane.c = glm::dot(plane.n, y) - best;
     return true;
   }
-  const double plane_reach_mm = kPlaneReach * voxel_mm_;
-  Vec3 d = y - c.point;
-  if (c.kind == Kind::surface) {
-    const double square = glm::dot(d, d);
-    const double furthest = r + slack_mm;
-    if (square > furthest * furthest + plane_reach_mm * plane_reach_mm) return false;
-    const Vec3 n(c.normal);
-    const double height = glm::dot(n, d);
-    if (height > 0.0 && square - height * height <= plane_reach_mm * plane_reach_mm) {
-      const auto past = [&](Vec3 other, double other_d) {
-        return other_d + glm::dot(other, d) - height * glm::dot(other, n) > 0.0;
-      };
-      const bool beyond = (c.others > 0 && past(Vec3(c.other_normal), c.other_d_mm)) ||
-                          (c.others > 1 && past(Vec3(c.third_normal), c.third_d_mm));
-      if (!beyond) {
-        const double slack = height - r;
-        if (slack > slack_mm) return false;
-        plane.n = n;
-        plane.c = glm::dot(n, y) - slack;
-        trusted = true;
-        return true;
-      }
-    }
-  } else {
-    Vec3 along;
-    double curved = 0.0;
-    nearest_on(c, voxel_mm_, d, along, curved);
-  }
+  Vec3 d = y - c.point, along;
+  double curved = 0.0;
+  nearest_on(c, voxel_mm_, r + slack_mm, d, along, curved);
   const double square = glm::dot(d, d);
   const double far = r + slack_mm;
   if (square > far * far || square < 1e-18) return false;
@@ -252,16 +274,18 @@ Vec3 SurfaceContact::leap_of(const PlaneSearch& found, Vec3 at, Vec3 off_by, boo
     free[1] = glm::cross(n, free[0]);
   }
   const int directions = 3 - found.active;
+  const bool close = glm::dot(off_by, off_by) < kCloseLeapMm * kCloseLeapMm;
   // m = sum of weight times the second derivative of the distance to what each plane stands for.
   double m[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
   for (int a = 0; a < found.active; ++a) {
     const auto i = static_cast<std::size_t>(found.index[a]);
     const Origin& origin = origins_[i];
     const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
-    if (origin.trusted_plane || origin.relaxed || c.kind == Kind::shank) continue;
+    // Of a point of a face it is believed only close by: there the face itself soon takes over.
+    if (origin.trusted_plane || origin.relaxed || c.kind == Kind::shank || (c.kind == Kind::surface && !close)) continue;
     Vec3 off = at - c.point, along(0.0);
     double curved = 0.0;
-    if (c.kind == Kind::edge && !nearest_on(c, voxel_mm_, off, along, curved)) curved = 0.0;
+    if (c.kind == Kind::edge && !nearest_on(c, voxel_mm_, 1e3, off, along, curved)) curved = 0.0;
     const double distance = length_of(off);
     if (distance < 1e-6) continue;
     const Vec3 out = off / distance;
@@ -279,8 +303,10 @@ Vec3 SurfaceContact::leap_of(const PlaneSearch& found, Vec3 at, Vec3 off_by, boo
   const double a = 1.0 - m[0][0], b = -m[0][1], d = directions > 1 ? 1.0 - m[1][1] : 1.0;
   const double det = a * d - b * b;
   rolls = !(a > kLeast && d > kLeast && det > kLeast * kLeast);
-  const double most = kLongestLeap * length_of(moved);
-  if (rolls) return (free[0] * moved.x + free[1] * moved.y) * kLongestLeap;
+  const double size = length_of(moved);
+  if (size > kFarthestLeapMm) return Vec3(0.0);  // what the second order says of so long a way is not to be believed
+  const double most = std::min(kLongestLeap * size, kFarthestLeapMm);
+  if (rolls) return size > 0.0 ? (free[0] * moved.x + free[1] * moved.y) * (most / size) : Vec3(0.0);
   const double u = (d * moved.x - b * moved.y) / det - moved.x;
   const double v = (a * moved.y - b * moved.x) / det - moved.y;
   const double length = std::sqrt(u * u + v * v);
@@ -322,14 +348,14 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
     const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
     if (c.kind != Kind::surface || origin.relaxed || c.others > 0) return out;
     int g = 0;
-    while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > static_cast<float>(kSameNormal))) ++g;
+    while (g < groups && !(group[g].field == c.field && glm::dot(candidates_[static_cast<std::size_t>(group[g].candidate)].normal, c.normal) > kSameNormal)) ++g;
     if (g == groups) {
       group[groups] = Group{};
       group[groups].field = c.field;
       ++groups;
     }
     const double w = found.weight[a] > 1e-12 ? found.weight[a] : 1e-12;
-    group[g].normal += Vec3(c.normal) * w;
+    group[g].normal += c.normal * w;
     group[g].weight += w;
     if (w > group[g].heaviest) {
       group[g].heaviest = w;
@@ -356,7 +382,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
       const double r = group[g].field == Field::base ? tool.r_base : tool.r_cut;
       const Vec3 x = at - group[g].normal * r;
       const FieldPoint field = fields_.at(volume, group[g].field, x);
-      if (!field.known || std::fabs(field.d_mm) > 0.3 * voxel_mm_ || glm::dot(field.normal, group[g].normal) < kTurned)
+      if (!field.known || (field.creased && (sharp_ || group[g].field == Field::base)) || std::fabs(field.d_mm) > 0.3 * voxel_mm_ || glm::dot(field.normal, group[g].normal) < kTurned)
         return out;
       group[g].normal = field.normal;
       corrected[g].n = field.normal;
@@ -385,7 +411,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
     bool same = false;
     for (int g = 0; g < groups; ++g)
       same = same || (c.kind == Kind::surface && group[g].field == c.field &&
-                      glm::dot(Vec3(c.normal), group[g].normal) > kTurned);
+                      glm::dot(c.normal, group[g].normal) > kTurned);
     if (!same) return out;
   }
   out.accepted = true;

@@ -83,10 +83,9 @@ class SurfaceContact {
   static constexpr std::uint16_t kNoBurr = 0xffff;  // of a ball that no scene names
   enum class Kind : std::uint8_t { surface, edge, shank };
   struct Candidate {
-    Vec3 point{0.0};
-    Vec3f normal{0.0f};        // the rest as in CutFeature
-    Vec3f other_normal{0.0f}, third_normal{0.0f}, fourth{0.0f};
-    float other_d_mm = 0.0f, third_d_mm = 0.0f;
+    Vec3 point{0.0}, normal{0.0};          // an edge's tangent
+    double level = 0.0;                    // normal . point
+    const CutFeature* feature = nullptr;   // of an edge, and where others end the point's plane
     Kind kind = Kind::surface;
     Field field = Field::base;
     Tissue tissue = Tissue::empty;
@@ -160,7 +159,8 @@ class SurfaceContact {
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
   template <class Visit>
   void near_features(const Volume& volume, int brick, IVec3 at, Vec3 centre, double reach, Visit&& visit) noexcept;
-  void add(const Candidate& candidate) noexcept;
+  void add(const Candidate& candidate, const CutFeature* own) noexcept;
+  bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                   const CutSurface::Page* page) noexcept;
   const Candidate& made(const Volume& volume, std::size_t i) noexcept;
@@ -171,7 +171,7 @@ class SurfaceContact {
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
   bool plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void relax_by_memory(std::size_t from, std::size_t to) noexcept;
-  static bool nearest_on(const Candidate& edge, double voxel_mm, Vec3& off, Vec3& along, double& curved) noexcept;
+  static bool nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along, double& curved) noexcept;
   Vec3 leap_of(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
   PlaneSearch search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept;
@@ -185,6 +185,7 @@ class SurfaceContact {
   std::vector<PointsBox> boxes_;       // [brick]: where the specimen's own points lie
   IVec3 bricks_low_{0}, bricks_high_{0};  // bricks that hold a surface or can be cut
   std::vector<Candidate> candidates_;  // at hand, then those of the foot
+  std::vector<CutFeature> features_;   // of those that no kept page of the cut's surface holds
   std::vector<Source> sources_;
   std::vector<float> place_x_, place_y_, place_z_;  // of those of the ball, in voxels from where they were gathered
   PlaneSet planes_;

@@ -57,13 +57,19 @@ struct ShankReach {
 
 }  // namespace
 
-void SurfaceContact::add(const Candidate& candidate) noexcept {
+void SurfaceContact::add(const Candidate& candidate, const CutFeature* own) noexcept {
   if (count_ == candidates_.size()) {
     overflow_ = true;
     return;
   }
   sources_[count_].made = true;
-  candidates_[count_++] = candidate;
+  Candidate& out = candidates_[count_];
+  out = candidate;
+  if (own != nullptr) {
+    features_[count_] = *own;
+    out.feature = &features_[count_];
+  }
+  ++count_;
 }
 
 /// A candidate of the ball, which is only made when a search comes near it. x, y, z: voxels from where it is gathered.
@@ -86,24 +92,23 @@ const SurfaceContact::Candidate& SurfaceContact::made(const Volume& volume, std:
   if (source.made) return out;
   source.made = true;
   const Grid& grid = volume.grid();
-  const Specimen& specimen = volume.specimen();
-  CutFeature feature;
   Vec3 place;
   if (source.page != nullptr) {
-    feature = source.page->feature[source.index];
-    place = Vec3(source.page->x[source.index], source.page->y[source.index], source.page->z[source.index]);
+    const CutSurface::Page& page = *source.page;
+    place = Vec3(page.x[source.index], page.y[source.index], page.z[source.index]);
+    out.feature = &page.feature[source.index];
   } else {
+    const Specimen& specimen = volume.specimen();
     const BasePoints points = specimen.surface().in(source.brick);
-    base_feature(specimen.surface(), points, source.index, grid.voxel_mm, feature);
     place = Vec3(points.x[source.index], points.y[source.index], points.z[source.index]);
+    features_[i] = CutFeature{};
+    base_feature(specimen.surface(), points, source.index, grid.voxel_mm, features_[i]);
+    out.feature = &features_[i];
   }
+  const CutFeature& feature = *out.feature;
   out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
-  out.normal = feature.normal;
-  out.other_normal = feature.other_normal;
-  out.third_normal = feature.third_normal;
-  out.fourth = feature.fourth;
-  out.other_d_mm = feature.other_d_mm;
-  out.third_d_mm = feature.third_d_mm;
+  out.normal = Vec3(feature.normal);
+  out.level = glm::dot(out.normal, out.point);
   out.kind = feature.edge ? Kind::edge : Kind::surface;
   out.field = feature.field;
   out.tissue = feature.tissue;
@@ -216,7 +221,10 @@ void SurfaceContact::gather_ball(const Volume& volume, const Tool& tool, Vec3 ce
       gather_near(page.x, page.y, page.z, page.count, &page);
       // A page that is not kept serves until the next brick is asked for.
       if (!cut_.kept(p))
-        for (std::size_t i = before; i < count_; ++i) made(volume, i);
+        for (std::size_t i = before; i < count_; ++i) {
+          features_[i] = *made(volume, i).feature;
+          candidates_[i].feature = &features_[i];
+        }
     }
   });
 }
@@ -287,11 +295,11 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
         [&](Vec3 point, const CutFeature& f) {
           Candidate candidate;
           candidate.point = point;
-          candidate.normal = f.normal;
+          candidate.normal = Vec3(f.normal);
           candidate.kind = Kind::shank;
           candidate.field = f.field;
           candidate.tissue = f.tissue;
-          add(candidate);
+          add(candidate, nullptr);
         });
   });
 }
@@ -356,7 +364,7 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
              if (glm::dot(d, d) <= (c.kind == Kind::surface ? ball2 : edge2)) lay(i, c);
            });
   if (count_ > ball_count_) {
-    const ShankReach shank(*tool.burr, tool.axis, centre, step);
+    const ShankReach shank(*tool.burr, tool.axis, at, slack_mm);
     for (std::size_t i = ball_count_; i < count_; ++i)
       if (shank.touches(candidates_[i].point)) lay(i, candidates_[i]);
   }
@@ -434,21 +442,25 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
     const Vec3 p = x - at.normal * at.d_mm;
     at = fields_.at(volume, field, p);
     if (!at.known || at.d_mm > 0.3 * voxel_mm_ || at.d_mm < -0.3 * voxel_mm_) continue;
+    // Beside an edge the field is rounded; points and edges know better.
+    if (at.creased && (sharp_ || field == Field::base)) continue;
     Candidate candidate;
     candidate.point = p - at.normal * at.d_mm;
-    candidate.normal = Vec3f(at.normal);
+    candidate.normal = at.normal;
+    candidate.level = glm::dot(candidate.normal, candidate.point);
     candidate.field = field;
+    CutFeature own;
     // Gone where the other field is empty.
     const FieldPoint other = fields_.at(volume, field == Field::base ? Field::cut : Field::base, candidate.point);
     if (other.d_mm > 0.0) continue;
     if (other.known && other.d_mm > -2.5 * voxel_mm_) {
       candidate.others = 1;
-      candidate.other_d_mm = static_cast<float>(other.d_mm);
-      candidate.other_normal = Vec3f(other.normal);
+      own.other_d_mm = static_cast<float>(other.d_mm);
+      own.other_normal = Vec3f(other.normal);
     }
     const Vec3 under = (candidate.point - at.normal * (0.5 * voxel_mm_) - volume.grid().origin_mm) / voxel_mm_;
     candidate.tissue = volume.tissue(cell_of_voxels(under + 0.5));
-    add(candidate);
+    add(candidate, &own);
   }
 }
 

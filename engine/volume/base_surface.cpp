@@ -49,31 +49,34 @@ BaseSurface BaseSurface::of(const Specimen& specimen) {
       field.load(specimen, corner + local);
       if (!field.crossed()) continue;
       Vec3 f, normal;
-      std::uint16_t place = static_cast<std::uint16_t>(o);
       const Creased crease =
           creased(field, kMostOff, [&](IVec3 offset, CellField& to) {
         to.load(specimen, corner + local + offset);
         return true;
-      });
-      const auto index = static_cast<std::uint32_t>(out.tissue_.size());
+      }, true);
+      const auto add = [&](Vec3 at, Vec3 direction, std::uint16_t flags) {
+        out.x_.push_back(static_cast<float>(local.x + at.x));
+        out.y_.push_back(static_cast<float>(local.y + at.y));
+        out.z_.push_back(static_cast<float>(local.z + at.z));
+        out.normal_.push_back({part(direction.x), part(direction.y), part(direction.z), static_cast<std::uint16_t>(o | flags)});
+        out.tissue_.push_back(corner_tissue(specimen, corner + local));
+      };
+      const auto sharp = [&](double other_d, Vec3 vector) {
+        out.sharp_.push_back({static_cast<std::uint32_t>(out.tissue_.size()), static_cast<float>(other_d), Vec3f(vector)});
+      };
       if (crease.kind == Creased::Kind::edge) {
-        f = crease.edge.at;
-        normal = crease.edge.tangent;
-        place |= BaseNormal::kEdge;
-        out.sharp_.push_back({index, 0.0f, Vec3f(crease.edge.bend)});
+        sharp(0.0, crease.edge.bend);
+        add(crease.edge.at, crease.edge.tangent, BaseNormal::kEdge);
+        for (int k = 0; k < crease.sides; ++k) {
+          sharp(crease.side[k].other_d, crease.side[k].other_normal);
+          add(crease.side[k].point, crease.side[k].normal, BaseNormal::kBesideEdge);
+        }
       } else if (crease.kind == Creased::Kind::face) {
-        f = crease.point;
-        normal = crease.normal;
-        place |= BaseNormal::kBesideEdge;
-        out.sharp_.push_back({index, static_cast<float>(crease.other_d), Vec3f(crease.other_normal)});
-      } else if (!cell_point(field, f, normal)) {
-        continue;
+        sharp(crease.other_d, crease.other_normal);
+        add(crease.point, crease.normal, BaseNormal::kBesideEdge);
+      } else if (crease.kind == Creased::Kind::no && cell_point(field, f, normal)) {
+        add(f, normal, 0);
       }
-      out.x_.push_back(static_cast<float>(local.x + f.x));
-      out.y_.push_back(static_cast<float>(local.y + f.y));
-      out.z_.push_back(static_cast<float>(local.z + f.z));
-      out.normal_.push_back({part(normal.x), part(normal.y), part(normal.z), place});
-      out.tissue_.push_back(corner_tissue(specimen, corner + local));
     }
   }
   out.first_[static_cast<std::size_t>(bricks)] = static_cast<std::uint32_t>(out.tissue_.size());

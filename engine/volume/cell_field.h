@@ -187,9 +187,10 @@ class CellField {
     const double b = mid_a - 2.0 * mid_b + high;
     if (a_ok && b_ok) {
       const double gap = a > b ? a - b : b - a;
-      if (gap <= kCreaseGap) return 0.5 * (a + b);
+      const double flatter = std::fabs(a) < std::fabs(b) ? a : b;
+      if (gap <= kFlatGap || (gap <= kCreaseGap && std::fabs(flatter) >= kFlat)) return 0.5 * (a + b);
       crease_near_ = crease_near_ || a > kSharp || b > kSharp;
-      return std::fabs(a) < std::fabs(b) ? a : b;
+      return flatter;
     }
     return a_ok ? a : b_ok ? b : 0.0;
   }
@@ -210,6 +211,8 @@ class CellField {
 
   /// Second differences (voxels) that differ more see a crease on one side.
   static constexpr double kCreaseGap = 0.2;
+  /// ... or this much, where one side is flat: a face beside an edge. A ball of three voxels has no such places.
+  static constexpr double kFlatGap = 0.02, kFlat = 0.01;
   /// ... and this one an outer edge of 17 degrees or more; a flatter one is rounded by less than 0.04 voxel.
   static constexpr double kSharp = 0.3;
 
@@ -223,6 +226,7 @@ struct FieldPoint {
   double d_mm = 0.0;
   Vec3 normal{0.0, 0.0, 1.0};
   bool known = false;  // inside the band and with a gradient
+  bool creased = false;  // an outer edge passes close by: rounded
 };
 
 /// The cell of a place in voxels: floor without a call into libm.
@@ -258,6 +262,7 @@ class FieldCells {
     const double d = e.values.eval(x - Vec3(cell), g);
     out.d_mm = d * grid.voxel_mm;
     const double length = std::sqrt(g.x * g.x + g.y * g.y + g.z * g.z);
+    out.creased = e.values.crease_near();
     if (e.in_band && length > 0.25) {
       out.normal = g / length;
       out.d_mm /= length;

@@ -2,6 +2,8 @@
 /// an edge by up to a third of a voxel; the faces on either side, continued to where both are zero, do not. Only + - * / sqrt. Any thread.
 #pragma once
 
+#include <utility>
+
 #include "engine/volume/cell_field.h"
 
 namespace cusp {
@@ -147,27 +149,36 @@ inline bool face_of(const CellField& field, Face& out) noexcept {
 
 /// What a crossed cell holds where one field is creased outwards: an edge, or, beside it, a point of one face.
 struct Creased {
-  enum class Kind : std::uint8_t { no, edge, face } kind = Kind::no;
+  /// ridge: two faces explain the cell, but it holds no place of theirs.
+  enum class Kind : std::uint8_t { no, edge, face, ridge } kind = Kind::no;
   bool looked = false;                       // the cell is creased: the answer depends on the cells two away as well
   SharpEdge edge;
   Vec3 point{0.5}, normal{0.0};              // of the face that is the surface in this cell
   double other_d = 0.0;                      // of the point, to the other face, negative inside; voxels
   Vec3 other_normal{0.0};
+  /// Of an edge's cell: a point of each face beside it, where that lies in the cell.
+  struct Side {
+    Vec3 point{0.5}, normal{0.0}, other_normal{0.0};
+    double other_d = 0.0;
+  } side[2];
+  int sides = 0;
 };
 
 /// load(offset, CellField&) reads the cell `offset` away, or says false where it is not crossed. most_off: by how much (voxels, summed over the eight corners)
-/// the field may differ from the larger of two faces; 0: a crease is only seen, not looked into. A crease shows by a gradient that is no distance's.
+/// the field may differ from the larger of two faces; 0: a crease is only seen, not looked into. A crease shows by a gradient that is no distance's; thorough: every cell that an
+/// edge may pass close to is looked into, for by chance a rounded one has the right length.
 template <class Load>
-inline Creased creased(const CellField& own, double most_off, Load&& load) noexcept {
+inline Creased creased(const CellField& own, double most_off, Load&& load, bool thorough = false) noexcept {
   constexpr double kOff = 0.015, kApart = 0.966;  // of a gradient's length; cos 15 degrees
   constexpr int kFaces = 50;
+  constexpr double kBack = 0.3;                   // voxels
   constexpr double kAsWell = 0.05;                // of most_off
 
   Creased out;
   if (!own.crease_near()) return out;
   Vec3 f(0.5), n(0.0);
   double steep = 0.0;
-  if (cell_point(own, f, n, &steep) && steep > 1.0 - kOff && steep < 1.0 + kOff) return out;
+  if (cell_point(own, f, n, &steep) && steep > 1.0 - kOff && steep < 1.0 + kOff && !thorough) return out;
   out.looked = true;
   if (!(most_off > 0.0)) return out;
   // Faces two cells away, out of reach of the crease.
@@ -233,8 +244,28 @@ inline Creased creased(const CellField& own, double most_off, Load&& load) noexc
   const Face& b = face[other];
   if (edge_of(a, b, f, out.edge)) {
     out.kind = Creased::Kind::edge;
+    for (const auto& [mine, its] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+      // From the edge a little way back on the one face, below the other.
+      Vec3 g, h;
+      (*mine)(out.edge.at, g);
+      (*its)(out.edge.at, h);
+      const Vec3 back = h - g * (glm::dot(g, h) / glm::dot(g, g));
+      const double length = std::sqrt(glm::dot(back, back));
+      if (!(length > 1e-3)) continue;
+      Creased::Side& side = out.side[out.sides];
+      side.point = out.edge.at - back * (kBack / length);
+      for (int pass = 0; pass < 3; ++pass) side.point -= g * ((*mine)(side.point, g) / glm::dot(g, g));
+      side.other_d = (*its)(side.point, h);
+      bool inside = side.other_d < 0.0;
+      for (int i = 0; i < 3; ++i) inside = inside && side.point[i] > -0.1 && side.point[i] < 1.1;
+      if (!inside) continue;
+      side.normal = g / std::sqrt(glm::dot(g, g));
+      side.other_normal = h / std::sqrt(glm::dot(h, h));
+      ++out.sides;
+    }
     return out;
   }
+  out.kind = Creased::Kind::ridge;
   // No edge in this cell: its point stands on the face that is further out.
   const Face& mine = a(f, ga) > b(f, gb) ? a : b;
   const Face& its = &mine == &a ? b : a;
