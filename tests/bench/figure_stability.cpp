@@ -142,7 +142,7 @@ void draw_cell(Svg& svg, const Cell& cell, bool press, Point a, Point b) {
     const Step& step = elsewhere ? kElsewhere : step_of(cell.ratio);
     svg.rect(a, b, step.fill);
     std::string text = cell.ratio < 9.95 ? fmt::format("{:.2g}", cell.ratio) : fmt::format("{:.0f}", cell.ratio);
-    if (cell.ratio < 0.095) text = fmt::format("{:.1g}", cell.ratio);
+    if (cell.ratio < 0.0995) text = fmt::format("{:.1g}", cell.ratio);
     if (cell.beyond) text += "+";
     svg.text({m.x, n > 0 ? a.y + 11.0 : m.y + 4.0}, text,
              {.size = n > 0 ? 10.0 : 11.0, .colour = step.ink, .anchor = Anchor::middle, .plain = true});
