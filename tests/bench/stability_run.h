@@ -52,7 +52,7 @@ class Tally {
   /// step.
   void add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double burr_radius_mm,
            double near_mm);
-  static constexpr int kSooner = 20, kLater = 100;
+  static constexpr int kSooner = 50, kLater = 100;
   /// Of a tick that add() was not told of: what the hand got.
   void gave(const StepOutput& out);
   /// The method's pivot stands where only a way through tissue leads.
