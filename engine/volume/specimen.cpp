@@ -1,6 +1,7 @@
 #include "engine/volume/specimen.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/volume/hash.h"
 
@@ -40,6 +41,44 @@ Tissue only_one(const BrickVoxels& voxels) {
     only = t;
   }
   return only;
+}
+
+/// Tissue in the outermost voxels of a volume.
+bool reaches_edge(const VoxelVolume& dense) {
+  const IVec3 n = dense.grid.size;
+  IVec3 v;
+  for (v.z = 0; v.z < n.z; ++v.z)
+    for (v.y = 0; v.y < n.y; ++v.y) {
+      const bool face = v.z == 0 || v.z == n.z - 1 || v.y == 0 || v.y == n.y - 1;
+      for (v.x = 0; v.x < n.x; v.x += face ? 1 : std::max(n.x - 1, 1))
+        if (dense.s[dense.grid.index(v)] > 0) return true;
+    }
+  return false;
+}
+
+/// The volume with room about it, cut off by its own box: the larger of the distances to what it holds and to the box.
+VoxelVolume with_room(const VoxelVolume& dense) {
+  const IVec3 n = dense.grid.size;
+  Grid grid = dense.grid;
+  grid.size += 2 * Specimen::kRoomVoxels;
+  grid.origin_mm -= Vec3(Specimen::kRoomVoxels * grid.voxel_mm);
+  VoxelVolume out(grid);
+  out.names = dense.names;
+  IVec3 v;
+  for (v.z = 0; v.z < grid.size.z; ++v.z)
+    for (v.y = 0; v.y < grid.size.y; ++v.y)
+      for (v.x = 0; v.x < grid.size.x; ++v.x) {
+        const IVec3 at = v - Specimen::kRoomVoxels;
+        const std::size_t from = dense.grid.index(glm::clamp(at, IVec3(0), n - 1));
+        if (dense.s[from] == 0) continue;
+        const Vec3 beyond = glm::abs(Vec3(at) - 0.5 * Vec3(n - 1)) - 0.5 * Vec3(n);
+        const Vec3 outside = glm::max(beyond, Vec3(0.0));
+        const double box = std::sqrt(glm::dot(outside, outside)) + std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0);
+        const std::size_t i = grid.index(v);
+        out.s[i] = box <= -kBandVoxels ? dense.s[from] : solid_from_distance(std::max(distance_from_solid(dense.s[from]), box));
+        if (out.s[i] > 0) out.tissue[i] = dense.tissue[from];
+      }
+  return out;
 }
 
 }  // namespace
@@ -110,6 +149,7 @@ std::shared_ptr<const Specimen> Specimen::build(const Grid& grid, Reading readin
 }
 
 std::shared_ptr<const Specimen> Specimen::build(const VoxelVolume& dense, Reading reading) {
+  if (reading == Reading::banded && reaches_edge(dense)) return build(with_room(dense), reading);
   const Grid& grid = dense.grid;
   const auto brick_of = [&dense, &grid](IVec3 brick, BrickVoxels& voxels) -> std::optional<Tissue> {
     const IVec3 corner = brick * kBrickEdge;

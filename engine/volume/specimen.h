@@ -46,7 +46,10 @@ class Specimen {
   /// voxels. Not for the haptic thread.
   static std::shared_ptr<const Specimen> build(const Grid& grid, Reading reading, const BrickSource& source,
                                                std::map<std::uint8_t, std::string> names = {});
+  /// Of a dense volume. Where tissue reaches its edge a banded reading has no room for the surface there: then the grid
+  /// grows by kRoomVoxels on every side, and the edge of the volume is a face.
   static std::shared_ptr<const Specimen> build(const VoxelVolume& dense, Reading reading);
+  static constexpr int kRoomVoxels = 4;
 
   const Grid& grid() const noexcept { return grid_; }
   Reading reading() const noexcept { return reading_; }

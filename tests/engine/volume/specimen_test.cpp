@@ -212,5 +212,39 @@ TEST(Volume, refuses_cuts_where_no_tissue_is_near) {
   EXPECT_EQ(volume.hash(), before);
 }
 
+TEST(Specimen, tissue_that_reaches_the_edge_of_its_volume_gets_a_face_there) {
+  VoxelVolume full(Grid{IVec3(20), 0.1, Vec3(-0.95)});
+  std::ranges::fill(full.s, kSolid);
+  std::ranges::fill(full.tissue, Tissue::dentine);
+  const auto banded = Specimen::build(full, Reading::banded);
+  EXPECT_EQ(banded->grid().size, IVec3(20 + 2 * Specimen::kRoomVoxels));
+  // The cube's faces stand at 1 mm: points of all six, and of its corners, which are rounded.
+  int faces[6] = {}, elsewhere = 0;
+  const IVec3 n = banded->brick_count();
+  for (int b = 0; b < n.x * n.y * n.z; ++b) {
+    const BasePoints points = banded->surface().in(b);
+    for (int i = 0; i < points.count; ++i) {
+      const Vec3 p = banded->grid().origin_mm +
+                     0.1 * (Vec3(banded->brick_at(b) * kBrickEdge) + Vec3(points.x[i], points.y[i], points.z[i]));
+      double off = 1e300;
+      int face = -1;
+      for (int k = 0; k < 6; ++k) {
+        const double d = std::fabs(p[k / 2] - (k % 2 ? 1.0 : -1.0));
+        if (d < off) {
+          off = d;
+          face = k;
+        }
+      }
+      if (off < 1e-4) ++faces[face];
+      else ++elsewhere;
+    }
+  }
+  for (const int count : faces) EXPECT_GT(count, 300);  // 20 by 20 cells each
+  EXPECT_LE(elsewhere, 8);
+  // With room enough nothing is added, so that a stored specimen comes back as it was.
+  EXPECT_EQ(Specimen::build(banded->dense(), Reading::banded)->hash(), banded->hash());
+  EXPECT_EQ(Specimen::build(full, Reading::filled)->grid().size, IVec3(20));
+}
+
 }  // namespace
 }  // namespace cusp
