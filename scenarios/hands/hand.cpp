@@ -7,7 +7,8 @@ namespace cusp {
 
 namespace {
 constexpr double kEasePerS = 8.0;       // speed towards a stroke's end, for each mm left
-constexpr double kSlippedWanders = 2.0;  // this far off the line the foot leaves the pedal until the burr is back
+constexpr double kSlippedWanders = 2.0;  // this far beside the line, and
+constexpr double kClimbedMm = 0.05;      // this high above it, the foot leaves the pedal until the burr is back
 constexpr double kLeastSpeedMmS = 0.05; // but no less
 constexpr double kProgressMm = 0.02;    // less than this in the hand's patience is none
 constexpr double kTravelArriveMm = 0.1;
@@ -116,7 +117,8 @@ bool Hand::slipped(Vec3 proxy) const noexcept {
   const Vec3 whole = plan_.strokes[stroke_].to_mm - from_mm_;
   const double square = glm::dot(whole, whole);
   const double done = square > 1e-12 ? std::clamp(glm::dot(proxy - from_mm_, whole) / square, 0.0, 1.0) : 0.0;
-  return glm::length(from_mm_ + done * whole - proxy) > kSlippedWanders * style_.wander_mm;
+  const Vec3 off = proxy - (from_mm_ + done * whole);
+  return off.z > kClimbedMm && std::hypot(off.x, off.y) > kSlippedWanders * style_.wander_mm;
 }
 
 Sample Hand::next(const StepOutput& last, double dt_s) {
