@@ -293,7 +293,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   for (int i = 1; i < 8; ++i)
     crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
   // A thin ridge may pass between corners that are all in the void.
-  if (!crossed && !(sharp_ && inside && strokes_ != nullptr)) return false;
+  if (!crossed && !(sharp_ && inside && strokes_ != nullptr && stroke_cells_.several())) return false;
   CellField cut;
   cut.load(low, kSide, kSide * kSide);
   if (!crossed && !cut.crease_near()) return false;
@@ -365,7 +365,9 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
       if (other > -2.5 && length > 0.25) add_beside(made.feature, other * voxel / length, Vec3f(g / length));
     }
   }
-  if (!mouth) return crease.looked;
+  // Rounded as it is now, several strokes may shape it when the burr no longer cuts.
+  const bool rounded = !sharp_ && strokes_ != nullptr && stroke_cells_.several();
+  if (!mouth) return crease.looked || rounded;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))
     add_edge(edge);

@@ -8,6 +8,7 @@ namespace cusp {
 
 namespace {
 constexpr double kReach = 2.6;        // voxels: what is further from a surface is not looked at, it may be clamped
+constexpr double kAsDeep = 5e-4;      // voxels: some steps of s
 constexpr double kExplained = 0.01;   // voxels: a corner may differ by a straightened stroke, a rounded s
 constexpr double kTaken = 0.002;      // voxels: strokes that follow each other overlap by no more than they were straightened
 constexpr double kSmooth = 0.985;     // cosine: what turns by less than 10 degrees is one surface
@@ -81,25 +82,19 @@ void StrokeCells::find(const CutMemory& memory, const Grid& grid, IVec3 corner) 
   }
 }
 
-/// The deepest stroke at a sample of the brick (-1 to 9 each), looked for once; kOff where the field is not as it says.
+/// The deepest stroke at a sample of the brick (-1 to 9 each); kOff where the field is not as it says.
 std::uint8_t StrokeCells::deepest(IVec3 at, double has) noexcept {
-  std::uint8_t& known = deepest_[(at.x + 1) + kSide * ((at.y + 1) + kSide * (at.z + 1))];
-  if (known != kUnknown) return known;
+  if (has <= -kReach || has >= kReach) return kFar;
   const Vec3 x(at);
+  // Of those as deep the oldest: one that took nothing away changes no answer.
   double most = -1e300;
   int which = 0;
   for (int i = 0; i < capsule_count_; ++i) {
-    const double d = capsules_[static_cast<std::size_t>(i)].depth(x);
-    if (d > most) {
-      most = d;
-      which = i;
-    }
+    const double d = depth_[i] = capsules_[static_cast<std::size_t>(i)].depth(x);
+    most = d > most ? d : most;
   }
-  const auto limited = [](double d) { return d < -kReach ? -kReach : d > kReach ? kReach : d; };
-  known = std::fabs(limited(most) - limited(has)) > kExplained ? kOff
-          : most > -kReach && most < kReach                    ? static_cast<std::uint8_t>(which)
-                                                               : kFar;
-  return known;
+  while (depth_[which] < most - kAsDeep) ++which;
+  return std::fabs(most - has) > kExplained ? kOff : static_cast<std::uint8_t>(which);
 }
 
 bool StrokeCells::explain(IVec3 local, const CellField& cut, int least) noexcept {
@@ -107,8 +102,11 @@ bool StrokeCells::explain(IVec3 local, const CellField& cut, int least) noexcept
   near_count_ = 0;
   if (!usable_ || capsule_count_ < least) return false;
   std::uint64_t shaping[2] = {0, 0};
+  std::uint8_t* known = &deepest_[(local.x + 1) + kSide * ((local.y + 1) + kSide * (local.z + 1))];
   for (const SampleAt& sample : kSamples) {
-    const std::uint8_t which = deepest(local + IVec3(sample.x, sample.y, sample.z), cut.sample(sample.x, sample.y, sample.z));
+    std::uint8_t& which = known[sample.x + kSide * (sample.y + kSide * sample.z)];
+    if (which == kUnknown)
+      which = deepest(local + IVec3(sample.x, sample.y, sample.z), cut.sample(sample.x, sample.y, sample.z));
     if (which == kOff) return false;
     if (which != kFar) shaping[which >> 6] |= std::uint64_t{1} << (which & 63);
   }

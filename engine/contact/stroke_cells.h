@@ -40,6 +40,12 @@ class StrokeCells {
   /// Turns to the cells of a brick: first voxel `corner`. Cheap; the strokes are looked for when a cell asks.
   void turn_to(const CutMemory& memory, const Grid& grid, IVec3 corner) noexcept;
 
+  /// True when more than one stroke reaches the brick: then there may be ridges between them.
+  bool several() noexcept {
+    if (!found_) find(*memory_, grid_, corner_);
+    return usable_ && capsule_count_ > 1;
+  }
+
   /// True when `least` strokes or more shape the cell at `local` (of the brick), and they give its samples as the field has
   /// them. Which strokes do depends on nothing but the samples: a stroke that is nowhere the deepest does not count.
   bool explain(IVec3 local, const CellField& cut, int least) noexcept;
@@ -80,6 +86,7 @@ class StrokeCells {
   std::vector<CutMemory::Segment> segments_;
   std::vector<Capsule> capsules_;          // of the brick
   int capsule_count_ = 0;
+  double depth_[kMostInBrick];             // of each at the sample looked at
   std::uint8_t deepest_[kSide * kSide * kSide];  // which capsule is, by sample
   Capsule near_[kMostShaping];             // that shape the cell, voxels from its corner
   int near_count_ = 0;

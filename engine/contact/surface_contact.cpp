@@ -23,7 +23,7 @@ constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less i
 constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge
 constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
 constexpr double kLongestLeap = 10.0;       // of the last pass's move
-constexpr double kFarthestLeapMm = 0.1, kCloseLeapMm = 0.02;
+constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
 constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less has arrived
 
 /// Crossing cells within reach of the widest burr: the ball's own area twice over (two fields), and the shank's.

@@ -364,9 +364,10 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
              if (glm::dot(d, d) <= (c.kind == Kind::surface ? ball2 : edge2)) lay(i, c);
            });
   if (count_ > ball_count_) {
-    const ShankReach shank(*tool.burr, tool.axis, at, slack_mm);
+    // Of all at hand, what the step may touch (more may be at hand), and comes near there.
+    const ShankReach shank(*tool.burr, tool.axis, centre, step), there(*tool.burr, tool.axis, at, slack_mm);
     for (std::size_t i = ball_count_; i < count_; ++i)
-      if (shank.touches(candidates_[i].point)) lay(i, candidates_[i]);
+      if (there.touches(candidates_[i].point) && shank.touches(candidates_[i].point)) lay(i, candidates_[i]);
   }
   if (looked > most_candidates_) most_candidates_ = looked;
 }
