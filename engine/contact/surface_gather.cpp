@@ -101,6 +101,18 @@ const SurfaceContact::Candidate& SurfaceContact::made(const Volume& volume, std:
     const Specimen& specimen = volume.specimen();
     const BasePoints points = specimen.surface().in(source.brick);
     place = Vec3(points.x[source.index], points.y[source.index], points.z[source.index]);
+    const BaseNormal& normal = points.normal[source.index];
+    if (!normal.edge() && !normal.beside_edge()) {
+      out.point = grid.origin_mm + grid.voxel_mm * (Vec3(IVec3(source.x, source.y, source.z) * kBrickEdge) + place);
+      out.normal = Vec3(normal.unit());
+      out.level = glm::dot(out.normal, out.point);
+      out.feature = nullptr;
+      out.kind = Kind::surface;
+      out.field = Field::base;
+      out.tissue = points.tissue[source.index];
+      out.others = 0;
+      return out;
+    }
     features_[i] = CutFeature{};
     base_feature(specimen.surface(), points, source.index, grid.voxel_mm, features_[i]);
     out.feature = &features_[i];
