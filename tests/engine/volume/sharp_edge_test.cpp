@@ -41,7 +41,7 @@ Surface surface_of(const std::function<double(Vec3)>& distance) {
   const IVec3 bricks = specimen->brick_count();
   for (int b = 0; b < bricks.x * bricks.y * bricks.z; ++b) {
     const BasePoints points = specimen->surface().in(b);
-    const Vec3 corner = grid.origin_mm + kVoxel * Vec3(specimen->brick_at(b) * kBrickEdge);
+    const Vec3 corner = specimen->grid().origin_mm + kVoxel * Vec3(specimen->brick_at(b) * kBrickEdge);
     for (int i = 0; i < points.count; ++i) {
       const Vec3 p = corner + kVoxel * Vec3(points.x[i], points.y[i], points.z[i]);
       if (std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > 2.0) continue;
