@@ -284,6 +284,7 @@ void CutSurface::make_from_strokes(const Volume& volume, IVec3 cell, int offset,
 }
 
 bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexcept {
+  if (made_count_ + 3 > made_.size()) return true;  // room for an edge, a point and the mouth
   const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
   const IVec3 cell = corner + local;
   const double* low = &samples_[local.x + kSide * (local.y + kSide * local.z)];

@@ -191,7 +191,6 @@ void StrokeCells::add_point(int surface, Vec3 from) noexcept {
   if (!in_cell(x) || std::fabs(depth(surface, x, g)) > 1e-6 || taken(x, surface, surface)) return;
   StrokeFeature& out = features_[feature_count_];
   out = StrokeFeature{};
-  out.base = surface == kBase;
   out.at = x;
   out.normal = g / length_of(g);
   // A stroke's piece may say the same as the one before.
@@ -245,7 +244,7 @@ void StrokeCells::add_edge(int one, int other, SharpEdge edge, double half) noex
       to = from;
       return;
     }
-    // Where the sign changes: between two places by false position, three times.
+    // Where the sign changes: between two places by false position, four times.
     const auto end_between = [&](int in, int out) {
       double ti = -half + in * apart, fi = d[in], to_ = -half + out * apart, fo = d[out];
       double t = ti;

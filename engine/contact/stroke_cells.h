@@ -1,6 +1,7 @@
 /// What a cell of the cut holds where surfaces meet, told by the strokes that made it: the burr's swept balls are known
 /// exactly, while the field rounds the ridge between two of them and the corner where a ridge comes out at the mouth.
-/// Only where the strokes explain every sample of the cell's corners; elsewhere the field has to do. Thread: haptic.
+/// Only where the strokes explain every sample that the cell's field is made of, at most 120 reach the brick and 12 shape
+/// the cell; elsewhere, as in a cavity of many short strokes, the field has to do. Thread: haptic.
 #pragma once
 
 #include <span>
@@ -21,7 +22,6 @@ struct Beside {
 /// A point of one surface, or a piece of an edge. Voxels, from the cell's lower corner.
 struct StrokeFeature {
   bool edge = false;
-  bool base = false;             // of the specimen's own surface
   Vec3 at{0.5}, normal{0.0};     // for an edge its tangent
   Vec3 bend{0.0}, twist{0.0}, fourth{0.0};  // an edge's, as in SharpEdge
   double from = 0.0, to = 0.0;   // an edge's ends along its tangent
