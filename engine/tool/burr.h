@@ -1,17 +1,21 @@
-/// A burr: a cutting ball on a neck and a shank that collide and never cut. Pivot: the ball's centre. Lengths in mm.
+/// A burr: a cutting head on a neck and a shank that collide and never cut. Pivot: on the axis, one radius above the tip
+/// (a round burr's: the ball's centre). Lengths in mm, along the axis from the pivot towards the shank.
 #pragma once
 
 #include <string>
+
+#include "engine/tool/profile.h"
 
 namespace cusp {
 
 struct Burr {
   std::string name;              // catalogue number, "2" or "1/4"; a person sees it with the diameter
-  double radius_mm = 0.5;        // of the cutting ball
-  double neck_radius_mm = 0.3;   // from the ball's centre up to neck_length_mm
+  double radius_mm = 0.5;        // of the cutting head where it is widest
+  double neck_radius_mm = 0.3;   // from the pivot up to neck_length_mm; within the head the head answers for it
   double neck_length_mm = 4.0;
   double shank_radius_mm = 0.8;  // FG shank, from the neck's end
   double shank_length_mm = 12.0;
+  Profile head{};                // none: a ball of radius_mm about the pivot
   friend bool operator==(const Burr&, const Burr&) = default;
 };
 

@@ -1,0 +1,68 @@
+/// Profile of revolution of a burr's cutting head: one convex solid about the axis, told by its outline in the half plane
+/// (t along the axis towards the shank, rho >= 0 off it), from the tip's pole to the upper one, in straight lines and arcs.
+/// A profile's origin is the burr's pivot. Lengths in mm. Any thread; wait-free; only + - * / sqrt: the step uses it.
+#pragma once
+
+#include <array>
+
+#include "engine/base/vec.h"
+
+namespace cusp {
+
+/// A point of the half plane.
+struct OnHalf {
+  double t = 0.0, rho = 0.0;
+  friend bool operator==(const OnHalf&, const OnHalf&) = default;
+};
+
+/// A piece of an outline: straight for radius 0, else the arc about `centre` between its ends, bulging outwards.
+struct OutlinePiece {
+  OnHalf from, to;
+  OnHalf centre;
+  double radius = 0.0;
+  friend bool operator==(const OutlinePiece&, const OutlinePiece&) = default;
+};
+
+class Profile {
+ public:
+  static constexpr int kMostPieces = 8;
+
+  /// None: the burr is a ball about its pivot.
+  Profile() = default;
+  bool ball() const noexcept { return count_ == 0; }
+  int size() const noexcept { return count_; }
+  const OutlinePiece& piece(int i) const noexcept { return pieces_[static_cast<std::size_t>(i)]; }
+  /// Pieces in order from the tip; false (and unchanged) when full, when a piece does not begin where the last ended, or
+  /// when the solid would not be convex.
+  bool add(const OutlinePiece& piece) noexcept;
+  /// True when the outline begins and ends on the axis and encloses something.
+  bool closed() const noexcept;
+
+  double low() const noexcept { return low_; }    // of t
+  double high() const noexcept { return high_; }
+  double widest() const noexcept { return wide_; }  // of rho
+  /// Ball about the pivot that holds all of it.
+  double reach() const noexcept { return reach_; }
+
+  /// Signed distance of a place to the solid, negative inside, and its gradient (unit). Exact: a convex solid's nearest
+  /// point lies in the same half plane. Ties (on the axis, on a ridge inside) go to the lowest piece. Pre: closed().
+  double distance(OnHalf at, OnHalf& gradient) const noexcept;
+
+  /// The point of the solid furthest along `direction` (unit; rho component >= 0); of a flat or a straight flank that all
+  /// lies furthest, the one nearest to `near`. Pre: closed().
+  OnHalf support(OnHalf direction, OnHalf near) const noexcept;
+
+  friend bool operator==(const Profile& a, const Profile& b) noexcept {
+    if (a.count_ != b.count_) return false;
+    for (int i = 0; i < a.count_; ++i)
+      if (!(a.piece(i) == b.piece(i))) return false;
+    return true;
+  }
+
+ private:
+  std::array<OutlinePiece, kMostPieces> pieces_{};
+  int count_ = 0;
+  double low_ = 0.0, high_ = 0.0, wide_ = 0.0, reach_ = 0.0;
+};
+
+}  // namespace cusp
