@@ -60,7 +60,16 @@ class Profile {
   }
 
  private:
+  /// A piece's outward normals at its ends (a straight one has the same twice) and, along the first, where its line is.
+  struct Side {
+    OnHalf first, last;
+    double level = 0.0;   // of a straight piece: its normal times any point of it
+    double length = 0.0;  // of a straight piece
+  };
+  double side_of(int i, OnHalf at, OnHalf& normal, bool& above) const noexcept;
+
   std::array<OutlinePiece, kMostPieces> pieces_{};
+  std::array<Side, kMostPieces> sides_{};
   int count_ = 0;
   double low_ = 0.0, high_ = 0.0, wide_ = 0.0, reach_ = 0.0;
 };

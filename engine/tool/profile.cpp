@@ -1,0 +1,169 @@
+#include "engine/tool/profile.h"
+
+#include <cmath>
+
+namespace cusp {
+
+namespace {
+
+constexpr double kSameMm = 1e-7;    // ends that should meet, an arc's end on its circle: what a data file rounds to
+constexpr double kStraight = 1e-9;  // sine of an angle that counts as none
+
+OnHalf operator-(OnHalf a, OnHalf b) noexcept { return {a.t - b.t, a.rho - b.rho}; }
+double dot(OnHalf a, OnHalf b) noexcept { return a.t * b.t + a.rho * b.rho; }
+/// Positive where b is to the left of a.
+double cross(OnHalf a, OnHalf b) noexcept { return a.t * b.rho - a.rho * b.t; }
+double length(OnHalf a) noexcept { return std::sqrt(dot(a, a)); }
+/// The way along an outline whose outward normal is n, and back.
+OnHalf along(OnHalf n) noexcept { return {n.rho, -n.t}; }
+OnHalf outward(OnHalf d) noexcept { return {-d.rho, d.t}; }
+/// Within the turn from `first` to `last`, half a turn at most, to the right.
+bool between(OnHalf first, OnHalf v, OnHalf last) noexcept { return cross(first, v) <= 0.0 && cross(v, last) <= 0.0; }
+
+bool finite(OnHalf a) noexcept { return std::fabs(a.t) < 1e6 && std::fabs(a.rho) < 1e6; }
+
+}  // namespace
+
+bool Profile::add(const OutlinePiece& piece) noexcept {
+  if (count_ == kMostPieces || closed()) return false;
+  if (!finite(piece.from) || !finite(piece.to) || !finite(piece.centre) || !(piece.radius >= 0.0 && piece.radius < 1e6))
+    return false;
+  const auto n = static_cast<std::size_t>(count_);
+  const OnHalf start = count_ == 0 ? OnHalf{piece.from.t, 0.0} : pieces_[n - 1].to;
+  if (length(piece.from - start) > kSameMm || piece.from.rho < 0.0 || piece.to.rho < 0.0) return false;
+  Side side;
+  const double chord = length(piece.to - piece.from);
+  if (!(chord > kSameMm)) return false;
+  if (piece.radius == 0.0) {
+    const OnHalf d = piece.to - piece.from;
+    side.length = chord;
+    side.first = side.last = outward({d.t / chord, d.rho / chord});
+    side.level = dot(side.first, piece.from);
+  } else {
+    const OnHalf a = piece.from - piece.centre, b = piece.to - piece.centre;
+    const double la = length(a), lb = length(b);
+    if (std::fabs(la - piece.radius) > kSameMm || std::fabs(lb - piece.radius) > kSameMm) return false;
+    side.first = {a.t / la, a.rho / la};
+    side.last = {b.t / lb, b.rho / lb};
+    if (cross(side.first, side.last) > kStraight) return false;  // the other way round, or more than half a turn
+  }
+  // Convex, and so is the solid: the outline turns to the right all along and never goes back along the axis.
+  if (side.first.rho < -kStraight || side.last.rho < -kStraight) return false;
+  if (count_ > 0 && cross(sides_[n - 1].last, side.first) > kStraight) return false;
+  pieces_[n] = piece;
+  sides_[n] = side;
+
+  if (count_ == 0) low_ = piece.from.t;
+  ++count_;
+  high_ = piece.to.t;
+  const auto take = [this](OnHalf p) {
+    wide_ = p.rho > wide_ ? p.rho : wide_;
+    const double away = length(p);
+    reach_ = away > reach_ ? away : reach_;
+  };
+  take(piece.from);
+  take(piece.to);
+  if (piece.radius > 0.0) {
+    if (between(side.first, {0.0, 1.0}, side.last)) take({piece.centre.t, piece.centre.rho + piece.radius});
+    const double from_pivot = length(piece.centre);
+    if (from_pivot > 0.0 && between(side.first, piece.centre, side.last)) {
+      const double more = 1.0 + piece.radius / from_pivot;
+      take({piece.centre.t * more, piece.centre.rho * more});
+    }
+  }
+  return true;
+}
+
+bool Profile::closed() const noexcept {
+  return count_ > 0 && wide_ > 0.0 && high_ > low_ && piece(count_ - 1).to.rho <= kSameMm;
+}
+
+double Profile::side_of(int i, OnHalf at, OnHalf& normal, bool& above) const noexcept {
+  const OutlinePiece& piece = pieces_[static_cast<std::size_t>(i)];
+  const Side& side = sides_[static_cast<std::size_t>(i)];
+  if (piece.radius == 0.0) {
+    normal = side.first;
+    const double on = dot(along(normal), at - piece.from);
+    above = on >= 0.0 && on <= side.length;
+    return dot(normal, at) - side.level;
+  }
+  const OnHalf v = at - piece.centre;
+  above = between(side.first, v, side.last);
+  const double away = above ? length(v) : 0.0;
+  if (above && away > 0.0) {
+    normal = {v.t / away, v.rho / away};
+    return away - piece.radius;
+  }
+  const double first = dot(v, side.first), last = dot(v, side.last);
+  normal = first >= last ? side.first : side.last;
+  return (first >= last ? first : last) - piece.radius;
+}
+
+double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
+  // A convex solid is where all its supporting lines say inside, and as deep as the shallowest of them says.
+  double most = -1e300, least = 1e300;
+  OnHalf nearest;  // of the pieces that the place is above, the nearest: its normal
+  for (int i = 0; i < count_; ++i) {
+    OnHalf normal;
+    bool above = false;
+    const double d = side_of(i, at, normal, above);
+    if (d > most) {
+      most = d;
+      gradient = normal;
+    }
+    if (above && d > 0.0 && d < least) {
+      least = d;
+      nearest = normal;
+    }
+  }
+  if (most <= 0.0 || most == least) return most;
+  // Outside: the nearest piece, or a corner or a pole.
+  double square = least < 1e299 ? least * least : 1e300;
+  bool corner = false;
+  const auto look = [&](OnHalf point) {
+    const OnHalf v = at - point;
+    const double of_point = dot(v, v);
+    if (!(of_point < square)) return;
+    square = of_point;
+    nearest = v;
+    corner = true;
+  };
+  look(piece(0).from);
+  for (int i = 0; i < count_; ++i) look(piece(i).to);
+  if (!corner) {
+    gradient = nearest;
+    return least;
+  }
+  const double away = std::sqrt(square);
+  if (away > 0.0) gradient = {nearest.t / away, nearest.rho / away};
+  return away;
+}
+
+OnHalf Profile::support(OnHalf direction, OnHalf near) const noexcept {
+  constexpr double kLevel = 1e-9;  // of two points, by how much one must be further to be it: sine, and mm
+  OnHalf best = piece(0).from;
+  double most = dot(best, direction);
+  for (int i = 0; i < count_; ++i) {
+    const OutlinePiece& p = piece(i);
+    const Side& side = sides_[static_cast<std::size_t>(i)];
+    OnHalf point = p.to;
+    bool flat = false;
+    if (p.radius > 0.0) {
+      if (between(side.first, direction, side.last))
+        point = {p.centre.t + p.radius * direction.t, p.centre.rho + p.radius * direction.rho};
+    } else if (std::fabs(cross(side.first, direction)) <= kLevel && dot(side.first, direction) > 0.0) {
+      flat = true;
+      const OnHalf way = along(side.first);
+      double on = dot(way, near - p.from);
+      on = on < 0.0 ? 0.0 : on > side.length ? side.length : on;
+      point = {p.from.t + way.t * on, p.from.rho + way.rho * on};
+    }
+    const double far = dot(point, direction);
+    if (!(far > most + (flat ? -kLevel : kLevel))) continue;
+    most = far;
+    best = point;
+  }
+  return best;
+}
+
+}  // namespace cusp

@@ -1,0 +1,163 @@
+#include "engine/tool/swept.h"
+
+#include <cmath>
+
+namespace cusp {
+
+namespace {
+
+/// A place by the burr's axis: t along it, `off` across it.
+struct Cylindrical {
+  OnHalf at;
+  Vec3 off{0.0};
+};
+
+Cylindrical by_axis(Vec3 axis, Vec3 from_pivot) noexcept {
+  Cylindrical out;
+  out.at.t = glm::dot(from_pivot, axis);
+  out.off = from_pivot - axis * out.at.t;
+  out.at.rho = std::sqrt(glm::dot(out.off, out.off));
+  return out;
+}
+
+Vec3 in_space(Vec3 axis, const Cylindrical& place, OnHalf gradient) noexcept {
+  if (place.at.rho > 0.0) return axis * gradient.t + place.off * (gradient.rho / place.at.rho);
+  return axis * gradient.t + across(axis) * gradient.rho;
+}
+
+double ball_distance(double radius_mm, Vec3 axis, Vec3 from_centre, Vec3& gradient) noexcept {
+  const double away = std::sqrt(glm::dot(from_centre, from_centre));
+  gradient = away > 0.0 ? from_centre / away : across(axis);
+  return away - radius_mm;
+}
+
+/// Nearest point of the segment from a to b, as a part of it.
+double nearest_part(Vec3 a, Vec3 b, Vec3 place) noexcept {
+  const Vec3 along = b - a;
+  const double square = glm::dot(along, along);
+  if (!(square > 0.0)) return 0.0;
+  const double part = glm::dot(place - a, along) / square;
+  return part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
+}
+
+/// The distance at a part of the way, and its slope along the way: convex in the part, so the slope only grows.
+struct OnTheWay {
+  double part = 0.0, distance = 0.0, slope = 0.0;
+  Cylindrical place;
+  OnHalf gradient;
+};
+
+OnTheWay at_part(const Profile& head, Vec3 axis, Vec3 from_a, Vec3 way, double part) noexcept {
+  OnTheWay out;
+  out.part = part;
+  out.place = by_axis(axis, from_a - way * part);
+  out.distance = head.distance(out.place.at, out.gradient);
+  // On the axis every way across is level or up: nothing is a slope there too.
+  const double across_way = out.place.at.rho > 0.0 ? glm::dot(out.place.off, way) / out.place.at.rho : 0.0;
+  out.slope = -(out.gradient.t * glm::dot(axis, way) + out.gradient.rho * across_way);
+  return out;
+}
+
+double cylinder_distance(double from, double to, double radius, OnHalf at, OnHalf& gradient) noexcept {
+  const double end = at.t < 0.5 * (from + to) ? from - at.t : at.t - to;
+  const double side = at.rho - radius;
+  const double way = at.t < 0.5 * (from + to) ? -1.0 : 1.0;
+  if (end > 0.0 && side > 0.0) {
+    const double away = std::sqrt(end * end + side * side);
+    gradient = {way * end / away, side / away};
+    return away;
+  }
+  gradient = side >= end ? OnHalf{0.0, 1.0} : OnHalf{way, 0.0};
+  return side >= end ? side : end;
+}
+
+}  // namespace
+
+Vec3 across(Vec3 axis) noexcept {
+  int least = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::fabs(axis[i]) < std::fabs(axis[least])) least = i;
+  Vec3 out(0.0);
+  out[least] = 1.0;
+  out -= axis * axis[least];
+  return out / std::sqrt(glm::dot(out, out));
+}
+
+double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot) noexcept {
+  if (burr.head.ball()) return std::sqrt(glm::dot(from_pivot, from_pivot)) - burr.radius_mm;
+  OnHalf gradient;
+  return burr.head.distance(by_axis(axis, from_pivot).at, gradient);
+}
+
+double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
+  if (burr.head.ball()) return ball_distance(burr.radius_mm, axis, from_pivot, gradient);
+  const Cylindrical place = by_axis(axis, from_pivot);
+  OnHalf on_half;
+  const double distance = burr.head.distance(place.at, on_half);
+  gradient = in_space(axis, place, on_half);
+  return distance;
+}
+
+Passing passing_head(const Burr& burr, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, double enough_mm) noexcept {
+  Passing out;
+  const double near = nearest_part(a, b, place);
+  const Vec3 from_near = place - (a + (b - a) * near);
+  if (burr.head.ball()) {
+    out.part = near;
+    out.distance_mm = ball_distance(burr.radius_mm, axis, from_near, out.gradient);
+    return out;
+  }
+  if (enough_mm < 1e299) {
+    const double bound = std::sqrt(glm::dot(from_near, from_near)) - burr.head.reach();
+    if (bound > enough_mm) {
+      out.distance_mm = bound;
+      return out;
+    }
+  }
+  const Vec3 way = b - a;
+  const auto look = [&](double part) { return at_part(burr.head, axis, place - a, way, part); };
+  const auto answer = [&](const OnTheWay& best) {
+    out.part = best.part;
+    out.distance_mm = best.distance;
+    out.gradient = in_space(axis, best.place, best.gradient);
+    return out;
+  };
+  OnTheWay high = look(1.0);
+  if (high.slope <= 0.0) return answer(high);
+  OnTheWay low = look(0.0);
+  if (low.slope >= 0.0) return answer(low);
+  // Between a falling and a rising end. The tangents of both bound the minimum from below: done when the better end is
+  // that near. In turns the secant of the slopes (a smooth minimum), where the tangents meet (a crease), and halves.
+  constexpr int kMostLooks = 60;
+  for (int i = 0; i < kMostLooks; ++i) {
+    const double width = high.part - low.part;
+    const double meet = (high.slope * width - (high.distance - low.distance)) / (high.slope - low.slope);
+    const double floor = low.distance + low.slope * meet;
+    const OnTheWay& best = low.distance <= high.distance ? low : high;
+    if (best.distance - floor <= kPassingErrorMm) return answer(best);
+    double step = i % 3 == 0 ? width * (-low.slope / (high.slope - low.slope)) : i % 3 == 1 ? meet : 0.5 * width;
+    if (!(step > 0.0 && step < width)) step = 0.5 * width;
+    const OnTheWay next = look(low.part + step);
+    (next.slope <= 0.0 ? low : high) = next;
+  }
+  return answer(low.distance <= high.distance ? low : high);
+}
+
+double holder_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
+  const Cylindrical place = by_axis(axis, from_pivot);
+  OnHalf on_half{0.0, 1.0};
+  double distance = cylinder_distance(0.0, burr.neck_length_mm, burr.neck_radius_mm, place.at, on_half);
+  if (burr.shank_length_mm > 0.0) {
+    OnHalf of_shank;
+    const double shank = cylinder_distance(burr.neck_length_mm, burr.neck_length_mm + burr.shank_length_mm,
+                                           burr.shank_radius_mm, place.at, of_shank);
+    if (shank < distance) {
+      distance = shank;
+      on_half = of_shank;
+    }
+  }
+  gradient = in_space(axis, place, on_half);
+  return distance;
+}
+
+}  // namespace cusp
