@@ -157,8 +157,6 @@ class SurfaceContact {
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
-  template <class Visit>
-  void near_features(const Volume& volume, int brick, IVec3 at, Vec3 centre, double reach, Visit&& visit) noexcept;
   void add(const Candidate& candidate, const CutFeature* own) noexcept;
   bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,

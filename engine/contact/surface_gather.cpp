@@ -152,22 +152,8 @@ void SurfaceContact::features(const Volume& volume, int brick, IVec3 at, Choose&
   }
 }
 
-/// Calls visit(place mm, feature) for the points and edges of a brick within reach (mm) of a place.
-template <class Visit>
-void SurfaceContact::near_features(const Volume& volume, int brick, IVec3 at, Vec3 centre, double reach, Visit&& visit) noexcept {
-  const double per_mm = 1.0 / voxel_mm_;
-  const double wide = reach * per_mm + kLoose;
-  const auto wide2 = static_cast<float>(wide * wide);
-  features(
-      volume, brick, at,
-      [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
-        for_near(x, y, z, count, Vec3f((centre - corner_mm) * per_mm), wide2, pass);
-      },
-      visit);
-}
-
 /// The box (mm) about the points of a brick; false where it has none. A brick that was cut fills its own.
-bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept {
+inline bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept {
   const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
   const bool cut = volume.has_cut(brick);
   if (!cut && box.empty()) return false;
@@ -183,23 +169,42 @@ bool SurfaceContact::points_box(const Volume& volume, int brick, IVec3 at, Vec3&
   return true;
 }
 
-/// Calls visit(brick) for each brick, in index order, with points that may lie within reach of a place.
+/// Calls visit(brick, at, square) for each brick, in index order, with points that may lie within reach of a place: squared
+/// distance of the box about them.
 template <class Visit>
 void SurfaceContact::ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept {
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
   // A cell's point may stand a tenth of a voxel outside its cell, and the brick's last cells end a voxel beyond it.
-  const double wide = reach + 0.2 * grid.voxel_mm;
+  const double slack = 0.2 * grid.voxel_mm;
+  const double wide = reach + slack;
   const IVec3 low = glm::max(brick_floor(grid, centre - wide), bricks_low_);
   const IVec3 high = glm::min(brick_floor(grid, centre + wide), bricks_high_);
-  for (int z = low.z; z <= high.z; ++z)
-    for (int y = low.y; y <= high.y; ++y)
+  const double side = grid.voxel_mm * kBrickEdge;
+  const double reach2 = reach * reach;
+  const auto off2 = [&](int axis, int b) {
+    const double from = grid.origin_mm[axis] + side * b - slack - centre[axis];
+    const double to = from + side + 2.0 * slack;
+    const double d = from > 0.0 ? from : to < 0.0 ? to : 0.0;
+    return d * d;
+  };
+  for (int z = low.z; z <= high.z; ++z) {
+    const double z2 = off2(2, z);
+    for (int y = low.y; y <= high.y; ++y) {
+      const double zy2 = z2 + off2(1, y);
+      if (zy2 > reach2) continue;
+      const int row = specimen.brick_index({0, y, z});
       for (int x = low.x; x <= high.x; ++x) {
-        const int brick = specimen.brick_index({x, y, z});
+        const int brick = row + x;
+        if (boxes_[static_cast<std::size_t>(brick)].empty() && !volume.has_cut(brick)) continue;
+        if (zy2 + off2(0, x) > reach2) continue;
         Vec3 a, b;
-        if (!points_box(volume, brick, {x, y, z}, a, b) || box_distance2(centre, a, b) > reach * reach) continue;
-        visit(brick, IVec3(x, y, z));
+        if (!points_box(volume, brick, {x, y, z}, a, b)) continue;
+        const double square = box_distance2(centre, a, b);
+        if (square <= reach2) visit(brick, IVec3(x, y, z), square);
       }
+    }
+  }
 }
 
 void SurfaceContact::gather_ball(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
@@ -209,7 +214,7 @@ void SurfaceContact::gather_ball(const Volume& volume, const Tool& tool, Vec3 ce
   edges_ = false;
   const Grid& grid = volume.grid();
   const double per_mm = 1.0 / voxel_mm_;
-  ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at) {
+  ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
     const bool cut = volume.has_cut(brick);
     const bool sharp = cut || boxes_[static_cast<std::size_t>(brick)].edges;
     edges_ = edges_ || sharp;
@@ -269,6 +274,7 @@ void SurfaceContact::shank_bricks(const Volume& volume, const Tool& tool, Vec3 c
     for (int y = low.y; y <= high.y; ++y) {
       const int row = specimen.brick_index({0, y, z});
       for (int x = low.x; x <= high.x; ++x) {
+        if (boxes_[static_cast<std::size_t>(row + x)].empty() && !volume.has_cut(row + x)) continue;
         Vec3 a, b;
         if (!points_box(volume, row + x, {x, y, z}, a, b)) continue;
         const Vec3 middle = 0.5 * (a + b) - centre, half = 0.5 * (b - a);
@@ -392,16 +398,40 @@ void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose
   double nearest2 = 1e300;
   Vec3 nearest(0.0);
   for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
-    ball_bricks(volume, pose, reach, [&](int brick, IVec3 at) {
-      const double near = nearest2 < 1e200 ? std::sqrt(nearest2) : reach;
-      near_features(volume, brick, at, pose, near, [&](Vec3 point, const CutFeature& f) {
-        const Vec3 d = pose - point;
+    const double per_mm = 1.0 / voxel_mm_;
+    const auto look = [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& feature) {
+      const double wide = (nearest2 < 1e200 ? std::sqrt(nearest2) : reach) * per_mm + kLoose;
+      int best = -1;
+      for_near(x, y, z, count, Vec3f((pose - corner_mm) * per_mm), static_cast<float>(wide * wide), [&](int i) {
+        const Vec3 d = pose - (corner_mm + voxel_mm_ * Vec3(x[i], y[i], z[i]));
         const double d2 = glm::dot(d, d);
-        if (d2 < nearest2) {
-          nearest2 = d2;
-          nearest = f.edge ? d / std::sqrt(d2) : Vec3(f.normal);
-        }
+        if (d2 >= nearest2) return;
+        nearest2 = d2;
+        nearest = d;
+        best = i;
       });
+      if (best < 0) return;
+      const CutFeature& f = feature(best);
+      nearest = f.edge ? nearest / std::sqrt(nearest2) : Vec3(f.normal);
+    };
+    ball_bricks(volume, pose, reach, [&](int brick, IVec3 at, double square) {
+      if (square > nearest2) return;
+      const Grid& grid = volume.grid();
+      const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
+      if (!volume.has_cut(brick)) {
+        const BasePoints points = volume.specimen().surface().in(brick);
+        CutFeature own;
+        look(points.x, points.y, points.z, points.count, corner_mm, [&](int i) -> const CutFeature& {
+          base_feature(volume.specimen().surface(), points, i, grid.voxel_mm, own);
+          return own;
+        });
+        return;
+      }
+      for (std::int32_t p = cut_.first(volume, brick); p >= 0; p = cut_.page(p).next) {
+        const CutSurface::Page& page = cut_.page(p);
+        look(page.x, page.y, page.z, page.count, corner_mm,
+             [&](int i) -> const CutFeature& { return page.feature[i]; });
+      }
     });
     if (nearest2 < 1e200) break;
   }
@@ -415,6 +445,15 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
   double highest = -1e300;
   const Vec3f slim_n(n);
   const auto raise = [&](int brick, IVec3 at) {
+    // Its highest corner along n is not above what there is.
+    if (found.bounded && !volume.has_cut(brick)) {
+      const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
+      const Vec3 low = box.low(), high = box.high();
+      const double top = glm::dot(n, volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge)) +
+                         voxel_mm_ * ((n.x > 0.0 ? high.x : low.x) * n.x + (n.y > 0.0 ? high.y : low.y) * n.y +
+                                      (n.z > 0.0 ? high.z : low.z) * n.z);
+      if (top <= highest) return;
+    }
     features(
         volume, brick, at,
         [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&&) {
@@ -425,7 +464,7 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
         },
         [](Vec3, const CutFeature&) {});
   };
-  ball_bricks(volume, pose, burr.radius_mm + kFreeMargin, raise);
+  ball_bricks(volume, pose, burr.radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) { raise(brick, at); });
   shank_bricks(volume, tool, pose, kFreeMargin, raise);
   if (found.bounded) {
     const double up = glm::dot(n, tool.axis);

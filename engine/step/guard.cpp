@@ -13,6 +13,20 @@ constexpr double kMostRiseMs = 1.0;
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
+bool zero(Vec3 v) noexcept { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
+
+/// In the air, and nothing is left of any contact: then no part has anything to do, and only the device's place and speed
+/// are kept. The answer is what the parts would give.
+bool at_rest(const GuardSettings& settings, const GuardState& state, const GuardTick& tick) noexcept {
+  const PassivityState& p = state.passivity;
+  if (tick.contact || state.acted != 0 || !zero(tick.raw_n) || !zero(state.given_n) || !zero(p.spring_mm)) return false;
+  if (!settings.has(GuardPart::passivity)) return false;
+  if (!p.primed || p.scale != 1.0 || p.bank_mj != 0.0 || p.room_mj != settings.passivity_mj) return false;
+  for (const Vec3& held : p.held_n)
+    if (!zero(held)) return false;
+  return true;
+}
+
 }  // namespace
 
 Fault judge(const GuardSettings& settings, const StepInput& input, double jump_mm, double stale_ms,
@@ -39,6 +53,10 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
   if (tick.dt_ms > 0.0) {
     const Vec3 velocity = moved_mm / (tick.dt_ms * 1e-3);
     state.velocity_mm_s += (velocity - state.velocity_mm_s) * (tick.dt_ms / (tick.dt_ms + kVelocityMs));
+  }
+  if (at_rest(settings, state, tick)) {
+    state.passivity.device_mm += tick.device_mm - state.passivity.device_mm;
+    return Vec3(0.0);
   }
 
   GuardTick now = tick;

@@ -22,6 +22,9 @@ constexpr double kLongestPieceMm = 0.04;
 constexpr double kLeastPieceMm = 0.008;
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.0002;
+/// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
+constexpr double kOutrunTimes = 2.0, kOutrunMm = 0.02;
+constexpr int kParts = 8;
 constexpr double kFrictionSpeed = 2.0;  // mm/s at which the Coulomb force is whole
 
 /// Stiffness and the tissue that carries most of it, over the planes that hold the pose.
@@ -68,8 +71,23 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
 
   surface.sharpen(state.volume, !cut);
   Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach);
-  out.infeasible = contact.infeasible;
-  out.overflow = contact.overflow;
+  const double moved = length_of(device - state.device);
+  if (contact.active > 0 && !state.last.deferred && moved > 0.0 &&
+      length_of(contact.pose_mm - state.proxy) > kOutrunTimes * moved + kOutrunMm) {
+    // The proxy went much further than its device: over an edge perhaps that a device moving evenly would have been held
+    // by. The same way once more, in parts.
+    Vec3 at = state.proxy;
+    const Vec3 part = (device - state.device) / static_cast<double>(kParts);
+    for (int i = 1; i <= kParts; ++i) {
+      const Vec3 to = i < kParts ? state.device + part * static_cast<double>(i) : device;
+      contact = surface.solve(state.volume, scene, out.burr, axis, at, to, part, reach / kParts + 0.004);
+      at = contact.pose_mm;
+      out.infeasible = out.infeasible || contact.infeasible;
+      out.overflow = out.overflow || contact.overflow;
+    }
+  }
+  out.infeasible = out.infeasible || contact.infeasible;
+  out.overflow = out.overflow || contact.overflow;
   const Vec3 slid = contact.pose_mm - state.proxy;
   state.proxy = contact.pose_mm;
   Tissue touched = Tissue::empty;
