@@ -11,7 +11,7 @@ namespace cusp {
 struct StepInput {
   std::int32_t x = 0, y = 0, z = 0;                 // device point, 0.1 µm, specimen frame
   std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;  // orientation, 1/32767
-  std::uint16_t buttons = 0;                        // bit 0: cut; the others below
+  std::uint16_t buttons = 0;                        // bit 0: cut, bit 1: coolant; the others below
   std::uint16_t pedal = 0;                          // 0 to 65535
   std::uint16_t burr = 0;                           // index into Scene::burrs
   std::uint16_t reserved = 0;
@@ -20,7 +20,7 @@ struct StepInput {
   Vec3 position_mm() const noexcept { return Vec3(x, y, z) / 1e4; }
   bool cutting() const noexcept { return (buttons & kCut) != 0; }
 
-  static constexpr std::uint16_t kCut = 1, kRearm = 1u << 13, kGone = 1u << 14, kLate = 1u << 15;
+  static constexpr std::uint16_t kCut = 1, kCoolant = 2, kRearm = 1u << 13, kGone = 1u << 14, kLate = 1u << 15;
   static constexpr std::uint16_t kNotFinite = kGone | kLate;  // both: the position was no number, or beyond 100 m
   friend bool operator==(const StepInput&, const StepInput&) = default;
 };

@@ -16,6 +16,7 @@ struct Tick {
   Vec3 axis{0.0, 0.0, 1.0};  // of the tool, unit, from the ball towards the shank
   bool cut = false;
   double dt_s = 0.001;  // bounded by the guard's late limit
+  double removal_factor = 1.0;  // of the tissues' speeds, [0, 1]: what the spindle leaves
 };
 
 class ContactMethod {

@@ -131,6 +131,30 @@ void read_guard(Reader& r, GuardState& g) {
   for (Vec3& v : p.held_n) v = r.v();
 }
 
+void write_phenomena(Writer& w, const PhenomenaState& p, const StepOutput& o) {
+  w.d(p.spindle.rpm);
+  w.u(p.spindle.stalled ? 1 : 0, 1);
+  w.u(p.vibration.phase, 4);
+  w.d(p.heat.rise_k);
+  w.u(p.heat.over ? 1 : 0, 1);
+  w.u(std::bit_cast<std::uint32_t>(o.spindle_rpm), 4);
+  w.u(std::bit_cast<std::uint32_t>(o.heat_k), 4);
+  w.u(o.phenomena, 1);
+}
+
+/// False where a speed or a temperature is none.
+bool read_phenomena(Reader& r, PhenomenaState& p, StepOutput& o) {
+  p.spindle.rpm = r.d();
+  p.spindle.stalled = r.u(1) != 0;
+  p.vibration.phase = static_cast<std::uint32_t>(r.u(4));
+  p.heat.rise_k = r.d();
+  p.heat.over = r.u(1) != 0;
+  o.spindle_rpm = std::bit_cast<float>(static_cast<std::uint32_t>(r.u(4)));
+  o.heat_k = std::bit_cast<float>(static_cast<std::uint32_t>(r.u(4)));
+  o.phenomena = static_cast<std::uint8_t>(r.u(1));
+  return p.spindle.rpm >= 0.0 && p.spindle.rpm <= p.settings.free_rpm && p.heat.rise_k >= 0.0 && p.heat.rise_k <= 1000.0;
+}
+
 }  // namespace
 
 std::vector<std::byte> StepState::save() const {
@@ -159,6 +183,7 @@ std::vector<std::byte> StepState::save() const {
     w.v(s.memory.segment(i).b);
     w.d(s.memory.segment(i).radius_mm);
   }
+  if (s.phenomena) write_phenomena(w, *s.phenomena, s.last);
   const std::vector<std::byte> cuts = s.volume.save_cuts();
   w.u(cuts.size(), 8);
   w.raw(cuts);
@@ -197,6 +222,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
     segment.radius_mm = r.d();
   }
   s.memory.load(segments, open);
+  if (s.phenomena && !read_phenomena(r, *s.phenomena, s.last)) return std::nullopt;
   const std::size_t size = r.u(8);
   const auto cuts = r.raw(size);
   if (!r.done() || !s.volume.load_cuts(cuts)) return std::nullopt;

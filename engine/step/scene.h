@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/removal/phenomena.h"
 #include "engine/tool/burr.h"
 #include "engine/volume/specimen.h"
 
@@ -105,6 +106,7 @@ struct Scene {
   bool friction = false;
   double friction_coefficient = 0.15;        // Coulomb cone (surface), scaled eq. (3) (occupancy) [M]
   GuardSettings guard;
+  Phenomena phenomena;
 };
 
 }  // namespace cusp

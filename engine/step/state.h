@@ -9,6 +9,7 @@
 #include "engine/step/guard.h"
 #include "engine/step/methods.h"
 #include "engine/step/step.h"
+#include "engine/step/step_phenomena.h"
 
 namespace cusp {
 
@@ -35,6 +36,7 @@ struct StepState::Inner {
   // Derived from the volume.
   std::unique_ptr<SurfaceContact> surface;  // of the surface method alone
   std::unique_ptr<ContactMethod> method;
+  std::unique_ptr<PhenomenaState> phenomena;  // null: the scene asks for none
 };
 
 /// Surface method: carves what is still pending and ends the stroke (button up, no contact, fault, another burr).
@@ -42,6 +44,7 @@ struct StepState::Inner {
 bool end_stroke(StepState::Inner& state) noexcept;
 
 /// Surface method: contact, removal and raw force of one tick into `out`. dt_s is bounded by the guard's late limit.
-void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, StepOutput& out) noexcept;
+void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, double removal_factor,
+                  StepOutput& out) noexcept;
 
 }  // namespace cusp

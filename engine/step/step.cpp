@@ -44,6 +44,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
 StepState::Inner::Inner(std::shared_ptr<const Scene> s) : scene(std::move(s)), volume(scene->specimen) {
   if (scene->method == Method::surface) surface = std::make_unique<SurfaceContact>(*scene, volume, &memory);
   method = make_method(*this);
+  if (scene->phenomena.any()) phenomena = std::make_unique<PhenomenaState>(*scene);
 }
 
 StepState::StepState(std::shared_ptr<const Scene> scene) : inner_(std::make_unique<Inner>(std::move(scene))) {}
@@ -80,6 +81,7 @@ std::uint64_t StepState::hash() const noexcept {
   for (const double owed : s.owed) h.add_double(owed);
   if (s.scene->method == Method::gradient)
     for (int i = 0; i < 3; ++i) h.add_double(s.foot[i]);
+  if (s.phenomena) add_to(h, *s.phenomena);
   // The memory is what the path made it: its length and its end stand for all of it.
   h.add(s.memory.size() * 2 + (s.memory.open() ? 1 : 0));
   if (s.memory.size() > 0) {
@@ -112,6 +114,16 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
     leave += 0.25;
   }
   return device + axis * leave;
+}
+
+/// Contact, removal and raw force by the method, then the guard.
+void answer(StepState::Inner& state, const Tick& asked, Vec3 moved_mm, double dt_ms, StepOutput& out) noexcept {
+  const GuardSettings& settings = state.scene->guard;
+  state.method->tick(state, asked, out);
+  out.proxy_mm = state.proxy;
+  const GuardTick tick{out.force_raw_n, asked.device, state.proxy, out.stiffness_n_per_mm, out.contact, dt_ms};
+  out.force_n = guarded(settings, state.guard, tick, moved_mm, out.guard_acts);
+  out.faulted = state.guard.fault != Fault::none;
 }
 
 }  // namespace
@@ -155,6 +167,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.velocity = Vec3(0.0);
     release(state.guard);
     if (!first) state.device = device;
+    if (state.phenomena) rest(*state.phenomena, dt_ms * 1e-3, out);
     state.last = out;
     return out;
   }
@@ -165,13 +178,16 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.last.burr = out.burr;
     state.proxy = first_pose(state, device, scene.tool_axis);
   }
-  state.method->tick(state, {device, scene.tool_axis, input.cutting(), dt_ms * 1e-3}, out);
-  out.proxy_mm = state.proxy;
-  const GuardTick tick{out.force_raw_n, device, state.proxy, out.stiffness_n_per_mm, out.contact, dt_ms};
+  Tick asked{device, scene.tool_axis, input.cutting(), dt_ms * 1e-3};
   // Where the device went while the guard was latched is no speed.
   const bool anew = first || (input.buttons & StepInput::kRearm) != 0;
-  out.force_n = guarded(scene.guard, state.guard, tick, anew ? Vec3(0.0) : moved, out.guard_acts);
-  out.faulted = state.guard.fault != Fault::none;
+  if (!state.phenomena) {
+    answer(state, asked, anew ? Vec3(0.0) : moved, dt_ms, out);
+  } else {
+    turn(*state.phenomena, scene, input, state.last, asked.dt_s, asked);
+    answer(state, asked, anew ? Vec3(0.0) : moved, dt_ms, out);
+    work(*state.phenomena, scene, input, asked.axis, asked.dt_s, out);
+  }
   state.device = device;
   state.last = out;
   return out;

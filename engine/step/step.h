@@ -17,6 +17,14 @@
 
 namespace cusp {
 
+/// What the scene's phenomena have to say of a tick.
+enum class PhenomenonSign : std::uint8_t {
+  stalled = 1 << 0,  // the burr stands under load
+  coolant = 1 << 1,  // it runs
+  dry = 1 << 2,      // the burr works on tissue without coolant
+  overheated = 1 << 3,  // the dry-cutting event: in this tick the rise came to the pulp's criterion (heat.h)
+};
+
 /// What one tick came to. Plain values; safe to copy between threads.
 struct StepOutput {
   Vec3 device_mm{0.0};           // the input's point
@@ -27,6 +35,7 @@ struct StepOutput {
   double advance_mm = 0;         // how far the cut went in this tick
   Tissue tissue = Tissue::empty; // touched most
   std::uint16_t burr = 0;
+  float spindle_rpm = 0;         // of the handpiece; 0 where the scene has none
   std::uint64_t tick = 0;        // 1 after the first step
   std::uint64_t elapsed_us = 0;  // sum of all inputs
   bool contact = false;          // proxy and device point differ
@@ -36,7 +45,12 @@ struct StepOutput {
   bool infeasible = false;       // no admissible pose was found; the least violating one was taken
   bool overflow = false;         // reserved room ran out; tests want zero
   bool deferred = false;         // proxy still on its way, the rest next tick
-  std::uint16_t guard_acts = 0;  // GuardPart bits that changed the force in this tick; 0: force_n is force_raw_n
+  std::uint8_t phenomena = 0;    // PhenomenonSign bits
+  std::uint16_t guard_acts = 0;  // GuardPart bits that changed the force in this tick; 0: force_n is force_raw_n, but for
+                                 // drag and vibration where the scene has them
+  float heat_k = 0;              // rise of the tooth's temperature; 0 where the scene has no heat
+
+  constexpr bool has(PhenomenonSign sign) const noexcept { return (phenomena & static_cast<unsigned>(sign)) != 0; }
 };
 
 /// Fault that the guard latched. late: the tick; stale: the device has said nothing new for too long; not_finite: the

@@ -92,7 +92,7 @@ class BandedMethod final : public ContactMethod {
     const Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double alpha = wear_coefficient(distance, contact.stiffness_n_per_mm, scene.full_force_n);
     const double own = scene.tissues[index_of(contact.tissue)].speed_mm_s;
-    double advance = alpha * front_speed(state.volume, scene, pose, radius, direction, own) * tick.dt_s;
+    double advance = alpha * front_speed(state.volume, scene, pose, radius, direction, own) * tick.dt_s * tick.removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
     if (advance > gap) advance = gap;
     const Vec3 next = pose + direction * advance;

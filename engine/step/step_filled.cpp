@@ -61,10 +61,10 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
 
   if (!tick.cut || contact.hits == 0 || contact.shank) return;
   const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step,
-                                     alpha, tick.dt_s, state.owed);
+                                     alpha, tick.dt_s * tick.removal_factor, state.owed);
   out.overflow = worn.overflow;
   out.cutting = worn.any;
-  if (worn.any) out.advance_mm = alpha * scene.tissues[most].speed_mm_s * tick.dt_s;
+  if (worn.any) out.advance_mm = alpha * scene.tissues[most].speed_mm_s * tick.dt_s * tick.removal_factor;
 }
 
 /// Finder: OccupancyProxy or RayProxy.

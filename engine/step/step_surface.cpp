@@ -62,7 +62,8 @@ bool end_stroke(StepState::Inner& state) noexcept {
   return room;
 }
 
-void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, StepOutput& out) noexcept {
+void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, double removal_factor,
+                  StepOutput& out) noexcept {
   const Scene& scene = *state.scene;
   const Burr& burr = scene.burrs[out.burr];
   SurfaceContact& surface = *state.surface;
@@ -108,7 +109,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     double gap = length_of(to_device);
     Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double own = scene.tissues[index_of(touched)].speed_mm_s;
-    double advance = alpha * front_speed(state.volume, scene, pose, burr.radius_mm, direction, own) * dt_s;
+    double advance = alpha * front_speed(state.volume, scene, pose, burr.radius_mm, direction, own) * dt_s * removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
 
     // Sliding: a burr that moves this far in a tick may stand only so deep, if nothing recedes faster than it wears.

@@ -1,6 +1,7 @@
 // Every contact method under random ticks in a scene of 64^3 voxels: walks, slides, rushes, presses and teleports of
 // the device, cuts, swaps of burr, samples that are late, lost or no number. After each tick: every force finite,
 // within the limit, zero while the guard is latched; nothing removed has come back; nothing that was reserved ran out.
+// A fifth as many with every phenomenon on, under a foot that presses pedal and coolant without sense.
 //
 // 200,000 ticks of each method; with CUSP_RANDOM_FULL=1 ten million of the surface proxy and a million of each other.
 // Every 20,000 ticks begin anew, with a seed of their own: a failure names it, and CUSP_RANDOM_SEED=N runs it alone.
@@ -176,15 +177,35 @@ bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::is
 
 struct Counts {
   std::uint64_t ticks = 0, contacts = 0, faults = 0, cutting = 0, cut_bricks = 0, infeasible = 0, deferred = 0;
+  std::uint64_t stalled = 0, overheated = 0;
+};
+
+/// A foot without sense: pedal from up to down, coolant now and then.
+class Foot {
+ public:
+  explicit Foot(std::uint64_t seed) : random_(seed + 77) {}
+  void press(StepInput& input) {
+    if (random_.bits() % 300 == 0) pedal_ = random_.bits() % 3 == 0 ? 0 : static_cast<std::uint16_t>(random_.bits());
+    if (random_.bits() % 2000 == 0) coolant_ = !coolant_;
+    input.pedal = pedal_;
+    if (coolant_) input.buttons |= StepInput::kCoolant;
+  }
+
+ private:
+  Random random_;
+  std::uint16_t pedal_ = 0;
+  bool coolant_ = false;
 };
 
 void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int ticks, Counts& counts) {
   StepState state(scene);
   RemovalWatch watch(state.volume());
   Hand hand(seed);
+  Foot foot(seed);
   const double limit = scene->guard.limit_n * (1.0 + 1e-12);
   for (int k = 0; k < ticks; ++k) {
-    const StepInput input = hand.next(state.last().faulted);
+    StepInput input = hand.next(state.last().faulted);
+    if (scene->phenomena.any()) foot.press(input);
     const StepOutput out = step(state, input);
     const auto where = [&] {
       return testing::Message() << "CUSP_RANDOM_SEED=" << seed << ", tick " << k << ", device " << input.x << ' '
@@ -200,6 +221,10 @@ void run_seed(const std::shared_ptr<const Scene>& scene, std::uint64_t seed, int
     counts.cutting += out.cutting ? 1 : 0;
     counts.infeasible += out.infeasible ? 1 : 0;
     counts.deferred += out.deferred ? 1 : 0;
+    counts.stalled += out.has(PhenomenonSign::stalled) ? 1 : 0;
+    counts.overheated += out.has(PhenomenonSign::overheated) ? 1 : 0;
+    const bool sane = out.spindle_rpm >= 0.0f && out.spindle_rpm <= 400e3f && out.heat_k >= 0.0f && out.heat_k <= 1000.0f;
+    ASSERT_TRUE(sane) << where();
   }
   counts.ticks += static_cast<std::uint64_t>(ticks);
   counts.cut_bricks += state.volume().cut_bricks().size();
@@ -226,6 +251,20 @@ TEST_P(RandomTicks, forces_stay_finite_and_limited_and_removal_only_removes) {
   EXPECT_GT(counts.contacts, counts.ticks / 10);
   EXPECT_GT(counts.cutting, counts.ticks / 100);
   EXPECT_GT(counts.faults, counts.ticks / 100);
+}
+
+TEST_P(RandomTicks, with_every_phenomenon_on_forces_stay_finite_and_limited) {
+  Counts counts;
+  std::uint64_t seed = 101;
+  for (const Handpiece handpiece : {Handpiece::turbine, Handpiece::slow}) {
+    const auto scene = scene_for(GetParam(), tooth);
+    scene->phenomena = {handpiece, true, true};
+    scene->tool_axis = Vec3(0.6, 0.0, 0.8);
+    run_seed(scene, seed++, kTicksOfASeed, counts);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(counts.cutting, counts.ticks / 200);
+  if (GetParam() != Method::penalty) EXPECT_GT(counts.stalled, 0u);  // its push ends at the depth of its shell
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, RandomTicks,
