@@ -117,7 +117,8 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
 }
 
 /// Contact, removal and raw force by the method, then the guard.
-void answer(StepState::Inner& state, const Tick& asked, Vec3 moved_mm, double dt_ms, StepOutput& out) noexcept {
+[[gnu::always_inline]] inline void answer(StepState::Inner& state, const Tick& asked, Vec3 moved_mm, double dt_ms,
+                                          StepOutput& out) noexcept {
   const GuardSettings& settings = state.scene->guard;
   state.method->tick(state, asked, out);
   out.proxy_mm = state.proxy;
