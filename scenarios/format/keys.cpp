@@ -23,6 +23,23 @@ std::optional<MetricKey> metric_from_key(std::string_view key) noexcept {
   return std::nullopt;
 }
 
+Phenomena phenomena_from_keys(const std::vector<std::string>& keys) noexcept {
+  Phenomena out;
+  for (const std::string& key : keys) {
+    if (out.handpiece != Handpiece::none) break;
+    if (key == "spindle-turbine") out.handpiece = Handpiece::turbine;
+    if (key == "spindle-electric") out.handpiece = Handpiece::electric;
+    if (key == "spindle-slow") out.handpiece = Handpiece::slow;
+  }
+  out.vibration = has_phenomenon(keys, "vibration") && out.handpiece != Handpiece::none;
+  out.heat = has_phenomenon(keys, "heat");
+  return out;
+}
+
+bool needs_heat(std::string_view key) noexcept {
+  return key == "dry_cutting" || key == "dry_cutting_time" || key == "temperature_rise_peak";
+}
+
 std::optional<Tissue> scenario_tissue_from_key(std::string_view key) noexcept {
   if (const auto known = tissue_from_key(key)) return known;
   for (std::size_t i = 0; i < kOwnKeys.size(); ++i) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/step/scene.h"
 #include "engine/volume/tissue.h"
@@ -33,15 +35,20 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"time", "s"},
     MetricKey{"force_peak", "N"},
     MetricKey{"force_mean", "N"},
+    MetricKey{"dry_cutting_time", "s"},            // the burr worked without coolant; needs the phenomenon "heat"
+    MetricKey{"temperature_rise_peak", "K"},       // likewise
 };
 
 /// Events that may fail a go whatever its score.
-inline constexpr std::array<std::string_view, 1> kCriticalKeys = {"pulp_exposure"};
+/// dry_cutting: the tooth came to the pulp's criterion (engine/removal/heat.h); needs the phenomenon "heat".
+inline constexpr std::array<std::string_view, 2> kCriticalKeys = {"pulp_exposure", "dry_cutting"};
 
 /// "paper-block": three materials, 10 mm cube, 128^3 voxels; "block": plastic 20x20x10 mm; "tooth": by FDI number.
 inline constexpr std::array<std::string_view, 3> kGeneratorKeys = {"paper-block", "block", "tooth"};
 inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};
-inline constexpr std::array<std::string_view, 1> kPhenomenonKeys = {"friction"};
+/// At most one spindle; vibration and sound need one. "sound" is of no account to the step.
+inline constexpr std::array<std::string_view, 7> kPhenomenonKeys = {
+    "friction", "spindle-turbine", "spindle-electric", "spindle-slow", "vibration", "sound", "heat"};
 inline constexpr std::array kMethods = {Method::occupancy, Method::occupancy_pivot, Method::ray,
                                         Method::penalty,   Method::gradient,        Method::surface};
 
@@ -49,6 +56,16 @@ inline constexpr std::array kMethods = {Method::occupancy, Method::occupancy_piv
 std::optional<MetricKey> metric_from_key(std::string_view key) noexcept;
 
 /// FDI numbers of permanent teeth: 11..18, 21..28, 31..38, 41..48.
+/// What the engine makes of a scenario's phenomena. Of several spindles the first counts.
+Phenomena phenomena_from_keys(const std::vector<std::string>& keys) noexcept;
+inline bool has_phenomenon(const std::vector<std::string>& keys, std::string_view key) noexcept {
+  for (const std::string& one : keys)
+    if (one == key) return true;
+  return false;
+}
+/// True for metrics and critical events that are only measured where the phenomenon "heat" is on.
+bool needs_heat(std::string_view key) noexcept;
+
 constexpr bool is_fdi(int fdi) noexcept {
   return fdi / 10 >= 1 && fdi / 10 <= 4 && fdi % 10 >= 1 && fdi % 10 <= 8;
 }

@@ -13,6 +13,7 @@
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/format/migrate.h"
+#include "scenarios/tissues/tissue_facts.h"
 
 namespace cusp {
 namespace {
@@ -266,8 +267,12 @@ ScenarioTissue read_scenario_tissue(const Value& value) {
   Object object(value.node(), value.where(), value.problems());
   ScenarioTissue out;
   out.tissue = read_tissue(object.need("tissue"));
-  out.stiffness_n_per_mm = object.need("stiffness_n_per_mm").number({0, 20, true});
-  out.speed_mm_s = object.need("speed_mm_s").number({0, 100});
+  // What is left out is the tissue's usual figure; written back, both stand there.
+  const TissueFacts& usual = tissue_facts(out.tissue);
+  out.stiffness_n_per_mm = usual.stiffness_n_per_mm.value;
+  out.speed_mm_s = usual.speed_mm_s.value;
+  object.maybe("stiffness_n_per_mm", [&](const Value& v) { out.stiffness_n_per_mm = v.number({0, 20, true}); });
+  object.maybe("speed_mm_s", [&](const Value& v) { out.speed_mm_s = v.number({0, 100}); });
   object.nothing_else();
   return out;
 }

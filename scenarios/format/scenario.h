@@ -27,7 +27,7 @@ struct SpecimenSource {
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;
 };
 
-/// One tissue of the exercise: how it feels, how fast it goes; colour follows ui.
+/// One tissue of the exercise: how it feels, how fast it goes; what it looks and sounds like: scenarios/tissues.
 struct ScenarioTissue {
   Tissue tissue = Tissue::enamel;
   double stiffness_n_per_mm = 1.0;
@@ -94,7 +94,7 @@ struct Scenario {
   std::vector<Burr> instruments;
   DeviceNeeds device;
   Method method = Method::surface;
-  std::vector<std::string> phenomena;  // "friction", ...
+  std::vector<std::string> phenomena;  // kPhenomenonKeys of scenarios/format/keys.h
   Target target;
   Leeway leeway;
   std::vector<Tissue> protected_tissues;  // touching one is recorded, removing it is critical where the rubric says

@@ -27,6 +27,7 @@ class Checks {
   std::vector<Finding> run() {
     texts();
     tissues();
+    phenomena();
     instruments();
     target();
     rubric();
@@ -73,6 +74,23 @@ class Checks {
     for (const std::string& event : s_.rubric.critical) {
       const bool guarded = std::ranges::find(s_.protected_tissues, Tissue::pulp) != s_.protected_tissues.end();
       if (event == "pulp_exposure" && !guarded) error("/rubric/critical", "protected_missing", {}, "pulp");
+    }
+  }
+
+  void phenomena() {
+    const auto spindles = std::ranges::count_if(s_.phenomena, [](const std::string& k) { return k.starts_with("spindle-"); });
+    if (spindles > 1) error("/phenomena", "two_spindles");
+    for (std::size_t i = 0; i < s_.phenomena.size(); ++i) {
+      const std::string& key = s_.phenomena[i];
+      if ((key == "vibration" || key == "sound") && spindles == 0) error(at("/phenomena", i), "spindle_missing", {}, key);
+    }
+    if (has_phenomenon(s_.phenomena, "heat")) return;
+    for (std::size_t i = 0; i < s_.rubric.criteria.size(); ++i) {
+      const std::string& metric = s_.rubric.criteria[i].metric;
+      if (needs_heat(metric)) error(at("/rubric/criteria", i, "/metric"), "heat_missing", {}, metric);
+    }
+    for (std::size_t i = 0; i < s_.rubric.critical.size(); ++i) {
+      if (needs_heat(s_.rubric.critical[i])) error(at("/rubric/critical", i), "heat_missing", {}, s_.rubric.critical[i]);
     }
   }
 

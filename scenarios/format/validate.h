@@ -37,7 +37,8 @@ SpecimenFacts facts_of(const VoxelVolume& volume);
 /// errors: no_instrument, no_target, path_count, point_count, empty_target, no_criteria, weight_zero,
 /// bands_not_ordered,
 ///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of
-///   the exercise and occur in the specimen); with a specimen: tissue_missing, target_outside, voxel_mismatch;
+///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
+///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside, voxel_mismatch;
 /// warnings: feature_thin (below 2.5 voxels), burr_small (radius below 3 voxels), neck_wider_than_ball,
 ///   burr_wider_than_target, corner_below_burr, leeway_below_voxel, point_off_floor, target_scores_less (a go that
 ///   meets the target loses points), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.

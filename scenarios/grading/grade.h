@@ -26,8 +26,8 @@ struct CriterionGrade {
   Measure measure;
   std::string band;                // "ideal", "acceptable", "fail", "borderline" (edge nearer than the uncertainty), "not_measured"
   double points = 0, points_max = 0;
-  std::string reason_code;         // "full", "too_deep", "too_shallow", "too_little", "too_much", "little_drilled" or
-                                   // "not_measured"
+  std::string reason_code;         // "full", "too_deep", "too_shallow", "too_little", "too_much", "too_dry", "too_warm",
+                                   // "little_drilled" or "not_measured"
   std::map<std::string, double> reason_args;  // "value", "limit", "lost"; of little_drilled "share" (0 to 1), "lost"
 };
 

@@ -65,7 +65,11 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
   }
   const bool depth = criterion.metric.starts_with("depth_");
   const bool above = value > bands.ideal_hi;
-  out.reason_code = above ? (depth ? "too_deep" : "too_much") : (depth ? "too_shallow" : "too_little");
+  const char* much = depth                                          ? "too_deep"
+                     : criterion.metric == "dry_cutting_time"       ? "too_dry"
+                     : criterion.metric == "temperature_rise_peak" ? "too_warm"
+                                                                    : "too_much";
+  out.reason_code = above ? much : depth ? "too_shallow" : "too_little";
   out.reason_args = {{"value", value}, {"limit", above ? bands.ideal_hi : bands.ideal_lo}, {"lost", lost}};
   return out;
 }

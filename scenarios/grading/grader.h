@@ -17,7 +17,7 @@ namespace cusp {
 /// target_removed and undercut themselves. At share 1 nothing changes.
 ///
 /// reason_code: full, too_much, too_little (args value, limit = the ideal edge that was missed, lost = points),
-/// too_deep, too_shallow (the same, for depth_*), not_measured (no args), little_drilled (args share,
+/// too_deep, too_shallow (the same, for depth_*), too_dry, too_warm (the same, for coolant), not_measured (no args), little_drilled (args share,
 /// lost) where the share takes more points than the criterion's own bands do.
 [[nodiscard]] Grade grade(const Scenario& scenario, const std::vector<Measure>& measures);
 

@@ -132,6 +132,21 @@ void add_pulp(const Reference& reference, const Volume& volume, const RegionShar
   }
 }
 
+void add_heat(const Process& process, std::vector<Measure>& out) {
+  if (!(process.time_s() > 0.0)) {
+    out.push_back(not_measured("dry_cutting_time", "s"));
+    out.push_back(not_measured("temperature_rise_peak", "K"));
+    out.push_back(not_measured("dry_cutting", ""));
+    return;
+  }
+  const int events = process.overheated();
+  out.push_back(measured("dry_cutting_time", process.dry_s(), kTickS, "s"));
+  out.push_back(measured("temperature_rise_peak", process.heat_peak_k(), 0.0, "K",
+                         process.heat_peak_k() > 0.0 ? std::optional(process.heat_peak_at_mm()) : std::nullopt));
+  out.push_back(measured("dry_cutting", events, 0.0, "",
+                         events > 0 ? std::optional(process.overheated_at_mm()) : std::nullopt));
+}
+
 }  // namespace
 
 std::string removed_key(Tissue tissue) {
@@ -168,6 +183,7 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
     out.push_back(not_measured("force_peak", "N"));
     out.push_back(not_measured("force_mean", "N"));
   }
+  if (reference.heat()) add_heat(process, out);
   return out;
 }
 

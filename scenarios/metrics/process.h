@@ -9,7 +9,8 @@ namespace cusp {
 
 class Process {
  public:
-  /// Takes one tick's output; no heap, no lock. Force is the one before the guard, weighted by time in contact.
+  /// Takes one tick's output; no heap, no lock. Force is the one before the guard, weighted by time in contact. What is
+  /// told of coolant and warmth means something only where the scene has heat.
   void add(const StepOutput& output) noexcept;
 
   double time_s() const noexcept { return static_cast<double>(elapsed_us_) * 1e-6; }
@@ -18,6 +19,11 @@ class Process {
   bool touched() const noexcept { return contact_us_ > 0; }
   double force_peak_n() const noexcept { return peak_n_; }
   Vec3 peak_at_mm() const noexcept { return peak_at_mm_; }
+  double dry_s() const noexcept { return static_cast<double>(dry_us_) * 1e-6; }
+  int overheated() const noexcept { return overheated_; }             // dry-cutting events
+  Vec3 overheated_at_mm() const noexcept { return overheated_at_mm_; }  // of the first
+  double heat_peak_k() const noexcept { return heat_peak_k_; }
+  Vec3 heat_peak_at_mm() const noexcept { return heat_peak_at_mm_; }
   /// Mean over the time in contact; 0 when nothing was touched.
   double force_mean_n() const noexcept { return contact_us_ > 0 ? impulse_ / static_cast<double>(contact_us_) : 0.0; }
 
@@ -25,6 +31,10 @@ class Process {
   std::uint64_t elapsed_us_ = 0, contact_us_ = 0, cutting_us_ = 0;
   double peak_n_ = 0, impulse_ = 0;  // N, N·µs
   Vec3 peak_at_mm_{0.0};
+  std::uint64_t dry_us_ = 0;
+  int overheated_ = 0;
+  double heat_peak_k_ = 0;
+  Vec3 overheated_at_mm_{0.0}, heat_peak_at_mm_{0.0};
 };
 
 }  // namespace cusp

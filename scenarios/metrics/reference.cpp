@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "scenarios/format/keys.h"
 #include "scenarios/metrics/place_sink.h"
 
 namespace cusp {
@@ -121,7 +122,8 @@ double PulpIndex::distance_mm(Vec3 p, double at_most_mm) const noexcept {
 }
 
 Reference::Reference(const Scenario& scenario, std::shared_ptr<const Specimen> specimen)
-    : specimen_(std::move(specimen)), shape_(scenario.target), leeway_(scenario.leeway), pulp_(*specimen_) {
+    : specimen_(std::move(specimen)), shape_(scenario.target), leeway_(scenario.leeway), pulp_(*specimen_),
+      heat_(has_phenomenon(scenario.phenomena, "heat")) {
   for (const ScenarioTissue& t : scenario.tissues) tissues_.push_back(t.tissue);
   const Grid& grid = specimen_->grid();
   const IVec3 bricks = specimen_->brick_count();

@@ -55,6 +55,7 @@ class Reference {
   const std::vector<Tissue>& tissues() const noexcept { return tissues_; }  // of the scenario, in its order
   /// Tissue within the target before anything was cut, mm³.
   double target_mm3() const noexcept { return target_mm3_; }
+  bool heat() const noexcept { return heat_; }  // the scenario reckons coolant and warmth
   bool has(Tissue tissue) const noexcept { return present_[index_of(tissue)]; }
   double surface_sigma_mm() const noexcept;  // of a face's mean place
   double point_sigma_mm() const noexcept;    // of one place
@@ -67,6 +68,7 @@ class Reference {
   std::vector<Tissue> tissues_;
   std::array<bool, kTissueCodes> present_{};
   double target_mm3_ = 0;
+  bool heat_ = false;
 };
 
 }  // namespace cusp

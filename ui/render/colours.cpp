@@ -2,15 +2,13 @@
 
 #include <cmath>
 
+#include "scenarios/tissues/tissue_facts.h"
+
 namespace cusp {
 
 std::array<Colour, kTissueCodes> tissue_colours() noexcept {
   std::array<Colour, kTissueCodes> out{};
-  // Enamel, dentine, decay and pulp are the ones told apart for every kind of sight; the others stand beside them.
-  constexpr std::array<std::uint32_t, 13> kNamed = {0xF1EBDD, 0xF1EBDD, 0xE6BE7C, 0x6A3D1E, 0xDCC9A0, 0xC2255C, 0xE9DFC9,
-                                                    0xD98C8C, 0xC9A9A0, 0x8E959E, 0xEDE6D3, 0xD5DADF, 0xA98A62};
-  constexpr std::array<std::uint32_t, 4> kOwn = {0xD5DADF, 0xB9C4CE, 0xE3D7C0, 0xC8BBAF};
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = colour_of(i < kNamed.size() ? kNamed[i] : kOwn[i % kOwn.size()]);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = colour_of(tissue_facts(static_cast<Tissue>(i)).colour.value);
   return out;
 }
 

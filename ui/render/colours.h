@@ -21,7 +21,7 @@ constexpr Colour colour_of(std::uint32_t rgb, float alpha = 1.0f) noexcept {
           static_cast<float>(rgb & 255) / 255.0f, alpha};
 }
 
-/// By tissue code; the scenario's own (from 16) take turns among four.
+/// By tissue code: scenarios/tissues.
 std::array<Colour, kTissueCodes> tissue_colours() noexcept;
 
 inline constexpr Colour kTargetLine = colour_of(0x12B39A);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/step/passivity.h"
+#include "scenarios/format/keys.h"
 #include "scenarios/specimens.h"
 
 namespace cusp {
@@ -109,7 +110,8 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   const SineCosine tilt = sine_cosine(scenario.tool_tilt_deg);
   scene->tool_axis = {0.0, tilt.sine, tilt.cosine};
   scene->full_force_n = scenario.device.full_force_n;
-  scene->friction = std::find(scenario.phenomena.begin(), scenario.phenomena.end(), "friction") != scenario.phenomena.end();
+  scene->friction = has_phenomenon(scenario.phenomena, "friction");
+  scene->phenomena = phenomena_from_keys(scenario.phenomena);
   scene->guard = guard;
   return scene;
 }

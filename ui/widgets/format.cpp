@@ -28,6 +28,7 @@ QString unit_text(const QString& unit) {
   if (unit == u"mm3") return QStringLiteral("mm³");
   if (unit == u"mm2") return QStringLiteral("mm²");
   if (unit == u"deg") return QStringLiteral("°");
+  if (unit == u"K") return QStringLiteral("°C");  // of differences: a degree is a degree
   return unit;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/widgets/theme.h"
 
+#include "scenarios/tissues/tissue_facts.h"
 #include "ui/widgets/icon.h"
 
 #include <QApplication>
@@ -173,8 +174,9 @@ const Tokens& Tokens::dark_theme() {
 }
 
 const ToothColours& ToothColours::get() {
+  const auto of = [](Tissue tissue) { return QColor::fromRgb(tissue_facts(tissue).colour.value); };
   static const ToothColours c{
-      QColor(u"#F1EBDD"_qs), QColor(u"#E6BE7C"_qs), QColor(u"#6A3D1E"_qs), QColor(u"#C2255C"_qs),
+      of(Tissue::enamel), of(Tissue::dentine), of(Tissue::carious_dentine), of(Tissue::pulp),
       QColor(u"#12B39A"_qs), QColor(u"#16191E"_qs), QColor(u"#2F68C4"_qs), QColor(u"#E0700F"_qs),
       QColor(u"#4B2E91"_qs), QColor(u"#9CC7E8"_qs),
       {QColor(u"#4B2E91"_qs), QColor(u"#9A86D0"_qs), QColor(u"#EFEDE6"_qs), QColor(u"#F2A65A"_qs),

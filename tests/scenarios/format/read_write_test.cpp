@@ -8,6 +8,7 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
+#include "scenarios/tissues/tissue_facts.h"
 #include "scenarios/format/write.h"
 #include "tests/scenarios/format/make_scenario.h"
 
@@ -92,6 +93,40 @@ TEST(ScenarioFile, LeftOutKeysTakeTheirDefaults) {
   const auto scenario = read_scenario(document.dump());
   ASSERT_TRUE(scenario) << scenario.error().where;
   EXPECT_EQ(*scenario, sound_scenario());
+}
+
+TEST(ScenarioFile, ATissueWithoutFiguresHasItsUsualOnesAndIsWrittenWithThem) {
+  json document = sound();
+  document["tissues"] = {{{"tissue", "enamel"}}, {{"tissue", "dentine"}, {"speed_mm_s", 7}}};
+  EXPECT_TRUE(check_schema(document.dump()).empty());
+  const auto scenario = read_scenario(document.dump());
+  ASSERT_TRUE(scenario) << scenario.error().where;
+  EXPECT_EQ(scenario->tissues[0].speed_mm_s, tissue_facts(Tissue::enamel).speed_mm_s.value);
+  EXPECT_EQ(scenario->tissues[0].stiffness_n_per_mm, tissue_facts(Tissue::enamel).stiffness_n_per_mm.value);
+  EXPECT_EQ(scenario->tissues[1].speed_mm_s, 7.0) << "what the exercise says comes first";
+  const json written = json::parse(write_scenario(*scenario));
+  EXPECT_TRUE(written["tissues"][0].contains("speed_mm_s")) << "a published exercise must not follow the table";
+}
+
+TEST(ScenarioFile, EveryPhenomenonReadsAndComesBack) {
+  for (const std::string_view key : kPhenomenonKeys) {
+    json document = sound();
+    document["phenomena"] = {key};
+    EXPECT_TRUE(check_schema(document.dump()).empty()) << key;
+    const auto scenario = read_scenario(document.dump());
+    ASSERT_TRUE(scenario) << key;
+    EXPECT_EQ(json::parse(write_scenario(*scenario))["phenomena"], json({key}));
+  }
+}
+
+TEST(ScenarioFile, PhenomenaBecomeWhatTheEngineRunsAndNothingElse) {
+  EXPECT_EQ(phenomena_from_keys({}), Phenomena{});
+  EXPECT_EQ(phenomena_from_keys({"friction", "sound"}), Phenomena{}) << "of no account to these";
+  EXPECT_EQ(phenomena_from_keys({"heat"}), (Phenomena{Handpiece::none, false, true}));
+  EXPECT_EQ(phenomena_from_keys({"vibration"}), Phenomena{}) << "without a spindle nothing turns";
+  EXPECT_EQ(phenomena_from_keys({"vibration", "heat", "spindle-slow"}), (Phenomena{Handpiece::slow, true, true}));
+  EXPECT_EQ(phenomena_from_keys({"spindle-turbine", "spindle-slow"}).handpiece, Handpiece::turbine);
+  EXPECT_EQ(phenomena_from_keys({"spindle-electric"}).handpiece, Handpiece::electric);
 }
 
 TEST(ScenarioFile, BrokenJsonIsNamedWithLineAndColumn) {
@@ -193,7 +228,7 @@ TEST(ScenarioFile, MissingKeysAreNamed) {
       {"", "leeway"},
       {"", "rubric"},
       {"/specimen", "generator"},
-      {"/tissues/0", "speed_mm_s"},
+      {"/tissues/0", "tissue"},
       {"/instruments/0", "radius_mm"},
       {"/device", "full_force_n"},
       {"/target", "paths"},

@@ -58,6 +58,24 @@ TEST(Validate, FindsWhatMakesAnExerciseImpossible) {
   EXPECT_THAT(after([](Scenario& s) { s.rubric.critical = {"pulp_exposure"}; }), Contains("error /rubric/critical protected_missing"));
 }
 
+TEST(Validate, PhenomenaMustFitTogetherAndWhatIsGradedMustBeReckoned) {
+  using ::testing::Contains;
+  EXPECT_THAT(after([](Scenario& s) { s.phenomena = {"spindle-turbine", "vibration", "sound", "heat", "friction"}; }), IsEmpty());
+  EXPECT_THAT(after([](Scenario& s) { s.phenomena = {"spindle-turbine", "spindle-slow"}; }),
+              Contains("error /phenomena two_spindles"));
+  EXPECT_THAT(after([](Scenario& s) { s.phenomena = {"heat", "vibration"}; }), Contains("error /phenomena/1 spindle_missing"));
+  EXPECT_THAT(after([](Scenario& s) { s.phenomena = {"sound"}; }), Contains("error /phenomena/0 spindle_missing"));
+  EXPECT_THAT(after([](Scenario& s) { s.rubric.critical = {"dry_cutting"}; }), Contains("error /rubric/critical/0 heat_missing"));
+  EXPECT_THAT(after([](Scenario& s) { s.rubric.criteria[1].metric = "dry_cutting_time"; }),
+              Contains("error /rubric/criteria/1/metric heat_missing"));
+  EXPECT_THAT(after([](Scenario& s) {
+                s.phenomena = {"heat"};
+                s.rubric.critical = {"dry_cutting"};
+                s.rubric.criteria.push_back({"temperature_rise_peak", 10, {0, 0, 0, 2, 4, 5.5}});
+              }),
+              IsEmpty());
+}
+
 TEST(Validate, APassMarkThatNobodyReachesIsAnError) {
   using ::testing::Contains;
   using ::testing::ElementsAre;

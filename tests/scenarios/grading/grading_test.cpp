@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,6 +121,29 @@ TEST(Grade, ACriticalEventFailsTheGoAndTheScoreStands) {
   EXPECT_TRUE(grade(scenario(), exposed).passed);
   exposed.back() = missing("pulp_exposure");
   EXPECT_TRUE(grade(scenario(), exposed).passed);
+}
+
+TEST(Grade, CuttingDryFailsTheGoWhereTheRubricSaysSoAndCostsPointsWhereItAsks) {
+  Scenario s = scenario();
+  s.rubric.criteria.push_back({"dry_cutting_time", 10, {0, 0, 0, 5, 10, 20}});
+  s.rubric.criteria.push_back({"temperature_rise_peak", 10, {0, 0, 0, 2, 4, 5.5}});
+  s.rubric.critical.push_back("dry_cutting");
+  std::vector<Measure> m = {value("target_removed", 98),     value("depth_mean", 2.0), value("overcut_beyond_side", 0),
+                            value("dry_cutting_time", 10),   value("temperature_rise_peak", 6),
+                            value("dry_cutting", 1)};
+  const Grade dry = grade(s, m);
+  EXPECT_FALSE(dry.passed);
+  EXPECT_THAT(dry.critical, testing::Contains("dry_cutting"));
+  EXPECT_EQ(dry.criteria[3].reason_code, "too_dry");
+  EXPECT_DOUBLE_EQ(dry.criteria[3].points, 5.0);
+  EXPECT_DOUBLE_EQ(dry.criteria[3].reason_args.at("limit"), 5.0);
+  EXPECT_EQ(dry.criteria[4].reason_code, "too_warm");
+  EXPECT_DOUBLE_EQ(dry.criteria[4].points, 0.0);
+  m[3].value = m[4].value = m[5].value = 0;
+  const Grade wet = grade(s, m);
+  EXPECT_TRUE(wet.passed);
+  EXPECT_EQ(wet.score, 100.0);
+  EXPECT_EQ(wet.criteria[3].reason_code, "full");
 }
 
 TEST(Grade, DoesNotDependOnTheOrderOfTheMeasures) {

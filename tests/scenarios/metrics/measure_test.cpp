@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/volume/cut_volume.h"
+#include "scenarios/format/keys.h"
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/deviation.h"
 #include "scenarios/metrics/live.h"
@@ -334,6 +335,58 @@ TEST(Process, WeightsForceByTimeInContactAndTakesItBeforeTheGuard) {
   EXPECT_NEAR(p.force_peak_n(), 3.0, 1e-12);
   EXPECT_NEAR(p.force_mean_n(), (3.0 * 1 + 1.0 * 3) / 4.0, 1e-12);
   EXPECT_EQ(p.peak_at_mm(), Vec3(1, 2, 3));
+}
+
+TEST(Process, CountsDryCuttingAndKnowsWhereTheToothWasWarmest) {
+  Process p;
+  StepOutput o;
+  o.contact = true;
+  o.elapsed_us = 1000;
+  o.heat_k = 2.0f;
+  o.proxy_mm = {1, 0, 0};
+  o.phenomena = static_cast<std::uint8_t>(PhenomenonSign::dry);
+  p.add(o);
+  o.elapsed_us = 4000;
+  o.heat_k = 5.6f;
+  o.proxy_mm = {2, 0, 0};
+  o.phenomena = static_cast<std::uint8_t>(PhenomenonSign::dry) | static_cast<std::uint8_t>(PhenomenonSign::overheated);
+  p.add(o);
+  o.contact = false;
+  o.elapsed_us = 9000;
+  o.heat_k = 5.0f;
+  o.phenomena = static_cast<std::uint8_t>(PhenomenonSign::coolant);
+  p.add(o);
+  EXPECT_NEAR(p.dry_s(), 0.004, 1e-12);
+  EXPECT_EQ(p.overheated(), 1);
+  EXPECT_EQ(p.overheated_at_mm(), Vec3(2, 0, 0));
+  EXPECT_NEAR(p.heat_peak_k(), 5.6, 1e-6);
+  EXPECT_EQ(p.heat_peak_at_mm(), Vec3(2, 0, 0));
+}
+
+TEST(Measure, TellsOfCoolantOnlyWhereTheExerciseReckonsIt) {
+  Process p;
+  StepOutput o;
+  o.elapsed_us = 1000;
+  o.heat_k = 6.0f;
+  o.phenomena = static_cast<std::uint8_t>(PhenomenonSign::overheated);
+  p.add(o);
+  Bench without(0.25);
+  const Volume volume(without.specimen);
+  for (const Measure& m : measure(*without.reference, volume, p)) EXPECT_FALSE(needs_heat(m.metric)) << m.metric;
+
+  Scenario scenario = slot();
+  scenario.phenomena = {"heat"};
+  const Reference with(scenario, without.specimen);
+  int told = 0;
+  for (const Measure& m : measure(with, volume, p)) {
+    if (!needs_heat(m.metric)) continue;
+    ++told;
+    EXPECT_TRUE(m.measured) << m.metric;
+    EXPECT_NEAR(m.value, m.metric == "dry_cutting" ? 1.0 : m.metric == "dry_cutting_time" ? 0.0 : 6.0, 1e-6) << m.metric;
+  }
+  EXPECT_EQ(told, 3);
+  for (const Measure& m : measure(with, volume, Process()))
+    EXPECT_FALSE(needs_heat(m.metric) && m.measured) << m.metric << " of a go that never began";
 }
 
 TEST(Deviation, IsPositiveWhereItWasCutTooFarAndNegativeWhereTissueIsLeft) {
