@@ -37,6 +37,7 @@ class HapticLoop {
   void pause() noexcept { ticker_.pause(); }
   void resume() noexcept { ticker_.resume(); }  // re-arms a latched guard, force ramps in
   void change_burr(std::uint16_t index) noexcept { ticker_.change_burr(index); }
+  void set_coolant(bool on) noexcept { ticker_.set_coolant(on); }
 
   /// Rings and latest values; see HandOver for who may read what.
   HandOver& hand_over() noexcept { return hand_over_; }

@@ -96,6 +96,7 @@ Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
   StepInput input = quantise(sample, elapsed_us, last_input_);
   input.burr = burr_;
   if (rearm_) input.buttons |= StepInput::kRearm;
+  if (coolant_.load(std::memory_order_acquire)) input.buttons |= StepInput::kCoolant;
   rearm_ = false;
   // Stored before it is stepped: what the state went through is always in the record.
   if (!hand_over_.inputs.push(input)) {

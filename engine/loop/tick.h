@@ -68,6 +68,8 @@ class Ticker {
   void pause() noexcept { want_.store(Want::pause, std::memory_order_release); }
   void resume() noexcept { want_.store(Want::resume, std::memory_order_release); }
   void change_burr(std::uint16_t index) noexcept { want_burr_.store(index, std::memory_order_release); }
+  /// Coolant on or off, besides what the device's own button says; off at the start.
+  void set_coolant(bool on) noexcept { coolant_.store(on, std::memory_order_release); }
   /// Virtual time: a latched guard is re-armed by the next tick instead of holding. Before the first tick.
   void rearm_by_itself() noexcept { rearm_by_itself_ = true; }
 
@@ -97,6 +99,7 @@ class Ticker {
   bool rearm_by_itself_ = false;
   std::atomic<Want> want_{Want::nothing};
   std::atomic<std::uint32_t> want_burr_{kNoBurr};
+  std::atomic<bool> coolant_{false};
 };
 
 }  // namespace cusp

@@ -12,6 +12,7 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
   switch (fault) {
     case HandFault::novice:
       errors.deeper_mm = 0.9;
+      style.coolant = false;
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
       if (reading_of(scenario.method) == Reading::banded) {
         errors.shift_mm = {0.25, 0.35, 0.0};
@@ -45,6 +46,9 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
     case HandFault::pulp:
       errors.drill_to_pulp = true;
       break;
+    case HandFault::dry:
+      style.coolant = false;
+      break;
   }
   return Hand(plan_target(scenario, specimen, errors), style, scenario);
 }
@@ -57,6 +61,7 @@ std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario
   if (name == "too_shallow") return faulty(HandFault::too_shallow, scenario, specimen, seed);
   if (name == "shaky") return faulty(HandFault::shaky, scenario, specimen, seed);
   if (name == "off_outline") return faulty(HandFault::off_outline, scenario, specimen, seed);
+  if (name == "dry") return faulty(HandFault::dry, scenario, specimen, seed);
   if (name == "pulp") return faulty(HandFault::pulp, scenario, specimen, seed);
   return std::nullopt;
 }

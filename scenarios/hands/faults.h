@@ -9,17 +9,18 @@
 namespace cusp {
 
 enum class HandFault : std::uint8_t {
-  novice,       // shakes, cuts too deep and over the edge
+  novice,       // shakes, cuts too deep and over the edge, forgets the coolant
   too_deep,     // floor 0.8 mm below the target's
   too_shallow,  // floor 0.8 mm above it (at most half the depth)
   shaky,        // the right path with a strong tremor
   off_outline,  // the whole outline 0.7 mm to the side
   pulp,         // the right path, then down into the pulp
+  dry,          // the right path without coolant
 };
 
 [[nodiscard]] Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed = 1);
 
-/// "expert", "novice", "too_deep", "too_shallow", "shaky", "off_outline", "pulp": nullopt for anything else.
+/// "expert", "novice", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry": nullopt for anything else.
 [[nodiscard]] std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario,
                                                const Specimen& specimen, std::uint64_t seed = 1);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenarios/format/keys.h"
+
 namespace cusp {
 
 namespace {
@@ -19,6 +21,7 @@ Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
       style_(style),
       muscles_(style.muscles, plan_.start_mm),
       full_force_n_(scenario.device.full_force_n),
+      coolant_(style.coolant && has_phenomenon(scenario.phenomena, "heat")),
       from_mm_(plan_.start_mm),
       lag_s_(style.muscles.delay_s +
              2.0 * style.muscles.damping_ratio *
@@ -143,6 +146,7 @@ Sample Hand::next(const StepOutput& last, double dt_s) {
   sample.status = Sample::Status::fresh;
   sample.position_mm = muscles_.advance(goal, last.force_n, dt_s);
   sample.buttons = !done() && plan_.strokes[stroke_].cut && !slipped(last.proxy_mm) ? StepInput::kCut : std::uint16_t{0};
+  if (coolant_) sample.buttons |= StepInput::kCoolant;
   sample.burr = plan_.burr;
   return sample;
 }

@@ -25,6 +25,7 @@ struct HandStyle {
   double feel_s = 0.004;           // how long it feels for a force's direction
   double patience_s = 2.0;         // without progress: leave the stroke
   double most_s = 1200.0;          // of the whole go
+  bool coolant = true;             // runs it, where the exercise reckons heat
 };
 
 class Hand {
@@ -58,6 +59,7 @@ class Hand {
   HandModel muscles_;
   std::vector<TissueFeel> feels_;
   double full_force_n_;
+  bool coolant_;
   std::size_t stroke_ = 0, given_up_ = 0;
   Vec3 from_mm_;
   Vec3 felt_{0.0};  // direction against the force, about a unit; 0 while nothing is touched

@@ -92,6 +92,8 @@ void ExerciseRun::change_burr(std::size_t index) {
   if (index < inner_->setup.scene->burrs.size()) inner_->loop->change_burr(static_cast<std::uint16_t>(index));
 }
 
+void ExerciseRun::set_coolant(bool on) { inner_->loop->set_coolant(on); }
+
 Run<RunResult> ExerciseRun::finish() {
   Inner& run = *inner_;
   if (run.over) return run_fail(RunError::wrong_state, run.setup.session.text());

@@ -68,6 +68,8 @@ class ExerciseRun {
   void resume();
   /// Index into the scenario's instruments.
   void change_burr(std::size_t index);
+  /// For exercises that reckon heat; off at the start. It is part of the record.
+  void set_coolant(bool on);
 
   /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
   /// run as it was (stopped): finish() may be tried again when the disk is well. A go that ended by itself because inputs

@@ -140,6 +140,25 @@ TEST(Ticker, APositionThatIsNoNumberHoldsWithZeroForce) {
   EXPECT_EQ(hand_over.latest.read().fault, Fault::not_finite);
 }
 
+TEST(Ticker, CoolantAskedForStandsInTheRecordBesideTheDevicesOwn) {
+  HandOver hand_over(64);
+  Ticker ticker(StepState(test::block_scene()), hand_over);
+  Sample sample = test::drilling_sample(0);
+  StepInput input;
+  const auto runs = [&] {
+    ticker.tick(sample, 1000);
+    EXPECT_TRUE(hand_over.inputs.pop(input));
+    return (input.buttons & StepInput::kCoolant) != 0;
+  };
+  EXPECT_FALSE(runs());
+  ticker.set_coolant(true);
+  EXPECT_TRUE(runs());
+  ticker.set_coolant(false);
+  EXPECT_FALSE(runs());
+  sample.buttons |= StepInput::kCoolant;
+  EXPECT_TRUE(runs());
+}
+
 TEST(Ticker, TheLaterChoiceOfABurrWins) {
   HandOver hand_over(4096);
   Ticker ticker(StepState(test::block_scene()), hand_over);

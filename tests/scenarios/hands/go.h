@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/step/step.h"
+#include "scenarios/format/keys.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/hands/hand_port.h"
 #include "scenarios/metrics/measure.h"
@@ -18,6 +19,7 @@ inline std::shared_ptr<const Scene> scene_of(const Scenario& scenario, std::shar
     scene->tissues[index_of(t.tissue)] = {t.stiffness_n_per_mm, t.speed_mm_s};
   scene->burrs = scenario.instruments;
   scene->full_force_n = scenario.device.full_force_n;
+  scene->phenomena = phenomena_from_keys(scenario.phenomena);
   return scene;
 }
 

@@ -36,6 +36,23 @@ TEST(PlayThrough, LeavesASessionWhoseReplayIsTheSameBitForBit) {
   EXPECT_EQ(proof->volume_hash, result->volume_hash);
 }
 
+TEST(PlayThrough, WithSpindleVibrationAndHeatItsReplayIsTheSameBitForBitAndTheGradeKnowsOfCoolant) {
+  const Workplace work;
+  RunPlan plan = work.plan();
+  plan.scenario.phenomena = {"spindle-turbine", "vibration", "sound", "heat"};
+  plan.scenario.rubric.criteria.push_back({"dry_cutting_time", 10, {0, 0, 0, 0.1, 0.2, 0.3}});
+  DrillingPort port(2600);
+  const auto result = play_through(plan, port);
+  ASSERT_TRUE(result) << key_of(result.error().code) << ' ' << result.error().where << ' ' << result.error().detail;
+  EXPECT_GT(result->volume->cut_bricks().size(), 0u);
+  EXPECT_EQ(result->grade.criteria.back().reason_code, "too_dry");
+  const auto store = work.store();
+  const auto proof = prove_session(*store, result->session);
+  ASSERT_TRUE(proof) << key_of(proof.error().code);
+  EXPECT_TRUE(proof->holds());
+  EXPECT_TRUE(proof->has_grade && proof->grade_equal) << "what is told of coolant comes from the inputs again";
+}
+
 TEST(PlayThrough, PlayedTwiceComesToTheSameTooth) {
   const Workplace work;
   DrillingPort first(700), second(700);
