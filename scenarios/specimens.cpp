@@ -33,10 +33,10 @@ Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
                                                  const std::filesystem::path& scenario_folder) {
   if (source.generator.empty()) return from_file(source.volume, scenario_folder);
   if (source.generator == "paper-block") return paper_block();
-  if (source.generator == "block") {
+  if (source.generator == "block" || source.generator == "layered-block") {
     if (!(source.voxel_mm >= kDexterityLeastVoxelMm && source.voxel_mm <= kDexterityMostVoxelMm))
       return fail(ImportError::bad_option, "voxel_mm");
-    return dexterity_block(source.voxel_mm);
+    return source.generator == "block" ? dexterity_block(source.voxel_mm) : layered_block(source.voxel_mm);
   }
   if (source.generator == "tooth") return tooth(source);
   return fail(ImportError::unknown_generator, source.generator);

@@ -10,7 +10,7 @@
 
 namespace cusp {
 
-/// Generators: "paper-block" (always the paper's 128^3; voxel_mm is not read), "block" (voxel_mm), "tooth" (fdi, seed,
+/// Generators: "paper-block" (always the paper's 128^3; voxel_mm is not read), "block" and "layered-block" (voxel_mm), "tooth" (fdi, seed,
 /// voxel_mm). Without a generator `volume` is a plain file name in `scenario_folder` (NRRD). Seconds at most; not for the
 /// haptic thread. `where` of a failure is the key of scenario.json or the file.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,

@@ -506,8 +506,8 @@
             <translation>Ein Präparat erzeugen und sein Volumen schreiben</translation>
         </message>
         <message>
-            <source>tooth, block or paper-block</source>
-            <translation>tooth, block oder paper-block</translation>
+            <source>tooth, block, layered-block or paper-block</source>
+            <translation>tooth, block, layered-block oder paper-block</translation>
         </message>
         <message>
             <source>Tooth number, 11 to 48</source>
@@ -3739,6 +3739,10 @@
         <message>
             <source>Practice block</source>
             <translation>Übungsblock</translation>
+        </message>
+        <message>
+            <source>Practice block of two materials</source>
+            <translation>Übungsblock aus zwei Materialien</translation>
         </message>
         <message>
             <source>Block of three materials</source>

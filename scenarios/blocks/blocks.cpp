@@ -61,4 +61,10 @@ VoxelVolume dexterity_block(double voxel_mm) {
   return block(kDexterityBlockMm, voxel_mm, [](double) { return Tissue::plastic; });
 }
 
+VoxelVolume layered_block(double voxel_mm) {
+  assert(voxel_mm >= kDexterityLeastVoxelMm && voxel_mm <= kDexterityMostVoxelMm);
+  return block(kDexterityBlockMm, voxel_mm,
+               [](double depth_mm) { return depth_mm < kHardLayerMm ? Tissue::composite : Tissue::plastic; });
+}
+
 }  // namespace cusp

@@ -20,6 +20,11 @@ inline constexpr Vec3 kDexterityBlockMm{20.0, 20.0, 10.0};
 
 /// Plastic, padded by four voxels. Pre: 0.04 <= voxel_mm <= 1 (at 0.04 it has 65 million voxels).
 [[nodiscard]] VoxelVolume dexterity_block(double voxel_mm = 0.1);
+
+/// The same block of two materials: a hard layer of composite above plastic, so that the burr breaks through into
+/// what gives way faster, as from enamel into dentine. Pre: as above.
+inline constexpr double kHardLayerMm = 1.0;
+[[nodiscard]] VoxelVolume layered_block(double voxel_mm = 0.1);
 inline constexpr double kDexterityLeastVoxelMm = 0.04;
 inline constexpr double kDexterityMostVoxelMm = 1.0;
 

@@ -43,8 +43,9 @@ inline constexpr std::array kMetricKeys = {
 /// dry_cutting: the tooth came to the pulp's criterion (engine/removal/heat.h); needs the phenomenon "heat".
 inline constexpr std::array<std::string_view, 2> kCriticalKeys = {"pulp_exposure", "dry_cutting"};
 
-/// "paper-block": three materials, 10 mm cube, 128^3 voxels; "block": plastic 20x20x10 mm; "tooth": by FDI number.
-inline constexpr std::array<std::string_view, 3> kGeneratorKeys = {"paper-block", "block", "tooth"};
+/// "paper-block": three materials, 10 mm cube, 128^3 voxels; "block": plastic 20x20x10 mm; "layered-block": the same
+/// with a hard layer above; "tooth": by FDI number.
+inline constexpr std::array<std::string_view, 4> kGeneratorKeys = {"paper-block", "block", "layered-block", "tooth"};
 inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};
 /// At most one spindle; vibration and sound need one. "sound" is of no account to the step.
 inline constexpr std::array<std::string_view, 7> kPhenomenonKeys = {

@@ -123,7 +123,7 @@ class Checks {
     }
     for (std::size_t i = 0; i < t.paths.size(); ++i) {
       const std::size_t points = t.paths[i].size();
-      const std::size_t wanted = box ? 1 : 2;
+      const std::size_t wanted = channel ? 2 : 1;  // an outline about one point is a disc
       if (points < wanted || ((box || channel) && points != wanted)) {
         error(at("/target/paths", i), "point_count",
               {{"value", static_cast<double>(points)}, {"limit", static_cast<double>(wanted)}}, t.shape);

@@ -38,9 +38,9 @@ void add_specimen(CLI::App& program, Job& job) {
   auto o = std::make_shared<SpecimenOptions>();
   o->source.fdi = 36;
   CLI::App* verb = program.add_subcommand("specimen", help(CliWords::tr("Grow a specimen and write its volume")));
-  verb->add_option("KIND", o->source.generator, help(CliWords::tr("tooth, block or paper-block")))
+  verb->add_option("KIND", o->source.generator, help(CliWords::tr("tooth, block, layered-block or paper-block")))
       ->required()
-      ->check(CLI::IsMember({"tooth", "block", "paper-block"}));
+      ->check(CLI::IsMember({"tooth", "block", "layered-block", "paper-block"}));
   verb->add_option("--fdi", o->source.fdi, help(CliWords::tr("Tooth number, 11 to 48")))->capture_default_str();
   verb->add_option("--seed", o->source.seed, help(CliWords::tr("Natural variation; 0 = the average tooth")))->capture_default_str();
   verb->add_option("--voxel-mm", o->source.voxel_mm, help(CliWords::tr("Edge of a voxel in millimetres")))

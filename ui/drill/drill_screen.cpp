@@ -264,7 +264,7 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
   in.go = std::static_pointer_cast<Opened>(opaque);
   Opened& go = *in.go;
   const Scenario& scenario = go.run->scenario();
-  const bool is_tooth = scenario.specimen.generator != "block" && scenario.specimen.generator != "paper-block";
+  const bool is_tooth = !scenario.specimen.generator.ends_with("block");
   in.panel->set_exercise(scenario, !go.look->empty(), go.has_pulp, is_tooth);
   in.panel->set_device(go.run->device(), go.run->stiffness_share());
   in.device->setText(device_name(go.run->device().device_class));

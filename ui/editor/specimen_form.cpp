@@ -47,6 +47,7 @@ QWidget* group(QVBoxLayout** column) {
 QString specimen_name(const SpecimenSource& source) {
   if (source.generator == "tooth") return quadrant_name(source.fdi);
   if (source.generator == "block") return SpecimenForm::tr("Practice block");
+  if (source.generator == "layered-block") return SpecimenForm::tr("Practice block of two materials");
   if (source.generator == "paper-block") return SpecimenForm::tr("Block of three materials");
   return QFileInfo(QString::fromStdString(source.volume)).fileName();
 }
@@ -60,7 +61,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   band_ = new Band;
   column->addWidget(band_);
   kind_ = new QComboBox;
-  for (const char* key : {"tooth", "block", "paper-block", ""}) {
+  for (const char* key : {"tooth", "block", "layered-block", "paper-block", ""}) {
     SpecimenSource s;
     s.generator = key;
     const QString name = s.generator == "tooth" ? tr("Tooth") : s.generator.empty() ? tr("From a file") : specimen_name(s);
@@ -121,7 +122,7 @@ void SpecimenForm::follow_model() {
 void SpecimenForm::fit() {
   const QString kind = kind_->currentData().toString();
   tooth_rows_->setVisible(kind == u"tooth");
-  grown_rows_->setVisible(kind == u"tooth" || kind == u"block");
+  grown_rows_->setVisible(kind == u"tooth" || kind == u"block" || kind == u"layered-block");
   file_rows_->setVisible(kind.isEmpty());
   use_->setVisible(!kind.isEmpty());
 }

@@ -97,5 +97,16 @@ TEST(DexterityBlock, KeepsItsFacesWhenTheVoxelDoesNotDivideThem) {
   }
 }
 
+TEST(LayeredBlock, IsTheDexterityBlockWithAHardLayerOfAMillimetre) {
+  const double h = 0.25;
+  const VoxelVolume plain = dexterity_block(h), layered = layered_block(h);
+  EXPECT_EQ(plain.grid, layered.grid);
+  EXPECT_EQ(plain.s, layered.s);
+  auto count = occupied(layered);
+  // 80 x 80 voxels in a layer, four layers of 0.25 mm above, thirty-six below.
+  EXPECT_EQ(count[Tissue::composite], 80u * 80u * 4u);
+  EXPECT_EQ(count[Tissue::plastic], 80u * 80u * 36u);
+}
+
 }  // namespace
 }  // namespace cusp

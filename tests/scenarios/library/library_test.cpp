@@ -19,10 +19,13 @@
 namespace cusp {
 namespace {
 
-TEST(Library, HoldsTheThreeExercisesThatTheProgramComesWith) {
+TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
   const auto keys = builtin_scenarios();
-  EXPECT_EQ(std::set<std::string_view>(keys.begin(), keys.end()),
-            (std::set<std::string_view>{"paper-block", "channel-1", "class-1-36"}));
+  std::set<std::string> wanted = {"paper-block", "class-1-36"};
+  for (const char* shape : {"line", "channel", "cross", "circle", "ring"}) {
+    for (const char* level : {"-1", "-2", "-3"}) wanted.insert(std::string(shape) + level);
+  }
+  EXPECT_EQ(std::set<std::string>(keys.begin(), keys.end()), wanted);
   std::set<ScenarioId> ids;
   for (const std::string_view key : keys) {
     const auto scenario = load_builtin(key);
@@ -134,6 +137,20 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"channel-1", "a2c613018c7411850333640b96871b531ddc164333e05e2ddbf8ff9f45df61be"},
       {"class-1-36", "61bcca482db25a3a6518de54380f155408ca85f492dbfa5f7a99f4bec3e04896"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
+      {"channel-2", "37d9bd3081f20782c20dd2c6c1879c407d9c6dd95368103c184bdbf641274bd2"},
+      {"channel-3", "3d0c3d1ab0782ca4ace93ab6a49af96b15b9d88214421d84f60a8c3ee4ec2c0c"},
+      {"circle-1", "50ff309bb4a5c50bcbd79e2f33f113fa317d2fd5e89cc72af4b0a97b3950863b"},
+      {"circle-2", "1424d1107f94126f1b4c49bd5f86179484b62efc4970f4d4ec5631fa2542eec1"},
+      {"circle-3", "b068b52cab36873352fd7ac54e2282a46a56d23a3906cd2d01e8b6a1dddaea64"},
+      {"cross-1", "621b3b44cb431333fbb7aa73a59981d40ffe3ca6e5922c83678e56036bee1c00"},
+      {"cross-2", "4f9e1afc291925ff6ce2cf8ab40d09996fcb17c6875bfcfd5cead6fc50cae418"},
+      {"cross-3", "ea9cfef0178b5561367afef4fb65dd642b99340ca08e0f5f9210729dbccf11c4"},
+      {"line-1", "52ad43bd0c12b1ee54045cd24df551dbadb98aebcc7c11632593b4280b2032b2"},
+      {"line-2", "aa942652698841e077adfc28098dc163d34928a4197fe9474b8085804aa34799"},
+      {"line-3", "9f3a934cf3282d9931d2148894820434e698de4f2698195214fa977fa049945c"},
+      {"ring-1", "509d3eec14d88654b19f1526000ca6ae8b9225b254ebee2d091ad8fe4fe95606"},
+      {"ring-2", "285b0d18a601e2646c986890f14992142f8c4492e9295363f3ceba0103336586"},
+      {"ring-3", "8a39c01a9537f3236c1a750576bca8233f0223d87b5553678f9add05d6c916e8"},
   };
   for (const auto& [key, hash] : hashes) EXPECT_EQ(content_hash(*load_builtin(key)).hex(), hash) << key;
 }
