@@ -1,6 +1,7 @@
-/// Removal for the surface reading: what a burr's ball sweeps is gone. Thread: haptic; wait-free.
+/// Removal for the surface reading: what a burr's cutting head sweeps is gone. Thread: haptic; wait-free.
 #pragma once
 
+#include "engine/tool/burr.h"
 #include "engine/volume/volume.h"
 
 namespace cusp {
@@ -32,5 +33,11 @@ void for_changed(const Carved& carved, Tell&& tell) noexcept {
 /// Unites the cut field with a ball of radius_mm swept from a to b (mm): C = min(C, solid(r - distance to ab)).
 /// Calls touched() once for every brick that changed.
 Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept;
+
+/// The same for any head; pivot from a to b (mm), axis unit and fixed. A ball goes the ball's own way, bit for bit; any
+/// other head is exact to 4e-4 voxel (measured 2.1e-4, a quantum being 8e-5).
+/// `start_carved`: the last carving ended at a, with this burr and this axis; then what the head leaves behind is not
+/// looked at again. The volume comes out the same, sooner.
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved = false) noexcept;
 
 }  // namespace cusp

@@ -1,0 +1,75 @@
+/// Four floats at a time, element by element, so that the vector and the portable build do the same arithmetic.
+#pragma once
+
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace cusp {
+
+using Lanes = float __attribute__((vector_size(16)));
+using LaneMask = int __attribute__((vector_size(16)));  // all bits of a lane, or none
+inline constexpr int kLanes = 4;
+
+inline Lanes all_lanes(float v) noexcept { return Lanes{v, v, v, v}; }
+
+inline Lanes sqrt_of(Lanes v) noexcept {
+#if defined(__SSE2__)
+  return _mm_sqrt_ps(v);
+#else
+  for (int i = 0; i < kLanes; ++i) v[i] = __builtin_sqrtf(v[i]);
+  return v;
+#endif
+}
+
+inline Lanes least_of(Lanes a, Lanes b) noexcept {
+#if defined(__SSE2__)
+  return _mm_min_ps(a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+inline Lanes most_of(Lanes a, Lanes b) noexcept {
+#if defined(__SSE2__)
+  return _mm_max_ps(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
+/// Four 16-bit values as they stand in memory, and back. Pre: 0 to 65535 in each lane.
+inline LaneMask from_memory(std::uint64_t four) noexcept {
+#if defined(__SSE2__)
+  const __m128i values = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&four));
+  return reinterpret_cast<LaneMask>(_mm_unpacklo_epi16(values, _mm_setzero_si128()));
+#else
+  std::uint16_t values[kLanes];
+  __builtin_memcpy(values, &four, sizeof values);
+  return LaneMask{values[0], values[1], values[2], values[3]};
+#endif
+}
+inline void to_memory(LaneMask four, std::uint16_t* to) noexcept {
+#if defined(__SSE2__)
+  const __m128i half = _mm_set1_epi32(32768);
+  const __m128i low = _mm_sub_epi32(reinterpret_cast<__m128i>(four), half);
+  const __m128i packed = _mm_xor_si128(_mm_packs_epi32(low, low), _mm_set1_epi16(static_cast<short>(-32768)));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(to), packed);
+#else
+  for (int i = 0; i < kLanes; ++i) to[i] = static_cast<std::uint16_t>(four[i]);
+#endif
+}
+
+/// A bit for each lane, the first the lowest.
+inline unsigned bits_of(LaneMask m) noexcept {
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
+#else
+  unsigned out = 0;
+  for (int i = 0; i < kLanes; ++i) out |= static_cast<unsigned>(m[i] != 0) << i;
+  return out;
+#endif
+}
+
+}  // namespace cusp

@@ -1,0 +1,300 @@
+// Carving with a head that is a profile of revolution. Brick by brick: what is out of reach and what is gone already is
+// passed over; the outline's pieces that can be nearest anywhere in the brick are picked out; then four voxels at a time
+// in single precision, relative to the pivot in voxels: 1e-5 of a voxel, where a cut value's quantum is 8e-5.
+#include <cmath>
+
+#include "engine/removal/carve.h"
+#include "engine/removal/flat_head.h"
+#include "engine/tool/swept.h"
+
+namespace cusp {
+
+namespace {
+
+constexpr double kHalfBrick = 3.5;       // from its middle to its outermost voxel centres, per axis
+constexpr double kBrickReach = 6.0622;   // along its diagonal
+constexpr double kHalfEighth = 1.5;      // the same of 4 x 4 x 4 voxels
+constexpr double kEighthReach = 2.5981;
+
+/// The head in the carving's own frame: t along the axis, p across it in the plane of the way, q across both.
+struct Frame {
+  Vec3 p{0.0}, q{0.0};  // unit
+  double way_t = 0.0, way_p = 0.0;
+};
+
+/// Where on the way a brick's places are nearest to the head.
+enum class Nearest { at_start, at_end, either };
+
+class Carving {
+ public:
+  Carving(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved) noexcept
+      : volume_{volume}, burr_{burr}, axis_{axis}, a_{a}, b_{b}, start_carved_{start_carved},
+        voxel_{volume.grid().voxel_mm}, head_{burr.head, voxel_} {
+    start_ = (a - volume.grid().origin_mm) / voxel_;
+    way_ = (b - a) / voxel_;
+    length_ = std::sqrt(glm::dot(way_, way_));
+    frame_.way_t = glm::dot(way_, axis);
+    const Vec3 off = way_ - axis * frame_.way_t;
+    const double across_way = std::sqrt(glm::dot(off, off));
+    frame_.way_p = across_way;
+    frame_.p = across_way > 1e-9 ? off / across_way : across(axis);
+    frame_.q = glm::cross(axis, frame_.p);
+    const auto sum = [](Vec3 v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+    spread_ = {sum(axis), sum(frame_.p), sum(frame_.q)};
+    const Lanes count{0.0f, 1.0f, 2.0f, 3.0f};
+    step_t_ = count * static_cast<float>(axis.x);
+    step_p_ = count * static_cast<float>(frame_.p.x);
+    step_q_ = count * static_cast<float>(frame_.q.x);
+    const Vec3* in[] = {&axis_, &frame_.p, &frame_.q};
+    for (int i = 0; i < 3; ++i) {
+      axis_y_[i] = static_cast<float>(in[i]->y);
+      axis_z_[i] = static_cast<float>(in[i]->z);
+    }
+  }
+
+  Carved run() noexcept {
+    const Grid& grid = volume_.grid();
+    const Profile& head = burr_.head;
+    // The head lies in a cylinder about its axis: its box, swept, with the band round it.
+    const double wide = head.widest() / voxel_ + kBandVoxels;
+    const Vec3 foot = start_ + axis_ * (head.low() / voxel_), top = start_ + axis_ * (head.high() / voxel_);
+    const Vec3 least = glm::min(glm::min(foot, top), glm::min(foot, top) + way_) - wide;
+    const Vec3 most = glm::max(glm::max(foot, top), glm::max(foot, top) + way_) + wide;
+    low_ = glm::max(IVec3(glm::floor(least)), IVec3(0));
+    high_ = glm::min(IVec3(glm::ceil(most)), grid.size - 1);
+    for (int z = low_.z >> 3; z <= high_.z >> 3; ++z)
+      for (int y = low_.y >> 3; y <= high_.y >> 3; ++y)
+        for (int x = low_.x >> 3; x <= high_.x >> 3; ++x) brick({x, y, z});
+    return out_;
+  }
+
+ private:
+  /// By the signs that the slope along the way can have in a box of places; c: between what the cosine of the angle
+  /// between p and the way from the axis lies.
+  Nearest nearest_of(const AtHand& hand, double c_low, double c_high) const noexcept {
+    constexpr double kLevel = 1e-5;  // voxels that an end may be off the least
+    const double wt = frame_.way_t, wp = frame_.way_p;
+    const double low_t = wt * (wt > 0.0 ? hand.gt_low : hand.gt_high), high_t = wt * (wt > 0.0 ? hand.gt_high : hand.gt_low);
+    const double low_p = wp * c_low * (c_low > 0.0 ? hand.gr_low : hand.gr_high);
+    const double high_p = wp * c_high * (c_high > 0.0 ? hand.gr_high : hand.gr_low);
+    if (low_t + low_p >= -kLevel) return Nearest::at_end;
+    if (high_t + high_p <= kLevel) return Nearest::at_start;
+    return Nearest::either;
+  }
+
+  void brick(IVec3 at) noexcept {
+    const int index = volume_.specimen().brick_index(at);
+    if (index < 0 || !volume_.cuttable(index)) return;
+    const IVec3 corner = at * kBrickEdge;
+    const Vec3 middle = Vec3(corner) + kHalfBrick - start_;
+    // From the middle of the way no pose is further than half of it; distance is convex, so it lies above its tangent.
+    const Vec3 from = middle - 0.5 * way_;
+    Vec3 slope;
+    const double d = head_distance(burr_, axis_, from * voxel_, slope) / voxel_;
+    const double nearest = d - 0.5 * length_;
+    const Vec3 steep = glm::abs(slope);
+    if (nearest - kHalfBrick * (steep.x + steep.y + steep.z) >= kBandVoxels) return;
+    if (d + 0.5 * length_ + kBrickReach <= -kBandVoxels) return clear(index, corner);
+
+    const Seen whole = seen(from, kHalfBrick, kBrickReach);
+    if (whole.where == Nearest::at_start && start_carved_) return;
+    brick_.index = index;
+    brick_.corner = corner;
+    brick_.known = volume_.cut_of(index);
+    brick_.written = false;
+    brick_.changed = false;
+    const bool plain = whole.where != Nearest::either && whole.hand.chain;
+    // By eighths: what their middles' tangents cannot rule out, and of a brick that is not plain what each sees of the head.
+    for (int i = 0; i < 8; ++i) {
+      const IVec3 low(i & 1 ? 4 : 0, i & 2 ? 4 : 0, i & 4 ? 4 : 0);
+      if (glm::any(glm::greaterThan(corner + low, high_)) || glm::any(glm::lessThan(corner + low + 3, low_))) continue;
+      const Vec3 off = Vec3(low) + kHalfEighth - kHalfBrick;
+      const double near = nearest + glm::dot(slope, off);
+      if (near - kHalfEighth * (steep.x + steep.y + steep.z) >= kBandVoxels) continue;
+      bool room = true;
+      if (plain) {
+        room = eighth(low, whole, slope, near);
+      } else {
+        const Seen part = seen(from + off, kHalfEighth, kEighthReach);
+        if (part.where == Nearest::at_start && start_carved_) continue;
+        room = eighth(low, part, slope, near);
+      }
+      if (!room) {
+        out_.overflow = true;
+        break;
+      }
+    }
+    if (brick_.changed) tell(index, brick_.box);
+  }
+
+  /// What a cube of places sees of the head: `from` its middle, from the pivot in the middle of the way.
+  struct Seen {
+    AtHand hand;
+    Nearest where = Nearest::either;
+  };
+  Seen seen(Vec3 from, double half_cube, double reach) const noexcept {
+    const double t = glm::dot(from, axis_), p = glm::dot(from, frame_.p), q = glm::dot(from, frame_.q);
+    const double half_p = half_cube * spread_.y + 0.5 * frame_.way_p, half_q = half_cube * spread_.z;
+    const double near_p = std::fabs(p) > half_p ? std::fabs(p) - half_p : 0.0;
+    const double near_q = std::fabs(q) > half_q ? std::fabs(q) - half_q : 0.0;
+    const double far_p = std::fabs(p) + half_p, far_q = std::fabs(q) + half_q;
+    double rho_low = std::sqrt(near_p * near_p + near_q * near_q), rho_high = std::sqrt(far_p * far_p + far_q * far_q);
+    // A cube's places lie in a ball too.
+    const double rho = std::sqrt(p * p + q * q), ball = reach + 0.5 * length_;
+    rho_low = rho - ball > rho_low ? rho - ball : rho_low;
+    rho_high = rho + ball < rho_high ? rho + ball : rho_high;
+    const OnHalf half{half_cube * spread_.x + 0.5 * std::fabs(frame_.way_t), 0.5 * (rho_high - rho_low)};
+    Seen out;
+    head_.at_hand({t, 0.5 * (rho_low + rho_high)}, half, out.hand);
+    const auto cosine = [&](double of_p, bool least) {
+      const double of_q = (of_p > 0.0) == least ? far_q : near_q;
+      const double away = std::sqrt(of_p * of_p + of_q * of_q);
+      return away > 0.0 ? of_p / away : of_p;
+    };
+    out.where = nearest_of(out.hand, cosine(p - half_p, true), cosine(p + half_p, false));
+    return out;
+  }
+
+  /// Everything in this brick is deep inside the burr.
+  void clear(int index, IVec3 corner) noexcept {
+    std::uint16_t* values = volume_.cut_for_writing(index);
+    if (values == nullptr) {
+      out_.overflow = true;
+      return;
+    }
+    brick_.changed = false;
+    for (int o = 0; o < kBrickVoxels; ++o) {
+      if (values[o] == 0) continue;
+      values[o] = 0;
+      const IVec3 at = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
+      brick_.take(at, at);
+    }
+    if (brick_.changed) tell(index, brick_.box);
+  }
+
+  /// 4 x 4 x 4 voxels of the brick from `low` on; `nearest`: the least that their middle can be off the head.
+  /// False when the volume has no room.
+  bool eighth(IVec3 low, const Seen& seen, Vec3 slope, double nearest) noexcept {
+    const IVec3 first = brick_.corner + low;
+    const IVec3 from = glm::max(low_ - first, IVec3(0));
+    const IVec3 to = glm::min(high_ - first, IVec3(3));
+    const unsigned meant = (0xfu << from.x) & (0xfu >> (3 - to.x));
+    const double down = slope.x < 0.0 ? 3.0 * slope.x : 0.0;
+    const Vec3 foot = Vec3(first) - start_;
+    // A row's least is this and its steps: the tangent at the middle lies below.
+    const double foot_d = nearest - kHalfEighth * (slope.x + slope.y + slope.z) + down;
+    const bool behind = glm::dot(slope, way_) < 0.0;
+    FourPlaces at;
+    at.wt = all_lanes(static_cast<float>(frame_.way_t));
+    at.wp = all_lanes(static_cast<float>(frame_.way_p));
+    const bool at_end = seen.where == Nearest::at_end, either = seen.where == Nearest::either;
+    const Lanes foot_t = static_cast<float>(glm::dot(foot, axis_) - (at_end ? frame_.way_t : 0.0)) + step_t_;
+    const Lanes foot_p = static_cast<float>(glm::dot(foot, frame_.p) - (at_end ? frame_.way_p : 0.0)) + step_p_;
+    const Lanes foot_q = static_cast<float>(glm::dot(foot, frame_.q)) + step_q_;
+    unsigned columns = 0, rows = 0, slices = 0;
+    for (int z = from.z; z <= to.z; ++z)
+      for (int y = from.y; y <= to.y; ++y) {
+        const int o = brick_offset(low.x, low.y + y, low.z + z);
+        std::uint64_t four = ~std::uint64_t{0};
+        if (brick_.known != nullptr) __builtin_memcpy(&four, brick_.known + o, sizeof four);
+        if (four == 0 || foot_d + slope.y * y + slope.z * z >= kBandVoxels) continue;
+        const auto fy = static_cast<float>(y), fz = static_cast<float>(z);
+        at.t = foot_t + (fy * axis_y_[0] + fz * axis_z_[0]);
+        at.p = foot_p + (fy * axis_y_[1] + fz * axis_z_[1]);
+        const Lanes q = foot_q + (fy * axis_y_[2] + fz * axis_z_[2]);
+        at.q2 = q * q;
+        const Lanes d = either ? swept(seen.hand, first + IVec3(0, y, z), at, behind)
+                               : look_there(seen.hand, at.t, at.p, at.q2);
+        const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
+        const Lanes clamped = most_of(least_of(s, all_lanes(1.0f)), Lanes{});
+        const LaneMask solid = __builtin_convertvector(clamped * 65535.0f + 0.5f, LaneMask);
+        const LaneMask was = from_memory(four);
+        const LaneMask lower = solid < was;
+        const unsigned less = bits_of(lower) & meant;
+        if (less == 0) continue;
+        if (!brick_.written) {
+          std::uint16_t* values = volume_.cut_for_writing(brick_.index);
+          if (values == nullptr) return false;
+          brick_.known = brick_.values = values;
+          brick_.written = true;
+        }
+        const LaneMask now = lower ? solid : was;
+        if (meant == 0xf) {
+          to_memory(now, brick_.values + o);
+        } else {
+          for (int i = 0; i < kLanes; ++i)
+            if (less >> i & 1u) brick_.values[o + i] = static_cast<std::uint16_t>(now[i]);
+        }
+        columns |= less;
+        rows |= 1u << y;
+        slices |= 1u << z;
+      }
+    if (columns == 0) return true;
+    const auto lowest = [](unsigned bits) { return __builtin_ctz(bits); };
+    const auto highest = [](unsigned bits) { return 31 - __builtin_clz(bits); };
+    brick_.take(first + IVec3(lowest(columns), lowest(rows), lowest(slices)),
+                first + IVec3(highest(columns), highest(rows), highest(slices)));
+    return true;
+  }
+
+  /// Distance to all that the head passes, in voxels, of four voxels from `first` on.
+  Lanes swept(const AtHand& hand, IVec3 first, const FourPlaces& at, bool behind) noexcept {
+    unsigned unsure = 0;
+    Lanes out = passing(hand, at, behind, unsure);
+    for (; unsure != 0; unsure &= unsure - 1) {
+      const int i = __builtin_ctz(unsure);
+      const Vec3 place = volume_.grid().origin_mm + Vec3(first + IVec3(i, 0, 0)) * voxel_;
+      out[i] = static_cast<float>(passing_head(burr_, axis_, a_, b_, place).distance_mm / voxel_);
+    }
+    return out;
+  }
+
+  void tell(int index, const Carved::Box& box) noexcept {
+    volume_.touched(index);
+    out_.low = out_.any ? glm::min(out_.low, box.low) : box.low;
+    out_.high = out_.any ? glm::max(out_.high, box.high) : box.high;
+    out_.any = true;
+    if (out_.bricks < Carved::kBoxes) out_.box[out_.bricks] = box;
+    ++out_.bricks;
+  }
+
+  /// The brick at hand.
+  struct AtBrick {
+    int index = 0;
+    IVec3 corner{0};
+    const std::uint16_t* known = nullptr;  // its cut values; none: nothing was cut
+    std::uint16_t* values = nullptr;       // once written
+    bool written = false, changed = false;
+    Carved::Box box;
+    void take(IVec3 low, IVec3 high) noexcept {
+      box.low = changed ? glm::min(box.low, low) : low;
+      box.high = changed ? glm::max(box.high, high) : high;
+      changed = true;
+    }
+  };
+
+  Volume& volume_;
+  const Burr& burr_;
+  Vec3 axis_, a_, b_;
+  bool start_carved_;
+  double voxel_;
+  FlatHead head_;
+  Vec3 start_{0.0}, way_{0.0};  // in voxels
+  double length_ = 0.0;
+  Frame frame_;
+  Vec3 spread_{0.0};  // of a cube of half width 1 along t, p and q
+  Lanes step_t_{}, step_p_{}, step_q_{};  // of four voxels in a row
+  float axis_y_[3], axis_z_[3];           // y and z of t, p and q
+  AtBrick brick_;
+  IVec3 low_{0}, high_{0};
+  Carved out_;
+};
+
+}  // namespace
+
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved) noexcept {
+  if (burr.head.ball()) return carve_sweep(volume, a, b, burr.radius_mm);
+  return Carving(volume, a, b, burr, axis, start_carved).run();
+}
+
+}  // namespace cusp
