@@ -32,6 +32,9 @@ VoxelWear wear_voxels(Volume& volume, Occupancy& occupancy, const Scene& scene, 
       if (s == 0) {
         occupancy.vanish(v);
         volume.touched(brick);
+        out.low = out.gone ? glm::min(out.low, v) : v;
+        out.high = out.gone ? glm::max(out.high, v) : v;
+        out.gone = true;
       }
       out.any = true;
     }

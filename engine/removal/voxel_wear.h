@@ -13,6 +13,8 @@ namespace cusp {
 struct VoxelWear {
   bool any = false;       // a voxel lost density
   bool overflow = false;  // a brick had no room
+  bool gone = false;      // a voxel lost its last density
+  IVec3 low{0}, high{0};  // of those, inclusive; valid when gone
 };
 
 /// D' = D - k_tool alpha 40 dt with D_tissue of eq. (6), as a fraction of the tissue's density, for every voxel that

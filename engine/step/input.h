@@ -14,7 +14,7 @@ struct StepInput {
   std::uint16_t buttons = 0;                        // bit 0: cut, bit 1: coolant; the others below
   std::uint16_t pedal = 0;                          // 0 to 65535
   std::uint16_t burr = 0;                           // index into Scene::burrs
-  std::uint16_t reserved = 0;
+  std::uint16_t loose = 0;                          // half of a loose piece's name, 0: none; LeavingPiece::hear()
   std::uint32_t elapsed_us = 1000;                  // since the input before
 
   Vec3 position_mm() const noexcept { return Vec3(x, y, z) / 1e4; }

@@ -2,6 +2,7 @@
 
 #include "engine/removal/carve.h"
 #include "engine/step/state.h"
+#include "engine/volume/fragments.h"
 
 namespace cusp {
 
@@ -25,6 +26,11 @@ class SurfaceMethod final : public ContactMethod {
     state.memory.add(from_mm, to_mm, radius);
     state.memory.lift();
     return room && !carved.overflow;
+  }
+  bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
+    const ChangedBox changed = cusp::take_away(state.volume, voxels);
+    if (changed.any) state.surface->changed(state.volume, changed.low, changed.high);
+    return !changed.overflow;
   }
   void reload(StepState::Inner&) override {}  // what it keeps of the volume stands in state.surface
 };

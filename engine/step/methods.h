@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "engine/step/step.h"
 
@@ -31,6 +32,8 @@ class ContactMethod {
   virtual bool fits(StepState::Inner& state, Vec3 axis, Vec3 pose_mm) noexcept = 0;
   /// See cut_along() of step.h.
   virtual bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept = 0;
+  /// A severed piece's voxels go (engine/volume/fragments.h). False when the volume had no room.
+  virtual bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept = 0;
   /// The volume was replaced by a key state's.
   virtual void reload(StepState::Inner& state) = 0;
 };

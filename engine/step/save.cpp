@@ -183,6 +183,12 @@ std::vector<std::byte> StepState::save() const {
     w.v(s.memory.segment(i).b);
     w.d(s.memory.segment(i).radius_mm);
   }
+  w.u(s.leaving.half(), 2);
+  w.u(s.leaving.entries().size(), 2);
+  for (const LeavingPiece::Entry& entry : s.leaving.entries()) {
+    w.u(static_cast<std::uint32_t>(entry.brick), 4);
+    for (const std::uint64_t voxels : entry.voxels.slice) w.u(voxels, 8);
+  }
   if (s.phenomena) write_phenomena(w, *s.phenomena, s.last);
   const std::vector<std::byte> cuts = s.volume.save_cuts();
   w.u(cuts.size(), 8);
@@ -222,6 +228,14 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
     segment.radius_mm = r.d();
   }
   s.memory.load(segments, open);
+  const auto half = static_cast<std::uint16_t>(r.u(2));
+  std::vector<LeavingPiece::Entry> leaving(r.u(2));
+  for (LeavingPiece::Entry& entry : leaving) {
+    entry.brick = static_cast<std::int32_t>(r.u(4));
+    for (std::uint64_t& voxels : entry.voxels.slice) voxels = r.u(8);
+  }
+  const IVec3 bricks = s.scene->specimen->brick_count();
+  if (!r.good() || !s.leaving.load(half, leaving, bricks.x * bricks.y * bricks.z)) return std::nullopt;
   if (s.phenomena && !read_phenomena(r, *s.phenomena, s.last)) return std::nullopt;
   const std::size_t size = r.u(8);
   const auto cuts = r.raw(size);

@@ -10,6 +10,7 @@
 #include "engine/step/methods.h"
 #include "engine/step/step.h"
 #include "engine/step/step_phenomena.h"
+#include "engine/volume/fragments.h"
 
 namespace cusp {
 
@@ -32,6 +33,7 @@ struct StepState::Inner {
   std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (filled)
   Vec3 foot{0.0};                  // gradient: from the pivot to the point of the burr that was followed last; zero: none
   CutMemory memory;
+  LeavingPiece leaving;            // a severed piece on its way out
 
   // Derived from the volume.
   std::unique_ptr<SurfaceContact> surface;  // of the surface method alone

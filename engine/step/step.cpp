@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/step/state.h"
+#include "engine/step/step_fragments.h"
 #include "engine/volume/hash.h"
 
 namespace cusp {
@@ -13,6 +14,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
   out.elapsed_us = elapsed_us;
   out.buttons = static_cast<std::uint16_t>(sample.buttons & 0x1fff);
   out.pedal = sample.pedal;
+  out.loose = 0;
   out.burr = sample.burr;
   if (sample.status == Sample::Status::late) out.buttons |= StepInput::kLate;
   if (sample.status == Sample::Status::gone) out.buttons |= StepInput::kGone;
@@ -82,6 +84,13 @@ std::uint64_t StepState::hash() const noexcept {
   if (s.scene->method == Method::gradient)
     for (int i = 0; i < 3; ++i) h.add_double(s.foot[i]);
   if (s.phenomena) add_to(h, *s.phenomena);
+  if (s.leaving.active() || s.leaving.half() != 0) {
+    h.add(s.leaving.half());
+    for (const LeavingPiece::Entry& entry : s.leaving.entries()) {
+      h.add(static_cast<std::uint64_t>(entry.brick));
+      for (const std::uint64_t voxels : entry.voxels.slice) h.add(voxels);
+    }
+  }
   // The memory is what the path made it: its length and its end stand for all of it.
   h.add(s.memory.size() * 2 + (s.memory.open() ? 1 : 0));
   if (s.memory.size() > 0) {
@@ -159,12 +168,14 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     out.overflow = !state.method->lift(state);
   }
 
+  if (input.loose != 0 || state.leaving.active()) out.overflow = !let_pieces_go(state, input.loose) || out.overflow;
+
   const double dt_ms = std::min(elapsed_ms, scene.guard.late_ms);
   if (state.guard.fault != Fault::none) {
     // The proxy stays; after re-arming it walks to wherever the device is by then.
     out.proxy_mm = first ? device : state.proxy;
     out.faulted = true;
-    out.overflow = !state.method->lift(state);
+    out.overflow = !state.method->lift(state) || out.overflow;
     state.velocity = Vec3(0.0);
     release(state.guard);
     if (!first) state.device = device;

@@ -10,6 +10,8 @@
 #include "engine/removal/wear.h"
 #include "engine/step/methods.h"
 #include "engine/step/state.h"
+#include "engine/step/step_fragments.h"
+#include "engine/volume/fragments.h"
 
 namespace cusp {
 
@@ -69,6 +71,9 @@ class BandedMethod final : public ContactMethod {
     state.cut_valid = false;
     return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burrs[burr].radius_mm).overflow;
   }
+  bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
+    return !cusp::take_away(state.volume, voxels).overflow;
+  }
   void reload(StepState::Inner&) override {}  // reads the volume itself
 
  private:
@@ -99,7 +104,7 @@ class BandedMethod final : public ContactMethod {
     if (advance > 0.0) {
       const bool whole = state.cut_valid && length_of(next - state.cut_pose) <= kLongestCarveMm;
       const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, radius);
-      out.overflow = carved.overflow;
+      out.overflow = !drop_crumbs(state, carved) || carved.overflow;
       out.cutting = carved.any;
       out.advance_mm = advance;
     }

@@ -7,6 +7,8 @@
 #include "engine/removal/wear.h"
 #include "engine/step/methods.h"
 #include "engine/step/state.h"
+#include "engine/step/step_fragments.h"
+#include "engine/volume/fragments.h"
 
 namespace cusp {
 
@@ -63,6 +65,7 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
   const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step,
                                      alpha, tick.dt_s * tick.removal_factor, state.owed);
   out.overflow = worn.overflow;
+  if (worn.gone) out.overflow = !drop_crumbs(state, worn.low, worn.high) || out.overflow;
   out.cutting = worn.any;
   if (worn.any) out.advance_mm = alpha * scene.tissues[most].speed_mm_s * tick.dt_s * tick.removal_factor;
 }
@@ -83,6 +86,9 @@ class FilledMethod final : public ContactMethod {
   }
   bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
     return finder_.overlap().remove_along(state.volume, burr, from_mm, to_mm);
+  }
+  bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
+    return cusp::take_away(state.volume, finder_.overlap().occupancy(), voxels);
   }
   void reload(StepState::Inner& state) override { finder_ = Finder(*state.scene, state.volume); }
 

@@ -6,6 +6,7 @@
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
 #include "engine/step/state.h"
+#include "engine/step/step_fragments.h"
 
 namespace cusp {
 
@@ -49,7 +50,7 @@ bool carve_pending(StepState::Inner& state, double radius_mm, bool* any) noexcep
   for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
   state.cut_from = state.cut_pose;
   if (any) *any = carved.any;
-  return !carved.overflow;
+  return drop_crumbs(state, carved) && !carved.overflow;
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ StepInput any_input(std::mt19937_64& random) {
   in.buttons = any<std::uint16_t>(random);
   in.pedal = any<std::uint16_t>(random);
   in.burr = any<std::uint16_t>(random);
-  in.reserved = any<std::uint16_t>(random);
+  in.loose = any<std::uint16_t>(random);
   in.elapsed_us = any<std::uint32_t>(random);
   return in;
 }

@@ -1,0 +1,259 @@
+#include "engine/volume/fragments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace cusp {
+
+namespace {
+
+constexpr std::uint64_t kLowX = 0x0101010101010101ull, kHighX = kLowX << 7;
+
+std::uint64_t grown_x(std::uint64_t s) noexcept { return s | (s & ~kLowX) >> 1 | (s & ~kHighX) << 1; }
+std::uint64_t grown_y(std::uint64_t s) noexcept { return s | s << 8 | s >> 8; }
+
+/// C about a voxel that goes, by how far away (0 to 3 voxels along each axis): outside a ball of one voxel's radius.
+struct Stamp {
+  static constexpr int kReach = 3;  // 1 + the band's 2.75 end before 4
+  std::array<std::uint16_t, 64> value;
+  Stamp() noexcept {
+    for (int z = 0; z <= kReach; ++z)
+      for (int y = 0; y <= kReach; ++y)
+        for (int x = 0; x <= kReach; ++x)
+          value[static_cast<std::size_t>(x | y << 2 | z << 4)] =
+              solid_from_distance(1.0 - std::sqrt(static_cast<double>(x * x + y * y + z * z)));
+  }
+  std::uint16_t at(int x, int y, int z) const noexcept { return value[static_cast<std::size_t>(x | y << 2 | z << 4)]; }
+};
+const Stamp kStamp;
+
+/// C = min(C, stamp) about a row of `length` voxels that begins at v.
+void stamp_row(Volume& volume, IVec3 v, int length, ChangedBox& out) noexcept {
+  const Specimen& specimen = volume.specimen();
+  const IVec3 size = volume.grid().size;
+  const int x0 = std::max(v.x - Stamp::kReach, 0), x1 = std::min(v.x + length - 1 + Stamp::kReach, size.x - 1);
+  for (int dz = -Stamp::kReach; dz <= Stamp::kReach; ++dz)
+    for (int dy = -Stamp::kReach; dy <= Stamp::kReach; ++dy) {
+      const int y = v.y + dy, z = v.z + dz;
+      if (y < 0 || z < 0 || y >= size.y || z >= size.z || kStamp.at(0, std::abs(dy), std::abs(dz)) == kSolid) continue;
+      std::uint16_t* values = nullptr;
+      int held = -1;
+      bool none = false;
+      for (int x = x0; x <= x1; ++x) {
+        const int dx = x < v.x ? v.x - x : x > v.x + length - 1 ? x - (v.x + length - 1) : 0;
+        const std::uint16_t s = kStamp.at(dx, std::abs(dy), std::abs(dz));
+        if (s == kSolid) continue;
+        const int brick = specimen.brick_index({x >> 3, y >> 3, z >> 3});
+        if (brick != held) {
+          held = brick;
+          values = volume.cuttable(brick) ? volume.cut_for_writing(brick) : nullptr;
+          none = values == nullptr;
+          out.overflow = out.overflow || (none && volume.cuttable(brick));
+          if (!none) volume.touched(brick);
+        }
+        if (none) continue;
+        std::uint16_t& to = values[brick_offset(x & 7, y & 7, z & 7)];
+        if (s >= to) continue;
+        to = s;
+        const IVec3 at(x, y, z);
+        out.low = out.any ? glm::min(out.low, at) : at;
+        out.high = out.any ? glm::max(out.high, at) : at;
+        out.any = true;
+      }
+    }
+}
+
+}  // namespace
+
+namespace {
+
+BrickVoxelSet occupied_in(const Specimen& specimen, int brick, const std::uint16_t* cut) noexcept {
+  BrickVoxelSet out;
+  const std::uint16_t least = specimen.reading() == Reading::filled ? 1 : kHalf;
+  const std::uint16_t* base = specimen.s_of(brick);
+  if (base == nullptr) {
+    if (specimen.s_in(brick, 0) < least) return out;
+    if (cut == nullptr) {
+      out.slice.fill(~std::uint64_t{0});
+      return out;
+    }
+  }
+  std::array<std::uint8_t, kBrickVoxels> is{};
+  const auto mark = [&is, least](const std::uint16_t* values, bool first) {
+    for (std::size_t i = 0; i < kBrickVoxels; ++i) {
+      const auto here = static_cast<std::uint8_t>(values[i] >= least);
+      is[i] = first ? here : static_cast<std::uint8_t>(is[i] & here);
+    }
+  };
+  if (base != nullptr) mark(base, true);
+  if (cut != nullptr) mark(cut, base == nullptr);
+  for (std::size_t z = 0; z < 8; ++z)
+    for (std::size_t y = 0; y < 8; ++y) {
+      std::uint64_t row;
+      std::memcpy(&row, &is[z * 64 + y * 8], 8);
+      // Eight bytes of 0 or 1 to eight bits: byte i to bit i.
+      const std::uint64_t bits = std::endian::native == std::endian::little ? row * 0x0102040810204080ull >> 56
+                                                                           : row * 0x8040201008040201ull >> 56;
+      out.slice[z] |= bits << (8 * y);
+    }
+  return out;
+}
+
+}  // namespace
+
+BrickVoxelSet occupied_in(const Volume& volume, int brick) noexcept {
+  return occupied_in(volume.specimen(), brick, volume.cut_of(brick));
+}
+BrickVoxelSet occupied_in(const Specimen& specimen, int brick) noexcept { return occupied_in(specimen, brick, nullptr); }
+
+BrickVoxelSet reached(const BrickVoxelSet& within, const BrickVoxelSet& seeds) noexcept {
+  BrickVoxelSet now;
+  for (std::size_t z = 0; z < 8; ++z) now.slice[z] = seeds.slice[z] & within.slice[z];
+  for (;;) {
+    std::array<std::uint64_t, 8> flat;
+    for (std::size_t z = 0; z < 8; ++z) flat[z] = grown_y(grown_x(now.slice[z]));
+    BrickVoxelSet next;
+    for (std::size_t z = 0; z < 8; ++z) {
+      std::uint64_t grown = flat[z];
+      if (z > 0) grown |= flat[z - 1];
+      if (z < 7) grown |= flat[z + 1];
+      next.slice[z] = grown & within.slice[z];
+    }
+    if (next == now) return now;
+    now = next;
+  }
+}
+
+BrickVoxelSet touching(const BrickVoxelSet& set, IVec3 step) noexcept {
+  std::array<std::uint64_t, 8> flat;
+  for (std::size_t z = 0; z < 8; ++z) {
+    std::uint64_t s = set.slice[z];
+    s = step.x > 0 ? (s & kHighX) >> 7 : step.x < 0 ? (s & kLowX) << 7 : grown_x(s);
+    s = step.y > 0 ? s >> 56 : step.y < 0 ? s << 56 : grown_y(s);
+    flat[z] = s;
+  }
+  BrickVoxelSet out;
+  if (step.z > 0) {
+    out.slice[0] = flat[7];
+  } else if (step.z < 0) {
+    out.slice[7] = flat[0];
+  } else {
+    for (std::size_t z = 0; z < 8; ++z) {
+      out.slice[z] = flat[z];
+      if (z > 0) out.slice[z] |= flat[z - 1];
+      if (z < 7) out.slice[z] |= flat[z + 1];
+    }
+  }
+  return out;
+}
+
+bool crumb_at(const Volume& volume, IVec3 voxel, Crumb& out) noexcept {
+  out.size = 0;
+  if (!volume.occupied(voxel)) return false;
+  out.voxel[0] = voxel;
+  out.size = 1;
+  for (int next = 0; next < out.size; ++next) {
+    const IVec3 v = out.voxel[static_cast<std::size_t>(next)];
+    for (int i = 0; i < 27; ++i) {
+      const IVec3 n = v + IVec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      if (i == 13 || !volume.occupied(n)) continue;
+      bool known = false;
+      for (int k = 0; k < out.size && !known; ++k) known = out.voxel[static_cast<std::size_t>(k)] == n;
+      if (known) continue;
+      if (out.size == kCrumbVoxels - 1) return false;
+      out.voxel[static_cast<std::size_t>(out.size++)] = n;
+    }
+  }
+  return true;
+}
+
+ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept {
+  ChangedBox out;
+  for (std::size_t i = 0; i < voxels.size();) {
+    std::size_t end = i + 1;
+    while (end < voxels.size() && voxels[end] == voxels[end - 1] + IVec3(1, 0, 0)) ++end;
+    stamp_row(volume, voxels[i], static_cast<int>(end - i), out);
+    i = end;
+  }
+  return out;
+}
+
+bool take_away(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxels) noexcept {
+  bool room = true;
+  for (const IVec3& v : voxels) {
+    const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+    std::uint16_t* values = volume.cut_for_writing(brick);
+    if (values == nullptr) {
+      room = false;
+      continue;
+    }
+    values[brick_offset(v.x & 7, v.y & 7, v.z & 7)] = 0;
+    volume.touched(brick);
+    occupancy.vanish(v);
+  }
+  return room;
+}
+
+void LeavingPiece::enter(int brick, const BrickVoxelSet& voxels) noexcept {
+  for (Entry& entry : entries_)
+    if (entry.brick == brick) {
+      for (std::size_t z = 0; z < 8; ++z) entry.voxels.slice[z] |= voxels.slice[z];
+      return;
+    }
+  if (entries_.size() < kMostBricks) entries_.push_back({brick, voxels});
+}
+
+void LeavingPiece::hear(const Volume& volume, std::uint16_t half) noexcept {
+  if (half == 0) return;
+  if (half & 0x8000u) {
+    half_ = half;
+    return;
+  }
+  if (half_ == 0) return;
+  const std::uint32_t name = static_cast<std::uint32_t>(half_ & 0x7fffu) << 15 | half;
+  half_ = 0;
+  const IVec3 n = volume.specimen().brick_count();
+  const auto brick = static_cast<int>(name >> 9);
+  if (static_cast<std::int64_t>(brick) >= static_cast<std::int64_t>(n.x) * n.y * n.z) return;
+  BrickVoxelSet seed;
+  seed.add(static_cast<int>(name & 511u));
+  enter(brick, seed);
+}
+
+int LeavingPiece::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& voxels) noexcept {
+  const Entry entry = entries_.front();
+  entries_.erase(entries_.begin());
+  const BrickVoxelSet piece = reached(occupied_in(volume, entry.brick), entry.voxels);
+  if (piece.empty()) return 0;
+  const Specimen& specimen = volume.specimen();
+  const IVec3 at = specimen.brick_at(entry.brick);
+  for (int i = 0; i < 27; ++i) {
+    const IVec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (i == 13) continue;
+    const int brick = specimen.brick_index(at + step);
+    if (brick < 0 || !volume.cuttable(brick)) continue;
+    BrickVoxelSet there = touching(piece, step);
+    if (there.empty()) continue;
+    const BrickVoxelSet occupied = occupied_in(volume, brick);
+    for (std::size_t z = 0; z < 8; ++z) there.slice[z] &= occupied.slice[z];
+    if (!there.empty()) enter(brick, there);
+  }
+  int count = 0;
+  for (int o = 0; o < kBrickVoxels; ++o)
+    if (piece.has(o))
+      voxels[static_cast<std::size_t>(count++)] = at * kBrickEdge + IVec3(o & 7, o >> 3 & 7, o >> 6);
+  return count;
+}
+
+bool LeavingPiece::load(std::uint16_t half, std::span<const Entry> entries, int bricks) noexcept {
+  if (entries.size() > kMostBricks) return false;
+  for (const Entry& entry : entries)
+    if (entry.brick < 0 || entry.brick >= bricks) return false;
+  half_ = half;
+  entries_.assign(entries.begin(), entries.end());
+  return true;
+}
+
+}  // namespace cusp
