@@ -56,7 +56,6 @@ inline constexpr std::array kMethods = {Method::occupancy, Method::occupancy_piv
 /// The metric of a key, with "removed_<tissue>" among them; nullopt when there is none.
 std::optional<MetricKey> metric_from_key(std::string_view key) noexcept;
 
-/// FDI numbers of permanent teeth: 11..18, 21..28, 31..38, 41..48.
 /// What the engine makes of a scenario's phenomena. Of several spindles the first counts.
 Phenomena phenomena_from_keys(const std::vector<std::string>& keys) noexcept;
 inline bool has_phenomenon(const std::vector<std::string>& keys, std::string_view key) noexcept {
@@ -67,6 +66,7 @@ inline bool has_phenomenon(const std::vector<std::string>& keys, std::string_vie
 /// True for metrics and critical events that are only measured where the phenomenon "heat" is on.
 bool needs_heat(std::string_view key) noexcept;
 
+/// FDI numbers of permanent teeth: 11..18, 21..28, 31..38, 41..48.
 constexpr bool is_fdi(int fdi) noexcept {
   return fdi / 10 >= 1 && fdi / 10 <= 4 && fdi % 10 >= 1 && fdi % 10 <= 8;
 }
