@@ -31,6 +31,7 @@ enum class FormatError : std::uint8_t {
   unknown_generator,
   unknown_shape,
   unknown_phenomenon,
+  unknown_burr,        // a number that the catalogue has not
   unknown_builtin,     // library: no scenario of that key
 };
 

@@ -20,6 +20,14 @@ constexpr double kLeastRadiusVoxels = 3.0;
 /// Below a limit that is itself a product of rounded numbers (3 voxels of 0.1 mm are a hair more than 0.3).
 bool below(double value, double limit) noexcept { return value < limit - 1e-9; }
 
+/// The rounding that an upright burr leaves between wall and floor: that of its tip, or none below a flat end.
+double corner_of(const Burr& burr) noexcept {
+  if (burr.head.ball()) return burr.radius_mm;
+  const OutlinePiece& tip = burr.head.piece(0);
+  if (tip.radius > 0.0 || burr.head.size() < 2) return tip.radius;
+  return burr.head.piece(1).radius;
+}
+
 class Checks {
  public:
   explicit Checks(const Scenario& scenario, const SpecimenFacts* specimen) : s_(scenario), facts_(specimen) {}
@@ -103,6 +111,10 @@ class Checks {
         warn(at("/instruments", i, "/radius_mm"), "burr_small", {{"value", burr.radius_mm}, {"limit", least}},
              burr.name);
       }
+      if (!burr.head.ball() && below(0.5 * (burr.head.high() - burr.head.low()), least)) {
+        warn(at("/instruments", i, "/head"), "burr_small",
+             {{"value", 0.5 * (burr.head.high() - burr.head.low())}, {"limit", least}}, burr.name);
+      }
       if (burr.neck_radius_mm > burr.radius_mm) {
         warn(at("/instruments", i, "/neck_radius_mm"), "neck_wider_than_ball",
              {{"value", burr.neck_radius_mm}, {"limit", burr.radius_mm}}, burr.name);
@@ -153,9 +165,11 @@ class Checks {
         warn(narrow_path, "burr_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}},
              smallest.name);
       }
-      if (below(t.corner_radius_mm, smallest.radius_mm)) {
+      const auto by_corner = [](const Burr& a, const Burr& b) { return corner_of(a) < corner_of(b); };
+      const Burr& sharpest = *std::ranges::min_element(s_.instruments, by_corner);
+      if (below(t.corner_radius_mm, corner_of(sharpest))) {
         warn("/target/corner_radius_mm", "corner_below_burr",
-             {{"value", t.corner_radius_mm}, {"limit", smallest.radius_mm}}, smallest.name);
+             {{"value", t.corner_radius_mm}, {"limit", corner_of(sharpest)}}, sharpest.name);
       }
     }
     if (below(s_.leeway.floor_mm, s_.specimen.voxel_mm)) {

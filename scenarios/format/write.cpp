@@ -45,6 +45,18 @@ Json json_of(const Burr& burr) {
   out["neck_length_mm"] = burr.neck_length_mm;
   out["shank_radius_mm"] = burr.shank_radius_mm;
   out["shank_length_mm"] = burr.shank_length_mm;
+  // Written out, wherever it came from: what was published stays as it was, whatever becomes of the catalogue.
+  if (!burr.head.ball()) {
+    Json head = Json::array();
+    for (int i = 0; i < burr.head.size(); ++i) {
+      const OutlinePiece& p = burr.head.piece(i);
+      Json piece = Json::array({p.from.t, p.from.rho, p.to.t, p.to.rho});
+      if (p.radius > 0.0)
+        for (const double figure : {p.centre.t, p.centre.rho, p.radius}) piece.push_back(figure);
+      head.push_back(std::move(piece));
+    }
+    out["head"] = std::move(head);
+  }
   return out;
 }
 

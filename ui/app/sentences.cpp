@@ -131,6 +131,7 @@ Told tell(const FormatFailure& f) {
     case FormatError::unknown_generator:
     case FormatError::unknown_shape:
     case FormatError::unknown_phenomenon:
+    case FormatError::unknown_burr:
       return at(detail.isEmpty() ? Words::tr("%1 names something that is not known.").arg(where)
                                  : Words::tr("%1 names something that is not known: %2.").arg(where, detail));
     case FormatError::unknown_builtin: return at(Words::tr("No exercise called %1 comes with the program.").arg(where));
@@ -152,7 +153,7 @@ Told tell(const ImportFailure& f) {
     case ImportError::bad_header: return at(Words::tr("Its head is wrong at %1.").arg(where));
     case ImportError::unsupported: return at(Words::tr("It uses %1, which is not read here.").arg(where));
     case ImportError::bad_sizes: return at(Words::tr("The sizes at %1 make no volume.").arg(where));
-    case ImportError::bad_spacing: return at(Words::tr("At %1 its cells are not cubes.").arg(where));
+    case ImportError::bad_spacing: return at(Words::tr("At %1 its cells are not evenly spaced.").arg(where));
     case ImportError::bad_orientation: return at(Words::tr("The axes at %1 are oblique or not known.").arg(where));
     case ImportError::bad_tissue: return at(Words::tr("%1 names no tissue.").arg(where));
     case ImportError::truncated: return at(Words::tr("%1 ends too early. Copy it again.").arg(where));
@@ -162,8 +163,8 @@ Told tell(const ImportFailure& f) {
     case ImportError::no_mesh: return at(Words::tr("%1 holds no surface.").arg(where));
     case ImportError::mesh_not_found: return at(Words::tr("There is no part called %1.").arg(where));
     case ImportError::mesh_empty: return at(Words::tr("The part %1 encloses nothing.").arg(where));
-    case ImportError::mesh_open: return at(Words::tr("The surface is open at %1. Close it there.").arg(where));
-    case ImportError::mesh_not_oriented: return at(Words::tr("The surface is turned inside out at %1.").arg(where));
+    case ImportError::mesh_open: return at(Words::tr("The surface is open at %1 mm. Let it be mended, or close it there.").arg(where));
+    case ImportError::mesh_not_oriented: return at(Words::tr("The surface is turned inside out at %1 mm. Let it be mended.").arg(where));
     case ImportError::mesh_ambiguous: return at(Words::tr("The part %1 cuts itself.").arg(where));
     case ImportError::bad_option: return {Words::tr("An option does not fit."), where};
     case ImportError::crashed: return at(Words::tr("Reading %1 broke off.").arg(where));
@@ -327,6 +328,9 @@ QString metric_name(const std::string& m) {
   if (m == "force_peak") return Words::tr("Peak push");
   if (m == "force_mean") return Words::tr("Mean push");
   if (m == "pulp_exposure") return Words::tr("Pulp opened");
+  if (m == "dry_cutting_time") return Words::tr("Cut without coolant");
+  if (m == "temperature_rise_peak") return Words::tr("Tooth warmer by");
+  if (m == "dry_cutting") return Words::tr("Tooth overheated");
   if (m.starts_with("removed_")) {
     const std::string key = m.substr(8);
     if (const auto tissue = tissue_from_key(key)) return Words::tr("%1 removed").arg(tissue_name(*tissue));
@@ -341,13 +345,15 @@ QString metric_unit(const std::string& m) {
   if (m == "target_removed") return u"%"_qs;
   if (m.starts_with("overcut_") || m == "undercut" || m.starts_with("removed_")) return u"mm3"_qs;
   if (m.starts_with("depth_") || m == "remaining_over_pulp") return u"mm"_qs;
-  if (m == "time") return u"s"_qs;
+  if (m == "time" || m == "dry_cutting_time") return u"s"_qs;
+  if (m == "temperature_rise_peak") return u"K"_qs;
   if (m.starts_with("force_")) return u"N"_qs;
   return {};
 }
 
 QString critical_name(const std::string& critical) {
   if (critical == "pulp_exposure") return Words::tr("The pulp was opened");
+  if (critical == "dry_cutting") return Words::tr("The tooth was overheated by cutting dry");
   return metric_name(critical);
 }
 
@@ -411,6 +417,8 @@ QString reason_text(const CriterionGrade& g) {
   if (g.reason_code == "too_shallow") return Words::tr("%1, %2 short of %3").arg(v, apart, l);
   const QString whole = apart_from(value, limit, unit, unit == u"%" ? 1 : 2);
   if (g.reason_code == "too_much") return Words::tr("%1; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_dry") return Words::tr("%1 without coolant; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_warm") return Words::tr("%1 warmer; full points up to %2").arg(whole, l);
   if (g.reason_code == "too_little") {
     return g.id == "target_removed" ? Words::tr("%1 removed; full points from %2").arg(whole, l)
                                     : Words::tr("%1; full points from %2").arg(whole, l);
@@ -442,6 +450,8 @@ QString advice_text(const CriterionGrade& g) {
   if (m == "remaining_over_pulp") return Words::tr("Keep away from the pulp: stay above the wanted floor.");
   if (m == "force_peak" || m == "force_mean") return Words::tr("Push less; let the burr do the work.");
   if (m == "time") return Words::tr("Plan the way of the burr before the first cut.");
+  if (g.reason_code == "too_dry") return Words::tr("Run the coolant before the burr touches the tooth.");
+  if (g.reason_code == "too_warm") return Words::tr("Run the coolant, push less, and lift off now and then.");
   if (g.reason_code == "too_much") return Words::tr("Take away less of it.");
   return Words::tr("Take away more of it.");
 }

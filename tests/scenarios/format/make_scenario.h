@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "scenarios/burrs/burr_catalogue.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/format/scenario.h"
 
@@ -26,7 +27,12 @@ class ScenarioMaker {
     }
     for (int i = pick(4); i > 0; --i) {
       s.instruments.push_back(
-          {std::to_string(i) + text(), above(0, 10), above(0, 10), between(0, 50), above(0, 10), between(0, 100)});
+          {std::to_string(i) + text(), above(0, 10), above(0, 10), between(0, 50), above(0, 10), between(0, 100), {}});
+      if (coin()) continue;
+      const std::vector<CatalogueBurr>& all = burr_catalogue();
+      const Burr& one = all[static_cast<std::size_t>(pick(static_cast<int>(all.size())))].burr;
+      s.instruments.back().radius_mm = one.radius_mm;
+      s.instruments.back().head = one.head;
     }
     s.device.needs_dof = 3 + pick(4);
     if (coin()) s.device.admitted = {"pointer", "falcon"};

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/burrs/burr_catalogue.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
 #include "scenarios/tissues/tissue_facts.h"
@@ -106,6 +107,53 @@ TEST(ScenarioFile, ATissueWithoutFiguresHasItsUsualOnesAndIsWrittenWithThem) {
   EXPECT_EQ(scenario->tissues[1].speed_mm_s, 7.0) << "what the exercise says comes first";
   const json written = json::parse(write_scenario(*scenario));
   EXPECT_TRUE(written["tissues"][0].contains("speed_mm_s")) << "a published exercise must not follow the table";
+}
+
+TEST(ScenarioFile, AnInstrumentMayNameABurrOfTheCatalogueAndIsWrittenOut) {
+  for (const CatalogueBurr& one : burr_catalogue()) {
+    SCOPED_TRACE(one.burr.name);
+    json document = sound();
+    document["instruments"] = {{{"catalogue", one.burr.name}}};
+    EXPECT_TRUE(check_schema(document.dump()).empty());
+    const auto scenario = read_scenario(document.dump());
+    ASSERT_TRUE(scenario) << scenario.error().where;
+    EXPECT_EQ(scenario->instruments, std::vector{one.burr});
+    const std::string written = write_scenario(*scenario);
+    EXPECT_FALSE(json::parse(written)["instruments"][0].contains("catalogue")) << "what is published must not follow the table";
+    EXPECT_EQ(json::parse(written)["instruments"][0].contains("head"), !one.burr.head.ball());
+    EXPECT_TRUE(check_schema(written).empty());
+    EXPECT_EQ(*read_scenario(written), *scenario);
+  }
+}
+
+TEST(ScenarioFile, ABurrOfNoCatalogueIsRefused) {
+  EXPECT_EQ(with("/instruments/0", {{"catalogue", "12"}}).code, FormatError::unknown_burr);
+  EXPECT_EQ(with("/instruments/0", {{"catalogue", "12"}}).where, "/instruments/0/catalogue");
+  EXPECT_EQ(with("/instruments/0", {{"catalogue", 56}}).code, FormatError::wrong_type);
+  EXPECT_EQ(with("/instruments/0", {{"catalogue", "56"}, {"radius_mm", 1}}).code, FormatError::unknown_key) << "one or the other";
+}
+
+TEST(ScenarioFile, AHeadThatIsNoConvexBodyOfTheBurrsSizeIsRefused) {
+  const auto head = [](const json& pieces) {
+    json document = sound();
+    document["instruments"][0]["radius_mm"] = 0.5;
+    document["instruments"][0]["head"] = pieces;
+    return document.dump();
+  };
+  ASSERT_TRUE(read_scenario(head({{-0.5, 0, -0.5, 0.5}, {-0.5, 0.5, 3.5, 0.5}, {3.5, 0.5, 3.5, 0}})));
+  ASSERT_TRUE(read_scenario(head({{-0.5, 0, 0, 0.5, 0, 0, 0.5}, {0, 0.5, 3.5, 0.5}, {3.5, 0.5, 3.5, 0}})));
+  const json broken[] = {
+      json::array(),
+      {{-0.5, 0, -0.5, 0.5}, {-0.5, 0.5, 3.5, 0.5}},                          // open
+      {{-0.5, 0, -0.5, 0.5}, {-0.5, 0.4, 3.5, 0.4}, {3.5, 0.4, 3.5, 0}},      // does not join
+      {{-0.5, 0, -0.5, 0.3}, {-0.5, 0.3, 3.5, 0.5}, {3.5, 0.5, 4, 0.5}, {4, 0.5, 3, 0}},  // hollow
+      {{-0.5, 0, -0.5, 0.4}, {-0.5, 0.4, 3.5, 0.4}, {3.5, 0.4, 3.5, 0}},      // narrower than the burr
+      {{0, 0, 0, 0.5}, {0, 0.5, 4, 0.5}, {4, 0.5, 4, 0}},                     // the pivot is at its tip
+      {{-0.5, 0, 0, 0.5, 0, 0}},                                              // an arc without a radius
+      {{-0.5, 0, 0, 0.5, 0, 0, 0}}};
+  for (const json& pieces : broken) EXPECT_EQ(failure_of(head(pieces)).code, FormatError::out_of_range) << pieces;
+  EXPECT_EQ(failure_of(head("ball")).code, FormatError::wrong_type);
+  EXPECT_EQ(failure_of(head({{-0.5, 0, "a", 0.5}})).code, FormatError::wrong_type);
 }
 
 TEST(ScenarioFile, EveryPhenomenonReadsAndComesBack) {

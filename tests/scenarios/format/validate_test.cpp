@@ -1,3 +1,4 @@
+#include "scenarios/burrs/burr_catalogue.h"
 #include "scenarios/format/validate.h"
 
 #include <gmock/gmock.h>
@@ -131,6 +132,20 @@ TEST(Validate, WarnsOfWhatTheBurrCannotCut) {
   EXPECT_THAT(after([](Scenario& s) { s.target.corner_radius_mm = 0.2; }),
               ElementsAre("warning /target/corner_radius_mm corner_below_burr"));
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
+}
+
+TEST(Validate, KnowsThatAFlatEndLeavesASharpCorner) {
+  using ::testing::ElementsAre;
+  const auto with = [](const char* number, double corner_mm) {
+    return after([&](Scenario& s) {
+      s.instruments = {catalogue_burr(number)->burr};
+      s.target.corner_radius_mm = corner_mm;
+    });
+  };
+  EXPECT_THAT(with("57", 0.0), IsEmpty());
+  EXPECT_THAT(with("1157", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_burr")) << "a dome's is its radius";
+  EXPECT_THAT(with("245", 0.25), IsEmpty()) << "0.25 mm, says the catalogue";
+  EXPECT_THAT(with("245", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_burr"));
 }
 
 TEST(Validate, WarnsOfTextsInOneLanguageOnlyAndPointsOffTheFloor) {
