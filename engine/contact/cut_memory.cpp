@@ -56,8 +56,9 @@ void CutMemory::rebuild() noexcept {
 void CutMemory::enclose(std::size_t i) noexcept {
   const Segment& s = segments_[i];
   Block& block = blocks_[i / kBlock];
-  block.low = glm::min(block.low, glm::min(s.a, s.b) - s.radius_mm);
-  block.high = glm::max(block.high, glm::max(s.a, s.b) + s.radius_mm);
+  if (s.by.head != Sweeper::kBall) return;
+  block.low = glm::min(block.low, glm::min(s.a, s.b) - s.by.radius_mm);
+  block.high = glm::max(block.high, glm::max(s.a, s.b) + s.by.radius_mm);
 }
 
 int CutMemory::reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment> out) const noexcept {
@@ -75,15 +76,16 @@ int CutMemory::reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment>
     const std::size_t end = std::min(count_, (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < end; ++i) {
       const Segment& s = segments_[i];
-      if (apart(glm::min(s.a, s.b) - s.radius_mm, glm::max(s.a, s.b) + s.radius_mm)) continue;
+      if (s.by.head != Sweeper::kBall) continue;
+      if (apart(glm::min(s.a, s.b) - s.by.radius_mm, glm::max(s.a, s.b) + s.by.radius_mm)) continue;
       const Vec3 off = nearest_on(s, middle) - middle;
-      const double far = s.radius_mm + around;
+      const double far = s.by.radius_mm + around;
       if (glm::dot(off, off) > far * far) continue;
       if (found > 0 && i == last + 1) {
         Segment& before = out[found - 1];
-        const Segment joined{before.a, s.b, s.radius_mm};
+        const Segment joined{before.a, s.b, s.by};
         const Vec3 gap = s.a - before.b, bent = nearest_on(joined, s.a) - s.a;
-        if (before.radius_mm == s.radius_mm && glm::dot(gap, gap) < 1e-18 && glm::dot(bent, bent) < kStraightMm * kStraightMm) {
+        if (before.by == s.by && glm::dot(gap, gap) < 1e-18 && glm::dot(bent, bent) < kStraightMm * kStraightMm) {
           before.b = s.b;
           last = i;
           continue;
@@ -97,7 +99,7 @@ int CutMemory::reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment>
   return static_cast<int>(found);
 }
 
-bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
+bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
   if (count_ == kSegments || nodes_used_ > kNodes - kMostCells) {
     const std::size_t keep = count_ / 2;
     std::copy(segments_.begin() + static_cast<std::ptrdiff_t>(count_ - keep),
@@ -108,8 +110,8 @@ bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
   if (open_ && count_ > 0) {
     Segment& last = segments_[count_ - 1];
     const Vec3 gap = from - last.b;
-    if (last.radius_mm == radius_mm && glm::dot(gap, gap) < kStraightMm * kStraightMm) {
-      const Segment longer{last.a, to, radius_mm};
+    if (last.by == by && glm::dot(gap, gap) < kStraightMm * kStraightMm) {
+      const Segment longer{last.a, to, by};
       const Vec3 along = to - last.a;
       const Vec3 off = nearest_on(longer, last.b) - last.b;
       if (glm::dot(along, along) <= kLongestMm * kLongestMm && glm::dot(off, off) < kStraightMm * kStraightMm) {
@@ -120,7 +122,7 @@ bool CutMemory::add(Vec3 from, Vec3 to, double radius_mm) noexcept {
       }
     }
   }
-  segments_[count_] = {from, to, radius_mm};
+  segments_[count_] = {from, to, by};
   link(static_cast<std::int32_t>(count_));
   if (count_ % kBlock == 0) blocks_[count_ / kBlock] = Block{};
   enclose(count_);
@@ -135,7 +137,7 @@ bool CutMemory::straight_from(Vec3 p) const noexcept {
   return glm::dot(off, off) < kStraightMm * kStraightMm;
 }
 
-int CutMemory::near(Vec3 y, double radius_mm, std::array<Vec3, kMost>& out) const noexcept {
+int CutMemory::near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) const noexcept {
   int found = 0;
   std::int32_t last = -1;
   int visited = 0;
@@ -145,7 +147,7 @@ int CutMemory::near(Vec3 y, double radius_mm, std::array<Vec3, kMost>& out) cons
     if (node.segment == last) continue;
     last = node.segment;
     const Segment& s = segments_[static_cast<std::size_t>(node.segment)];
-    if (s.radius_mm < radius_mm) continue;
+    if (!s.by.holds(tool)) continue;
     // The part of the segment inside the ball of reach about y.
     const Vec3 along = s.b - s.a;
     const Vec3 from = s.a - y;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/tool/burr.h"
 
 namespace cusp {
 
@@ -20,22 +21,35 @@ class CutMemory {
 
   CutMemory();
 
-  /// The burr's centre moved, cutting, from a to b. True when that only lengthened the last segment.
-  bool add(Vec3 from, Vec3 to, double radius_mm) noexcept;
+  /// What was swept: a ball, however its burr stood; or another head of a burr, at one axis.
+  struct Sweeper {
+    static constexpr std::int32_t kBall = -1;
+    double radius_mm = 0.0;       // of the ball
+    std::int32_t head = kBall;    // else the scene's number of the burr
+    Vec3 axis{0.0};               // zero for a ball
+    bool operator==(const Sweeper&) const = default;
+    /// Where this has been, `other` fits too.
+    bool holds(const Sweeper& other) const noexcept {
+      return head == kBall ? other.head == kBall && radius_mm >= other.radius_mm : head == other.head && axis == other.axis;
+    }
+  };
+
+  /// The burr's pivot moved, cutting, from a to b. True when that only lengthened the last segment.
+  bool add(Vec3 from, Vec3 to, const Sweeper& by) noexcept;
   /// True when the last segment passes through p: the way from there has been straight.
   bool straight_from(Vec3 p) const noexcept;
   /// The path is broken: the next segment starts anew (button up, burr changed).
   void lift() noexcept { open_ = false; }
 
-  /// Ends of what lies within reach of y of the newest segments, cut by a burr at least as wide; at most kMost of them.
+  /// Ends of what lies within reach of y of the newest segments where `tool` fits; at most kMost of them.
   static constexpr int kMost = 24;
-  int near(Vec3 y, double radius_mm, std::array<Vec3, kMost>& out) const noexcept;
+  int near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) const noexcept;
 
   struct Segment {
     Vec3 a{0.0}, b{0.0};
-    double radius_mm = 0.0;
+    Sweeper by;
   };
-  /// Segments whose swept ball's surface comes within reach_mm of a box, oldest first, those that go straight on joined;
+  /// Segments of balls whose swept surface comes within reach_mm of a box, oldest first, those that go straight on joined;
   /// -1 when `out` has no room for them.
   int reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment> out) const noexcept;
 
@@ -74,5 +88,11 @@ class CutMemory {
   std::size_t nodes_used_ = 0;
   bool open_ = false;  // the last segment may grow
 };
+
+/// What a burr sweeps, for the memory. index: of the scene's burrs.
+inline CutMemory::Sweeper sweeper_of(const Burr& burr, std::uint16_t index, Vec3 axis) noexcept {
+  if (burr.head.ball()) return {burr.radius_mm, CutMemory::Sweeper::kBall, Vec3(0.0)};
+  return {burr.radius_mm, index, axis};
+}
 
 }  // namespace cusp

@@ -76,7 +76,7 @@ void StrokeCells::find(const CutMemory& memory, const Grid& grid, IVec3 corner) 
     Capsule& c = capsules_[static_cast<std::size_t>(capsule_count_++)];
     c.a = (s.a - low) * per_mm;
     c.along = (s.b - s.a) * per_mm;
-    c.r = s.radius_mm * per_mm;
+    c.r = s.by.radius_mm * per_mm;
     const double square = glm::dot(c.along, c.along);
     c.inverse2 = square > 1e-12 ? 1.0 / square : 0.0;
   }

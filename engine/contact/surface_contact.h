@@ -49,8 +49,9 @@ class SurfaceContact {
   /// True when the burr at this pose is in free space: ball, neck and shank clear of tissue.
   bool fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept;
 
-  /// Nearest pose to `pose` at which a ball of `radius_mm` (and no shank) fits; false when there is none within 20 um.
-  bool push_out(const Volume& volume, Vec3 pose, double radius_mm, Vec3& out) noexcept;
+  /// Nearest pose to `pose` at which the head (and no shank), thinner by thin_mm all over, fits; false when there is none
+  /// within 20 um.
+  bool push_out(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
 
   /// To be told of every change of the cut field: voxels low..high, inclusive. Cutting only takes tissue away, so what
   /// was clear stays clear.
@@ -125,8 +126,12 @@ class SurfaceContact {
   struct Tool {
     const Burr* burr = nullptr;
     Vec3 axis{0.0};
-    std::uint16_t index = 0;
-    double r_base = 0.0, r_cut = 0.0;
+    std::uint16_t index = kNoBurr;
+    double thin_base = 0.0, thin_cut = kClearanceMm;  // by how much the head is thinner against each field
+    bool ball() const noexcept { return burr->head.ball(); }
+    double thin(Field field) const noexcept { return field == Field::base ? thin_base : thin_cut; }
+    /// Where the neck leaves the head; of a ball the head answers for what lies within it.
+    double neck_from() const noexcept { return ball() ? 0.0 : burr->head.high(); }
   };
   /// Candidates at hand: all that a ball of radius + margin about `centre` reaches, and the shank with the same margin.
   struct Gathered {
@@ -134,6 +139,7 @@ class SurfaceContact {
     double margin_mm = 0.0;
     std::uint16_t burr = 0;
     bool valid = false;
+    Vec3 axis{0.0};
   };
   /// Poses known to be free: within margin of centre, the whole burr beyond a plane that no tissue nearby passes.
   struct FreeSpace {
@@ -141,6 +147,7 @@ class SurfaceContact {
     double margin_mm = 0.0, c = 0.0;
     std::uint16_t burr = 0;
     bool valid = false, bounded = false;
+    Vec3 axis{0.0};
     bool holds(Vec3 p) const noexcept {
       const Vec3 d = p - centre;
       return glm::dot(d, d) <= margin_mm * margin_mm && (!bounded || glm::dot(n, p) >= c);
@@ -149,33 +156,53 @@ class SurfaceContact {
 
   bool points_box(const Volume& volume, int brick, IVec3 at, Vec3& low, Vec3& high) const noexcept;
   void gather(const Volume& volume, const Tool& tool, Vec3 centre, double step) noexcept;
-  void gather_ball(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
+  void gather_head(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
+  /// Two coaxial cylinders about the tool's axis, the second from `wide_from` on; mm from the pivot.
+  struct Reach {
+    double from = 0.0, wide_from = 0.0, to = 0.0;
+    double slim = 0.0, thick = 0.0;
+  };
+  static Reach shank_within(const Tool& tool, double margin_mm) noexcept;
+  static Reach head_within(const Tool& tool, double margin_mm) noexcept;
   template <class Visit>
-  void shank_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double reach, Visit&& visit) const noexcept;
+  void bricks_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) const noexcept;
+  template <class Visit>
+  void head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm, Visit&& visit) const noexcept;
   template <class Choose, class Visit>
   void features(const Volume& volume, int brick, IVec3 at, Choose&& choose, Visit&& visit) noexcept;
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
   void add(const Candidate& candidate, const CutFeature* own) noexcept;
+  bool plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane) const noexcept;
+  /// Where a head stands on a surface: from the pivot; and the direction that holds it off there.
+  struct HeadFoot {
+    Vec3 at{0.0}, normal{0.0};
+    bool deepest = true;  // no place of the head stands deeper over the surface's plane
+  };
+  HeadFoot head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot, double beside2) const noexcept;
+  bool plane_of_head(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                   const CutSurface::Page* page) noexcept;
   const Candidate& made(const Volume& volume, std::size_t i) noexcept;
   void near_planes(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
+  bool nearest_to_ball(const Volume& volume, double radius_mm, Vec3 pose, Vec3& n) noexcept;
+  bool nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
   void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;
   void planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept;
   bool plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
-  void relax_by_memory(std::size_t from, std::size_t to) noexcept;
+  void relax_by_memory(const Tool& tool, std::size_t from, std::size_t to) noexcept;
   static bool nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along, double& curved) noexcept;
-  Vec3 leap_of(const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
+  Vec3 leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept;
   void turn(const Tool& tool, Vec3 y, std::size_t plane) noexcept;
   PlaneSearch search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept;
   Polished polish(const Volume& volume, const Tool& tool, Vec3 y, Vec3 device, const PlaneSearch& found) noexcept;
+  HeadFoot foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept;
   void note(const PlaneSearch& found, const Polished& polished, Contact& out) const noexcept;
-  bool clear_path(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 from, Vec3 to) const noexcept;
+  bool clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept;
   bool inside_tissue(const Volume& volume, Vec3 pose) const noexcept;
 
   double voxel_mm_;

@@ -5,6 +5,7 @@
 
 #include "engine/contact/near_points.h"
 #include "engine/contact/surface_contact.h"
+#include "engine/tool/swept.h"
 
 namespace cusp {
 
@@ -34,26 +35,19 @@ IVec3 brick_floor(const Grid& grid, Vec3 p) noexcept {
   return cell_of_voxels((p - grid.origin_mm) * (1.0 / (grid.voxel_mm * kBrickEdge)));
 }
 
-/// Capsules of the neck and the shank. Up to `inner` along the axis the neck lies within the ball, which answers for it.
-struct ShankReach {
-  ShankReach(const Burr& b, Vec3 along, Vec3 at, double margin_mm) noexcept : burr(b), axis(along), centre(at), reach(margin_mm) {
-    const double inner = b.neck_radius_mm + margin_mm;
-    const double r2 = b.radius_mm * b.radius_mm - inner * inner;
-    from = r2 > 0.0 ? std::sqrt(r2) : 0.0;
-  }
-  bool touches(Vec3 p) const noexcept {
-    const Vec3 d = p - centre;
-    const double t = glm::dot(d, axis);
-    if (t < from || t > burr.neck_length_mm + burr.shank_length_mm + reach) return false;
-    const double off2 = glm::dot(d, d) - t * t;
-    const double wide = (t > burr.neck_length_mm - reach ? burr.shank_radius_mm : burr.neck_radius_mm) + reach;
-    return off2 <= wide * wide;
-  }
-  const Burr& burr;
-  Vec3 axis, centre;
-  double reach;
-  double from = 0.0;
-};
+/// In voxels, from a pivot that is still to be given, and a little wider.
+TwoCylinders cylinders_of(double from, double wide_from, double to, double slim, double thick, Vec3 axis,
+                          double per_mm) noexcept {
+  TwoCylinders out;
+  out.axis = Vec3f(axis);
+  const double narrow = slim * per_mm + kLoose, wide = thick * per_mm + kLoose;
+  out.narrow2 = static_cast<float>(narrow * narrow);
+  out.wide2 = static_cast<float>(wide * wide);
+  out.from = static_cast<float>(from * per_mm - kLoose);
+  out.wide_from = static_cast<float>(wide_from * per_mm - kLoose);
+  out.to = static_cast<float>(to * per_mm + kLoose);
+  return out;
+}
 
 }  // namespace
 
@@ -207,23 +201,21 @@ void SurfaceContact::ball_bricks(const Volume& volume, Vec3 centre, double reach
   }
 }
 
-void SurfaceContact::gather_ball(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
+void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
   // An edge holds 0.7 voxel either way along its tangent.
-  const double reach = tool.burr->radius_mm + margin_mm;
-  const double edge_reach = reach + 0.7 * voxel_mm_;
+  const double edge_mm = 0.7 * voxel_mm_;
   edges_ = false;
   const Grid& grid = volume.grid();
   const double per_mm = 1.0 / voxel_mm_;
-  ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
+  // near(x, y, z, count, local, sharp, pass): which places to take; local: the centre in voxels from the brick's corner.
+  const auto take = [&](int brick, IVec3 at, auto&& near) {
     const bool cut = volume.has_cut(brick);
     const bool sharp = cut || boxes_[static_cast<std::size_t>(brick)].edges;
     edges_ = edges_ || sharp;
-    const double wide = (sharp ? edge_reach : reach) * per_mm + kLoose;
-    const auto wide2 = static_cast<float>(wide * wide);
     const Vec3 corner_mm = grid.origin_mm + voxel_mm_ * Vec3(at * kBrickEdge);
     const Vec3f local((centre - corner_mm) * per_mm);
     const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
-      for_near(x, y, z, count, local, wide2, [&](int i) {
+      near(x, y, z, count, local, sharp, [&](int i) {
         add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page);
       });
     };
@@ -243,33 +235,64 @@ void SurfaceContact::gather_ball(const Volume& volume, const Tool& tool, Vec3 ce
           candidates_[i].feature = &features_[i];
         }
     }
+  };
+  if (!tool.ball()) {
+    const Reach reach = head_within(tool, margin_mm + std::max(edge_mm, kPlaneReach * voxel_mm_));
+    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
+    bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
+      take(brick, at, [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
+        shape.at = local;
+        for_inside(x, y, z, count, shape, pass);
+      });
+    });
+    return;
+  }
+  const double reach = tool.burr->radius_mm + margin_mm;
+  const double edge_reach = reach + edge_mm;
+  ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
+    take(brick, at, [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool sharp, auto&& pass) {
+      const double wide = (sharp ? edge_reach : reach) * per_mm + kLoose;
+      for_near(x, y, z, count, local, static_cast<float>(wide * wide), pass);
+    });
   });
 }
 
-/// Calls visit(brick) for each brick, in index order, whose surface may be within reach of the neck or the shank.
+/// Of the neck and the shank. Up to `inner` along the axis the neck lies within a ball, which answers for it.
+SurfaceContact::Reach SurfaceContact::shank_within(const Tool& tool, double margin_mm) noexcept {
+  const Burr& b = *tool.burr;
+  const double inner = b.neck_radius_mm + margin_mm;
+  const double r2 = tool.ball() ? b.radius_mm * b.radius_mm - inner * inner : 0.0;
+  return {r2 > 0.0 ? std::sqrt(r2) : tool.neck_from(), b.neck_length_mm - margin_mm,
+          b.neck_length_mm + b.shank_length_mm + margin_mm, b.neck_radius_mm + margin_mm, b.shank_radius_mm + margin_mm};
+}
+
+/// Of a head that is no ball.
+SurfaceContact::Reach SurfaceContact::head_within(const Tool& tool, double margin_mm) noexcept {
+  const Profile& head = tool.burr->head;
+  const double wide = head.widest() + margin_mm;
+  return {head.low() - margin_mm, head.low() - margin_mm, head.high() + margin_mm, wide, wide};
+}
+
+/// Calls visit(brick) for each brick, in index order, whose surface may lie in two cylinders.
 template <class Visit>
-void SurfaceContact::shank_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double reach,
-                                  Visit&& visit) const noexcept {
+void SurfaceContact::bricks_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach,
+                                   Visit&& visit) const noexcept {
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
-  const Burr& burr = *tool.burr;
-  const Vec3 axis = tool.axis;
-  const double neck = burr.neck_length_mm, length = neck + burr.shank_length_mm;
-  const double from = ShankReach(burr, axis, centre, reach).from;
-  const double slim = burr.neck_radius_mm + reach, thick = std::max(burr.shank_radius_mm, burr.neck_radius_mm) + reach;
+  const double thick = std::max(reach.thick, reach.slim);
   const double slack = 0.2 * grid.voxel_mm;
   const auto box = [&](double low_t, double high_t, double radius, IVec3& low, IVec3& high) {
     const Vec3 a = centre + axis * low_t, b = centre + axis * high_t;
     low = glm::max(brick_floor(grid, glm::min(a, b) - (radius + slack)), bricks_low_);
     high = glm::min(brick_floor(grid, glm::max(a, b) + (radius + slack)), bricks_high_);
   };
-  // The neck's box and the shank's, as one walk in index order.
-  IVec3 neck_low, neck_high, shank_low, shank_high;
-  box(from, neck, slim, neck_low, neck_high);
-  box(neck - reach, length + reach, thick, shank_low, shank_high);
-  const bool shank = shank_low.x <= shank_high.x && shank_low.y <= shank_high.y && shank_low.z <= shank_high.z;
-  const IVec3 low = shank ? glm::min(neck_low, shank_low) : neck_low;
-  const IVec3 high = shank ? glm::max(neck_high, shank_high) : neck_high;
+  // The slim one's box and the thick one's, as one walk in index order.
+  IVec3 slim_low, slim_high, thick_low, thick_high;
+  box(reach.from, std::max(reach.from, reach.wide_from), reach.slim, slim_low, slim_high);
+  box(reach.wide_from, reach.to, thick, thick_low, thick_high);
+  const bool both = thick_low.x <= thick_high.x && thick_low.y <= thick_high.y && thick_low.z <= thick_high.z;
+  const IVec3 low = both ? glm::min(slim_low, thick_low) : slim_low;
+  const IVec3 high = both ? glm::max(slim_high, thick_high) : slim_high;
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y) {
       const int row = specimen.brick_index({0, y, z});
@@ -280,8 +303,8 @@ void SurfaceContact::shank_bricks(const Volume& volume, const Tool& tool, Vec3 c
         const Vec3 middle = 0.5 * (a + b) - centre, half = 0.5 * (b - a);
         const double t = glm::dot(middle, axis);
         const double along = half.x * std::fabs(axis.x) + half.y * std::fabs(axis.y) + half.z * std::fabs(axis.z);
-        if (t + along < from || t - along > length + reach) continue;
-        const double wide = t + along > neck - reach ? thick : slim;
+        if (t + along < reach.from || t - along > reach.to) continue;
+        const double wide = t + along > reach.wide_from ? thick : reach.slim;
         const double diagonal2 = glm::dot(half, half);
         const double off2 = glm::dot(middle, middle) - t * t;
         // off > wide + diagonal, squared twice so that no root is taken: (a + b)^2 <= 2 a^2 + 2 b^2.
@@ -291,19 +314,21 @@ void SurfaceContact::shank_bricks(const Volume& volume, const Tool& tool, Vec3 c
     }
 }
 
-void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept {
-  const Burr& burr = *tool.burr;
+/// Calls visit(brick) for each brick, in index order, with points that may lie within margin of the head.
+template <class Visit>
+void SurfaceContact::head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm,
+                                 Visit&& visit) const noexcept {
+  if (tool.ball())
+    ball_bricks(volume, centre, tool.burr->radius_mm + margin_mm, [&](int brick, IVec3 at, double) { visit(brick, at); });
+  else
+    bricks_within(volume, tool.axis, centre, head_within(tool, margin_mm), visit);
+}
+
+void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm) noexcept {
   const double per_mm = 1.0 / voxel_mm_;
-  TwoCylinders shape;
-  shape.axis = Vec3f(tool.axis);
-  const double slim = (burr.neck_radius_mm + reach) * per_mm + kLoose;
-  const double thick = (burr.shank_radius_mm + reach) * per_mm + kLoose;
-  shape.narrow2 = static_cast<float>(slim * slim);
-  shape.wide2 = static_cast<float>(thick * thick);
-  shape.from = static_cast<float>(ShankReach(burr, tool.axis, centre, reach).from * per_mm - kLoose);
-  shape.wide_from = static_cast<float>((burr.neck_length_mm - reach) * per_mm - kLoose);
-  shape.to = static_cast<float>((burr.neck_length_mm + burr.shank_length_mm + reach) * per_mm + kLoose);
-  shank_bricks(volume, tool, centre, reach, [&](int brick, IVec3 at) {
+  const Reach reach = shank_within(tool, margin_mm);
+  TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
+  bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
     features(
         volume, brick, at,
         [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
@@ -327,13 +352,13 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   const auto reaches = [&](const Gathered& g) {
     const Vec3 off = centre - g.centre;
     const double left = g.margin_mm - step;
-    return g.valid && g.burr == tool.index && left >= 0.0 && glm::dot(off, off) <= left * left;
+    return g.valid && g.burr == tool.index && g.axis == tool.axis && left >= 0.0 && glm::dot(off, off) <= left * left;
   };
   const double margin = step < kSlowStep ? kSlowMargin : 2.0 * step;
   if (!reaches(gathered_)) {
     count_ = 0;
-    gathered_ = {centre, margin, tool.index, true};
-    gather_ball(volume, tool, centre, margin);
+    gathered_ = {centre, margin, tool.index, true, tool.axis};
+    gather_head(volume, tool, centre, margin);
     ball_count_ = count_;
     shank_.valid = false;
   }
@@ -344,7 +369,7 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   }
   // Where the neck all but touches, each further margin brings in a wall of candidates that no search comes near.
   const double shank_margin = shank_tight_ > 0 ? step : margin;
-  shank_ = {centre, shank_margin, tool.index, true};
+  shank_ = {centre, shank_margin, tool.index, true, tool.axis};
   gather_shank(volume, tool, centre, shank_margin);
   shank_count_ = count_ - ball_count_;
   shank_tight_ = shank_count_ > kManyShank ? kPause : shank_tight_ > 0 ? shank_tight_ - 1 : 0;
@@ -374,27 +399,84 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
     planes_.add(plane.n, plane.c);
     near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
   };
-  for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_),
-           Vec3f((at - gathered_.centre) / voxel_mm_), static_cast<float>(wide * wide), [&](int k) {
-             const auto i = static_cast<std::size_t>(k);
-             const Candidate& c = made(volume, i);
-             const Vec3 d = c.point - centre;
-             if (glm::dot(d, d) <= (c.kind == Kind::surface ? ball2 : edge2)) lay(i, c);
-           });
+  const Vec3f here((at - gathered_.centre) / voxel_mm_);
+  if (tool.ball()) {
+    for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_),
+             here, static_cast<float>(wide * wide), [&](int k) {
+               const auto i = static_cast<std::size_t>(k);
+               const Candidate& c = made(volume, i);
+               const Vec3 d = c.point - centre;
+               if (glm::dot(d, d) <= (c.kind == Kind::surface ? ball2 : edge2)) lay(i, c);
+             });
+  } else {
+    const Reach reach = head_within(tool, slack_mm + std::max(beside, edge_mm));
+    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
+    shape.at = here;
+    for_inside(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), shape, [&](int k) {
+      const auto i = static_cast<std::size_t>(k);
+      const Candidate& c = made(volume, i);
+      // A rim stands on the plane of a point that is beside it.
+      const double far = step + std::max(beside, edge_mm);
+      if (head_distance(*tool.burr, tool.axis, c.point - centre) <= far) lay(i, c);
+    });
+  }
   if (count_ > ball_count_) {
     // Of all at hand, what the step may touch (more may be at hand), and comes near there.
-    const ShankReach shank(*tool.burr, tool.axis, centre, step), there(*tool.burr, tool.axis, at, slack_mm);
+    const Reach shank = shank_within(tool, step), there = shank_within(tool, slack_mm);
+    const auto touches = [&](const Reach& reach, Vec3 from, Vec3 p) {
+      const Vec3 d = p - from;
+      const double t = glm::dot(d, tool.axis);
+      if (t < reach.from || t > reach.to) return false;
+      const double radius = t > reach.wide_from ? reach.thick : reach.slim;
+      return glm::dot(d, d) - t * t <= radius * radius;
+    };
     for (std::size_t i = ball_count_; i < count_; ++i)
-      if (there.touches(candidates_[i].point) && shank.touches(candidates_[i].point)) lay(i, candidates_[i]);
+      if (touches(there, at, candidates_[i].point) && touches(shank, centre, candidates_[i].point)) lay(i, candidates_[i]);
   }
   if (looked > most_candidates_) most_candidates_ = looked;
 }
 
 void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
   free_.valid = false;
-  // The plane of the nearest point, moved up to the highest point of every brick in reach of ball, neck and shank, and
+  // The plane of the nearest point, moved up to the highest point of every brick in reach of head, neck and shank, and
   // half a voxel more for what stands between points.
-  const double r = tool.burr->radius_mm;
+  Vec3 n = tool.axis;
+  if (tool.ball())
+    nearest_to_ball(volume, tool.burr->radius_mm, pose, n);
+  else
+    nearest_to_head(volume, tool, pose, n);
+  if (!raise_free(volume, tool, pose, n)) free_pause_ = kPause;
+}
+
+/// Normal of the surface's point that is nearest to a head that is no ball; false, and n as it was, where none is near.
+bool SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
+  const double per_mm = 1.0 / voxel_mm_;
+  double nearest = 1e300;
+  for (const double margin : {kCloseMm, kFreeMargin}) {
+    const Reach reach = head_within(tool, margin);
+    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
+    bricks_within(volume, tool.axis, pose, reach, [&](int brick, IVec3 at) {
+      features(
+          volume, brick, at,
+          [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
+            shape.at = Vec3f((pose - corner_mm) * per_mm);
+            for_inside(x, y, z, count, shape, pass);
+          },
+          [&](Vec3 point, const CutFeature& f) {
+            Vec3 gradient;
+            const double gap = head_distance(*tool.burr, tool.axis, point - pose, gradient);
+            if (gap >= nearest) return;
+            nearest = gap;
+            n = f.edge ? -gradient : Vec3(f.normal);
+          });
+    });
+    if (nearest < 1e200) return true;
+  }
+  return false;
+}
+
+/// The same of a ball.
+bool SurfaceContact::nearest_to_ball(const Volume& volume, double r, Vec3 pose, Vec3& n) noexcept {
   double nearest2 = 1e300;
   Vec3 nearest(0.0);
   for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
@@ -435,13 +517,14 @@ void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose
     });
     if (nearest2 < 1e200) break;
   }
-  if (!raise_free(volume, tool, pose, nearest2 < 1e200 ? nearest : tool.axis)) free_pause_ = kPause;
+  if (nearest2 < 1e200) n = nearest;
+  return nearest2 < 1e200;
 }
 
 /// Free space beyond a plane with normal n, if there is enough.
 bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept {
   const Burr& burr = *tool.burr;
-  FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false};
+  FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false, tool.axis};
   double highest = -1e300;
   const Vec3f slim_n(n);
   const auto raise = [&](int brick, IVec3 at) {
@@ -464,8 +547,8 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
         },
         [](Vec3, const CutFeature&) {});
   };
-  ball_bricks(volume, pose, burr.radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) { raise(brick, at); });
-  shank_bricks(volume, tool, pose, kFreeMargin, raise);
+  head_bricks(volume, tool, pose, kFreeMargin, raise);
+  bricks_within(volume, tool.axis, pose, shank_within(tool, kFreeMargin), raise);
   if (found.bounded) {
     const double up = glm::dot(n, tool.axis);
     if (up < 0.0) return false;
@@ -474,7 +557,12 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
     const double across = across2 > 0.0 ? std::sqrt(across2) : 0.0;
     const double neck = -across * burr.neck_radius_mm - up * burr.neck_radius_mm;
     const double shank = up * burr.neck_length_mm - across * burr.shank_radius_mm;
-    const double lowest = std::min(-burr.radius_mm, std::min(neck, shank));
+    double head = -burr.radius_mm;
+    if (!tool.ball()) {
+      const OnHalf deepest = burr.head.support({-up, across}, {});
+      head = up * deepest.t - across * deepest.rho;
+    }
+    const double lowest = std::min(head, std::min(neck, shank));
     found.c = highest + 0.5 * voxel_mm_ + 0.01 - lowest;
     if (glm::dot(n, pose) - found.c < kLeastFree) return false;
   }
@@ -483,11 +571,11 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
 }
 
 void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept {
-  // The point under the ball in the direction of the push, which no cell's own point need be near.
+  // The point under the head in the direction of the push, which no cell's own point need be near.
   const Vec3 push = device - pose;
   const double length = std::sqrt(glm::dot(push, push));
   if (length < 1e-6) return;
-  const Vec3 x = pose + push * (tool.burr->radius_mm / length);
+  const Vec3 x = pose + (tool.ball() ? push * (tool.burr->radius_mm / length) : head_furthest(*tool.burr, tool.axis, push / length));
   for (const Field field : {Field::base, Field::cut}) {
     FieldPoint at = fields_.at(volume, field, x);
     if (!at.known || at.d_mm > voxel_mm_ || at.d_mm < -voxel_mm_) continue;
@@ -520,7 +608,8 @@ bool SurfaceContact::inside_tissue(const Volume& volume, Vec3 pose) const noexce
   return volume.s(cell_of_voxels((pose - volume.grid().origin_mm) / voxel_mm_ + 0.5)) >= kHalf;
 }
 
-bool SurfaceContact::clear_path(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 from, Vec3 to) const noexcept {
+bool SurfaceContact::clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept {
+  const Burr& burr = *tool.burr;
   // Every brick that the burr could sweep is all empty: then the proxy is the device point.
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
@@ -537,9 +626,9 @@ bool SurfaceContact::clear_path(const Volume& volume, const Burr& burr, Vec3 axi
         }
     return true;
   };
-  const double wide = burr.radius_mm + 2.0 * grid.voxel_mm;
+  const double wide = head_reach(burr) + 2.0 * grid.voxel_mm;
   if (!empty(low_mm - wide, high_mm + wide)) return false;
-  const Vec3 reach = axis * (burr.neck_length_mm + burr.shank_length_mm);
+  const Vec3 reach = tool.axis * (burr.neck_length_mm + burr.shank_length_mm);
   const double thick = std::max(burr.neck_radius_mm, burr.shank_radius_mm) + 2.0 * grid.voxel_mm;
   return empty(glm::min(low_mm, low_mm + reach) - thick, glm::max(high_mm, high_mm + reach) + thick);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engine/tool/swept.h"
+
 namespace cusp {
 
 namespace {
@@ -27,27 +29,118 @@ struct Directions {
 };
 const Directions kDirections;
 
+/// Sixteen directions across an axis, evenly about it: cosine and sine of 22.5 degrees and its multiples, by halving.
+struct Round {
+  std::array<OnHalf, 16> unit;  // t: cosine, rho: sine
+  Round() noexcept {
+    const double c45 = std::sqrt(0.5), c22 = std::sqrt(0.5 + 0.5 * c45), s22 = std::sqrt(0.5 - 0.5 * c45);
+    const OnHalf first[4] = {{1.0, 0.0}, {c22, s22}, {c45, c45}, {s22, c22}};
+    for (std::size_t quarter = 0; quarter < 4; ++quarter)
+      for (std::size_t i = 0; i < 4; ++i) {
+        OnHalf v = first[i];
+        for (std::size_t turn = 0; turn < quarter; ++turn) v = {-v.rho, v.t};
+        unit[4 * quarter + i] = v;
+      }
+  }
+};
+const Round kRound;
+
+/// What a point of the front meets.
+struct Met {
+  double weight = 0.0, time = 0.0;
+  bool stops = false;  // tissue that cannot be cut
+  void look(const Volume& volume, const Scene& scene, Vec3 at_mm, double w) noexcept {
+    const Grid& grid = volume.grid();
+    const Vec3 x = (at_mm - grid.origin_mm) / grid.voxel_mm + 0.5;
+    const IVec3 v(static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
+                  static_cast<int>(std::floor(x.z)));
+    // The front itself stands at s = 1/2: a quarter voxel of band either way counts as met.
+    if (volume.s(v) < 26000) return;
+    const double speed = scene.tissues[index_of(volume.tissue(v))].speed_mm_s;
+    if (!(speed > 0.0)) {
+      stops = true;
+      return;
+    }
+    weight += w;
+    time += w / speed;
+  }
+};
+
 }  // namespace
 
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, double radius_mm, Vec3 direction,
                    double fallback_mm_s) noexcept {
-  const Grid& grid = volume.grid();
-  double weight = 0.0;
-  double time = 0.0;
+  Met met;
   for (const Vec3& u : kDirections.unit) {
     const double w = glm::dot(u, direction);
     if (w <= 0.0) continue;
-    const Vec3 x = (pose_mm + u * radius_mm - grid.origin_mm) / grid.voxel_mm + 0.5;
-    const IVec3 v(static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
-                  static_cast<int>(std::floor(x.z)));
-    // The front itself stands at s = 1/2: a quarter voxel of band either way counts as met.
-    if (volume.s(v) < 26000) continue;
-    const double speed = scene.tissues[index_of(volume.tissue(v))].speed_mm_s;
-    if (!(speed > 0.0)) return 0.0;
-    weight += w;
-    time += w / speed;
+    met.look(volume, scene, pose_mm + u * radius_mm, w);
+    if (met.stops) return 0.0;
   }
-  return weight > 0.0 ? weight / time : fallback_mm_s;
+  return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;
+}
+
+std::vector<FrontRing> front_rings(const Profile& head) {
+  constexpr int kMostRings = 24;
+  std::vector<FrontRing> out;
+  double whole = 0.0;
+  for (int i = 0; i < head.size(); ++i) {
+    const OutlinePiece& p = head.piece(i);
+    const double dt = p.to.t - p.from.t, dr = p.to.rho - p.from.rho;
+    whole += std::sqrt(dt * dt + dr * dr);
+  }
+  for (int i = 0; i < head.size(); ++i) {
+    const OutlinePiece& p = head.piece(i);
+    const double dt = p.to.t - p.from.t, dr = p.to.rho - p.from.rho;
+    const double chord = std::sqrt(dt * dt + dr * dr);
+    const int parts = std::clamp(static_cast<int>(chord / whole * (kMostRings - head.size())), 1, kMostRings);
+    OnHalf last = p.from;
+    for (int k = 1; k <= parts; ++k) {
+      const auto at_part = [&](double part) {
+        OnHalf at{p.from.t + dt * part, p.from.rho + dr * part};
+        if (p.radius > 0.0) {
+          const double t = at.t - p.centre.t, rho = at.rho - p.centre.rho;
+          const double away = std::sqrt(t * t + rho * rho);
+          at = {p.centre.t + t * (p.radius / away), p.centre.rho + rho * (p.radius / away)};
+        }
+        return at;
+      };
+      const OnHalf next = at_part(static_cast<double>(k) / parts);
+      const double t = next.t - last.t, rho = next.rho - last.rho;
+      const double length = std::sqrt(t * t + rho * rho);
+      FrontRing ring;
+      ring.at = at_part((static_cast<double>(k) - 0.5) / parts);
+      ring.normal = {-rho / length, t / length};
+      ring.area = length * (next.rho + last.rho);
+      out.push_back(ring);
+      last = next;
+    }
+  }
+  return out;
+}
+
+double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
+                   Vec3 direction, double fallback_mm_s) noexcept {
+  const Vec3 one = across(axis), other = glm::cross(axis, one);
+  Met met;
+  for (const FrontRing& ring : head)
+    for (const OnHalf& turn : kRound.unit) {
+      const Vec3 out = one * turn.t + other * turn.rho;
+      const double w = ring.area * glm::dot(axis * ring.normal.t + out * ring.normal.rho, direction);
+      if (w <= 0.0) continue;
+      met.look(volume, scene, pose_mm + axis * ring.at.t + out * ring.at.rho, w);
+      if (met.stops) return 0.0;
+    }
+  return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;
+}
+
+double slide_depth(const Burr& burr, Vec3 axis, Vec3 direction, Vec3 slide_mm, double advance_mm) noexcept {
+  const double slide = std::sqrt(glm::dot(slide_mm, slide_mm));
+  const double ratio = advance_mm / slide;
+  if (burr.head.ball()) return 0.5 * burr.radius_mm * ratio * ratio;
+  if (ratio >= 1.0) return burr.radius_mm;
+  const Vec3 turned = direction * std::sqrt(1.0 - ratio * ratio) + slide_mm * (ratio / slide);
+  return glm::dot(direction, head_furthest(burr, axis, direction) - head_furthest(burr, axis, turned));
 }
 
 }  // namespace cusp

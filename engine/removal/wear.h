@@ -1,6 +1,9 @@
 /// How much goes in a tick: eq. (4) of the paper, per time (design, "Removal"). Pure functions, exact arithmetic.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "engine/step/scene.h"
 #include "engine/volume/volume.h"
 
@@ -22,5 +25,23 @@ inline double density_for(double velocity_mm_s, double voxel_mm) noexcept { retu
 /// fallback: the speed when the front meets nothing yet.
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, double radius_mm, Vec3 direction,
                    double fallback_mm_s) noexcept;
+
+/// A ring about the axis of a head that is no ball, and what it has of the head's area. For front_speed.
+struct FrontRing {
+  OnHalf at, normal;
+  double area = 0.0;
+};
+
+/// Rings over the whole head, at most 24. Empty for a ball. Not for the haptic thread.
+std::vector<FrontRing> front_rings(const Profile& head);
+
+/// As above, of a head told by its rings, at a pose and an axis.
+double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
+                   Vec3 direction, double fallback_mm_s) noexcept;
+
+/// Sliding: how deep (mm) a burr that goes `slide` sideways while it wears `advance` into `direction` may stand, if nothing
+/// recedes faster than it wears: the height over its lowest place of where its surface has turned so far that sliding asks
+/// just that of it, sine = advance / slide (of a ball to the second order). Pre: both > 0.
+double slide_depth(const Burr& burr, Vec3 axis, Vec3 direction, Vec3 slide_mm, double advance_mm) noexcept;
 
 }  // namespace cusp

@@ -19,11 +19,12 @@ class SurfaceMethod final : public ContactMethod {
     return state.surface->fits(state.volume, state.scene->burrs[state.last.burr], axis, pose_mm);
   }
   bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
-    const double radius = state.scene->burrs[burr].radius_mm;
+    const Burr& head = state.scene->burrs[burr];
+    const Vec3 axis = state.scene->tool_axis;
     const bool room = end_stroke(state);
-    const Carved carved = carve_sweep(state.volume, from_mm, to_mm, radius);
+    const Carved carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);
     for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
-    state.memory.add(from_mm, to_mm, radius);
+    state.memory.add(from_mm, to_mm, sweeper_of(head, burr, axis));
     state.memory.lift();
     return room && !carved.overflow;
   }

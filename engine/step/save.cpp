@@ -9,6 +9,8 @@ namespace cusp {
 namespace {
 
 constexpr std::uint32_t kMark = 0x53505543;  // "CUPS"
+/// Two places, a radius, a number and an axis.
+constexpr std::size_t kSegmentBytes = 3 * 24 + 8 + 4;
 
 class Writer {
  public:
@@ -64,6 +66,7 @@ class Reader {
 void write_output(Writer& w, const StepOutput& o) {
   w.v(o.device_mm);
   w.v(o.proxy_mm);
+  w.v(o.axis);
   w.v(o.force_raw_n);
   w.v(o.force_n);
   w.d(o.stiffness_n_per_mm);
@@ -82,6 +85,7 @@ void write_output(Writer& w, const StepOutput& o) {
 void read_output(Reader& r, StepOutput& o) {
   o.device_mm = r.v();
   o.proxy_mm = r.v();
+  o.axis = r.v();
   o.force_raw_n = r.v();
   o.force_n = r.v();
   o.stiffness_n_per_mm = r.d();
@@ -174,6 +178,7 @@ std::vector<std::byte> StepState::save() const {
   w.u(s.cut_valid ? 1 : 0, 1);
   w.u(s.cut_pending ? 1 : 0, 1);
   w.v(s.cut_from);
+  w.v(s.cut_axis);
   for (const double owed : s.owed) w.d(owed);
   w.v(s.foot);
   w.u(s.memory.open() ? 1 : 0, 1);
@@ -181,7 +186,9 @@ std::vector<std::byte> StepState::save() const {
   for (std::size_t i = 0; i < s.memory.size(); ++i) {
     w.v(s.memory.segment(i).a);
     w.v(s.memory.segment(i).b);
-    w.d(s.memory.segment(i).radius_mm);
+    w.d(s.memory.segment(i).by.radius_mm);
+    w.u(static_cast<std::uint64_t>(s.memory.segment(i).by.head + 1), 4);
+    w.v(s.memory.segment(i).by.axis);
   }
   w.u(s.leaving.half(), 2);
   w.u(s.leaving.entries().size(), 2);
@@ -214,18 +221,22 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   s.cut_valid = r.u(1) != 0;
   s.cut_pending = r.u(1) != 0;
   s.cut_from = r.v();
+  s.cut_axis = r.v();
   for (double& owed : s.owed) owed = r.d();
   s.foot = r.v();
   const bool open = r.u(1) != 0;
   const std::size_t count = r.u(4);
-  if (!r.good() || count > r.left() / 56 || s.last.burr >= burrs || index_of(s.last.tissue) >= kTissueCodes ||
+  if (!r.good() || count > r.left() / kSegmentBytes || s.last.burr >= burrs || index_of(s.last.tissue) >= kTissueCodes ||
       s.guard.fault > Fault::stale)
     return std::nullopt;
   std::vector<CutMemory::Segment> segments(count);
   for (CutMemory::Segment& segment : segments) {
     segment.a = r.v();
     segment.b = r.v();
-    segment.radius_mm = r.d();
+    segment.by.radius_mm = r.d();
+    segment.by.head = static_cast<std::int32_t>(r.u(4)) - 1;
+    segment.by.axis = r.v();
+    if (segment.by.head >= static_cast<std::int32_t>(burrs)) return std::nullopt;
   }
   s.memory.load(segments, open);
   const auto half = static_cast<std::uint16_t>(r.u(2));

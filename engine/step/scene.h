@@ -101,7 +101,8 @@ struct Scene {
   Method method = Method::surface;
   std::array<TissueFeel, kTissueCodes> tissues{};
   std::vector<Burr> burrs;                   // at least one; StepInput::burr chooses
-  Vec3 tool_axis{0.0, 0.0, 1.0};             // unit, from the ball towards the shank; for devices without rotation
+  Vec3 tool_axis{0.0, 0.0, 1.0};             // unit, from the head towards the shank, for an orientation of none
+  double tilt_cosine = 1.0;                  // surface: how far the input's orientation may tilt it; 1: it stays
   double full_force_n = 1.5;                 // F_full of eq. (4): d_max = F_full / K [M unless the scene says]
   bool friction = false;
   double friction_coefficient = 0.15;        // Coulomb cone (surface), scaled eq. (3) (occupancy) [M]

@@ -6,6 +6,7 @@
 
 #include "engine/contact/cut_memory.h"
 #include "engine/contact/surface_contact.h"
+#include "engine/removal/wear.h"
 #include "engine/step/guard.h"
 #include "engine/step/methods.h"
 #include "engine/step/step.h"
@@ -28,14 +29,16 @@ struct StepState::Inner {
   Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
   bool started = false;
   bool cut_valid = false;
-  bool cut_pending = false;        // the ball has been swept from cut_from to cut_pose and is not carved yet
+  bool cut_pending = false;        // the head has been swept from cut_from to cut_pose and is not carved yet
   Vec3 cut_from{0.0};
+  Vec3 cut_axis{0.0, 0.0, 1.0};    // of the burr on that way
   std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (filled)
   Vec3 foot{0.0};                  // gradient: from the pivot to the point of the burr that was followed last; zero: none
   CutMemory memory;
   LeavingPiece leaving;            // a severed piece on its way out
 
-  // Derived from the volume.
+  // Derived from the scene and the volume.
+  std::vector<std::vector<FrontRing>> fronts;  // by burr; empty for a ball
   std::unique_ptr<SurfaceContact> surface;  // of the surface method alone
   std::unique_ptr<ContactMethod> method;
   std::unique_ptr<PhenomenaState> phenomena;  // null: the scene asks for none

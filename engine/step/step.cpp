@@ -5,6 +5,7 @@
 
 #include "engine/step/state.h"
 #include "engine/step/step_fragments.h"
+#include "engine/tool/swept.h"
 #include "engine/volume/hash.h"
 
 namespace cusp {
@@ -45,6 +46,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
 
 StepState::Inner::Inner(std::shared_ptr<const Scene> s) : scene(std::move(s)), volume(scene->specimen) {
   if (scene->method == Method::surface) surface = std::make_unique<SurfaceContact>(*scene, volume, &memory);
+  for (const Burr& burr : scene->burrs) fronts.push_back(front_rings(burr.head));
   method = make_method(*this);
   if (scene->phenomena.any()) phenomena = std::make_unique<PhenomenaState>(*scene);
 }
@@ -63,7 +65,7 @@ std::uint64_t StepState::hash() const noexcept {
   Hash64 h;
   h.add(static_cast<std::uint64_t>(kEngineVersion));
   h.add(s.volume.hash());
-  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.cut_from, s.velocity, s.last.force_n, s.last.force_raw_n})
+  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.cut_from, s.cut_axis, s.velocity, s.last.force_n, s.last.force_raw_n})
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
   h.add(s.last.tick);
   h.add(s.last.elapsed_us);
@@ -99,7 +101,7 @@ std::uint64_t StepState::hash() const noexcept {
       h.add_double(end.a[i]);
       h.add_double(end.b[i]);
     }
-    h.add_double(end.radius_mm);
+    h.add_double(end.by.radius_mm);
   }
   return h.value();
 }
@@ -113,12 +115,13 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   const Vec3 low = grid.origin_mm - grid.voxel_mm;
   const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
   if (state.method->fits(state, axis, device)) return device;
-  // Along the tool's axis until the ball has left the box.
+  const double reach = head_reach(burr);
+  // Along the tool's axis until the head has left the box.
   double leave = 0.0;
   for (int pass = 0; pass < 512; ++pass) {
     const Vec3 p = device + axis * leave;
     bool inside = true;
-    for (int i = 0; i < 3; ++i) inside = inside && p[i] > low[i] - burr.radius_mm && p[i] < high[i] + burr.radius_mm;
+    for (int i = 0; i < 3; ++i) inside = inside && p[i] > low[i] - reach && p[i] < high[i] + reach;
     if (!inside) return p;
     leave += 0.25;
   }
@@ -136,6 +139,24 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   out.faulted = state.guard.fault != Fault::none;
 }
 
+/// The burr's axis of this input: the scene's, turned by the orientation, no further than the scene lets it.
+Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
+  const Vec3 rest = scene.tool_axis;
+  if (!(scene.tilt_cosine < 1.0) || scene.method != Method::surface) return rest;
+  const Vec3 u(input.qx, input.qy, input.qz);
+  const double w = input.qw;
+  const double square = glm::dot(u, u) + w * w;
+  if (!(square > 0.0)) return rest;
+  Vec3 axis = rest + (2.0 / square) * (w * glm::cross(u, rest) + glm::cross(u, glm::cross(u, rest)));
+  axis = axis / std::sqrt(glm::dot(axis, axis));
+  const double cosine = glm::dot(axis, rest);
+  if (cosine >= scene.tilt_cosine) return axis;
+  const Vec3 side = axis - rest * cosine;
+  const double length = std::sqrt(glm::dot(side, side));
+  if (!(length > 1e-9)) return rest;
+  return rest * scene.tilt_cosine + side * (std::sqrt(1.0 - scene.tilt_cosine * scene.tilt_cosine) / length);
+}
+
 }  // namespace
 
 bool cut_along(StepState& outer, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept {
@@ -151,6 +172,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   out.burr = input.burr < scene.burrs.size() ? input.burr : static_cast<std::uint16_t>(scene.burrs.size() - 1);
   const Vec3 device = input.position_mm();
   out.device_mm = device;
+  out.axis = axis_of(scene, input);
 
   const bool first = !state.started;
   const Vec3 moved = device - state.device;
@@ -188,9 +210,9 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.started = true;
     state.device = device;
     state.last.burr = out.burr;
-    state.proxy = first_pose(state, device, scene.tool_axis);
+    state.proxy = first_pose(state, device, out.axis);
   }
-  Tick asked{device, scene.tool_axis, input.cutting(), dt_ms * 1e-3};
+  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3};
   // Where the device went while the guard was latched is no speed.
   const bool anew = first || (input.buttons & StepInput::kRearm) != 0;
   if (!state.phenomena) {

@@ -29,6 +29,7 @@ enum class PhenomenonSign : std::uint8_t {
 struct StepOutput {
   Vec3 device_mm{0.0};           // the input's point
   Vec3 proxy_mm{0.0};            // pivot of the burr that does not penetrate
+  Vec3 axis{0.0, 0.0, 1.0};      // of the burr, from the head towards the shank
   Vec3 force_raw_n{0.0};         // eq. (1) before the guard: what metrics use
   Vec3 force_n{0.0};             // after the guard: what the hand gets
   double stiffness_n_per_mm = 0; // blended over what is touched; 0 without contact

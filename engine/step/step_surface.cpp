@@ -15,7 +15,8 @@ namespace {
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 constexpr double kTieMm = 0.005;        // the cut pose stays this close to the proxy
-constexpr double kLongestCarveMm = 0.2; // a longer sweep is only the advance: the burr flew, it did not cut there
+/// A sweep that was faster, or is longer, is only the advance: the burr flew, it did not cut there.
+constexpr double kFastestMmS = 300.0, kLongestCarveMm = 1.0;
 /// A stroke is carved in pieces, not each micrometre anew: meanwhile its memory keeps its poses admissible. A piece ends
 /// where the stroke turns, or after half a voxel, at most kLongestPieceMm; where it is not straight to 0.1 um all the same
 /// (the cut pose is drawn to the proxy), after kLeastPieceMm.
@@ -43,10 +44,10 @@ double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcep
   return weight > 0.0 ? sum / weight : 0.0;
 }
 
-/// Carves the ball swept from cut_from to cut_pose. False when the volume had no room.
-bool carve_pending(StepState::Inner& state, double radius_mm, bool* any) noexcept {
+/// Carves the head swept from cut_from to cut_pose. False when the volume had no room.
+bool carve_pending(StepState::Inner& state, const Burr& burr, bool* any) noexcept {
   state.cut_pending = false;
-  const Carved carved = carve_sweep(state.volume, state.cut_from, state.cut_pose, radius_mm);
+  const Carved carved = carve_sweep(state.volume, state.cut_from, state.cut_pose, burr, state.cut_axis);
   for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
   state.cut_from = state.cut_pose;
   if (any) *any = carved.any;
@@ -57,7 +58,7 @@ bool carve_pending(StepState::Inner& state, double radius_mm, bool* any) noexcep
 
 bool end_stroke(StepState::Inner& state) noexcept {
   bool room = true;
-  if (state.cut_pending) room = carve_pending(state, state.scene->burrs[state.last.burr].radius_mm, nullptr);
+  if (state.cut_pending) room = carve_pending(state, state.scene->burrs[state.last.burr], nullptr);
   state.cut_valid = false;
   state.memory.lift();
   return room;
@@ -110,19 +111,21 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     double gap = length_of(to_device);
     Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double own = scene.tissues[index_of(touched)].speed_mm_s;
-    double advance = alpha * front_speed(state.volume, scene, pose, burr.radius_mm, direction, own) * dt_s * removal_factor;
+    const double speed = burr.head.ball()
+                             ? front_speed(state.volume, scene, pose, burr.radius_mm, direction, own)
+                             : front_speed(state.volume, scene, pose, state.fronts[out.burr], axis, direction, own);
+    double advance = alpha * speed * dt_s * removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
 
     // Sliding: a burr that moves this far in a tick may stand only so deep, if nothing recedes faster than it wears.
     const double slide = length_of(slid);
     if (slide > 1e-6 && advance > 0.0) {
-      const double ratio = advance / slide;
-      const double tau = 0.5 * burr.radius_mm * ratio * ratio;
+      const double tau = slide_depth(burr, axis, direction, slid, advance);
       if (tau < kShallowTauMm) {
-        if (state.cut_pending) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
+        if (state.cut_pending) out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
         Vec3 out_pose;
         const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
-        if (surface.push_out(state.volume, pose, burr.radius_mm - shallow, out_pose)) {
+        if (surface.push_out(state.volume, burr, axis, pose, shallow, out_pose)) {
           pose = out_pose;
         } else {
           pose = state.proxy;
@@ -136,15 +139,18 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     if (advance > gap) advance = gap;
     const Vec3 next = pose + direction * advance;
     if (advance > 0.0) {
-      const bool whole = state.cut_valid && length_of(next - old_pose) <= kLongestCarveMm;
+      const bool whole = state.cut_valid && length_of(next - old_pose) <= std::min(kLongestCarveMm, kFastestMmS * dt_s);
       const Vec3 from = whole ? old_pose : pose;
       if (!whole) {
-        if (state.cut_pending) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
+        if (state.cut_pending) out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
         state.memory.lift();
       }
-      const bool straight_on = state.memory.add(from, next, burr.radius_mm);
+      if (state.cut_pending && !(state.cut_axis == axis))
+        out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
+      state.cut_axis = axis;
+      const bool straight_on = state.memory.add(from, next, sweeper_of(burr, out.burr, axis));
       if (state.cut_pending && !straight_on)
-        out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
+        out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
       if (!state.cut_pending) state.cut_from = from;
       state.cut_pose = next;
       state.cut_pending = true;
@@ -154,9 +160,9 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
                                ? std::min(kLongestPieceMm, 0.5 * state.volume.grid().voxel_mm)
                                : kLeastPieceMm;
       if (length_of(next - state.cut_from) >= piece)
-        out.overflow = !carve_pending(state, burr.radius_mm, &out.cutting) || out.overflow;
+        out.overflow = !carve_pending(state, burr, &out.cutting) || out.overflow;
     } else {
-      if (state.cut_pending) out.overflow = !carve_pending(state, burr.radius_mm, nullptr) || out.overflow;
+      if (state.cut_pending) out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
       state.cut_pose = next;
     }
     state.cut_valid = true;

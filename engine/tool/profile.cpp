@@ -7,6 +7,7 @@ namespace cusp {
 namespace {
 
 constexpr double kSameMm = 1e-7;    // ends that should meet, an arc's end on its circle: what a data file rounds to
+constexpr double kSharp = 1e-3;     // sine of an angle that counts as an edge
 constexpr double kStraight = 1e-9;  // sine of an angle that counts as none
 
 OnHalf operator-(OnHalf a, OnHalf b) noexcept { return {a.t - b.t, a.rho - b.rho}; }
@@ -137,6 +138,21 @@ double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
   const double away = std::sqrt(square);
   if (away > 0.0) gradient = {nearest.t / away, nearest.rho / away};
   return away;
+}
+
+bool Profile::rim(OnHalf at, double far, OnHalf& out) const noexcept {
+  double least = far * far;
+  bool any = false;
+  for (int i = 0; i + 1 < count_; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    if (cross(sides_[n].last, sides_[n + 1].first) > -kSharp) continue;
+    const OnHalf d = at - piece(i).to;
+    if (dot(d, d) > least) continue;
+    least = dot(d, d);
+    out = piece(i).to;
+    any = true;
+  }
+  return any;
 }
 
 OnHalf Profile::support(OnHalf direction, OnHalf near) const noexcept {

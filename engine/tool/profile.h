@@ -48,6 +48,9 @@ class Profile {
   /// point lies in the same half plane. Ties (on the axis, on a ridge inside) go to the lowest piece. Pre: closed().
   double distance(OnHalf at, OnHalf& gradient) const noexcept;
 
+  /// The nearest sharp end of a piece within `far` of a place of the outline; false where there is none.
+  bool rim(OnHalf at, double far, OnHalf& out) const noexcept;
+
   /// The point of the solid furthest along `direction` (unit; rho component >= 0); of a flat or a straight flank that all
   /// lies furthest, the one nearest to `near`. Pre: closed().
   OnHalf support(OnHalf direction, OnHalf near) const noexcept;

@@ -83,6 +83,13 @@ Vec3 across(Vec3 axis) noexcept {
   return out / std::sqrt(glm::dot(out, out));
 }
 
+Vec3 head_furthest(const Burr& burr, Vec3 axis, Vec3 direction) noexcept {
+  if (burr.head.ball()) return direction * burr.radius_mm;
+  const Cylindrical way = by_axis(axis, direction);
+  const OnHalf at = burr.head.support(way.at, {});
+  return in_space(axis, way, at);
+}
+
 double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot) noexcept {
   if (burr.head.ball()) return std::sqrt(glm::dot(from_pivot, from_pivot)) - burr.radius_mm;
   OnHalf gradient;

@@ -14,6 +14,9 @@ inline double head_reach(const Burr& burr) noexcept { return burr.head.ball() ? 
 double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot) noexcept;
 double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept;
 
+/// From the pivot, the head's place furthest along a unit direction (of many, the one that Profile::support names).
+Vec3 head_furthest(const Burr& burr, Vec3 axis, Vec3 direction) noexcept;
+
 /// Where the head, on its way, is nearest to a place.
 struct Passing {
   double distance_mm = 0.0;

@@ -30,7 +30,7 @@ class Scratched : public testing::Test {
     state = std::make_unique<StepState>(scene);
     for (const Stroke& s : {kOne, kOther}) {
       cut_along(*state, 0, s.a, s.b);
-      memory.add(s.a, s.b, kRadius);
+      memory.add(s.a, s.b, {kRadius});
       memory.lift();
     }
   }
@@ -98,7 +98,7 @@ TEST_F(Scratched, a_point_knows_the_surfaces_that_end_its_plane) {
 TEST_F(Scratched, what_another_ball_has_cut_is_not_explained) {
   CutMemory wider;
   for (const Stroke& s : {kOne, kOther}) {
-    wider.add(s.a, s.b, kRadius + 0.01);
+    wider.add(s.a, s.b, {kRadius + 0.01});
     wider.lift();
   }
   std::swap(memory, wider);

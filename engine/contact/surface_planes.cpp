@@ -1,0 +1,357 @@
+// Planes from candidates: what keeps a burr off a point of a surface, an edge, a neck's or a shank's touch; and where a burr
+// that rolls over edges will come to rest.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/surface_contact.h"
+#include "engine/tool/swept.h"
+
+namespace cusp {
+
+namespace {
+
+double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+constexpr double kLongestLeap = 10.0;       // of the last pass's move
+constexpr double kFacing = 0.9;               // cos 26 deg: a head's side that turns further from a surface does not lie on it
+constexpr int kEdgePasses = 14;               // halvings of an edge's piece of 1.4 voxels: to some 5 nm
+constexpr double kFarthestLeapMm = 0.3, kCloseLeapMm = 0.02;
+
+}  // namespace
+
+/// The nearest place of an edge's piece. `off`: from the edge's middle to a place; then from that nearest place to it.
+/// along, curved: the curve's derivative there, and half the second derivative of the squared distance along it. False at
+/// the piece's end, and where all of it is further than far_mm (then nothing else is told).
+bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, double far_mm, Vec3& off, Vec3& along,
+                                double& curved) noexcept {
+  const Vec3 d = off;
+  const CutFeature& f = *edge.feature;
+  const Vec3 tangent = edge.normal, bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
+  const double from = f.other_d_mm, to = f.third_d_mm;
+  double t = glm::dot(d, tangent);
+  t = t < from ? from : t > to ? to : t;
+  // A piece leaves its tangent by a quarter of a voxel at most.
+  const Vec3 straight = d - t * tangent;
+  const double reach = far_mm + 0.25 * voxel_mm;
+  curved = 1e300;
+  off = straight;
+  if (glm::dot(straight, straight) > reach * reach) return false;
+  const auto look = [&](double at) {
+    const Vec3 turn = twist + at * fourth;
+    off = d - at * (tangent + at * (bend + at * turn));
+    along = tangent + at * (2.0 * bend + at * (3.0 * turn + at * fourth));
+    curved = glm::dot(along, along) - glm::dot(2.0 * bend + at * (6.0 * turn + (6.0 * at) * fourth), off);
+  };
+  // Newton from the tangent's nearest place.
+  const double close = 1e-4 * voxel_mm;  // leaves the distance off by 1e-8, the normal by 2e-6 degrees
+  for (int pass = 0; pass < 4; ++pass) {
+    look(t);
+    if (!(curved > 0.2)) break;
+    const double step = glm::dot(off, along) / curved;
+    const double next = t + step < from ? from : t + step > to ? to : t + step;
+    if (std::fabs(next - t) < close) return t > from && t < to;
+    t = next;
+  }
+  if (curved > 0.2) {
+    look(t);
+    return t > from && t < to;
+  }
+  // The edge bends about the place about as the ball does: the nearest of three, then between its neighbours.
+  constexpr int kPlaces = 2;
+  double nearest2 = 1e300;
+  int best = 0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    look(from + (to - from) * k / kPlaces);
+    const double square = glm::dot(off, off);
+    if (square < nearest2) {
+      nearest2 = square;
+      best = k;
+    }
+  }
+  if (nearest2 > (far_mm + 0.01 * voxel_mm) * (far_mm + 0.01 * voxel_mm)) return false;
+  double low = from + (to - from) * (best > 0 ? best - 1 : 0) / kPlaces;
+  double high = from + (to - from) * (best < kPlaces ? best + 1 : kPlaces) / kPlaces;
+  t = from + (to - from) * best / kPlaces;
+  for (int pass = 0; pass < 5; ++pass) {
+    look(t);
+    const double down = glm::dot(off, along);
+    (down > 0.0 ? low : high) = t;
+    const double next = curved > 1e-3 ? t + down / curved : low;
+    const double kept = next > low && next < high ? next : 0.5 * (low + high);
+    const bool there = std::fabs(kept - t) < close;
+    t = kept;
+    if (there) break;
+  }
+  look(t);
+  return t > from && t < to;
+}
+
+/// The plane of a point of a surface, seen from y; false where it is further than slack_mm off.
+inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
+                                             bool& trusted) const noexcept {
+  const double beside = kPlaneReach * voxel_mm_;
+  const double far = r + slack_mm;
+  const Vec3 d = y - c.point;
+  const double square = glm::dot(d, d);
+  if (square > far * far + beside * beside) return false;
+  const double height = glm::dot(c.normal, y) - c.level;
+  if (height > 0.0 && square - height * height <= beside * beside) {
+    const auto past = [&](Vec3 other, double other_d) {
+      return other_d + glm::dot(other, d) - height * glm::dot(other, c.normal) > 0.0;
+    };
+    const bool beyond = c.others > 0 && (past(Vec3(c.feature->other_normal), c.feature->other_d_mm) ||
+                                         (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm)));
+    if (!beyond) {
+      if (height > far) return false;
+      plane.n = c.normal;
+      plane.c = c.level + r;
+      trusted = true;
+      return true;
+    }
+  }
+  trusted = false;
+  if (square > far * far || square < 1e-18) return false;
+  // What stands about a scratch: the point itself is gone.
+  if (c.others > 0 && c.feature->other_d_mm > 0.0f) return false;
+  const double distance = std::sqrt(square);
+  plane.n = d / distance;
+  plane.c = glm::dot(plane.n, y) - (distance - r);
+  return true;
+}
+
+/// The neck's and the shank's: capsules along the axis; the nearer of the two holds the point off.
+bool SurfaceContact::plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane) const noexcept {
+  const Burr& burr = *tool.burr;
+  const double along = glm::dot(c.point - y, tool.axis);
+  bool any = false;
+  double best = 0.0;
+  for (int part = 0; part < 2; ++part) {
+    const double from = part == 0 ? tool.neck_from() : burr.neck_length_mm + burr.shank_radius_mm;
+    const double to = part == 0 ? burr.neck_length_mm : burr.neck_length_mm + burr.shank_length_mm;
+    const double radius = part == 0 ? burr.neck_radius_mm : burr.shank_radius_mm;
+    const double t = along < from ? from : along > to ? to : along;
+    const Vec3 d = y + tool.axis * t - c.point;
+    const double distance = length_of(d);
+    if (distance < 1e-9) continue;
+    const double gap = distance - radius;
+    if (any && gap >= best) continue;
+    any = true;
+    best = gap;
+    plane.n = d / distance;
+  }
+  if (!any || best > slack_mm) return false;
+  plane.c = glm::dot(plane.n, y) - best;
+  return true;
+}
+
+/// Of a head that is no ball: its place that stands deepest over the plane of a point of a surface, if the plane is to be
+/// believed there. Else its place at the height along the axis where the head is nearest to the point: a flank, or an end,
+/// that all but lies on the surface, which bends away from the plane before the flank ends; there the head's own normal
+/// holds it off.
+SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot,
+                                                   double beside2) const noexcept {
+  const Profile& head = tool.burr->head;
+  OnHalf at{glm::dot(point_from_pivot, tool.axis), 0.0};
+  const Vec3 off = point_from_pivot - tool.axis * at.t;
+  at.rho = length_of(off);
+  const Vec3 of_point = at.rho > 0.0 ? off / at.rho : across(tool.axis);
+  OnHalf down{-glm::dot(normal, tool.axis), 0.0};
+  const Vec3 sideways = -normal - tool.axis * down.t;
+  down.rho = length_of(sideways);
+  const Vec3 out = down.rho > 1e-9 ? sideways / down.rho : of_point;
+  const OnHalf deepest = head.support(down, at);
+  HeadFoot foot{tool.axis * deepest.t + out * deepest.rho, normal, true};
+  const Vec3 d = foot.at - point_from_pivot;
+  const double height = glm::dot(normal, d);
+  if (glm::dot(d, d) - height * height <= beside2) return foot;
+  OnHalf gradient;
+  const double gap = head.distance(at, gradient);
+  const OnHalf near{at.t - gap * gradient.t, at.rho - gap * gradient.rho};
+  foot.deepest = false;
+  if (std::fabs(gradient.t) < std::fabs(gradient.rho)) {
+    // A flank: on the side that the surface faces.
+    foot.at = tool.axis * near.t + out * near.rho;
+    const Vec3 beside = foot.at - point_from_pivot;
+    const double over = glm::dot(normal, beside);
+    if (glm::dot(beside, beside) - over * over <= beside2) {
+      foot.normal = -(tool.axis * gradient.t + out * gradient.rho);
+      return foot;
+    }
+  }
+  foot.at = tool.axis * near.t + of_point * near.rho;
+  foot.normal = -(tool.axis * gradient.t + of_point * gradient.rho);
+  // A rim close by that stands deeper has many normals: the surface's own, but for what of it runs along the rim.
+  OnHalf rim;
+  if (!head.rim(near, std::sqrt(beside2), rim)) return foot;
+  const Vec3 of_rim = tool.axis * rim.t + of_point * rim.rho;
+  const Vec3 along = glm::cross(tool.axis, of_point);
+  const Vec3 facing = normal - along * glm::dot(normal, along);
+  const double length = length_of(facing);
+  if (length < kFacing || glm::dot(normal, of_rim) > glm::dot(normal, foot.at)) return foot;
+  foot.at = of_rim;
+  foot.normal = facing / length;
+  return foot;
+}
+
+/// As plane_of, for a head that is no ball.
+bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
+                                   bool& trusted) const noexcept {
+  const double thin = tool.thin(c.field);
+  const double beside = kPlaneReach * voxel_mm_;
+  trusted = false;
+  Vec3 point = c.point - y;
+  Vec3 gradient;
+  double gap = head_distance(*tool.burr, tool.axis, point, gradient) + thin;
+  if (c.kind == Kind::surface) {
+    if (gap > slack_mm + beside) return false;
+    const HeadFoot foot = head_foot(tool, c.normal, point, beside * beside);
+    const double facing = glm::dot(c.normal, foot.normal);
+    const double height = (glm::dot(c.normal, y + foot.at) - c.level + thin) / facing;
+    const Vec3 d = foot.at - point;
+    const double over = glm::dot(c.normal, d);
+    if (facing > kFacing && height > -tool.burr->radius_mm && glm::dot(d, d) - over * over <= beside * beside) {
+      const auto past = [&](Vec3 other, double other_d) {
+        return other_d + glm::dot(other, d) - over * glm::dot(other, c.normal) > 0.0;
+      };
+      const bool beyond = c.others > 0 && (past(Vec3(c.feature->other_normal), c.feature->other_d_mm) ||
+                                           (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm)));
+      if (!beyond) {
+        if (height > slack_mm) return false;
+        plane.n = foot.normal;
+        plane.c = glm::dot(foot.normal, y) - height;
+        trusted = foot.deepest;
+        return true;
+      }
+    }
+    if (c.others > 0 && c.feature->other_d_mm > 0.0f) return false;
+  } else {
+    if (gap > slack_mm + voxel_mm_) return false;
+    // The distance along a piece is all but convex: where its slope changes sign.
+    const CutFeature& f = *c.feature;
+    const Vec3 tangent = c.normal, bend(f.other_normal), twist(f.third_normal), fourth(f.fourth);
+    const auto slope = [&](double t) {
+      const Vec3 turn = twist + t * fourth;
+      point = c.point + t * (tangent + t * (bend + t * turn)) - y;
+      gap = head_distance(*tool.burr, tool.axis, point, gradient) + thin;
+      return glm::dot(gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
+    };
+    double low = f.other_d_mm, high = f.third_d_mm;
+    if (slope(high) > 0.0 && slope(low) < 0.0) {
+      for (int pass = 0; pass < kEdgePasses; ++pass) {
+        const double middle = 0.5 * (low + high);
+        (slope(middle) > 0.0 ? high : low) = middle;
+      }
+    }
+  }
+  if (gap > slack_mm) return false;
+  plane.n = -gradient;
+  plane.c = glm::dot(plane.n, y) - gap;
+  return true;
+}
+
+/// The plane that keeps the burr off one candidate, seen from y; false where it is further than slack_mm off.
+bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
+                              bool& trusted) const noexcept {
+  if (c.kind == Kind::shank) {
+    trusted = false;
+    return plane_of_shank(tool, c, y, slack_mm, plane);
+  }
+  if (!tool.ball()) return plane_of_head(tool, c, y, slack_mm, plane, trusted);
+  const double r = tool.burr->radius_mm - tool.thin(c.field);
+  if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm, plane, trusted);
+  trusted = false;
+  Vec3 d = y - c.point, along;
+  double curved = 0.0;
+  nearest_on(c, voxel_mm_, r + slack_mm, d, along, curved);
+  const double square = glm::dot(d, d);
+  const double far = r + slack_mm;
+  if (square > far * far || square < 1e-18) return false;
+  const double distance = std::sqrt(square);
+  plane.n = d / distance;
+  plane.c = glm::dot(plane.n, y) - (distance - r);
+  return true;
+}
+
+/// Planes of candidates from..to - 1, added to those that are there.
+void SurfaceContact::planes(const Tool& tool, Vec3 y, std::size_t from, std::size_t to, double slack_mm) noexcept {
+  for (std::size_t i = from; i < to; ++i) {
+    Plane plane;
+    bool trusted = false;
+    if (!plane_of(tool, candidates_[i], y, slack_mm, plane, trusted)) continue;
+    origins_[planes_.size()] = {static_cast<std::int32_t>(i), trusted, false};
+    planes_.add(plane.n, plane.c);
+  }
+}
+
+/// A tangent follows its pose; planes of the field and of the foot stay.
+void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
+  if (origins_[i].trusted_plane) return;
+  Plane plane;
+  bool trusted = false;
+  const Candidate& c = candidates_[static_cast<std::size_t>(origins_[i].candidate)];
+  if (!plane_of(tool, c, y, 1.0, plane, trusted)) return;
+  planes_.set(i, plane.n, plane.c);
+  origins_[i].trusted_plane = trusted;
+  relax_by_memory(tool, i, i + 1);
+}
+
+/// Where a burr rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the
+/// passes to come would add to off_by, the move of the last one from where its planes were laid. rolls: they would not come
+/// to rest.
+Vec3 SurfaceContact::leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept {
+  if (found.active == 0 || found.active > 2 || !tool.ball()) return Vec3(0.0);
+  // Along what is left free: one direction between two planes, two on one.
+  Vec3 free[2] = {Vec3(0.0), Vec3(0.0)};
+  const Vec3 n = planes_.n(static_cast<std::size_t>(found.index[0]));
+  if (found.active == 2) {
+    const Vec3 along = glm::cross(n, planes_.n(static_cast<std::size_t>(found.index[1])));
+    const double length = length_of(along);
+    if (length < 1e-3) return Vec3(0.0);
+    free[0] = along / length;
+  } else {
+    const Vec3 along = std::fabs(n.x) < 0.6 ? Vec3(0.0, n.z, -n.y) : Vec3(-n.z, 0.0, n.x);
+    free[0] = along / length_of(along);
+    free[1] = glm::cross(n, free[0]);
+  }
+  const int directions = 3 - found.active;
+  const bool close = glm::dot(off_by, off_by) < kCloseLeapMm * kCloseLeapMm;
+  // m = sum of weight times the second derivative of the distance to what each plane stands for.
+  double m[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
+  for (int a = 0; a < found.active; ++a) {
+    const auto i = static_cast<std::size_t>(found.index[a]);
+    const Origin& origin = origins_[i];
+    const Candidate& c = candidates_[static_cast<std::size_t>(origin.candidate)];
+    // Of a point of a face it is believed only close by: there the face itself soon takes over.
+    if (origin.trusted_plane || origin.relaxed || c.kind == Kind::shank || (c.kind == Kind::surface && !close)) continue;
+    Vec3 off = at - c.point, along(0.0);
+    double curved = 0.0;
+    if (c.kind == Kind::edge && !nearest_on(c, voxel_mm_, 1e3, off, along, curved)) curved = 0.0;
+    const double distance = length_of(off);
+    if (distance < 1e-6) continue;
+    const Vec3 out = off / distance;
+    for (int j = 0; j < directions; ++j)
+      for (int k = 0; k <= j; ++k) {
+        double h = (j == k ? 1.0 : 0.0) - glm::dot(free[j], out) * glm::dot(free[k], out);
+        if (curved > 0.0) h -= glm::dot(free[j], along) * glm::dot(free[k], along) / curved;
+        m[j][k] += found.weight[a] * h / distance;
+      }
+  }
+  m[0][1] = m[1][0];
+  // The geometric series m + m^2 + ..: m (1 - m)^-1, where it converges.
+  constexpr double kLeast = 0.03;
+  const Vec3 moved(glm::dot(off_by, free[0]), directions > 1 ? glm::dot(off_by, free[1]) : 0.0, 0.0);
+  const double a = 1.0 - m[0][0], b = -m[0][1], d = directions > 1 ? 1.0 - m[1][1] : 1.0;
+  const double det = a * d - b * b;
+  rolls = !(a > kLeast && d > kLeast && det > kLeast * kLeast);
+  const double size = length_of(moved);
+  if (size > kFarthestLeapMm) return Vec3(0.0);  // what the second order says of so long a way is not to be believed
+  const double most = std::min(kLongestLeap * size, kFarthestLeapMm);
+  if (rolls) return size > 0.0 ? (free[0] * moved.x + free[1] * moved.y) * (most / size) : Vec3(0.0);
+  const double u = (d * moved.x - b * moved.y) / det - moved.x;
+  const double v = (a * moved.y - b * moved.x) / det - moved.y;
+  const double length = std::sqrt(u * u + v * v);
+  const double share = length > most ? most / length : 1.0;
+  return (free[0] * u + (directions > 1 ? free[1] * v : Vec3(0.0))) * share;
+}
+
+}  // namespace cusp
