@@ -379,13 +379,6 @@
             <source>The file, each session's chain, and the audit log</source>
             <translation>Die Datei, die Kette jedes Durchgangs und das Protokoll</translation>
         </message>
-        <message numerus="yes">
-            <source>%1: %n triangle(s), %2</source>
-            <translation>
-                <numerusform>%1: %n Dreieck, %2</numerusform>
-                <numerusform>%1: %n Dreiecke, %2</numerusform>
-            </translation>
-        </message>
         <message>
             <source>closed</source>
             <translation>geschlossen</translation>
@@ -411,20 +404,8 @@
             <translation>Mit --tissue NETZ=GEWEBE angeben, woraus jedes Netz besteht; --list nennt die Netze.</translation>
         </message>
         <message>
-            <source>Make a specimen volume of closed meshes or of a label volume</source>
-            <translation>Ein Präparat aus geschlossenen Netzen oder einem Etikettenvolumen machen</translation>
-        </message>
-        <message>
-            <source>OBJ, STL, PLY … or NRRD</source>
-            <translation>OBJ, STL, PLY … oder NRRD</translation>
-        </message>
-        <message>
             <source>Volume to write (NRRD)</source>
             <translation>Zu schreibendes Volumen (NRRD)</translation>
-        </message>
-        <message>
-            <source>What a mesh is made of; once for each mesh to be taken</source>
-            <translation>Woraus ein Netz besteht; einmal für jedes Netz, das genommen wird</translation>
         </message>
         <message>
             <source>Length of one unit of the file in millimetres</source>
@@ -437,10 +418,6 @@
         <message>
             <source>The file's axis towards the chewing surface</source>
             <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
-        </message>
-        <message>
-            <source>Only name the meshes of the file</source>
-            <translation>Nur die Netze der Datei nennen</translation>
         </message>
         <message>
             <source>Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session's id</source>
@@ -719,6 +696,112 @@
         <message>
             <source>The replay comes to another grade than the one that is stored (%1).</source>
             <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
+        </message>
+        <message>
+            <source>The session&apos;s id</source>
+            <translation>Kennung des Durchgangs</translation>
+        </message>
+        <message>
+            <source>The file, each session&apos;s chain, and the audit log</source>
+            <translation>Die Datei, die Kette jedes Durchgangs und das Protokoll</translation>
+        </message>
+        <message>
+            <source>The file&apos;s axis towards the chewing surface</source>
+            <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
+        </message>
+        <message>
+            <source>Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session&apos;s id</source>
+            <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
+        </message>
+        <message>
+            <source>Of the hand&apos;s tremor</source>
+            <translation>Des Zitterns der Hand</translation>
+        </message>
+        <message>
+            <source>Prove it: the record&apos;s chain, then tooth and grade bit for bit</source>
+            <translation>Nachweisen: die Kette der Aufzeichnung, dann Zahn und Bewertung Bit für Bit</translation>
+        </message>
+        <message>
+            <source>turned inside out</source>
+            <translation>nach innen gewendet</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n triangle(s), %2, %3 mm</source>
+            <translation>
+                <numerusform>%1: %n Dreieck, %2, %3 mm</numerusform>
+                <numerusform>%1: %n Dreiecke, %2, %3 mm</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>gap of %1 mm at %2, %3, %4 mm</source>
+            <translation>Lücke von %1 mm bei %2, %3, %4 mm</translation>
+        </message>
+        <message>
+            <source>%1 × %2 × %3 voxels of %4 × %5 × %6 mm</source>
+            <translation>%1 × %2 × %3 Voxel zu %4 × %5 × %6 mm</translation>
+        </message>
+        <message>
+            <source>The file does not say how large a voxel is; --unit-mm does.</source>
+            <translation>Die Datei sagt nicht, wie groß ein Voxel ist; --unit-mm sagt es.</translation>
+        </message>
+        <message>
+            <source>Grey values from %1 to %2</source>
+            <translation>Grauwerte von %1 bis %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n voxel(s)</source>
+            <translation>
+                <numerusform>%1: %n Voxel</numerusform>
+                <numerusform>%1: %n Voxel</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 is no label of a volume: it takes its number.</source>
+            <translation>%1 ist kein Kennwert eines Volumens: er wird als Zahl angegeben.</translation>
+        </message>
+        <message>
+            <source>%1 is not TISSUE=VALUE, such as dentine=1200.</source>
+            <translation>%1 ist nicht TISSUE=VALUE, etwa dentine=1200.</translation>
+        </message>
+        <message>
+            <source>Make a specimen volume of closed meshes, of a label volume or of a CT series</source>
+            <translation>Aus geschlossenen Netzen, einem Volumen mit Kennwerten oder einer CT-Serie ein Volumen machen</translation>
+        </message>
+        <message>
+            <source>STL, OBJ, PLY, 3DS (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices</source>
+            <translation>STL, OBJ, PLY, 3DS (mehrere werden zusammengefügt), NRRD, MetaImage, NIfTI, binvox oder ein Ordner mit DICOM-Schichten</translation>
+        </message>
+        <message>
+            <source>Volume to write (NRRD, or binvox by its ending)</source>
+            <translation>Volumen, das geschrieben wird (NRRD, oder binvox nach der Endung)</translation>
+        </message>
+        <message>
+            <source>What a mesh or a label is made of; once for each to be taken</source>
+            <translation>Woraus ein Netz oder Kennwert besteht; einmal für jeden, der übernommen wird</translation>
+        </message>
+        <message>
+            <source>The tissue from a grey value on, up to the next; “empty” leaves out</source>
+            <translation>Das Gewebe ab einem Grauwert, bis zum nächsten; „empty“ lässt weg</translation>
+        </message>
+        <message>
+            <source>What closed hollows of a volume are made of</source>
+            <translation>Woraus geschlossene Hohlräume eines Volumens bestehen</translation>
+        </message>
+        <message>
+            <source>Of a volume keep only the largest piece</source>
+            <translation>Von einem Volumen nur das größte Stück behalten</translation>
+        </message>
+        <message>
+            <source>Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes</source>
+            <translation>Kantenlänge eines Voxels in Millimetern; 0,1 bei Netzen, die der Datei bei Volumen</translation>
+        </message>
+        <message>
+            <source>Mend meshes, and close holes up to this width in millimetres</source>
+            <translation>Netze ausbessern und Löcher bis zu dieser Breite in Millimetern schließen</translation>
+        </message>
+        <message>
+            <source>Only tell what the file holds</source>
+            <translation>Nur sagen, was die Datei enthält</translation>
         </message>
     </context>
     <context>
@@ -1671,14 +1754,6 @@
             <translation>Bibliothek</translation>
         </message>
         <message>
-            <source>File</source>
-            <translation>Datei</translation>
-        </message>
-        <message>
-            <source>Closed meshes (OBJ, STL, PLY) or a volume (NRRD).</source>
-            <translation>Geschlossene Netze (OBJ, STL, PLY) oder ein Volumen (NRRD).</translation>
-        </message>
-        <message>
             <source>Choose a file…</source>
             <translation>Datei wählen …</translation>
         </message>
@@ -1703,10 +1778,6 @@
             <translation>Datei wählen</translation>
         </message>
         <message>
-            <source>Meshes and volumes (*.obj *.stl *.ply *.nrrd)</source>
-            <translation>Netze und Volumen (*.obj *.stl *.ply *.nrrd)</translation>
-        </message>
-        <message>
             <source>Importing was stopped.</source>
             <translation>Das Importieren wurde angehalten.</translation>
         </message>
@@ -1719,26 +1790,6 @@
             <translation>Die Datei wird gelesen</translation>
         </message>
         <message>
-            <source>What %1 is made of</source>
-            <translation>Woraus %1 besteht</translation>
-        </message>
-        <message>
-            <source>Leave out</source>
-            <translation>Auslassen</translation>
-        </message>
-        <message>
-            <source>%1 units</source>
-            <translation>%1 Einheiten</translation>
-        </message>
-        <message>
-            <source>closed</source>
-            <translation>geschlossen</translation>
-        </message>
-        <message>
-            <source>open: cannot be used</source>
-            <translation>offen: nicht verwendbar</translation>
-        </message>
-        <message>
             <source>The specimen will be %1.</source>
             <translation>Das Präparat wird %1 groß.</translation>
         </message>
@@ -1749,6 +1800,180 @@
         <message>
             <source>Making the specimen</source>
             <translation>Das Präparat wird gemacht</translation>
+        </message>
+        <message>
+            <source>Files</source>
+            <translation>Dateien</translation>
+        </message>
+        <message>
+            <source>What it is made of</source>
+            <translation>Woraus es besteht</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>Begin anew</source>
+            <translation>Neu beginnen</translation>
+        </message>
+        <message>
+            <source>Meshes and volumes (*.stl *.obj *.ply *.3ds *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;All files (*)</source>
+            <translation>Netze und Volumen (*.stl *.obj *.ply *.3ds *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Millimetre</source>
+            <translation>Millimeter</translation>
+        </message>
+        <message>
+            <source>Centimetre</source>
+            <translation>Zentimeter</translation>
+        </message>
+        <message>
+            <source>Metre</source>
+            <translation>Meter</translation>
+        </message>
+        <message>
+            <source>Inch</source>
+            <translation>Zoll</translation>
+        </message>
+        <message>
+            <source>Micrometre</source>
+            <translation>Mikrometer</translation>
+        </message>
+        <message>
+            <source>Another</source>
+            <translation>Eine andere</translation>
+        </message>
+        <message>
+            <source>Its length</source>
+            <translation>Ihre Länge</translation>
+        </message>
+        <message>
+            <source>Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS; several are put together), volumes (NRRD, MetaImage, NIfTI, binvox) or a slice of a CT (DICOM).</source>
+            <translation>Dateien hierher ziehen oder auswählen: geschlossene Netze (STL, OBJ, PLY, 3DS; mehrere werden zusammengefügt), Volumen (NRRD, MetaImage, NIfTI, binvox) oder eine Schicht eines CT (DICOM).</translation>
+        </message>
+        <message>
+            <source>Add a file…</source>
+            <translation>Datei hinzufügen …</translation>
+        </message>
+        <message>
+            <source>%1 × %2 × %3 voxels of %4.</source>
+            <translation>%1 × %2 × %3 Voxel zu %4.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slice(s) of a CT, in the order of their places.</source>
+            <translation>
+                <numerusform>%n Schicht eines CT.</numerusform>
+                <numerusform>%n Schichten eines CT, nach ihrer Lage geordnet.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The largest of %n series was taken.</source>
+            <translation>
+                <numerusform>Die einzige Serie wurde genommen.</numerusform>
+                <numerusform>Die größte von %n Serien wurde genommen.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Nothing about the patient is read.</source>
+            <translation>Über die Person auf den Aufnahmen wird nichts gelesen.</translation>
+        </message>
+        <message>
+            <source>Go on to the exercise</source>
+            <translation>Weiter zur Übung</translation>
+        </message>
+        <message>
+            <source>The volume is %1.</source>
+            <translation>Das Volumen misst %1.</translation>
+        </message>
+        <message>
+            <source>Its voxels of %1 are resampled to cubes of %2.</source>
+            <translation>Seine Voxel zu %1 werden in Würfel zu %2 umgerechnet.</translation>
+        </message>
+        <message>
+            <source>That is smaller than any tooth. Is the unit right?</source>
+            <translation>Das ist kleiner als jeder Zahn. Stimmt die Einheit?</translation>
+        </message>
+        <message>
+            <source>That is larger than any jaw. Is the unit right?</source>
+            <translation>Das ist größer als jeder Kiefer. Stimmt die Einheit?</translation>
+        </message>
+        <message>
+            <source>CT</source>
+            <translation>CT</translation>
+        </message>
+        <message>
+            <source>The specimen is made.</source>
+            <translation>Das Präparat ist fertig.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ImportWords</name>
+        <message>
+            <source>Its voxels of %1 were resampled to cubes of %2.</source>
+            <translation>Seine Voxel zu %1 wurden in Würfel zu %2 umgerechnet.</translation>
+        </message>
+        <message>
+            <source>Its axes were oblique; it was turned by %1°, its shape is as it was.</source>
+            <translation>Seine Achsen standen schief; es wurde um %1° gedreht, seine Form ist unverändert.</translation>
+        </message>
+        <message>
+            <source>The file does not say how long a unit is; what was chosen was taken.</source>
+            <translation>Die Datei sagt nicht, wie lang eine Einheit ist; die gewählte gilt.</translation>
+        </message>
+        <message>
+            <source>Nothing about the patient was read.</source>
+            <translation>Über die Person auf den Aufnahmen wurde nichts gelesen.</translation>
+        </message>
+        <message numerus="yes">
+            <source>The folder holds %n series; the one with %1 slices was read.</source>
+            <translation>
+                <numerusform>Der Ordner enthält %n Serie; die mit %1 Schichten wurde gelesen.</numerusform>
+                <numerusform>Der Ordner enthält %n Serien; die mit %1 Schichten wurde gelesen.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n point(s) that lay in one place were joined.</source>
+            <translation>
+                <numerusform>In %1 wurde %n Punkt mit seinem Nachbarn verbunden.</numerusform>
+                <numerusform>In %1 wurden %n Punkte verbunden, die an einer Stelle lagen.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n triangle(s) too many were left out.</source>
+            <translation>
+                <numerusform>In %1 wurde %n überzähliges Dreieck weggelassen.</numerusform>
+                <numerusform>In %1 wurden %n überzählige Dreiecke weggelassen.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n triangle(s) were turned round.</source>
+            <translation>
+                <numerusform>In %1 wurde %n Dreieck gewendet.</numerusform>
+                <numerusform>In %1 wurden %n Dreiecke gewendet.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n hole(s) were closed, the widest of %2.</source>
+            <translation>
+                <numerusform>In %1 wurde %n Loch von %2 geschlossen.</numerusform>
+                <numerusform>In %1 wurden %n Löcher geschlossen, das breiteste von %2.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n voxel(s) of loose pieces were left out.</source>
+            <translation>
+                <numerusform>%n Voxel loser Stücke wurde weggelassen.</numerusform>
+                <numerusform>%n Voxel loser Stücke wurden weggelassen.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n voxel(s) of closed hollows were filled.</source>
+            <translation>
+                <numerusform>%n Voxel geschlossener Hohlräume wurde gefüllt.</numerusform>
+                <numerusform>%n Voxel geschlossener Hohlräume wurden gefüllt.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -1854,6 +2079,44 @@
         <message>
             <source>Publish it first.</source>
             <translation>Veröffentlichen Sie ihn zuerst.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::MeshForm</name>
+        <message>
+            <source>Leave out</source>
+            <translation>Weglassen</translation>
+        </message>
+        <message>
+            <source>What %1 is made of</source>
+            <translation>Woraus %1 besteht</translation>
+        </message>
+        <message>
+            <source>Mend: join, turn and close holes up to</source>
+            <translation>Ausbessern: verbinden, wenden und Löcher schließen bis</translation>
+        </message>
+        <message>
+            <source>Widest hole that is closed</source>
+            <translation>Breitestes Loch, das geschlossen wird</translation>
+        </message>
+        <message>
+            <source>closed</source>
+            <translation>geschlossen</translation>
+        </message>
+        <message>
+            <source>wound against itself at %1</source>
+            <translation>bei %1 gegen sich selbst gewendet</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n gap(s), the widest of %1 at %2</source>
+            <translation>
+                <numerusform>%n Lücke von %1 bei %2</numerusform>
+                <numerusform>%n Lücken, die breiteste von %1 bei %2</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>An open surface cannot be made of anything: mend it first.</source>
+            <translation>Eine offene Oberfläche kann aus nichts bestehen: Erst ausbessern.</translation>
         </message>
     </context>
     <context>
@@ -2950,10 +3213,6 @@
             <translation>Die Größen bei %1 ergeben kein Volumen.</translation>
         </message>
         <message>
-            <source>At %1 its cells are not cubes.</source>
-            <translation>Bei %1 sind ihre Zellen keine Würfel.</translation>
-        </message>
-        <message>
             <source>The axes at %1 are oblique or not known.</source>
             <translation>Die Achsen bei %1 sind schief oder nicht bekannt.</translation>
         </message>
@@ -2988,14 +3247,6 @@
         <message>
             <source>The part %1 encloses nothing.</source>
             <translation>Der Teil %1 umschließt nichts.</translation>
-        </message>
-        <message>
-            <source>The surface is open at %1. Close it there.</source>
-            <translation>Die Oberfläche ist bei %1 offen. Schließen Sie sie dort.</translation>
-        </message>
-        <message>
-            <source>The surface is turned inside out at %1.</source>
-            <translation>Die Oberfläche ist bei %1 nach innen gewendet.</translation>
         </message>
         <message>
             <source>The part %1 cuts itself.</source>
@@ -3452,6 +3703,18 @@
             <source>Leeway used, walls</source>
             <translation>Spielraum genutzt, Wände</translation>
         </message>
+        <message>
+            <source>At %1 its cells are not evenly spaced.</source>
+            <translation>Bei %1 liegen ihre Zellen nicht gleichmäßig.</translation>
+        </message>
+        <message>
+            <source>The surface is open at %1 mm. Let it be mended, or close it there.</source>
+            <translation>Die Oberfläche ist bei %1 mm offen. Lassen Sie sie ausbessern oder schließen Sie sie dort.</translation>
+        </message>
+        <message>
+            <source>The surface is turned inside out at %1 mm. Let it be mended.</source>
+            <translation>Die Oberfläche ist bei %1 mm nach innen gewendet. Lassen Sie sie ausbessern.</translation>
+        </message>
     </context>
     <context>
         <name>cusp::ShapeForm</name>
@@ -3716,6 +3979,29 @@
         <message>
             <source>Type them again.</source>
             <translation>Geben Sie sie noch einmal ein.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::SliceView</name>
+        <message>
+            <source>From the side</source>
+            <translation>Von der Seite</translation>
+        </message>
+        <message>
+            <source>From the front</source>
+            <translation>Von vorn</translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation>Von oben</translation>
+        </message>
+        <message>
+            <source>Slice</source>
+            <translation>Schicht</translation>
+        </message>
+        <message>
+            <source>Slice %1 of %2</source>
+            <translation>Schicht %1 von %2</translation>
         </message>
     </context>
     <context>
@@ -4037,6 +4323,56 @@ Ihr bester davor</translation>
         <message>
             <source>Tooth</source>
             <translation>Zahn</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::VolumeForm</name>
+        <message>
+            <source>This is a specimen of Cusp’s own: it is taken as it stands.</source>
+            <translation>Das ist ein Volumen von Cusp selbst: Es wird übernommen, wie es ist.</translation>
+        </message>
+        <message>
+            <source>Only the largest piece</source>
+            <translation>Nur das größte Stück</translation>
+        </message>
+        <message>
+            <source>Closed hollows are pulp</source>
+            <translation>Geschlossene Hohlräume sind Pulpa</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Weglassen</translation>
+        </message>
+        <message>
+            <source>What %1 is made of</source>
+            <translation>Woraus %1 besteht</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n voxel(s)</source>
+            <translation>
+                <numerusform>%n Voxel</numerusform>
+                <numerusform>%n Voxel</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Not used</source>
+            <translation>Nicht benutzt</translation>
+        </message>
+        <message>
+            <source>Tissue of range %1</source>
+            <translation>Gewebe von Bereich %1</translation>
+        </message>
+        <message>
+            <source>Nothing: left out</source>
+            <translation>Nichts: weggelassen</translation>
+        </message>
+        <message>
+            <source>Least value of range %1</source>
+            <translation>Kleinster Wert von Bereich %1</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>ab</translation>
         </message>
     </context>
 </TS>

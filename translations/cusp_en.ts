@@ -11,13 +11,6 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>%1: %n triangle(s), %2</source>
-            <translation>
-                <numerusform>%1: %n triangle, %2</numerusform>
-                <numerusform>%1: %n triangles, %2</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
             <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
             <translation>
                 <numerusform>The record is whole; %n tick comes to the same tooth and grade, bit for bit.</numerusform>
@@ -29,6 +22,20 @@
             <translation>
                 <numerusform>%1 cannot be used: %2 (and %n more thing)</numerusform>
                 <numerusform>%1 cannot be used: %2 (and %n more things)</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n triangle(s), %2, %3 mm</source>
+            <translation>
+                <numerusform>%1: %n triangle, %2, %3 mm</numerusform>
+                <numerusform>%1: %n triangles, %2, %3 mm</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n voxel(s)</source>
+            <translation>
+                <numerusform>%1: %n voxel</numerusform>
+                <numerusform>%1: %n voxels</numerusform>
             </translation>
         </message>
     </context>
@@ -63,12 +70,91 @@
         </message>
     </context>
     <context>
+        <name>cusp::ImportPage</name>
+        <message numerus="yes">
+            <source>%n slice(s) of a CT, in the order of their places.</source>
+            <translation>
+                <numerusform>%n slice of a CT.</numerusform>
+                <numerusform>%n slices of a CT, in the order of their places.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>The largest of %n series was taken.</source>
+            <translation>
+                <numerusform>The only series was taken.</numerusform>
+                <numerusform>The largest of %n series was taken.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ImportWords</name>
+        <message numerus="yes">
+            <source>The folder holds %n series; the one with %1 slices was read.</source>
+            <translation>
+                <numerusform>The folder holds %n series; the one with %1 slices was read.</numerusform>
+                <numerusform>The folder holds %n series; the one with %1 slices was read.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n point(s) that lay in one place were joined.</source>
+            <translation>
+                <numerusform>In %1 %n point was joined with its neighbour.</numerusform>
+                <numerusform>In %1 %n points that lay in one place were joined.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n triangle(s) too many were left out.</source>
+            <translation>
+                <numerusform>In %1 %n triangle too many was left out.</numerusform>
+                <numerusform>In %1 %n triangles too many were left out.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n triangle(s) were turned round.</source>
+            <translation>
+                <numerusform>In %1 %n triangle was turned round.</numerusform>
+                <numerusform>In %1 %n triangles were turned round.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>In %1 %n hole(s) were closed, the widest of %2.</source>
+            <translation>
+                <numerusform>In %1 %n hole of %2 was closed.</numerusform>
+                <numerusform>In %1 %n holes were closed, the widest of %2.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n voxel(s) of loose pieces were left out.</source>
+            <translation>
+                <numerusform>%n voxel of loose pieces was left out.</numerusform>
+                <numerusform>%n voxels of loose pieces were left out.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n voxel(s) of closed hollows were filled.</source>
+            <translation>
+                <numerusform>%n voxel of closed hollows was filled.</numerusform>
+                <numerusform>%n voxels of closed hollows were filled.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::LibraryPage</name>
         <message numerus="yes">
             <source>%n exercise(s) cannot be read.</source>
             <translation>
                 <numerusform>%n exercise cannot be read.</numerusform>
                 <numerusform>%n exercises cannot be read.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::MeshForm</name>
+        <message numerus="yes">
+            <source>%n gap(s), the widest of %1 at %2</source>
+            <translation>
+                <numerusform>%n gap of %1 at %2</numerusform>
+                <numerusform>%n gaps, the widest of %1 at %2</numerusform>
             </translation>
         </message>
     </context>
@@ -137,6 +223,16 @@
             <translation>
                 <numerusform>Time earns no points. %1 only, %n go.</numerusform>
                 <numerusform>Time earns no points. %1 only, %n goes.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::VolumeForm</name>
+        <message numerus="yes">
+            <source>%n voxel(s)</source>
+            <translation>
+                <numerusform>%n voxel</numerusform>
+                <numerusform>%n voxels</numerusform>
             </translation>
         </message>
     </context>

@@ -17,23 +17,12 @@ std::string short_text(double value) {
   char buffer[32];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 6).ptr};
 }
+/// In the file's axes, as another program shows it, but in millimetres.
 std::string place(Vec3 at) { return " (" + short_text(at.x) + "," + short_text(at.y) + "," + short_text(at.z) + ")"; }
-
-/// Turns of a right angle, so that the axis that is up in the file becomes z.
-Vec3 turned(Vec3 p, UpAxis up) noexcept {
-  switch (up) {
-    case UpAxis::z: return p;
-    case UpAxis::minus_z: return {p.x, -p.y, -p.z};
-    case UpAxis::y: return {p.x, -p.z, p.y};
-    case UpAxis::minus_y: return {p.x, p.z, -p.y};
-    case UpAxis::x: return {-p.z, p.y, p.x};
-    case UpAxis::minus_x: return {p.z, p.y, -p.x};
-  }
-  return p;
-}
 
 Result<void, ImportFailure> check_options(const MeshImport& what) {
   if (!(what.unit_mm > 0.0) || !std::isfinite(what.unit_mm)) return fail(ImportError::bad_option, "unit-mm");
+  if (what.mend_holes_mm && !(*what.mend_holes_mm >= 0.0)) return fail(ImportError::bad_option, "mend-holes-mm");
   if (!(what.voxel_mm >= what.limits.min_voxel_mm && what.voxel_mm <= what.limits.max_voxel_mm))
     return fail(ImportError::bad_option, "voxel-mm");
   if (what.tissues.empty()) return fail(ImportError::no_mesh, what.path.filename().string());
@@ -52,8 +41,56 @@ struct Part {
   MeshCheck checked;
 };
 
+/// All meshes, each under a name that is its own.
+Result<std::vector<TriangleMesh>, ImportFailure> read_files(const std::filesystem::path& path,
+                                                            const std::vector<std::filesystem::path>& more) {
+  auto all = read_meshes(path);
+  if (!all || more.empty()) return all;
+  std::set<std::string> taken;
+  const auto name_them = [&](std::vector<TriangleMesh>& meshes, const std::filesystem::path& file) {
+    for (TriangleMesh& m : meshes) {
+      const std::string name = meshes.size() == 1 ? file.stem().string() : file.stem().string() + ": " + m.name;
+      m.name = name;
+      for (int n = 2; !taken.insert(m.name).second; ++n) m.name = name + " (" + std::to_string(n) + ")";
+    }
+  };
+  name_them(*all, path);
+  for (const std::filesystem::path& file : more) {
+    auto next = read_meshes(file);
+    if (!next) return next;
+    name_them(*next, file);
+    for (TriangleMesh& m : *next) all->push_back(std::move(m));
+  }
+  return all;
+}
+
+void mend(TriangleMesh& mesh, const MeshImport& what, std::vector<ImportRemark>* remarks) {
+  const MeshRepair done = repair(mesh, *what.mend_holes_mm / what.unit_mm);
+  if (!remarks) return;
+  const auto say = [&](RemarkCode code, std::size_t count, std::vector<double> more = {}) {
+    if (count == 0) return;
+    more.insert(more.begin(), static_cast<double>(count));
+    remarks->push_back({code, mesh.name, std::move(more)});
+  };
+  say(RemarkCode::points_joined, done.points_joined);
+  say(RemarkCode::triangles_dropped, done.triangles_dropped);
+  say(RemarkCode::triangles_turned, done.triangles_turned);
+  say(RemarkCode::holes_closed, done.holes_closed, {done.widest_hole * what.unit_mm});
+}
+
+/// Where the widest gap is; how many there are and how wide the first ones, for the log.
+std::unexpected<ImportFailure> refuse_open(const TriangleMesh& mesh, const MeshCheck& in_file, const MeshImport& what) {
+  const std::vector<MeshGap> gaps = gaps_of(mesh);
+  const Vec3 at = gaps.empty() ? in_file.bad_edge : gaps.front().middle();
+  std::string detail = std::to_string(gaps.size());
+  for (std::size_t i = 0; i < std::min(gaps.size(), kMaxGapsTold); ++i)
+    detail += (i == 0 ? ": " : ", ") + short_text(gaps[i].width() * what.unit_mm) + " mm";
+  return fail(ImportError::mesh_open, mesh.name + place(at * what.unit_mm), std::move(detail));
+}
+
 /// The chosen meshes, checked, those of more volume first: what contains another comes before it.
-Result<std::vector<Part>, ImportFailure> choose(std::vector<TriangleMesh> meshes, const MeshImport& what) {
+Result<std::vector<Part>, ImportFailure> choose(std::vector<TriangleMesh> meshes, const MeshImport& what,
+                                                std::vector<ImportRemark>* remarks) {
   std::vector<Part> parts;
   for (const auto& [name, tissue] : what.tissues) {
     const auto it = std::ranges::find(meshes, name, &TriangleMesh::name);
@@ -61,10 +98,11 @@ Result<std::vector<Part>, ImportFailure> choose(std::vector<TriangleMesh> meshes
     Part part{std::move(*it), tissue, {}};
     it->name.clear();
     if (part.mesh.triangles.empty()) return fail(ImportError::mesh_empty, name);
+    if (what.mend_holes_mm) mend(part.mesh, what, remarks);
     const MeshCheck in_file = check(part.mesh);
-    if (!in_file.closed) return fail(ImportError::mesh_open, name + place(in_file.bad_edge));
-    if (!in_file.oriented) return fail(ImportError::mesh_not_oriented, name + place(in_file.bad_edge));
-    for (Vec3& p : part.mesh.points) p = turned(p, what.up) * what.unit_mm;
+    if (!in_file.closed) return refuse_open(part.mesh, in_file, what);
+    if (!in_file.oriented) return fail(ImportError::mesh_not_oriented, name + place(in_file.bad_edge * what.unit_mm));
+    for (Vec3& p : part.mesh.points) p = turned_up(p, what.up) * what.unit_mm;
     part.checked = check(part.mesh);
     if (!std::isfinite(part.checked.volume)) return fail(ImportError::too_large, what.path.filename().string());
     if (part.checked.volume == 0.0) return fail(ImportError::mesh_empty, name);
@@ -167,27 +205,45 @@ void lay(const std::vector<std::uint16_t>& s, Tissue tissue, VoxelVolume& volume
 
 }  // namespace
 
-Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path) {
-  const auto meshes = read_meshes(path);
+double guessed_unit_mm(double longest) noexcept {
+  constexpr double tooth = 4.0, jaw = 200.0;
+  for (const double unit : kUsualUnitsMm) {
+    if (longest * unit >= tooth && longest * unit <= jaw) return unit;
+  }
+  return 1.0;
+}
+
+Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path,
+                                                         const std::vector<std::filesystem::path>& more) {
+  const auto meshes = read_files(path, more);
   if (!meshes) return std::unexpected(meshes.error());
   std::vector<MeshInfo> out;
   for (const TriangleMesh& m : *meshes) {
     const MeshCheck c = check(m);
-    out.push_back({m.name, m.triangles.size(), c.low, c.high, std::abs(c.volume), c.closed, c.oriented});
+    MeshInfo info{m.name, m.triangles.size(), c.low, c.high, std::abs(c.volume), c.closed, c.oriented, {}, 0, {}};
+    if (!c.closed) {
+      info.gaps = gaps_of(m);
+      info.gap_count = info.gaps.size();
+      if (info.gaps.size() > kMaxGapsTold) info.gaps.resize(kMaxGapsTold);
+    } else if (!c.oriented) {
+      info.turned_at = c.bad_edge;
+    }
+    out.push_back(std::move(info));
   }
   return out;
 }
 
-Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const ImportProgress& progress) {
+Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const ImportProgress& progress,
+                                               std::vector<ImportRemark>* remarks) {
   const auto report = [&](double share) {
     if (progress) progress(share);
   };
   if (auto r = check_options(what); !r) return std::unexpected(r.error());
   report(0.0);
-  auto meshes = read_meshes(what.path);
+  auto meshes = read_files(what.path, what.more);
   if (!meshes) return std::unexpected(meshes.error());
   report(0.2);
-  const auto parts = choose(std::move(*meshes), what);
+  const auto parts = choose(std::move(*meshes), what, remarks);
   if (!parts) return std::unexpected(parts.error());
   const auto grid = grid_about(*parts, what);
   if (!grid) return std::unexpected(grid.error());

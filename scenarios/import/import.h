@@ -1,35 +1,37 @@
-/// Closed triangle meshes (OBJ, STL, PLY, and what else assimp reads) to a specimen volume. Foreign readers are not to be
+/// Closed triangle meshes (OBJ, STL, PLY, 3DS) to a specimen volume, and volumes of others (image.h) too. Foreign readers are not to be
 /// trusted with foreign files: a program calls these through worker.h, in a process of their own.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/import/image_volume.h"
 #include "scenarios/import/import_error.h"
 #include "scenarios/import/limits.h"
+#include "scenarios/import/mesh_repair.h"
+#include "scenarios/import/remarks.h"
+#include "scenarios/import/up_axis.h"
 
 namespace cusp {
 
-/// The direction of the file that becomes the specimen's +z (occlusal). The turn keeps right hands right.
-enum class UpAxis : std::uint8_t { z, y, x, minus_z, minus_y, minus_x };
-inline constexpr std::array<std::string_view, 6> kUpAxisKeys = {"z", "y", "x", "-z", "-y", "-x"};  // as typed
-
 struct MeshImport {
   std::filesystem::path path;
+  std::vector<std::filesystem::path> more;  // further files, for a kind that holds one mesh each (STL)
   double unit_mm = 1.0;  // length of one unit of the file, > 0
   /// Name of a mesh in the file, and what it is made of. Meshes that are not named are left out. Where meshes overlap
   /// the one of least volume wins, so an inner mesh stands in an outer one whatever the order here.
   std::vector<std::pair<std::string, Tissue>> tissues;
   double voxel_mm = 0.1;
   UpAxis up = UpAxis::z;
+  /// Mends what is open or wound wrongly (mesh_repair.h) and closes holes up to this width; none: such a mesh is refused.
+  std::optional<double> mend_holes_mm;
   VolumeLimits limits;
 };
 
@@ -41,18 +43,76 @@ struct MeshInfo {
   double volume = 0.0;       // enclosed, in cubic units; 0 unless closed and oriented
   bool closed = false;       // no edge has an odd number of triangles
   bool oriented = false;     // neighbours are wound alike
+  std::vector<MeshGap> gaps;  // the widest kMaxGapsTold of them
+  std::size_t gap_count = 0;
+  Vec3 turned_at{0.0};       // where a closed mesh is not oriented
   friend bool operator==(const MeshInfo&, const MeshInfo&) = default;
 };
 
-/// Share done, 0 to 1; called on the calling thread.
-using ImportProgress = std::function<void(double)>;
+inline constexpr std::size_t kMaxGapsTold = 8;
 
-/// Meshes of a file in the order in which the file names them; parts of one name are one mesh.
-[[nodiscard]] Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path);
+/// Units that files are made in, in millimetres, the most usual first.
+inline constexpr std::array<double, 5> kUsualUnitsMm = {1.0, 10.0, 1000.0, 25.4, 0.001};
+/// The first of them that makes this length (of the longest side, in the file's units) one of a tooth or a jaw, 4 to
+/// 200 mm; a millimetre when none does.
+double guessed_unit_mm(double longest) noexcept;
+
+/// A volume of others: .nrrd, .mha, .mhd, .binvox, .nii, .nii.gz, .hdr, or a CT series of DICOM files.
+struct ImageImport {
+  std::filesystem::path path;
+  ImageTissues tissues;
+  VolumeLimits limits;
+};
+
+/// What a volume file holds, for a preview before its tissues are chosen.
+struct ImageInfo {
+  bool specimen = false;  // tissues with their solid fractions: nothing is to be chosen
+  ImageKind kind = ImageKind::grey;
+  IVec3 size{0};          // along the specimen's axes
+  Vec3 spacing_mm{1.0};
+  bool spacing_known = true;
+  double turned_degrees = 0.0;
+  double low = 0.0, high = 0.0;  // least and most value
+  std::vector<std::pair<std::uint32_t, std::size_t>> values;  // labels and colours but 0, and their voxels: most first, 64 at most
+  std::size_t series = 0, slices = 0;  // of a CT
+  friend bool operator==(const ImageInfo&, const ImageInfo&) = default;
+};
+/// A part of its voxels, no axis above kPreviewEdge: the nearest ones, so that a threshold means the same.
+struct ImagePreview {
+  IVec3 size{0};
+  Vec3 spacing_mm{1.0};
+  std::vector<float> value;  // [z][y][x]
+};
+inline constexpr int kPreviewEdge = 160;
+
+/// What a file holds: meshes, or a volume.
+struct FileLook {
+  std::vector<MeshInfo> meshes;
+  std::optional<ImageInfo> image;
+  ImagePreview preview;  // of labels, colours and grey values
+};
+
+enum class FileKind : std::uint8_t { mesh, image, unknown };
+/// By its ending, and by its first bytes where that says nothing; a folder is a CT series.
+FileKind file_kind(const std::filesystem::path& path);
+/// Meshes in the order in which the files name them; parts of one name are one mesh. Of several files a mesh is called as
+/// its file without the ending, and, where it is not alone in it, ": " and its own name.
+[[nodiscard]] Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::path& path,
+                                                                       const std::vector<std::filesystem::path>& more = {});
 
 /// Reads, checks and voxelises. The file's coordinates times unit_mm are the specimen's; s is the exact distance to the
 /// triangles within the band, padded by four voxels. Each mesh must be closed and wound alike (all inside out is
-/// mended). Not for the haptic thread: seconds.
-[[nodiscard]] Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const ImportProgress& progress = {});
+/// turned). Not for the haptic thread: seconds.
+[[nodiscard]] Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const ImportProgress& progress = {},
+                                                             std::vector<ImportRemark>* remarks = nullptr);
+
+/// A volume file as a specimen (file_look.cpp).
+[[nodiscard]] Result<VoxelVolume, ImportFailure> import_image(const ImageImport& what, const ImportProgress& progress = {},
+                                                              std::vector<ImportRemark>* remarks = nullptr);
+
+/// Meshes, or one volume, whichever it is (file_look.cpp). Several files must all be meshes, or slices of one CT series.
+[[nodiscard]] Result<FileLook, ImportFailure> look_at_files(const std::vector<std::filesystem::path>& files,
+                                                            const VolumeLimits& limits = {},
+                                                            const ImportProgress& progress = {});
 
 }  // namespace cusp

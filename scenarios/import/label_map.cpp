@@ -39,7 +39,8 @@ std::vector<std::uint8_t> squared_distance(const Grid& grid, Seed seed) {
   return from;
 }
 
-/// Of the nearest labelled voxel; the first in index order when several are as near.
+}  // namespace
+
 Tissue nearest_label(const Grid& grid, const std::vector<Tissue>& labels, IVec3 at) {
   int least = 4 * kFar;
   Tissue found = Tissue::empty;
@@ -60,8 +61,6 @@ Tissue nearest_label(const Grid& grid, const std::vector<Tissue>& labels, IVec3 
       }
   return found;
 }
-
-}  // namespace
 
 LabelBox box_of_labels(const Grid& grid, const std::vector<Tissue>& labels) {
   LabelBox box{grid.size, IVec3(-1)};

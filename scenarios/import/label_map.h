@@ -17,6 +17,9 @@ LabelBox box_of_labels(const Grid& grid, const std::vector<Tissue>& labels);
 /// The grid of that box with kPadVoxels about it.
 Grid padded_grid(const Grid& grid, const LabelBox& box);
 
+/// Of the nearest labelled voxel within four; the first in index order when several are as near; empty when none is.
+Tissue nearest_label(const Grid& grid, const std::vector<Tissue>& labels, IVec3 at);
+
 /// s from the distance to the nearest voxel of the other side, less half a voxel: exact on faces along the axes, up to
 /// half a voxel off elsewhere, for that is all a label map knows. Pre: the box is not empty.
 VoxelVolume volume_of_labels(const Grid& grid, const std::vector<Tissue>& labels);

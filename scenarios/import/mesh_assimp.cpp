@@ -3,12 +3,17 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <map>
 #include <new>
+#include <string_view>
 
+#include "scenarios/import/header_text.h"
+#include "scenarios/import/limits.h"
 #include "scenarios/import/triangle_mesh.h"
 
 namespace cusp {
@@ -22,7 +27,9 @@ Transform transform_of(const aiMatrix4x4& m) {
 
 class Collector {
  public:
-  Collector(const aiScene& scene, std::string file_stem) : scene_(scene), file_stem_(std::move(file_stem)) {}
+  /// by_node: meshes bear numbers and their nodes the names, as in 3DS.
+  Collector(const aiScene& scene, std::string file_stem, bool by_node)
+      : scene_(scene), file_stem_(std::move(file_stem)), by_node_(by_node) {}
 
   void visit(const aiNode& node, const Transform& file_from_parent) {
     const Transform file_from_node = file_from_parent * transform_of(node.mTransformation);
@@ -35,9 +42,8 @@ class Collector {
  private:
   void add(const aiMesh& from, const aiNode& node, const Transform& file_from_node) {
     if (!(from.mPrimitiveTypes & aiPrimitiveType_TRIANGLE)) return;
-    TriangleMesh& to = named(from.mName.length > 0   ? from.mName.C_Str()
-                             : node.mName.length > 0 ? node.mName.C_Str()
-                                                     : file_stem_);
+    const aiString &first = by_node_ ? node.mName : from.mName, &second = by_node_ ? from.mName : node.mName;
+    TriangleMesh& to = named(first.length > 0 ? first.C_Str() : second.length > 0 ? second.C_Str() : file_stem_);
     const auto base = static_cast<std::uint32_t>(to.points.size());
     for (unsigned i = 0; i < from.mNumVertices; ++i) {
       const aiVector3D& v = from.mVertices[i];
@@ -59,15 +65,33 @@ class Collector {
 
   const aiScene& scene_;
   std::string file_stem_;
+  bool by_node_;
   std::map<std::string, std::size_t> index_;
   std::vector<TriangleMesh> meshes_;
   bool finite_ = true;
 };
 
+/// The chosen file alone: what it names besides (materials, pictures, other models) is not opened.
+class OneFile : public Assimp::DefaultIOSystem {
+ public:
+  explicit OneFile(std::string path) : path_(std::move(path)) {}
+  bool Exists(const char* file) const override { return file == path_ && DefaultIOSystem::Exists(file); }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return file == path_ && std::string_view(mode).starts_with('r') ? DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+
+ private:
+  std::string path_;
+};
+
 Result<std::vector<TriangleMesh>, ImportFailure> read(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
+  // Of the forty kinds that the library knows these alone are meshes of parts and nothing more.
+  constexpr std::string_view kinds[] = {".stl", ".obj", ".ply", ".3ds", ".off"};
+  if (std::ranges::find(kinds, std::string_view(lower(path.extension().string()))) == std::end(kinds))
+    return fail(ImportError::unknown_format, name);
   Assimp::Importer importer;
-  if (!importer.IsExtensionSupported(path.extension().string())) return fail(ImportError::unknown_format, name);
+  importer.SetIOHandler(new OneFile(path.string()));  // the importer's from here on
   // Only positions: normals and texture seams would part the points of one place.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
@@ -78,7 +102,7 @@ Result<std::vector<TriangleMesh>, ImportFailure> read(const std::filesystem::pat
   const aiScene* scene =
       importer.ReadFile(path.string(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
   if (!scene || !scene->mRootNode) return fail(ImportError::corrupt, name, importer.GetErrorString());
-  Collector collector(*scene, path.stem().string());
+  Collector collector(*scene, path.stem().string(), lower(path.extension().string()) == ".3ds");
   collector.visit(*scene->mRootNode, Transform{});
   if (!collector.finite()) return fail(ImportError::corrupt, name, "coordinates are not numbers");
   std::vector<TriangleMesh> meshes = collector.take();
@@ -95,6 +119,7 @@ Result<std::vector<TriangleMesh>, ImportFailure> read_meshes(const std::filesyst
   const auto status = std::filesystem::status(path, ec);
   if (!std::filesystem::exists(status)) return fail(ImportError::missing_file, name);
   if (!std::filesystem::is_regular_file(status)) return fail(ImportError::io, name);
+  if (std::filesystem::file_size(path, ec) > VolumeLimits{}.max_mesh_bytes) return fail(ImportError::too_large, name);
   try {
     return read(path);
   } catch (const std::bad_alloc&) {

@@ -4,12 +4,10 @@
 #include <vector>
 
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/import/triangle_distance.h"
 #include "scenarios/import/triangle_mesh.h"
 
 namespace cusp {
-
-/// Distances are exact up to here, in voxels; the band ends at 2.75.
-inline constexpr int kDistanceReach = 3;
 
 /// Distance of each voxel in voxels, negative inside, [z][y][x]; clamped to +-kDistanceReach. The points are in the
 /// grid's frame; what lies outside the grid counts too. Throws std::bad_alloc.

@@ -1,58 +1,20 @@
 #include "scenarios/import/nrrd.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
 
 #include "engine/base/ids.h"
 #include "scenarios/import/label_map.h"
-#include "scenarios/import/nrrd_data.h"
+#include "scenarios/import/packed_data.h"
 #include "scenarios/import/nrrd_header.h"
 
 namespace cusp {
 namespace {
 
-// A header of a volume of 32 named tissues has 2 KiB; writers that store notes reach tens of KiB.
-constexpr std::size_t kMaxHeaderBytes = std::size_t{1} << 20;
-
 std::string text_of(IVec3 v) {
   return "(" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + ")";
-}
-
-/// Lines up to the blank one, which is taken from the stream too.
-Result<std::string, ImportFailure> read_header_text(std::istream& in, const std::string& name) {
-  std::string text, line;
-  std::array<char, 8> magic{};
-  in.read(magic.data(), magic.size());
-  text.assign(magic.data(), static_cast<std::size_t>(in.gcount()));
-  if (!text.starts_with("NRRD000")) return fail(ImportError::unknown_format, name);
-  for (char c; in.get(c);) {
-    text += c;
-    if (text.size() > kMaxHeaderBytes) return fail(ImportError::bad_header, name);
-    if (text.ends_with("\n\n") || text.ends_with("\n\r\n")) {
-      text.resize(text.size() - (text.ends_with("\r\n") ? 2 : 1));
-      return text;
-    }
-  }
-  return fail(in.bad() ? ImportError::io : ImportError::truncated, name);
-}
-
-/// Whether the bytes that follow can be the data at all, before memory is taken for them.
-Result<void, ImportFailure> check_length(std::istream& in, const NrrdHeader& h, const std::filesystem::path& file,
-                                         const std::string& name) {
-  std::error_code ec;
-  const std::uintmax_t all = std::filesystem::file_size(file, ec);
-  const std::streamoff at = in.tellg();
-  if (ec || at < 0) return fail(ImportError::io, name, ec.message());
-  const std::uintmax_t there = all - std::min(all, static_cast<std::uintmax_t>(at));
-  const std::uintmax_t samples = h.content == NrrdHeader::Content::labels ? 1 : 2;
-  const std::uintmax_t needed = h.grid.voxels() * samples * static_cast<std::uintmax_t>(h.sample_bytes);
-  // Deflate packs 258 bytes into two bits at the most.
-  constexpr std::uintmax_t best_packing = 1032;
-  if (needed > (h.gzip ? there * best_packing : there)) return fail(ImportError::truncated, name);
-  return {};
 }
 
 /// Sample at p, least significant byte first unless big; a negative one comes out huge, and so above any code.
@@ -66,7 +28,7 @@ std::uint64_t sample(const std::byte* p, int bytes, bool is_signed, bool big) no
 
 /// Calls put(index in the specimen's grid, its voxel, bytes of the samples) for each voxel in the file's order.
 template <class Put>
-Result<void, ImportFailure> for_each_voxel(NrrdSource& source, const NrrdHeader& h, int samples,
+Result<void, ImportFailure> for_each_voxel(PackedSource& source, const NrrdHeader& h, int samples,
                                            const std::string& name, Put put) {
   const auto bytes = static_cast<std::size_t>(samples * h.sample_bytes);
   std::vector<std::byte> row(static_cast<std::size_t>(h.file_size.x) * bytes);
@@ -87,7 +49,7 @@ Result<void, ImportFailure> for_each_voxel(NrrdSource& source, const NrrdHeader&
   return {};
 }
 
-Result<VoxelVolume, ImportFailure> read_labels(NrrdSource& source, const NrrdHeader& h, const std::string& name,
+Result<VoxelVolume, ImportFailure> read_labels(PackedSource& source, const NrrdHeader& h, const std::string& name,
                                                const VolumeLimits& limits) {
   std::vector<Tissue> labels(h.grid.voxels(), Tissue::empty);
   const auto r = for_each_voxel(source, h, 1, name, [&](std::size_t i, const std::byte* p) {
@@ -106,7 +68,7 @@ Result<VoxelVolume, ImportFailure> read_labels(NrrdSource& source, const NrrdHea
   return out;
 }
 
-Result<VoxelVolume, ImportFailure> read_tissue_and_s(NrrdSource& source, const NrrdHeader& h, const std::string& name) {
+Result<VoxelVolume, ImportFailure> read_tissue_and_s(PackedSource& source, const NrrdHeader& h, const std::string& name) {
   VoxelVolume out(h.grid);
   out.names = h.names;
   bool solid = false;
@@ -156,19 +118,22 @@ Result<void, ImportFailure> check_writable(const VoxelVolume& volume, const std:
 
 Result<VoxelVolume, ImportFailure> read_nrrd(const std::filesystem::path& file, const VolumeLimits& limits) {
   const std::string name = file.filename().string();
-  std::error_code ec;
-  const auto status = std::filesystem::status(file, ec);
-  if (!std::filesystem::exists(status)) return fail(ImportError::missing_file, name);
-  if (!std::filesystem::is_regular_file(status)) return fail(ImportError::io, name);
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(ImportError::io, name, std::generic_category().message(errno));
+  std::ifstream in;
+  const auto bytes = open_volume_file(file, in);
+  if (!bytes) return std::unexpected(bytes.error());
+  return read_nrrd(in, *bytes, name, limits);
+}
 
-  const auto text = read_header_text(in, name);
+Result<VoxelVolume, ImportFailure> read_nrrd(std::istream& in, std::uintmax_t bytes, const std::string& name,
+                                             const VolumeLimits& limits) {
+  const auto text = read_nrrd_text(in, name);
   if (!text) return std::unexpected(text.error());
   const auto header = parse_nrrd_header(*text, name, limits);
   if (!header) return std::unexpected(header.error());
-  if (const auto enough = check_length(in, *header, file, name); !enough) return std::unexpected(enough.error());
-  NrrdSource source(in, header->gzip);
+  const std::uintmax_t samples = header->content == NrrdHeader::Content::labels ? 1 : 2;
+  const std::uintmax_t needed = header->grid.voxels() * samples * static_cast<std::uintmax_t>(header->sample_bytes);
+  if (!data_can_be_there(in, bytes, needed, header->gzip)) return fail(ImportError::truncated, name);
+  PackedSource source(in, header->gzip);
   if (header->content == NrrdHeader::Content::labels) return read_labels(source, *header, name, limits);
   return read_tissue_and_s(source, *header, name);
 }
@@ -190,7 +155,7 @@ Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::fil
     if (!out) return fail(ImportError::io, name, std::generic_category().message(errno));
     const std::string header = nrrd_header_of(volume);
     out.write(header.data(), static_cast<std::streamsize>(header.size()));
-    NrrdSink sink(out);
+    PackedSink sink(out);
     std::vector<std::byte> row(static_cast<std::size_t>(volume.grid.size.x) * 4);
     for (std::size_t i = 0; i < volume.s.size(); i += static_cast<std::size_t>(volume.grid.size.x)) {
       for (std::size_t x = 0; x < row.size() / 4; ++x) {

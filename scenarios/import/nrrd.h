@@ -5,7 +5,10 @@
 /// Any thread. Nothing is kept between calls; sizes are checked against the limits before memory is taken.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <iosfwd>
+#include <string>
 
 #include "engine/base/result.h"
 #include "engine/volume/voxel_volume.h"
@@ -18,6 +21,9 @@ namespace cusp {
 /// permuted) are turned into the specimen frame; oblique ones are refused. A label map is cropped to what it holds and
 /// padded by four voxels.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> read_nrrd(const std::filesystem::path& file,
+                                                           const VolumeLimits& limits = {});
+/// The same of a stream of that many bytes, from where it stands.
+[[nodiscard]] Result<VoxelVolume, ImportFailure> read_nrrd(std::istream& in, std::uintmax_t bytes, const std::string& name,
                                                            const VolumeLimits& limits = {});
 
 /// Writes beside the file and renames over it: there is the old file or the whole new one. The same volume gives the

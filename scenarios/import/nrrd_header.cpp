@@ -7,47 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "scenarios/import/header_text.h"
+
 namespace cusp {
 namespace {
-
-constexpr std::string_view kBlanks = " \t";
-
-std::string_view trimmed(std::string_view t) {
-  const auto first = t.find_first_not_of(kBlanks);
-  if (first == t.npos) return {};
-  return t.substr(first, t.find_last_not_of(kBlanks) - first + 1);
-}
-
-std::string lower(std::string_view t) {
-  std::string out(t);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
-/// Words between blanks; what stands in parentheses is one word.
-std::vector<std::string_view> words(std::string_view t) {
-  std::vector<std::string_view> out;
-  std::size_t i = 0;
-  while ((i = t.find_first_not_of(kBlanks, i)) != t.npos) {
-    std::size_t end = t[i] == '(' ? t.find(')', i) : t.find_first_of(kBlanks, i);
-    if (end == t.npos) end = t.size();
-    else if (t[i] == '(') ++end;
-    out.push_back(t.substr(i, end - i));
-    i = end;
-  }
-  return out;
-}
-
-/// Independent of the locale; "nan" in any case reads as a NaN.
-std::optional<double> number(std::string_view t) {
-  t = trimmed(t);
-  if (t.starts_with('+')) t.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(t.data(), t.data() + t.size(), value);
-  if (error != std::errc{} || end != t.data() + t.size()) return std::nullopt;
-  return value;
-}
 
 std::optional<Vec3> vector3(std::string_view t) {
   if (t.size() < 2 || t.front() != '(' || t.back() != ')') return std::nullopt;
@@ -68,6 +31,7 @@ struct TypeName {
   std::string_view name;
   int bytes;
   bool is_signed;
+  bool is_float = false;
 };
 constexpr TypeName kTypes[] = {
     {"signed char", 1, true},   {"int8", 1, true},          {"int8_t", 1, true},
@@ -81,7 +45,7 @@ constexpr TypeName kTypes[] = {
     {"uint32", 4, false},       {"uint32_t", 4, false},     {"longlong", 8, true},
     {"long long", 8, true},     {"int64", 8, true},         {"int64_t", 8, true},
     {"ulonglong", 8, false},    {"unsigned long long", 8, false}, {"uint64", 8, false},
-    {"uint64_t", 8, false},
+    {"uint64_t", 8, false},     {"float", 4, true, true},   {"double", 8, true, true},
 };
 
 /// Fields of the format that change nothing here.
@@ -112,8 +76,8 @@ std::string unescaped(std::string_view t) {
 
 class Parser {
  public:
-  Parser(std::string_view text, const std::string& file, const VolumeLimits& limits)
-      : text_(text), file_(file), limits_(limits) {}
+  Parser(std::string_view text, const std::string& file, const VolumeLimits& limits, NrrdUse use)
+      : text_(text), file_(file), limits_(limits), image_(use == NrrdUse::image) {}
 
   Result<NrrdHeader, ImportFailure> run() {
     using Step = Result<void, ImportFailure> (Parser::*)();
@@ -201,9 +165,10 @@ class Parser {
     const std::string* type = field("type");
     if (!type) return refuse(ImportError::bad_header, "type");
     const auto known = std::ranges::find(kTypes, std::string_view(lower(*type)), &TypeName::name);
-    if (known == std::end(kTypes)) return refuse(ImportError::unsupported, "type", *type);
+    if (known == std::end(kTypes) || (known->is_float && !image_)) return refuse(ImportError::unsupported, "type", *type);
     out_.sample_bytes = known->bytes;
     out_.sample_signed = known->is_signed;
+    out_.sample_float = known->is_float;
 
     const std::string* encoding = field("encoding");
     if (!encoding) return refuse(ImportError::bad_header, "encoding");
@@ -241,9 +206,12 @@ class Parser {
       size.push_back(n);
     }
     if (first_ == 1) {
+      out_.samples = size[0] <= 4 ? static_cast<int>(size[0]) : 0;
       if (size[0] == 2 && out_.sample_bytes == 2 && !out_.sample_signed)
         out_.content = NrrdHeader::Content::tissue_and_s;
-      else if (size[0] != 1)  // colours or channels: no tissue codes
+      else if (image_ && (size[0] == 3 || size[0] == 4) && out_.sample_bytes == 1)
+        out_.content = NrrdHeader::Content::colours;
+      else if (size[0] != 1)  // channels: no tissue codes
         return refuse(ImportError::unsupported, "sizes", *text);
     }
     std::size_t voxels = 1;
@@ -274,8 +242,11 @@ class Parser {
 
   Result<void, ImportFailure> axes() {
     if (const std::string* units = field("space units")) {
-      for (const std::string_view word : words(*units))
-        if (word != "\"mm\"") return refuse(ImportError::bad_spacing, "space units", *units);
+      for (const std::string_view word : words(*units)) {
+        if (word == "\"mm\"") continue;
+        if (!image_) return refuse(ImportError::bad_spacing, "space units", *units);
+        out_.unit_mm = word == "\"um\"" ? 1e-3 : word == "\"cm\"" ? 10.0 : word == "\"m\"" ? 1000.0 : 0.0;
+      }
     }
     const auto signs = space_signs();
     if (!signs) return std::unexpected(signs.error());
@@ -293,16 +264,36 @@ class Parser {
     } else {
       key = "spacings";
       const std::string* spacings = field(key);
-      if (!spacings) return refuse(ImportError::bad_spacing, key);
+      if (!spacings && !image_) return refuse(ImportError::bad_spacing, key);
+      static const std::string none = "nan nan nan nan";
+      if (!spacings) spacings = &none;
       const auto list = words(*spacings);
-      if (list.size() != first_ + 3) return refuse(ImportError::bad_header, key, *spacings);
+      if (list.size() != first_ + 3 && spacings != &none) return refuse(ImportError::bad_header, key, *spacings);
       for (std::size_t i = 0; i < 3; ++i) {
         const auto n = number(list[first_ + i]);
         if (!n) return refuse(ImportError::bad_header, key, *spacings);
         direction[i][static_cast<int>(i)] = *n * (*signs)[static_cast<int>(i)];
       }
     }
-    return place(direction, key, *signs);
+    return image_ ? keep(direction, *signs) : place(direction, key, *signs);
+  }
+
+  /// An image's own steps; where one is not a number, the lengths are not known at all.
+  Result<void, ImportFailure> keep(std::array<Vec3, 3> direction, Vec3 signs) {
+    const auto known = [](Vec3 d) { return std::isfinite(d.x + d.y + d.z) && d != Vec3(0.0); };
+    out_.spacing_known = out_.unit_mm > 0.0 && std::ranges::all_of(direction, known);
+    if (!std::ranges::all_of(direction, known)) {
+      direction = {Vec3(signs.x, 0, 0), Vec3(0, signs.y, 0), Vec3(0, 0, signs.z)};
+    }
+    const double unit = out_.unit_mm > 0.0 ? out_.unit_mm : 1.0;
+    for (std::size_t i = 0; i < 3; ++i) out_.step_mm[i] = direction[i] * unit;
+    if (const std::string* text = field("space origin")) {
+      const auto v = vector3(trimmed(*text));
+      if (!v) return refuse(ImportError::bad_header, "space origin", *text);
+      const Vec3 at = *v * signs * unit;
+      if (std::isfinite(at.x + at.y + at.z)) out_.first_mm = at;
+    }
+    return {};
   }
 
   Result<void, ImportFailure> place(const std::array<Vec3, 3>& direction, std::string_view key, Vec3 signs) {
@@ -350,24 +341,18 @@ class Parser {
   std::string_view text_;
   const std::string& file_;
   const VolumeLimits& limits_;
+  bool image_;
   std::map<std::string, Field> fields_;
   std::bitset<kTissueCodes> codes_named_;
   std::size_t first_ = 0;  // of the spatial axes
   NrrdHeader out_;
 };
 
-/// The shortest text that reads back as the same number.
-std::string exact(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return std::string(buffer, end);
-}
-
 }  // namespace
 
 Result<NrrdHeader, ImportFailure> parse_nrrd_header(std::string_view text, const std::string& file,
-                                                    const VolumeLimits& limits) {
-  return Parser(text, file, limits).run();
+                                                    const VolumeLimits& limits, NrrdUse use) {
+  return Parser(text, file, limits, use).run();
 }
 
 std::string nrrd_header_of(const VoxelVolume& volume) {

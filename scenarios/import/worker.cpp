@@ -1,133 +1,17 @@
+// The parent's side of worker.h.
 #include "scenarios/import/worker.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <new>
-#include <span>
+#include <fstream>
 #include <string_view>
 
 #include "engine/base/ids.h"
 #include "scenarios/import/child_process.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/worker_words.h"
 
 namespace cusp {
 namespace {
-
-// Parent to child: the verb, then `mesh` or `list` and plain arguments. Child to parent, on its standard output: lines
-// of this mark and words parted by tabs; what foreign libraries print there besides is not for us.
-constexpr std::string_view kVerb = "import-child";
-constexpr std::string_view kMark = "cusp-import\t";
-
-template <class Number>
-std::string text_of(Number value) {
-  char buffer[40];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-template <class Number>
-std::optional<Number> number_of(std::string_view t) {
-  Number value{};
-  const auto [end, error] = std::from_chars(t.data(), t.data() + t.size(), value);
-  if (error != std::errc{} || end != t.data() + t.size()) return std::nullopt;
-  return value;
-}
-
-std::string escaped(std::string_view t) {
-  std::string out;
-  for (const char c : t) {
-    if (c == '\\') out += "\\\\";
-    else if (c == '\n') out += "\\n";
-    else if (c == '\t') out += "\\t";
-    else out += c;
-  }
-  return out;
-}
-
-std::vector<std::string> words_of(std::string_view t) {
-  std::vector<std::string> out(1);
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t[i] == '\t') {
-      out.emplace_back();
-    } else if (t[i] == '\\' && i + 1 < t.size()) {
-      ++i;
-      out.back() += t[i] == 'n' ? '\n' : t[i] == 't' ? '\t' : t[i];
-    } else {
-      out.back() += t[i];
-    }
-  }
-  return out;
-}
-
-void say(std::initializer_list<std::string> words) {
-  std::string line(kMark);
-  bool first = true;
-  for (const std::string& w : words) {
-    if (!first) line += '\t';
-    line += escaped(w);
-    first = false;
-  }
-  line += '\n';
-  std::fwrite(line.data(), 1, line.size(), stdout);
-  std::fflush(stdout);
-}
-
-// ---- the child's side
-
-int say_failure(const ImportFailure& f) {
-  say({"fail", std::string(key_of(f.code)), f.where, f.detail});
-  return 1;
-}
-
-std::optional<MeshImport> job_of(std::span<const std::string_view> a, std::filesystem::path& out) {
-  // mesh FILE UNIT VOXEL UP MAX_EDGE MAX_VOXELS MIN_VOXEL MAX_VOXEL OUT (NAME CODE)...
-  if (a.size() < 10 || a.size() % 2 != 0) return std::nullopt;
-  MeshImport job;
-  job.path = a[1];
-  const auto unit = number_of<double>(a[2]), voxel = number_of<double>(a[3]);
-  const auto up = number_of<unsigned>(a[4]);
-  const auto edge = number_of<int>(a[5]);
-  const auto voxels = number_of<std::size_t>(a[6]);
-  const auto least = number_of<double>(a[7]), most = number_of<double>(a[8]);
-  if (!least || !most || !unit || !voxel || !up || *up >= kUpAxisKeys.size() || !edge || !voxels) return std::nullopt;
-  job.unit_mm = *unit;
-  job.voxel_mm = *voxel;
-  job.up = static_cast<UpAxis>(*up);
-  job.limits.max_edge_voxels = *edge;
-  job.limits.max_voxels = *voxels;
-  job.limits.min_voxel_mm = *least;
-  job.limits.max_voxel_mm = *most;
-  out = a[9];
-  for (std::size_t i = 10; i < a.size(); i += 2) {
-    const auto code = number_of<unsigned>(a[i + 1]);
-    if (!code || *code >= kTissueCodes) return std::nullopt;
-    job.tissues.emplace_back(a[i], static_cast<Tissue>(*code));
-  }
-  return job;
-}
-
-int child(std::span<const std::string_view> a) {
-  if (a.size() == 2 && a[0] == "list") {
-    const auto meshes = list_meshes(a[1]);
-    if (!meshes) return say_failure(meshes.error());
-    for (const MeshInfo& m : *meshes) {
-      say({"mesh", m.name, text_of(m.triangles), text_of(m.low.x), text_of(m.low.y), text_of(m.low.z),
-           text_of(m.high.x), text_of(m.high.y), text_of(m.high.z), text_of(m.volume), m.closed ? "1" : "0",
-           m.oriented ? "1" : "0"});
-    }
-    return 0;
-  }
-  std::filesystem::path out;
-  if (a.empty() || a[0] != "mesh") return 2;
-  const auto job = job_of(a, out);
-  if (!job) return 2;
-  const auto volume = import_mesh(*job, [](double share) { say({"progress", text_of(share)}); });
-  if (!volume) return say_failure(volume.error());
-  if (const auto r = write_nrrd(*volume, out); !r) return say_failure(r.error());
-  return 0;
-}
-
-// ---- the parent's side
 
 /// A folder of this import's own, gone with it.
 class PrivateFolder {
@@ -155,42 +39,40 @@ class PrivateFolder {
 
 struct Heard {
   std::optional<ImportFailure> failure;
-  std::vector<MeshInfo> meshes;
+  FileLook look;  // the preview without its values
+  std::vector<ImportRemark> remarks;
   bool garbled = false;
 };
 
-std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& w) {
-  if (w.size() != 12) return std::nullopt;
-  MeshInfo m;
-  m.name = w[1];
-  const auto triangles = number_of<std::size_t>(w[2]);
-  if (!triangles) return std::nullopt;
-  m.triangles = *triangles;
-  std::array<double, 7> numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto n = number_of<double>(w[3 + i]);
-    if (!n) return std::nullopt;
-    numbers[i] = *n;
+/// Sizes of a preview that this program would have made.
+bool preview_of(const std::vector<std::string>& w, ImagePreview& out) {
+  if (w.size() != 7) return false;
+  for (int i = 0; i < 3; ++i) {
+    const auto n = number_of<int>(w[static_cast<std::size_t>(i) + 1]);
+    const auto mm = number_of<double>(w[static_cast<std::size_t>(i) + 4]);
+    if (!n || *n < 1 || *n > kPreviewEdge || !mm || !(*mm > 0.0)) return false;
+    out.size[i] = *n;
+    out.spacing_mm[i] = *mm;
   }
-  m.low = {numbers[0], numbers[1], numbers[2]};
-  m.high = {numbers[3], numbers[4], numbers[5]};
-  m.volume = numbers[6];
-  m.closed = w[10] == "1";
-  m.oriented = w[11] == "1";
-  return m;
+  return true;
 }
 
 void hear(std::string_view line, Heard& heard, const ImportProgress& progress) {
-  if (!line.starts_with(kMark)) return;
-  const auto w = words_of(line.substr(kMark.size()));
+  const auto words = worker_words(line);
+  if (!words) return;
+  const std::vector<std::string>& w = *words;
   if (w[0] == "progress" && w.size() == 2) {
     if (const auto share = number_of<double>(w[1]); share && progress) progress(*share);
   } else if (w[0] == "fail" && w.size() == 4) {
     if (const auto code = import_error_from_key(w[1])) heard.failure = ImportFailure{*code, w[2], w[3]};
     else heard.garbled = true;
-  } else if (auto m = w[0] == "mesh" ? mesh_info_of(w) : std::nullopt) {
-    heard.meshes.push_back(std::move(*m));
-  } else {
+  } else if (auto m = mesh_info_of(w)) {
+    heard.look.meshes.push_back(std::move(*m));
+  } else if (auto image = image_info_of(w)) {
+    heard.look.image = std::move(*image);
+  } else if (auto remark = remark_of(w)) {
+    heard.remarks.push_back(std::move(*remark));
+  } else if (w[0] != "preview" || !preview_of(w, heard.look.preview)) {
     heard.garbled = true;
   }
 }
@@ -198,7 +80,7 @@ void hear(std::string_view line, Heard& heard, const ImportProgress& progress) {
 Result<Heard, ImportFailure> run(const std::filesystem::path& file, std::vector<std::string> arguments,
                                  const WorkerSettings& settings, const ImportProgress& progress, std::stop_token stop) {
   std::vector<std::string> argv = settings.program;
-  if (argv.empty()) argv = {own_program(), std::string(kVerb)};
+  if (argv.empty()) argv = {own_program(), std::string(kWorkerVerb)};
   argv.insert(argv.end(), arguments.begin(), arguments.end());
   Heard heard;
   const ChildEnd end =
@@ -220,54 +102,60 @@ Result<Heard, ImportFailure> run(const std::filesystem::path& file, std::vector<
   return heard;
 }
 
-}  // namespace
-
-std::optional<int> import_child_main(int argc, const char* const* argv) {
-  if (argc < 2 || argv[1] != kVerb) return std::nullopt;
-  const std::vector<std::string_view> arguments(argv + 2, argv + argc);
-  try {
-    return child(arguments);
-  } catch (const std::bad_alloc&) {
-    return say_failure({ImportError::out_of_memory, {}, {}});
-  } catch (const std::exception& e) {
-    return say_failure({ImportError::crashed, {}, e.what()});
-  }
-}
-
-Result<VoxelVolume, ImportFailure> import_mesh_in_child(const MeshImport& what, const WorkerSettings& settings,
-                                                        const ImportProgress& progress, std::stop_token stop) {
+/// The same for both kinds of import: a child that leaves a volume.
+template <class Job>
+Result<VoxelVolume, ImportFailure> volume_from_child(const Job& what, const WorkerSettings& settings, const ImportProgress& progress,
+                                                     std::stop_token stop, std::vector<ImportRemark>* remarks) {
   const std::string where = what.path.filename().string();
   const PrivateFolder folder;
   if (folder.path().empty()) return fail(ImportError::io, where, "no temporary folder");
   const std::filesystem::path out = folder.path() / "volume.nrrd";
-  std::vector<std::string> arguments = {"mesh",
-                                        std::filesystem::absolute(what.path).string(),
-                                        text_of(what.unit_mm),
-                                        text_of(what.voxel_mm),
-                                        text_of(static_cast<unsigned>(what.up)),
-                                        text_of(what.limits.max_edge_voxels),
-                                        text_of(what.limits.max_voxels),
-                                        text_of(what.limits.min_voxel_mm),
-                                        text_of(what.limits.max_voxel_mm),
-                                        out.string()};
-  for (const auto& [name, tissue] : what.tissues) {
-    arguments.push_back(name);
-    arguments.push_back(text_of(static_cast<unsigned>(tissue)));
-  }
-  if (const auto heard = run(what.path, std::move(arguments), settings, progress, stop); !heard)
-    return std::unexpected(heard.error());
+  auto heard = run(what.path, arguments_of(what, out), settings, progress, stop);
+  if (!heard) return std::unexpected(heard.error());
   auto volume = read_nrrd(out, what.limits);
   // What the child wrote is at fault here, not the user's file: it is no more than a crash of the child.
   if (!volume) return fail(ImportError::crashed, where, std::string(key_of(volume.error().code)));
+  if (remarks) *remarks = std::move(heard->remarks);
   return volume;
 }
 
-Result<std::vector<MeshInfo>, ImportFailure> list_meshes_in_child(const std::filesystem::path& path,
-                                                                  const WorkerSettings& settings,
-                                                                  std::stop_token stop) {
-  auto heard = run(path, {"list", std::filesystem::absolute(path).string()}, settings, {}, stop);
+}  // namespace
+
+Result<VoxelVolume, ImportFailure> import_mesh_in_child(const MeshImport& what, const WorkerSettings& settings,
+                                                        const ImportProgress& progress, std::stop_token stop,
+                                                        std::vector<ImportRemark>* remarks) {
+  return volume_from_child(what, settings, progress, stop, remarks);
+}
+
+Result<VoxelVolume, ImportFailure> import_image_in_child(const ImageImport& what, const WorkerSettings& settings,
+                                                         const ImportProgress& progress, std::stop_token stop,
+                                                         std::vector<ImportRemark>* remarks) {
+  return volume_from_child(what, settings, progress, stop, remarks);
+}
+
+Result<FileLook, ImportFailure> look_in_child(const std::vector<std::filesystem::path>& files, const WorkerSettings& settings,
+                                              const ImportProgress& progress, std::stop_token stop) {
+  if (files.empty()) return fail(ImportError::missing_file, {});
+  const std::filesystem::path& path = files.front();
+  const std::string where = path.filename().string();
+  const PrivateFolder folder;
+  if (folder.path().empty()) return fail(ImportError::io, where, "no temporary folder");
+  const std::filesystem::path preview = folder.path() / "preview";
+  std::vector<std::string> arguments = {"look", preview.string()};
+  for (const std::filesystem::path& file : files) arguments.push_back(std::filesystem::absolute(file).string());
+  auto heard = run(path, std::move(arguments), settings, progress, stop);
   if (!heard) return std::unexpected(heard.error());
-  return std::move(heard->meshes);
+  ImagePreview& p = heard->look.preview;
+  if (p.size.x > 0) {
+    p.value.resize(static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y) * static_cast<std::size_t>(p.size.z));
+    std::ifstream in(preview, std::ios::binary);
+    in.read(reinterpret_cast<char*>(p.value.data()), static_cast<std::streamsize>(p.value.size() * sizeof(float)));
+    if (!in) return fail(ImportError::crashed, where, "preview");
+    for (float& v : p.value)
+      if (!std::isfinite(v)) v = 0.0f;
+  }
+  if (heard->look.meshes.empty() && !heard->look.image) return fail(ImportError::crashed, where, "nothing said");
+  return std::move(heard->look);
 }
 
 }  // namespace cusp

@@ -28,12 +28,20 @@ struct WorkerSettings {
 [[nodiscard]] Result<VoxelVolume, ImportFailure> import_mesh_in_child(const MeshImport& what,
                                                                       const WorkerSettings& settings = {},
                                                                       const ImportProgress& progress = {},
-                                                                      std::stop_token stop = {});
+                                                                      std::stop_token stop = {},
+                                                                      std::vector<ImportRemark>* remarks = nullptr);
 
-/// list_meshes() in a child.
-[[nodiscard]] Result<std::vector<MeshInfo>, ImportFailure> list_meshes_in_child(const std::filesystem::path& path,
-                                                                                const WorkerSettings& settings = {},
-                                                                                std::stop_token stop = {});
+/// import_image() in a child.
+[[nodiscard]] Result<VoxelVolume, ImportFailure> import_image_in_child(const ImageImport& what,
+                                                                       const WorkerSettings& settings = {},
+                                                                       const ImportProgress& progress = {},
+                                                                       std::stop_token stop = {},
+                                                                       std::vector<ImportRemark>* remarks = nullptr);
+
+/// look_at_files() in a child.
+[[nodiscard]] Result<FileLook, ImportFailure> look_in_child(const std::vector<std::filesystem::path>& files,
+                                                            const WorkerSettings& settings = {},
+                                                            const ImportProgress& progress = {}, std::stop_token stop = {});
 
 /// To be called first in main(): runs the child's part and gives its exit status when argv[1] is `import-child`,
 /// nullopt for any other call.

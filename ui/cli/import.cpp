@@ -1,4 +1,4 @@
-// cusp import FILE -o VOLUME
+// cusp import FILE... -o VOLUME
 
 #include <algorithm>
 #include <csignal>
@@ -7,8 +7,11 @@
 
 #include "engine/volume/specimen.h"
 #include "scenarios/format/validate.h"
+#include "scenarios/import/binvox.h"
+#include "scenarios/import/header_text.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/worker.h"
+#include "ui/app/import_words.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 
@@ -17,12 +20,16 @@ namespace cusp {
 namespace {
 
 struct ImportOptions {
-  std::string file, out, up = "z";
-  std::vector<std::string> tissues;
-  double unit_mm = 1.0, voxel_mm = 0.1;
-  bool list = false;
+  std::vector<std::string> files;
+  std::string out, up = "z", hollows;
+  std::vector<std::string> tissues, from;
+  double unit_mm = 1.0;
+  std::optional<double> voxel_mm, mend_mm;
+  bool list = false, largest = false;
   JsonOption json;
 };
+
+constexpr double kMeshVoxelMm = 0.1;  // where a mesh says nothing: a tenth, as the teeth that come with the program
 
 volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int) { interrupted = 1; }
@@ -47,108 +54,235 @@ class StopOnInterrupt {
 };
 
 std::optional<UpAxis> up_axis(const std::string& text) {
-  constexpr std::array<std::pair<std::string_view, UpAxis>, 6> axes = {{{"z", UpAxis::z},
-                                                                        {"y", UpAxis::y},
-                                                                        {"x", UpAxis::x},
-                                                                        {"-z", UpAxis::minus_z},
-                                                                        {"-y", UpAxis::minus_y},
-                                                                        {"-x", UpAxis::minus_x}}};
-  for (const auto& [key, axis] : axes) {
-    if (key == text) return axis;
+  for (std::size_t i = 0; i < kUpAxisKeys.size(); ++i) {
+    if (kUpAxisKeys[i] == text) return static_cast<UpAxis>(i);
   }
   return std::nullopt;
 }
 
+std::vector<std::filesystem::path> paths_of(const ImportOptions& o) { return {o.files.begin(), o.files.end()}; }
+
+nlohmann::ordered_json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
+
+nlohmann::ordered_json json_of(const MeshInfo& m) {
+  nlohmann::ordered_json gaps = nlohmann::ordered_json::array();
+  for (const MeshGap& gap : m.gaps) gaps.push_back({{"at", json_of(gap.middle())}, {"width", gap.width()}, {"edges", gap.edges}});
+  return {{"name", m.name},     {"triangles", m.triangles}, {"low", json_of(m.low)},     {"high", json_of(m.high)},
+          {"volume", m.volume}, {"closed", m.closed},       {"oriented", m.oriented}, {"gap_count", m.gap_count}, {"gaps", gaps}};
+}
+
+nlohmann::ordered_json json_of(const ImageInfo& i) {
+  nlohmann::ordered_json values = nlohmann::ordered_json::array();
+  for (const auto& [value, voxels] : i.values) values.push_back({{"value", value}, {"voxels", voxels}});
+  return {{"kind", i.specimen ? "specimen" : std::string(kImageKindKeys[static_cast<std::size_t>(i.kind)])},
+          {"size", {i.size.x, i.size.y, i.size.z}},
+          {"spacing_mm", json_of(i.spacing_mm)},
+          {"spacing_known", i.spacing_known},
+          {"low", i.low},
+          {"high", i.high},
+          {"series", i.series},
+          {"slices", i.slices},
+          {"values", values}};
+}
+
+void say_mesh(const MeshInfo& m, double unit_mm) {
+  const Vec3 size = (m.high - m.low) * unit_mm;
+  const QString mm = QStringLiteral("%1 × %2 × %3").arg(size.x, 0, 'f', 2).arg(size.y, 0, 'f', 2).arg(size.z, 0, 'f', 2);
+  const QString state = !m.closed ? CliWords::tr("open") : m.oriented ? CliWords::tr("closed") : CliWords::tr("turned inside out");
+  say(plain(CliWords::tr("%1: %n triangle(s), %2, %3 mm", nullptr, static_cast<int>(m.triangles))
+                .arg(QString::fromStdString(m.name), state, mm)));
+  for (const MeshGap& gap : m.gaps) {
+    const Vec3 at = gap.middle() * unit_mm;
+    say(plain(QStringLiteral("  ") + CliWords::tr("gap of %1 mm at %2, %3, %4 mm")
+                          .arg(gap.width() * unit_mm, 0, 'f', 2)
+                          .arg(at.x, 0, 'f', 2)
+                          .arg(at.y, 0, 'f', 2)
+                          .arg(at.z, 0, 'f', 2)));
+  }
+}
+
+void say_image(const ImageInfo& i) {
+  say(plain(CliWords::tr("%1 × %2 × %3 voxels of %4 × %5 × %6 mm")
+                .arg(i.size.x)
+                .arg(i.size.y)
+                .arg(i.size.z)
+                .arg(i.spacing_mm.x, 0, 'g', 4)
+                .arg(i.spacing_mm.y, 0, 'g', 4)
+                .arg(i.spacing_mm.z, 0, 'g', 4)));
+  if (!i.spacing_known) say(plain(CliWords::tr("The file does not say how large a voxel is; --unit-mm does.")));
+  if (i.kind == ImageKind::grey) say(plain(CliWords::tr("Grey values from %1 to %2").arg(i.low).arg(i.high)));
+  for (const auto& [value, voxels] : i.values) {
+    say(plain(CliWords::tr("%1: %n voxel(s)", nullptr, static_cast<int>(voxels)).arg(value)));
+  }
+}
+
 int list_verb(const ImportOptions& o) {
   StopOnInterrupt stop;
-  auto meshes = list_meshes_in_child(o.file, {}, stop.token());
-  if (!meshes) return failed(tell(meshes.error()));
+  const auto seen = look_in_child(paths_of(o), {}, {}, stop.token());
+  if (!seen) return failed(tell(seen.error()));
   nlohmann::ordered_json json;
   json["meshes"] = nlohmann::ordered_json::array();
-  for (const MeshInfo& m : *meshes) {
-    json["meshes"].push_back({{"name", m.name},
-                              {"triangles", m.triangles},
-                              {"low", {m.low.x, m.low.y, m.low.z}},
-                              {"high", {m.high.x, m.high.y, m.high.z}},
-                              {"volume", m.volume},
-                              {"closed", m.closed},
-                              {"oriented", m.oriented}});
-    if (!o.json.on_stdout()) {
-      say(plain(CliWords::tr("%1: %n triangle(s), %2", nullptr, static_cast<int>(m.triangles))
-                    .arg(QString::fromStdString(m.name), m.closed ? CliWords::tr("closed") : CliWords::tr("open"))));
-    }
+  for (const MeshInfo& m : seen->meshes) {
+    json["meshes"].push_back(json_of(m));
+    if (!o.json.on_stdout()) say_mesh(m, o.unit_mm);
+  }
+  if (seen->image) {
+    json["image"] = json_of(*seen->image);
+    if (!o.json.on_stdout()) say_image(*seen->image);
   }
   return o.json.write(json) ? kDone : kFailed;
 }
 
-int import_verb(const ImportOptions& o) {
-  if (o.list) return list_verb(o);
-  if (o.out.empty()) return wrong_usage(CliWords::tr("Say with -o where the volume is to be written."));
-  std::string ending = std::filesystem::path(o.file).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  std::expected<VoxelVolume, ImportFailure> volume;
-  if (ending == ".nrrd") {
-    volume = read_nrrd(o.file);
-  } else {
-    MeshImport what;
-    what.path = o.file;
-    what.unit_mm = o.unit_mm;
-    what.voxel_mm = o.voxel_mm;
-    const auto up = up_axis(o.up);
-    if (!up) return wrong_usage(CliWords::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
-    what.up = *up;
-    for (const std::string& pair : o.tissues) {
-      const auto split = pair.rfind('=');
-      const auto tissue = split == std::string::npos ? std::nullopt : tissue_from_key(pair.substr(split + 1));
-      if (!tissue || *tissue == Tissue::empty) {
-        return wrong_usage(CliWords::tr("%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.")
-                               .arg(QString::fromStdString(pair)));
-      }
-      what.tissues.emplace_back(pair.substr(0, split), *tissue);
-    }
-    if (what.tissues.empty()) {
-      return wrong_usage(CliWords::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
-    }
-    StopOnInterrupt stop;
-    volume = import_mesh_in_child(what, {}, {}, stop.token());
-  }
-  if (!volume) return failed(tell(volume.error()));
-  if (auto written = write_nrrd(*volume, o.out); !written) return failed(tell(written.error()));
+std::optional<Tissue> tissue_named(const std::string& key) { return tissue_from_key(key); }
 
-  const SpecimenFacts facts = facts_of(*volume);
+/// NAME=TISSUE, told apart at the last sign.
+std::optional<std::pair<std::string, Tissue>> pair_of(const std::string& text) {
+  const auto split = text.rfind('=');
+  const auto tissue = split == std::string::npos ? std::nullopt : tissue_named(text.substr(split + 1));
+  if (!tissue) return std::nullopt;
+  return std::pair(text.substr(0, split), *tissue);
+}
+
+QString not_a_pair(const std::string& text) {
+  return CliWords::tr("%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.").arg(QString::fromStdString(text));
+}
+
+/// What was typed as an image's tissues; the sentence says what is wrong with it.
+std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up) {
+  ImageTissues t;
+  t.unit_mm = o.unit_mm;
+  t.voxel_mm = o.voxel_mm;
+  t.up = up;
+  t.largest_piece = o.largest;
+  for (const std::string& text : o.tissues) {
+    const auto pair = pair_of(text);
+    if (!pair) return std::unexpected(not_a_pair(text));
+    const auto value = whole_number<std::uint32_t>(pair->first);
+    if (!value) return std::unexpected(CliWords::tr("%1 is no label of a volume: it takes its number.").arg(QString::fromStdString(pair->first)));
+    t.labels.emplace_back(*value, pair->second);
+  }
+  for (const std::string& text : o.from) {
+    const auto split = text.find('=');
+    const auto tissue = tissue_named(text.substr(0, split));
+    const auto value = split == std::string::npos ? std::nullopt : number(text.substr(split + 1));
+    if (!tissue || !value) return std::unexpected(CliWords::tr("%1 is not TISSUE=VALUE, such as dentine=1200.").arg(QString::fromStdString(text)));
+    t.thresholds.emplace_back(*value, *tissue);
+  }
+  std::ranges::sort(t.thresholds, {}, [](const auto& pair) { return pair.first; });
+  if (!o.hollows.empty()) {
+    t.hollows = tissue_named(o.hollows);
+    if (!t.hollows || *t.hollows == Tissue::empty) return std::unexpected(not_a_pair(o.hollows));
+  }
+  return t;
+}
+
+/// A label map whose numbers are tissue codes needs no words for them.
+Result<void, ImportFailure> take_codes_as_they_are(const ImportOptions& o, ImageTissues& t, std::stop_token stop) {
+  const auto seen = look_in_child(paths_of(o), {}, {}, std::move(stop));
+  if (!seen) return std::unexpected(seen.error());
+  if (!seen->image || seen->image->specimen || seen->image->kind != ImageKind::labels) return {};
+  for (const auto& [value, voxels] : seen->image->values) {
+    if (value >= kTissueCodes) return fail(ImportError::bad_tissue, std::to_string(value));
+    t.labels.emplace_back(value, static_cast<Tissue>(value));
+  }
+  return {};
+}
+
+struct Done {
+  VoxelVolume volume;
+  std::vector<ImportRemark> remarks;
+};
+
+int finish(const ImportOptions& o, const Done& done) {
+  const VoxelVolume& volume = done.volume;
+  const bool binvox = std::filesystem::path(o.out).extension() == ".binvox";
+  if (auto written = binvox ? write_binvox(binvox_of(volume), o.out) : write_nrrd(volume, o.out); !written)
+    return failed(tell(written.error()));
+  const SpecimenFacts facts = facts_of(volume);
   nlohmann::ordered_json json;
   json["volume"] = o.out;
-  json["size"] = {volume->grid.size.x, volume->grid.size.y, volume->grid.size.z};
-  json["voxel_mm"] = volume->grid.voxel_mm;
-  json["low_mm"] = {facts.low_mm.x, facts.low_mm.y, facts.low_mm.z};
-  json["high_mm"] = {facts.high_mm.x, facts.high_mm.y, facts.high_mm.z};
+  json["size"] = {volume.grid.size.x, volume.grid.size.y, volume.grid.size.z};
+  json["voxel_mm"] = volume.grid.voxel_mm;
+  json["low_mm"] = json_of(facts.low_mm);
+  json["high_mm"] = json_of(facts.high_mm);
   json["tissues"] = nlohmann::ordered_json::array();
   for (const Tissue t : facts.tissues) {
     const auto code = index_of(t);
     json["tissues"].push_back(code < kTissueKeys.size() ? std::string(kTissueKeys[code]) : std::to_string(code));
+  }
+  json["remarks"] = nlohmann::ordered_json::array();
+  for (const ImportRemark& remark : done.remarks) {
+    json["remarks"].push_back({{"code", std::string(key_of(remark.code))}, {"subject", remark.subject}, {"numbers", remark.numbers}});
+    if (!o.json.on_stdout()) say(plain(tell(remark)));
   }
   if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) say(o.out);
   return kDone;
 }
 
+int import_verb(const ImportOptions& o) {
+  if (o.list) return list_verb(o);
+  if (o.out.empty()) return wrong_usage(CliWords::tr("Say with -o where the volume is to be written."));
+  const auto up = up_axis(o.up);
+  if (!up) return wrong_usage(CliWords::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
+  StopOnInterrupt stop;
+  Done done;
+  Result<VoxelVolume, ImportFailure> volume;
+  if (file_kind(o.files.front()) == FileKind::image) {
+    ImageImport what;
+    what.path = o.files.front();
+    auto tissues = image_tissues(o, *up);
+    if (!tissues) return wrong_usage(tissues.error());
+    what.tissues = std::move(*tissues);
+    if (what.tissues.labels.empty() && what.tissues.thresholds.empty()) {
+      if (auto r = take_codes_as_they_are(o, what.tissues, stop.token()); !r) return failed(tell(r.error()));
+    }
+    volume = import_image_in_child(what, {}, {}, stop.token(), &done.remarks);
+  } else {
+    MeshImport what;
+    what.path = o.files.front();
+    what.more.assign(o.files.begin() + 1, o.files.end());
+    what.unit_mm = o.unit_mm;
+    what.voxel_mm = o.voxel_mm.value_or(kMeshVoxelMm);
+    what.mend_holes_mm = o.mend_mm;
+    what.up = *up;
+    for (const std::string& text : o.tissues) {
+      const auto pair = pair_of(text);
+      if (!pair || pair->second == Tissue::empty) return wrong_usage(not_a_pair(text));
+      what.tissues.push_back(*pair);
+    }
+    if (what.tissues.empty()) {
+      return wrong_usage(CliWords::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
+    }
+    volume = import_mesh_in_child(what, {}, {}, stop.token(), &done.remarks);
+  }
+  if (!volume) return failed(tell(volume.error()));
+  done.volume = std::move(*volume);
+  return finish(o, done);
+}
+
 }  // namespace
 
 void add_import(CLI::App& program, Job& job) {
   auto o = std::make_shared<ImportOptions>();
-  CLI::App* verb = program.add_subcommand("import", help(CliWords::tr("Make a specimen volume of closed meshes or of a label volume")));
-  verb->add_option("FILE", o->file, help(CliWords::tr("OBJ, STL, PLY … or NRRD")))->required();
-  verb->add_option("-o,--output", o->out, help(CliWords::tr("Volume to write (NRRD)")))->type_name("VOLUME");
-  verb->add_option("--tissue", o->tissues, help(CliWords::tr("What a mesh is made of; once for each mesh to be taken")))
+  CLI::App* verb = program.add_subcommand("import", help(CliWords::tr("Make a specimen volume of closed meshes, of a label volume or of a CT series")));
+  verb->add_option("FILE", o->files, help(CliWords::tr("STL, OBJ, PLY, 3DS (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices")))->required();
+  verb->add_option("-o,--output", o->out, help(CliWords::tr("Volume to write (NRRD, or binvox by its ending)")))->type_name("VOLUME");
+  verb->add_option("--tissue", o->tissues, help(CliWords::tr("What a mesh or a label is made of; once for each to be taken")))
       ->type_name("MESH=TISSUE");
+  verb->add_option("--from", o->from, help(CliWords::tr("The tissue from a grey value on, up to the next; “empty” leaves out")))
+      ->type_name("TISSUE=VALUE");
+  verb->add_option("--hollows", o->hollows, help(CliWords::tr("What closed hollows of a volume are made of")))->type_name("TISSUE");
+  verb->add_flag("--largest-piece", o->largest, help(CliWords::tr("Of a volume keep only the largest piece")));
   verb->add_option("--unit-mm", o->unit_mm, help(CliWords::tr("Length of one unit of the file in millimetres")))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--voxel-mm", o->voxel_mm, help(CliWords::tr("Edge of a voxel in millimetres")))
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  verb->add_option("--voxel-mm", o->voxel_mm, help(CliWords::tr("Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes")))
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--mend-mm", o->mend_mm, help(CliWords::tr("Mend meshes, and close holes up to this width in millimetres")))
+      ->check(CLI::NonNegativeNumber);
   verb->add_option("--up", o->up, help(CliWords::tr("The file's axis towards the chewing surface")))->capture_default_str();
-  verb->add_flag("--list", o->list, help(CliWords::tr("Only name the meshes of the file")));
+  verb->add_flag("--list", o->list, help(CliWords::tr("Only tell what the file holds")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return import_verb(*o); }; });
 }

@@ -1,11 +1,12 @@
-/// A file of meshes or a volume becomes the specimen of a new exercise: how long one unit is, what each mesh is made of,
-/// how fine. The size in millimetres is shown before anything is reckoned. Reading and turning into a volume run in a
-/// process of their own, with progress, and can be stopped.
+/// Files of meshes or a volume become the specimen of a new exercise: dropped or chosen, how long one unit is, what each
+/// part is made of, how fine. The size in millimetres is shown before anything is reckoned. Reading and turning into a
+/// volume run in a process of their own, with progress, and can be stopped.
 #pragma once
 
 #include <QWidget>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -16,15 +17,17 @@
 
 class QComboBox;
 class QDoubleSpinBox;
-class QGridLayout;
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace cusp {
 
 class Band;
 class Busy;
 class Card;
+class MeshForm;
+class VolumeForm;
 
 class ImportPage : public QWidget {
   Q_OBJECT
@@ -32,39 +35,56 @@ class ImportPage : public QWidget {
  public:
   ImportPage(const Ports& ports, std::filesystem::path database, QWidget* parent = nullptr);
   ~ImportPage() override;
-  /// What the file picker does; for a file given on other ways.
-  void open_file(const QString& path);
+  /// What the file picker and a drop do. Meshes join those that are there; anything else replaces them.
+  void open_files(const QStringList& paths);
+  void open_file(const QString& path) { open_files({path}); }
+  /// What a child process would have told of the files; for pictures and tests too.
+  void show_look(FileLook look);
+  const std::vector<std::filesystem::path>& files() const { return files_; }
+  MeshForm* meshes() const { return mesh_form_; }
+  VolumeForm* volume() const { return volume_form_; }
+  bool busy() const { return work_ != nullptr; }
 
  Q_SIGNALS:
   void back_wanted();
   /// The volume is kept; a new exercise on it is ready to be edited.
   void edit_wanted(const cusp::EditorStart& start);
 
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
  private:
-  struct Mesh {
-    MeshInfo info;
-    QComboBox* tissue;
-  };
-  void show_meshes(std::vector<MeshInfo> meshes);
+  void build_files(QVBoxLayout* body);
+  void build_size(QVBoxLayout* body);
+  void show_files();
   void show_size();
+  void forget_forms();
+  void look();
   void run();
   void begin_work(const QString& what);
   void end_work();
-  void keep(const VoxelVolume& volume);
+  void keep(const VoxelVolume& volume, const std::vector<ImportRemark>& remarks);
   void tell_failure(const ImportFailure& failure);
-  std::vector<std::pair<std::string, Tissue>> chosen() const;
+  double unit_mm() const;
+  bool asks_unit() const;
 
   const Ports& ports_;
-  std::filesystem::path database_, file_;
-  std::vector<Mesh> meshes_;
+  std::filesystem::path database_;
+  std::vector<std::filesystem::path> files_;
+  std::optional<ImageInfo> image_;
+  std::optional<EditorStart> kept_;  // made, and waiting until its remarks were read
   std::shared_ptr<std::stop_source> work_;
   Band* band_;
-  Card* card_;
-  QGridLayout* grid_;
-  QLabel *name_, *size_;
-  QDoubleSpinBox *unit_, *voxel_;
-  QComboBox* up_;
-  QPushButton *pick_, *import_;
+  Card *files_card_, *parts_card_, *size_card_;
+  MeshForm* mesh_form_ = nullptr;
+  VolumeForm* volume_form_ = nullptr;
+  QLabel *names_, *about_, *size_, *unit_hint_;
+  QComboBox *unit_, *up_;
+  QDoubleSpinBox *other_unit_, *voxel_;
+  QWidget *unit_field_, *other_field_;
+  QPushButton *pick_, *clear_, *import_;
   Busy* busy_;
 };
 

@@ -56,10 +56,11 @@ TEST_F(ImportWorker, AChildGivesTheSameVolumeAsACall) {
 }
 
 TEST_F(ImportWorker, AChildListsTheSameMeshesAsACall) {
-  const auto here = list_meshes(what.path), there = list_meshes_in_child(what.path);
+  const auto here = list_meshes(what.path);
+  const auto there = look_in_child({what.path});
   ASSERT_TRUE(here);
   ASSERT_TRUE(there) << key_of(there.error().code) << there.error().detail;
-  EXPECT_EQ(*here, *there);
+  EXPECT_EQ(*here, there->meshes);
 }
 
 TEST_F(ImportWorker, AFailureKeepsItsCodeAndPlaceOnTheWay) {
@@ -68,7 +69,7 @@ TEST_F(ImportWorker, AFailureKeepsItsCodeAndPlaceOnTheWay) {
   ASSERT_FALSE(r);
   EXPECT_EQ(key_of(r.error().code), "mesh_not_found");
   EXPECT_EQ(r.error().where, "no\tsuch\nmesh");
-  EXPECT_EQ(list_meshes_in_child(folder / "none.obj").error().code, ImportError::missing_file);
+  EXPECT_EQ(look_in_child({folder / "none.obj"}).error().code, ImportError::missing_file);
 }
 
 TEST_F(ImportWorker, TheCallersLimitsReachTheChild) {

@@ -1,0 +1,266 @@
+// The one file that knows DCMTK. What is asked of a file is listed in read_slice and pixels_of, and nothing else of it is
+// kept: neither names nor dates nor numbers of patients.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/oflog/oflog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <new>
+#include <optional>
+#include <vector>
+
+#include "scenarios/import/foreign_images.h"
+
+namespace cusp {
+namespace {
+
+constexpr std::size_t kMaxFiles = 4096;       // in one folder; a full-body series has 2,000
+constexpr double kSameStep = 0.01;            // share by which the steps between slices may differ
+constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
+
+struct Slice {
+  std::filesystem::path file;
+  std::string series;
+  int columns = 0, rows = 0;
+  Vec3 across{1, 0, 0}, down{0, 1, 0};  // along a row, along a column; left-posterior-superior
+  Vec3 first_mm{0.0};                   // centre of the first pixel
+  bool placed = false;                  // the file says where it lies
+  double pixel_across_mm = 1.0, pixel_down_mm = 1.0;
+  bool spacing_known = true;
+  double thickness_mm = 0.0;
+  double number = 0.0;  // of its kind in the series, where no place is given
+  double slope = 1.0, intercept = 0.0;
+  double along = 0.0;  // place along the normal, mm
+};
+
+std::optional<double> real(DcmItem& set, const DcmTagKey& key, unsigned long at = 0) {
+  OFString text;
+  if (set.findAndGetOFString(key, text, at).bad() || text.empty()) return std::nullopt;
+  OFBool ok = OFFalse;
+  const double value = OFStandard::atof(text.c_str(), &ok);
+  if (!ok || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<Vec3> vector3(DcmItem& set, const DcmTagKey& key, unsigned long from) {
+  Vec3 out(0.0);
+  for (unsigned long i = 0; i < 3; ++i) {
+    const auto n = real(set, key, from + i);
+    if (!n) return std::nullopt;
+    out[static_cast<int>(i)] = *n;
+  }
+  return out;
+}
+
+std::optional<Uint16> whole(DcmItem& set, const DcmTagKey& key) {
+  Uint16 value = 0;
+  if (set.findAndGetUint16(key, value).bad()) return std::nullopt;
+  return value;
+}
+
+/// The slice's head without its pixels.
+Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  DcmFileFormat format;
+  const OFCondition read = format.loadFileUntilTag(file.c_str(), EXS_Unknown, EGL_noChange, 1024, ERM_autoDetect, DCM_PixelData);
+  if (read.bad()) return fail(ImportError::corrupt, name, read.text());
+  DcmDataset& set = *format.getDataset();
+  Slice out;
+  out.file = file;
+  OFString text;
+  if (set.findAndGetOFString(DCM_SeriesInstanceUID, text).good()) out.series = text.c_str();
+  const auto rows = whole(set, DCM_Rows), columns = whole(set, DCM_Columns);
+  if (!rows || !columns || *rows == 0 || *columns == 0) return fail(ImportError::bad_sizes, name + " Rows");
+  out.rows = *rows;
+  out.columns = *columns;
+  if (whole(set, DCM_SamplesPerPixel).value_or(1) != 1) return fail(ImportError::unsupported, name + " SamplesPerPixel");
+  if (set.findAndGetOFString(DCM_PhotometricInterpretation, text).good() && text != "MONOCHROME2")
+    return fail(ImportError::unsupported, name + " PhotometricInterpretation");
+  if (real(set, DCM_NumberOfFrames).value_or(1.0) > 1.0) return fail(ImportError::unsupported, name + " NumberOfFrames");
+  if (DcmXfer(set.getOriginalXfer()).isEncapsulated()) return fail(ImportError::unsupported, name + " TransferSyntaxUID");
+  const auto down = real(set, DCM_PixelSpacing, 0), across = real(set, DCM_PixelSpacing, 1);
+  out.spacing_known = down && across && *down > 0.0 && *across > 0.0;
+  if (out.spacing_known) {
+    out.pixel_down_mm = *down;
+    out.pixel_across_mm = *across;
+  }
+  out.thickness_mm = real(set, DCM_SliceThickness).value_or(0.0);
+  const auto at = vector3(set, DCM_ImagePositionPatient, 0);
+  const auto a = vector3(set, DCM_ImageOrientationPatient, 0), d = vector3(set, DCM_ImageOrientationPatient, 3);
+  out.placed = at && a && d;
+  if (out.placed) {
+    out.first_mm = *at;
+    out.across = *a;
+    out.down = *d;
+  }
+  out.number = real(set, DCM_SliceLocation).value_or(real(set, DCM_InstanceNumber).value_or(0.0));
+  out.slope = real(set, DCM_RescaleSlope).value_or(1.0);
+  out.intercept = real(set, DCM_RescaleIntercept).value_or(0.0);
+  if (out.slope == 0.0) return fail(ImportError::bad_header, name + " RescaleSlope");
+  return out;
+}
+
+/// The slices that belong together: those of the given file's series, or the largest series of a folder.
+Result<std::vector<Slice>, ImportFailure> slices_of(const std::filesystem::path& path, std::size_t& series,
+                                                    const ImportProgress& progress) {
+  const std::string name = path.filename().string();
+  std::error_code ec;
+  const bool folder = std::filesystem::is_directory(path, ec);
+  std::optional<std::string> wanted;
+  if (!folder) {
+    const auto given = read_slice(path);
+    if (!given) return std::unexpected(given.error());
+    wanted = given->series;
+    if (wanted->empty()) {
+      series = 1;
+      return std::vector<Slice>{*given};
+    }
+  }
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder ? path : path.parent_path(), ec)) {
+    if (!entry.is_regular_file(ec) || entry.file_size(ec) > kMaxFileBytes || !looks_like_dicom(entry.path())) continue;
+    files.push_back(entry.path());
+    if (files.size() > kMaxFiles) return fail(ImportError::too_large, name);
+  }
+  if (ec) return fail(ImportError::io, name, ec.message());
+  if (!folder && std::ranges::none_of(files, [&](const auto& f) { return f.filename() == path.filename(); })) files.push_back(path);
+  std::ranges::sort(files);  // so that what is read never hangs on the order in which a disk lists it
+  std::map<std::string, std::vector<Slice>> all;
+  std::optional<ImportFailure> first_failure;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (progress) progress(0.4 * static_cast<double>(i) / static_cast<double>(files.size()));
+    auto slice = read_slice(files[i]);
+    if (slice) all[slice->series].push_back(std::move(*slice));
+    else if (!first_failure) first_failure = slice.error();
+  }
+  if (all.empty()) return std::unexpected(first_failure.value_or(ImportFailure{ImportError::unknown_format, name}));
+  series = all.size();
+  const auto chosen = wanted ? all.find(*wanted)
+                             : std::ranges::max_element(all, {}, [](const auto& s) { return s.second.size(); });
+  if (chosen == all.end()) return fail(ImportError::corrupt, name);
+  return std::move(chosen->second);
+}
+
+/// In order along the normal, evenly spaced, all alike; and the step from one to the next.
+Result<Vec3, ImportFailure> put_in_order(std::vector<Slice>& slices, const std::string& name) {
+  const Slice& like = slices.front();
+  const Vec3 normal = glm::cross(like.across, like.down);
+  const bool placed = std::ranges::all_of(slices, &Slice::placed);
+  for (Slice& s : slices) {
+    if (s.rows != like.rows || s.columns != like.columns) return fail(ImportError::bad_sizes, s.file.filename().string() + " Rows");
+    const Vec3 turned = glm::abs(s.across - like.across) + glm::abs(s.down - like.down);
+    if (placed && turned.x + turned.y + turned.z > 1e-3)
+      return fail(ImportError::bad_orientation, s.file.filename().string() + " ImageOrientationPatient");
+    if (std::abs(s.pixel_across_mm - like.pixel_across_mm) + std::abs(s.pixel_down_mm - like.pixel_down_mm) > 1e-4)
+      return fail(ImportError::bad_spacing, s.file.filename().string() + " PixelSpacing");
+    s.along = placed ? glm::dot(s.first_mm, normal) : s.number;
+  }
+  std::ranges::sort(slices, [](const Slice& a, const Slice& b) { return a.along != b.along ? a.along < b.along : a.file < b.file; });
+  const double thickness = slices.front().thickness_mm > 0.0 ? slices.front().thickness_mm : 1.0;
+  if (slices.size() == 1) return normal * thickness;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < slices.size(); ++i) steps.push_back(slices[i].along - slices[i - 1].along);
+  std::vector<double> sorted = steps;
+  std::ranges::sort(sorted);
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    // Two slices in one place, or one that is missing.
+    if (!(usual > 0.0) || std::abs(steps[i] - usual) > kSameStep * usual + 1e-3)
+      return fail(ImportError::bad_spacing, slices[i + 1].file.filename().string() + " ImagePositionPatient", name);
+  }
+  const double count = static_cast<double>(slices.size() - 1);
+  if (!placed) return normal * thickness;
+  return (slices.back().first_mm - slices.front().first_mm) / count;
+}
+
+/// CT numbers of one slice into its layer.
+Result<void, ImportFailure> pixels_of(const Slice& slice, const ImageLayout& layout, int k, std::vector<float>& value) {
+  const std::string name = slice.file.filename().string();
+  DcmFileFormat format;
+  const OFCondition read = format.loadFile(slice.file.c_str(), EXS_Unknown, EGL_noChange);
+  if (read.bad()) return fail(ImportError::corrupt, name, read.text());
+  DcmDataset& set = *format.getDataset();
+  const unsigned allocated = whole(set, DCM_BitsAllocated).value_or(16);
+  const unsigned stored = whole(set, DCM_BitsStored).value_or(static_cast<Uint16>(allocated));
+  const bool is_signed = whole(set, DCM_PixelRepresentation).value_or(0) == 1;
+  if ((allocated != 8 && allocated != 16) || stored == 0 || stored > allocated) return fail(ImportError::unsupported, name + " BitsAllocated");
+  if (whole(set, DCM_HighBit).value_or(static_cast<Uint16>(stored - 1)) != stored - 1) return fail(ImportError::unsupported, name + " HighBit");
+  const Uint16* words = nullptr;
+  const Uint8* bytes = nullptr;
+  unsigned long count = 0;
+  const OFCondition got = allocated == 16 ? set.findAndGetUint16Array(DCM_PixelData, words, &count)
+                                          : set.findAndGetUint8Array(DCM_PixelData, bytes, &count);
+  const auto needed = static_cast<unsigned long>(slice.rows) * static_cast<unsigned long>(slice.columns);
+  if (got.bad() || (!words && !bytes) || count < needed) return fail(ImportError::truncated, name);
+  const std::int32_t sign = is_signed ? std::int32_t{1} << (stored - 1) : 0;
+  const std::int32_t mask = static_cast<std::int32_t>((std::uint32_t{1} << stored) - 1);
+  std::size_t i = 0;
+  for (int y = 0; y < slice.rows; ++y)
+    for (int x = 0; x < slice.columns; ++x, ++i) {
+      std::int32_t raw = (words ? words[i] : bytes[i]) & mask;
+      if (raw & sign) raw -= 2 * sign;
+      value[layout.place(x, y, k)] = static_cast<float>(raw * slice.slope + slice.intercept);
+    }
+  return {};
+}
+
+Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const VolumeLimits& limits, const ImportProgress& progress) {
+  const std::string name = path.filename().string();
+  DicomSeries out;
+  auto slices = slices_of(path, out.series, progress);
+  if (!slices) return std::unexpected(slices.error());
+  out.slices = slices->size();
+  const auto step = put_in_order(*slices, name);
+  if (!step) return std::unexpected(step.error());
+  const Slice& first = slices->front();
+  const Vec3 ras(-1.0, -1.0, 1.0);
+  const IVec3 size(first.columns, first.rows, static_cast<int>(slices->size()));
+  const auto layout = lay_out(size, {ras * first.across * first.pixel_across_mm, ras * first.down * first.pixel_down_mm, ras * *step},
+                              ras * first.first_mm, limits);
+  if (!layout) return fail(layout.error(), name + " ImagePositionPatient");
+  std::uintmax_t bytes = 0;
+  std::error_code ec;
+  for (const Slice& s : *slices) bytes += std::filesystem::file_size(s.file, ec);
+  const auto voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+  if (bytes < voxels) return fail(ImportError::truncated, name);  // at least a byte a pixel, not packed
+  out.image.layout = *layout;
+  out.image.spacing_known = first.spacing_known;
+  out.image.kind = ImageKind::grey;
+  out.image.value.resize(voxels);
+  for (std::size_t k = 0; k < slices->size(); ++k) {
+    if (progress) progress(0.4 + 0.6 * static_cast<double>(k) / static_cast<double>(slices->size()));
+    if (auto r = pixels_of((*slices)[k], *layout, static_cast<int>(k), out.image.value); !r) return std::unexpected(r.error());
+  }
+  tidy_values(out.image.value);
+  return out;
+}
+
+}  // namespace
+
+bool looks_like_dicom(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  char head[132] = {};
+  in.read(head, sizeof head);
+  return in.gcount() == sizeof head && std::equal(head + 128, head + 132, "DICM");
+}
+
+Result<DicomSeries, ImportFailure> read_dicom(const std::filesystem::path& path, const VolumeLimits& limits,
+                                              const ImportProgress& progress) {
+  const std::string name = path.filename().string();
+  // DCMTK logs what it meets, and that may be somebody's name.
+  OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  std::error_code ec;
+  if (!std::filesystem::exists(path, ec)) return fail(ImportError::missing_file, name);
+  try {
+    return read(path, limits, progress);
+  } catch (const std::bad_alloc&) {
+    return fail(ImportError::out_of_memory, name);
+  } catch (const std::exception& e) {
+    return fail(ImportError::corrupt, name, e.what());
+  }
+}
+
+}  // namespace cusp

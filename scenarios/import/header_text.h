@@ -1,0 +1,31 @@
+/// Pieces of text headers: words and numbers, independent of the locale.
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cusp {
+
+/// Without blanks and tabs at both ends.
+std::string_view trimmed(std::string_view t);
+/// ASCII letters only.
+std::string lower(std::string_view t);
+/// Between blanks; what stands in parentheses is one word.
+std::vector<std::string_view> words(std::string_view t);
+/// A leading + is read; "nan" in any case is a NaN, and nothing but a number may stand there.
+std::optional<double> number(std::string_view t);
+/// Whole, with nothing behind it.
+template <class Whole>
+std::optional<Whole> whole_number(std::string_view t) {
+  Whole value{};
+  const auto [end, error] = std::from_chars(t.data(), t.data() + t.size(), value);
+  if (error != std::errc{} || end != t.data() + t.size()) return std::nullopt;
+  return value;
+}
+/// The shortest text that reads back as the same number.
+std::string exact(double value);
+
+}  // namespace cusp

@@ -1,0 +1,135 @@
+// The one file that knows niftilib.
+#include <nifti/nifti1_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <system_error>
+
+#include "scenarios/import/foreign_images.h"
+#include "scenarios/import/samples.h"
+
+namespace cusp {
+namespace {
+
+struct Free {
+  void operator()(nifti_image* image) const { nifti_image_free(image); }
+};
+using NiftiImage = std::unique_ptr<nifti_image, Free>;
+
+/// How a number is stored; channels above 1 for colours.
+struct Stored {
+  SampleFormat format;
+  int channels = 1;
+};
+std::optional<Stored> stored_as(int datatype) {
+  switch (datatype) {
+    case DT_UINT8: return Stored{{1, false, false, false}, 1};
+    case DT_INT8: return Stored{{1, true, false, false}, 1};
+    case DT_INT16: return Stored{{2, true, false, false}, 1};
+    case DT_UINT16: return Stored{{2, false, false, false}, 1};
+    case DT_INT32: return Stored{{4, true, false, false}, 1};
+    case DT_UINT32: return Stored{{4, false, false, false}, 1};
+    case DT_INT64: return Stored{{8, true, false, false}, 1};
+    case DT_UINT64: return Stored{{8, false, false, false}, 1};
+    case DT_FLOAT32: return Stored{{4, true, true, false}, 1};
+    case DT_FLOAT64: return Stored{{8, true, true, false}, 1};
+    case DT_RGB24: return Stored{{1, false, false, false}, 3};
+    case DT_RGBA32: return Stored{{1, false, false, false}, 4};
+    default: return std::nullopt;
+  }
+}
+
+/// From one voxel to the next along each axis, and the first voxel's centre, in millimetres where the unit is known.
+struct Pose {
+  std::array<Vec3, 3> step_mm{};
+  Vec3 first_mm{0.0};
+  bool known = true;
+};
+Pose pose_of(const nifti_image& n) {
+  Pose out;
+  double unit = 1.0;
+  if (n.xyz_units == NIFTI_UNITS_METER) unit = 1000.0;
+  else if (n.xyz_units == NIFTI_UNITS_MICRON) unit = 1e-3;
+  else out.known = n.xyz_units == NIFTI_UNITS_MM;
+  const mat44* affine = n.sform_code > 0 ? &n.sto_xyz : n.qform_code > 0 ? &n.qto_xyz : nullptr;
+  const double plain[3] = {n.dx, n.dy, n.dz};
+  for (int i = 0; i < 3; ++i) {
+    Vec3& step = out.step_mm[static_cast<std::size_t>(i)];
+    for (int row = 0; row < 3; ++row) step[row] = affine ? double{affine->m[row][i]} * unit : row == i ? plain[i] * unit : 0.0;
+    const double length = std::sqrt(glm::dot(step, step));
+    if (std::isfinite(length) && length > 0.0) continue;
+    out.known = false;
+  }
+  if (affine) out.first_mm = unit * Vec3(affine->m[0][3], affine->m[1][3], affine->m[2][3]);
+  const auto bad = [](Vec3 s) { return !std::isfinite(s.x + s.y + s.z) || s == Vec3(0.0); };
+  if (std::ranges::any_of(out.step_mm, bad)) {
+    for (int i = 0; i < 3; ++i) {
+      out.step_mm[static_cast<std::size_t>(i)] = Vec3(0.0);
+      out.step_mm[static_cast<std::size_t>(i)][i] = 1.0;
+    }
+  }
+  return out;
+}
+
+/// Whether the data file can hold what the header promises.
+bool long_enough(const nifti_image& n, std::uintmax_t needed) {
+  std::error_code ec;
+  const std::filesystem::path file = n.iname ? n.iname : "";
+  const std::uintmax_t bytes = std::filesystem::file_size(file, ec);
+  if (ec || n.iname_offset < 0) return false;
+  constexpr std::uintmax_t best_packing = 1032;
+  if (nifti_is_gzfile(n.iname)) return needed <= bytes * best_packing;
+  const auto offset = static_cast<std::uintmax_t>(n.iname_offset);
+  return bytes >= offset && needed <= bytes - offset;
+}
+
+}  // namespace
+
+Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const VolumeLimits& limits,
+                                        const ImportProgress& progress) {
+  const std::string name = file.filename().string();
+  nifti_set_debug_level(0);
+  const NiftiImage nifti(nifti_image_read(file.c_str(), 0));
+  if (!nifti) return fail(ImportError::bad_header, name);
+  const nifti_image& n = *nifti;
+  if (n.ndim < 2 || n.ndim > 7 || n.nx < 1 || n.ny < 1 || n.nz < 1) return fail(ImportError::bad_sizes, name + " dim");
+  for (const int more : {n.nt, n.nu, n.nv, n.nw}) {
+    if (more > 1) return fail(ImportError::unsupported, name + " dim");
+  }
+  const auto stored = stored_as(n.datatype);
+  if (!stored) return fail(ImportError::unsupported, name + " datatype");
+  const int voxel_bytes = stored->format.bytes * stored->channels;
+  if (n.nbyper != voxel_bytes) return fail(ImportError::bad_header, name + " bitpix");
+  const Pose pose = pose_of(n);
+  const IVec3 size(n.nx, n.ny, n.nz);
+  const auto layout = lay_out(size, pose.step_mm, pose.first_mm, limits);
+  if (!layout) return fail(layout.error(), name);
+  const std::size_t voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
+  if (static_cast<std::size_t>(n.nvox) != voxels) return fail(ImportError::bad_sizes, name + " dim");
+  if (!long_enough(n, voxels * static_cast<std::size_t>(voxel_bytes))) return fail(ImportError::truncated, name);
+  if (nifti_image_load(nifti.get()) != 0 || !n.data) return fail(ImportError::truncated, name);
+
+  Image out;
+  out.layout = *layout;
+  out.spacing_known = pose.known;
+  out.value.resize(voxels);
+  const bool scaled = std::isfinite(n.scl_slope) && n.scl_slope != 0.0f && std::isfinite(n.scl_inter);
+  const double slope = scaled ? double{n.scl_slope} : 1.0, intercept = scaled ? double{n.scl_inter} : 0.0;
+  SampleFormat format = stored->format;
+  format.big_endian = std::endian::native == std::endian::big;  // niftilib has turned the bytes round
+  const auto* p = static_cast<const std::byte*>(n.data);
+  for (int k = 0; k < size.z; ++k) {
+    if (progress) progress(static_cast<double>(k) / size.z);
+    for (int j = 0; j < size.y; ++j)
+      for (int i = 0; i < size.x; ++i, p += voxel_bytes)
+        out.value[layout->place(i, j, k)] =
+            stored->channels > 1 ? colour_value(p, stored->channels)
+                                 : static_cast<float>(sample_value(p, format) * slope + intercept);
+  }
+  tidy_values(out.value);
+  out.kind = stored->channels > 1 ? ImageKind::colours : kind_of_values(out.value);
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,65 @@
+/// The data part of a volume file as a stream of bytes, unpacked in pieces of 64 KiB: a file that unpacks to more than its
+/// header says costs no memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <istream>
+#include <memory>
+#include <ostream>
+#include <span>
+#include <string>
+
+#include "scenarios/import/import_error.h"
+
+namespace cusp {
+
+/// Opens a regular file for reading: its length, or missing_file or io with the file's name.
+[[nodiscard]] Result<std::uintmax_t, ImportFailure> open_volume_file(const std::filesystem::path& file, std::ifstream& in);
+
+/// Lines of a NRRD header up to the blank one, which is taken from the stream too.
+[[nodiscard]] Result<std::string, ImportFailure> read_nrrd_text(std::istream& in, const std::string& name);
+
+/// Whether what follows in a stream of `bytes` can be `needed` bytes of data at all, before memory is taken for them.
+bool data_can_be_there(std::istream& in, std::uintmax_t bytes, std::uintmax_t needed, bool packed);
+
+class PackedSource {
+ public:
+  /// Reads on from where `in` stands; `in` outlives it. Packed: gzip or zlib, whichever the bytes say.
+  PackedSource(std::istream& in, bool packed);
+  ~PackedSource();
+  PackedSource(const PackedSource&) = delete;
+  PackedSource& operator=(const PackedSource&) = delete;
+
+  /// Fills `out` whole: truncated, corrupt or io when that cannot be.
+  [[nodiscard]] Result<void, ImportError> read(std::span<std::byte> out);
+  /// Nothing may follow, and the packed data's own check sum must hold.
+  [[nodiscard]] Result<void, ImportError> expect_end();
+
+ private:
+  struct Packed;
+  std::istream& in_;
+  std::unique_ptr<Packed> packed_;  // none: raw
+};
+
+class PackedSink {
+ public:
+  explicit PackedSink(std::ostream& out);
+  ~PackedSink();
+  PackedSink(const PackedSink&) = delete;
+  PackedSink& operator=(const PackedSink&) = delete;
+
+  void write(std::span<const std::byte> bytes);
+  /// Writes what is left. False when the stream refused anything since the start.
+  [[nodiscard]] bool finish();
+
+ private:
+  void pump(int flush);
+  struct Packed;
+  std::ostream& out_;
+  std::unique_ptr<Packed> packed_;
+};
+
+}  // namespace cusp

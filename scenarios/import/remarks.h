@@ -1,0 +1,45 @@
+/// What an import did to a file that its owner should know. Codes and numbers; ui makes sentences of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cusp {
+
+enum class RemarkCode : std::uint8_t {
+  resampled,         // numbers: the file's spacing along x, y, z and the voxels' edge, mm
+  straightened,      // oblique axes; numbers: degrees
+  spacing_assumed,   // the file says no length
+  identity_left_out, // of a CT: only what the picture needs was read
+  one_of_series,     // numbers: series in the folder, slices read
+  points_joined,     // subject: mesh; numbers: how many
+  triangles_dropped, // subject: mesh; numbers: how many
+  triangles_turned,  // subject: mesh; numbers: how many
+  holes_closed,      // subject: mesh; numbers: how many, the widest in mm
+  pieces_removed,    // numbers: voxels
+  hollows_filled,    // numbers: voxels
+};
+inline constexpr std::array<std::string_view, 11> kRemarkKeys = {
+    "resampled",         "straightened",     "spacing_assumed", "identity_left_out", "one_of_series", "points_joined",
+    "triangles_dropped", "triangles_turned", "holes_closed",    "pieces_removed",    "hollows_filled"};
+
+struct ImportRemark {
+  RemarkCode code;
+  std::string subject{};
+  std::vector<double> numbers{};
+  friend bool operator==(const ImportRemark&, const ImportRemark&) = default;
+};
+
+constexpr std::string_view key_of(RemarkCode code) noexcept { return kRemarkKeys[static_cast<std::size_t>(code)]; }
+constexpr std::optional<RemarkCode> remark_from_key(std::string_view key) noexcept {
+  for (std::size_t i = 0; i < kRemarkKeys.size(); ++i) {
+    if (kRemarkKeys[i] == key) return static_cast<RemarkCode>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace cusp

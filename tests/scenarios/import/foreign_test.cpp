@@ -1,0 +1,203 @@
+// NIfTI and CT series as others write them; the files are made here, byte by byte.
+#include <gtest/gtest.h>
+
+#include "scenarios/import/foreign_images.h"
+#include "scenarios/import/import.h"
+#include "tests/scenarios/import/image_files.h"
+
+namespace cusp {
+namespace {
+
+using namespace cusp::testing;
+
+float at(const Image& image, int x, int y, int z) {
+  const IVec3 n = image.layout.size;
+  return image.value[static_cast<std::size_t>(x + n.x * (y + n.y * z))];
+}
+
+struct Nifti : ::testing::Test {
+  TempFolder folder;
+  NiftiWish wish;
+  Nifti() {
+    wish.size = {2, 3, 4};
+    wish.spacing_mm = {0.1, 0.2, 0.5};
+    wish.values = values_of(wish.size, [](IVec3 v) { return v.x + 10 * v.y + 100 * v.z; });
+  }
+  Result<Image, ImportFailure> read(const std::string& bytes) {
+    write_text(folder / "v.nii", bytes);
+    return read_nifti(folder / "v.nii", {});
+  }
+};
+
+TEST_F(Nifti, AnAffineWithNegativeAxesIsTurnedNotMirrored) {
+  wish.affine = {-0.1f, 0, 0, 5, 0, -0.2f, 0, 6, 0, 0, 0.5f, 7};
+  const auto image = read(nifti_file(wish));
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(image->layout.size, IVec3(2, 3, 4));
+  EXPECT_LT(glm::length(image->layout.spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-6);
+  EXPECT_LT(glm::length(image->layout.origin_mm - Vec3(4.9, 5.6, 7.0)), 1e-5);
+  EXPECT_EQ(at(*image, 1, 2, 0), 0.0f);
+  EXPECT_EQ(at(*image, 0, 0, 3), 321.0f);
+  EXPECT_TRUE(image->spacing_known);
+  EXPECT_EQ(image->layout.turned_degrees, 0.0);
+}
+
+TEST_F(Nifti, WithoutAnAffineTheSpacingsAloneHoldAndUnitsAreKept) {
+  const auto plain = read(nifti_file(wish));
+  ASSERT_TRUE(plain);
+  EXPECT_LT(glm::length(plain->layout.spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-6);
+  EXPECT_EQ(at(*plain, 1, 2, 3), 321.0f);
+  wish.units = 3;  // micrometres
+  wish.spacing_mm = {100, 100, 100};
+  const auto micro = read(nifti_file(wish));
+  ASSERT_TRUE(micro);
+  EXPECT_LT(glm::length(micro->layout.spacing_mm - Vec3(0.1)), 1e-6);
+  wish.units = 0;
+  EXPECT_FALSE(read(nifti_file(wish))->spacing_known);
+}
+
+TEST_F(Nifti, ValuesAreScaled) {
+  wish.slope = 2.0f;
+  wish.intercept = -1000.0f;
+  const auto image = read(nifti_file(wish));
+  ASSERT_TRUE(image);
+  EXPECT_EQ(at(*image, 1, 0, 0), -998.0f);
+  EXPECT_EQ(image->kind, ImageKind::grey);
+}
+
+TEST_F(Nifti, WhatIsCutOffOrTooLargeIsRefusedBeforeItsMemoryIsTaken) {
+  const std::string good = nifti_file(wish);
+  EXPECT_EQ(key_of(read(good.substr(0, good.size() - 1)).error().code), "truncated");
+  EXPECT_FALSE(read(good.substr(0, 200)));
+  EXPECT_FALSE(read(""));
+  EXPECT_EQ(read_nifti(folder / "none.nii", {}).error().code, ImportError::bad_header);
+  std::string huge = good;
+  for (const std::size_t at : {42u, 44u, 46u}) huge.replace(at, 2, std::string("\xf4\x01", 2));  // 500 each way
+  EXPECT_EQ(key_of(read(huge).error().code), "truncated");
+  for (const std::size_t at : {42u, 44u, 46u}) huge.replace(at, 2, std::string("\xff\x7f", 2));
+  EXPECT_EQ(key_of(read(huge).error().code), "too_large");
+}
+
+struct Dicom : ::testing::Test {
+  TempFolder folder;
+  /// Slice n of a series along z: its pixels hold n, its place is 0.5 n.
+  DicomWish slice(int n) const {
+    DicomWish w;
+    w.columns = 3;
+    w.rows = 2;
+    w.position = {-1.0, -2.0, 0.5 * n};
+    w.across_mm = 0.2;
+    w.down_mm = 0.3;
+    w.thickness_mm = 0.5;
+    w.number = n + 1;
+    w.values = values_of({3, 2, 1}, [&](IVec3 v) { return v.x + 10 * v.y + 100 * n; });
+    return w;
+  }
+  void put(const std::string& name, const DicomWish& w) const { write_text(folder / name, dicom_file(w)); }
+};
+
+TEST_F(Dicom, SlicesStandInTheOrderOfTheirPlacesWhateverTheirNames) {
+  // Named without zeros in front, so that 10 stands before 2, and in an order that is none.
+  for (int n = 0; n < 12; ++n) put(std::to_string(12 - n) + ".dcm", slice((n * 5) % 12));
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct) << key_of(ct.error().code) << ct.error().where << ct.error().detail;
+  const ImageLayout& l = ct->image.layout;
+  EXPECT_EQ(ct->slices, 12u);
+  EXPECT_EQ(l.size, IVec3(3, 2, 12));
+  EXPECT_LT(glm::length(l.spacing_mm - Vec3(0.2, 0.3, 0.5)), 1e-9);
+  for (int z = 0; z < 12; ++z) EXPECT_EQ(at(ct->image, 2, 1, z), 100.0f * static_cast<float>(z));  // left-posterior to right-anterior
+  EXPECT_EQ(at(ct->image, 0, 0, 3), 312.0f);
+  // One slice is enough to find the others.
+  const auto by_one = read_dicom(folder / "7.dcm", {});
+  ASSERT_TRUE(by_one);
+  EXPECT_EQ(by_one->image.value, ct->image.value);
+}
+
+TEST_F(Dicom, StoredValuesBecomeCtNumbersSliceBySlice) {
+  for (int n = 0; n < 2; ++n) {
+    DicomWish w = slice(n);
+    w.slope = n == 0 ? 2.0 : 1.0;
+    w.intercept = -1024.0;
+    w.values[0] = -5;
+    put(std::to_string(n), w);
+  }
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct);
+  EXPECT_EQ(at(ct->image, 2, 1, 0), -1034.0f);
+  EXPECT_EQ(at(ct->image, 2, 1, 1), -1029.0f);
+  EXPECT_EQ(ct->image.kind, ImageKind::grey);
+}
+
+TEST_F(Dicom, AMissingOrDoubledSliceIsRefusedWithItsFile) {
+  for (int n = 0; n < 6; ++n)
+    if (n != 3) put("s" + std::to_string(n), slice(n));
+  const auto gap = read_dicom(folder.path(), {});
+  ASSERT_FALSE(gap);
+  EXPECT_EQ(key_of(gap.error().code), "bad_spacing");
+  EXPECT_EQ(gap.error().where, "s4 ImagePositionPatient");
+  put("s3", slice(3));
+  ASSERT_TRUE(read_dicom(folder.path(), {}));
+  put("again", slice(3));
+  EXPECT_EQ(key_of(read_dicom(folder.path(), {}).error().code), "bad_spacing");
+}
+
+TEST_F(Dicom, OfSeveralSeriesTheLargestIsReadAndThatIsSaid) {
+  for (int n = 0; n < 4; ++n) put("a" + std::to_string(n), slice(n));
+  DicomWish scout = slice(0);
+  scout.series = "9.9";
+  put("scout", scout);
+  write_text(folder / "README.txt", "not a slice");
+  const auto ct = read_dicom(folder.path(), {});
+  ASSERT_TRUE(ct);
+  EXPECT_EQ(ct->series, 2u);
+  EXPECT_EQ(ct->slices, 4u);
+  const auto other = read_dicom(folder / "scout", {});
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->slices, 1u);
+}
+
+TEST_F(Dicom, NothingAboutThePatientLeavesTheReader) {
+  for (int n = 0; n < 8; ++n) {
+    DicomWish w = slice(n);
+    w.columns = w.rows = 8;
+    w.patient = "Secret^Name";
+    w.values = values_of({8, 8, 1}, [](IVec3 v) { return v.x > 1 && v.x < 6 && v.y > 1 && v.y < 6 ? 1000 : 0; });
+    put("p" + std::to_string(n), w);
+  }
+  ImageImport what;
+  what.path = folder.path();
+  what.tissues.thresholds = {{500.0, Tissue::dentine}};
+  std::vector<ImportRemark> said;
+  const auto v = import_image(what, {}, &said);
+  ASSERT_TRUE(v) << key_of(v.error().code) << v.error().where;
+  EXPECT_TRUE(v->names.empty());
+  ASSERT_FALSE(said.empty());
+  EXPECT_EQ(said[0].code, RemarkCode::identity_left_out);
+  for (const ImportRemark& r : said) EXPECT_EQ(r.subject, "");
+  for (const std::string& text : {std::string("cut"), std::string("short")}) {
+    DicomWish w = slice(20);
+    w.patient = "Secret^Name";
+    w.values.resize(text == "cut" ? 1 : 5);
+    put("bad", w);
+    const auto r = read_dicom(folder / "bad", {});
+    ASSERT_FALSE(r);
+    EXPECT_EQ((r.error().where + r.error().detail).find("Secret"), std::string::npos);
+  }
+}
+
+TEST_F(Dicom, PackedPicturesAndOtherFilesAreRefusedByTheKeyThatSaysIt) {
+  DicomWish w = slice(0);
+  w.transfer = "1.2.840.10008.1.2.4.70";  // JPEG lossless
+  put("jpeg", w);
+  const auto r = read_dicom(folder / "jpeg", {});
+  ASSERT_FALSE(r);
+  EXPECT_EQ(r.error().where, "jpeg TransferSyntaxUID");
+  write_text(folder / "text.dcm", "hello");
+  EXPECT_FALSE(read_dicom(folder / "text.dcm", {}));
+  EXPECT_EQ(read_dicom(folder / "none", {}).error().code, ImportError::missing_file);
+  const TempFolder empty;
+  EXPECT_EQ(read_dicom(empty.path(), {}).error().code, ImportError::unknown_format);
+}
+
+}  // namespace
+}  // namespace cusp

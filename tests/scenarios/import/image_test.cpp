@@ -1,0 +1,324 @@
+// NRRD and MetaImage as images: axes, spacings, colours, kinds, and how they become specimens.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "engine/volume/cut_volume.h"
+#include "engine/volume/specimen.h"
+#include "scenarios/import/image_volume.h"
+#include "scenarios/import/metaimage.h"
+#include "scenarios/import/nrrd_image.h"
+#include "scenarios/import/pieces.h"
+#include "tests/scenarios/import/image_files.h"
+
+namespace cusp {
+namespace {
+
+using namespace cusp::testing;
+
+float at(const Image& image, int x, int y, int z) {
+  const IVec3 n = image.layout.size;
+  return image.value[static_cast<std::size_t>(x + n.x * (y + n.y * z))];
+}
+
+Result<Image, ImportFailure> nrrd(const std::string& bytes, const VolumeLimits& limits = {}) {
+  std::istringstream in(bytes);
+  return read_nrrd_image(in, bytes.size(), "v.nrrd", limits);
+}
+Result<Image, ImportFailure> mha(const std::string& bytes, const SideFiles& beside = [](const std::string&) { return SideFile{}; }) {
+  std::istringstream in(bytes);
+  return read_metaimage(in, bytes.size(), "v.mha", beside);
+}
+
+std::string ramp() { return bytes_of(values_of({2, 3, 4}, [](IVec3 v) { return v.x + 10 * v.y + 100 * v.z; })); }
+
+TEST(Layout, AxesInAnyOrderAndDirectionFindTheirPlace) {
+  // File axis 0 runs along -z, 1 along x, 2 along -y.
+  const auto l = lay_out({2, 3, 4}, {Vec3(0, 0, -0.5), Vec3(0.1, 0, 0), Vec3(0, -0.2, 0)}, Vec3(1, 2, 3), {});
+  ASSERT_TRUE(l);
+  EXPECT_EQ(l->size, IVec3(3, 4, 2));
+  EXPECT_LT(glm::length(l->spacing_mm - Vec3(0.1, 0.2, 0.5)), 1e-12);
+  EXPECT_LT(glm::length(l->origin_mm - Vec3(1.0, 2.0 - 0.6, 3.0 - 0.5)), 1e-12);
+  EXPECT_EQ(l->turned_degrees, 0.0);
+  // The file's first voxel lies at x 0, y last, z last.
+  EXPECT_EQ(l->place(0, 0, 0), static_cast<std::size_t>(0 + 3 * (3 + 4 * 1)));
+  EXPECT_EQ(l->place(1, 2, 3), static_cast<std::size_t>(2 + 3 * (0 + 4 * 0)));
+}
+
+TEST(Layout, ObliqueAxesAreStraightenedByTheirAngleAndNeverMirrored) {
+  const double a = 0.3;
+  const Vec3 x(std::cos(a), std::sin(a), 0), y(-std::sin(a), std::cos(a), 0), z(0, 0, 1);
+  const auto l = lay_out({5, 6, 7}, {x, y, z}, Vec3(0.0), {});
+  ASSERT_TRUE(l);
+  EXPECT_NEAR(l->turned_degrees, 0.3 * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_EQ(l->step[0], 1);
+  const auto mirrored = lay_out({5, 6, 7}, {x, y, -z}, Vec3(0.0), {});
+  ASSERT_TRUE(mirrored);
+  EXPECT_LT(mirrored->step[2], 0);
+  EXPECT_NEAR(mirrored->turned_degrees, l->turned_degrees, 1e-9);
+}
+
+TEST(Layout, ShearedFlatAndEndlessAxesAreRefused) {
+  EXPECT_EQ(lay_out({5, 5, 5}, {Vec3(1, 0, 0), Vec3(0.1, 1, 0), Vec3(0, 0, 1)}, {}, {}).error(), ImportError::bad_orientation);
+  EXPECT_EQ(lay_out({5, 5, 5}, {Vec3(1, 0, 0), Vec3(0.0), Vec3(0, 0, 1)}, {}, {}).error(), ImportError::bad_spacing);
+  EXPECT_EQ(lay_out({5, 5, 5}, {Vec3(NAN, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}, {}, {}).error(), ImportError::bad_spacing);
+  EXPECT_EQ(lay_out({2000, 2000, 2000}, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}, {}, {}).error(), ImportError::too_large);
+}
+
+TEST(NrrdImage, SpacingsThatAreNoNumberAreAskedForAndTheColourAxisIsNoSpace) {
+  // As the builder of coloured voxels writes it: four bytes a voxel, black or transparent is nothing.
+  std::string data;
+  for (int i = 0; i < 8; ++i) data += i == 3 ? std::string("\xff\x80\x01\xff") : i == 5 ? std::string("\x10\x20\x30\0", 4) : std::string(4, '\0');
+  const std::string head = "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 4 2 2 2\nencoding: raw\n";
+  const auto known = nrrd(head + "spacings: nan 0.5 0.5 0.5\nkinds: RGBA-color domain domain domain\n\n" + data);
+  ASSERT_TRUE(known) << key_of(known.error().code) << known.error().where;
+  EXPECT_EQ(known->kind, ImageKind::colours);
+  EXPECT_TRUE(known->spacing_known);
+  EXPECT_EQ(known->value[3], static_cast<float>(0xff8001));
+  EXPECT_EQ(known->value[5], 0.0f);
+  const auto unknown = nrrd(head + "spacings: nan nan nan nan\n\n" + data);
+  ASSERT_TRUE(unknown);
+  EXPECT_FALSE(unknown->spacing_known);
+  EXPECT_EQ(unknown->layout.spacing_mm, Vec3(1.0));
+}
+
+TEST(NrrdImage, GreyFloatsAnisotropicAndLpsAreRead) {
+  std::string data;
+  for (int i = 0; i < 8; ++i) {
+    const float v = i == 6 ? NAN : static_cast<float>(i) + 0.5f;
+    data.append(reinterpret_cast<const char*>(&v), 4);
+  }
+  const auto image = nrrd("NRRD0005\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n"
+                          "space directions: (0.2,0,0) (0,0.2,0) (0,0,1.5)\nendian: little\nencoding: raw\nspace origin: (1,2,3)\n\n" + data);
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(image->kind, ImageKind::grey);
+  EXPECT_EQ(image->layout.spacing_mm, Vec3(0.2, 0.2, 1.5));
+  EXPECT_LT(glm::length(image->layout.origin_mm - Vec3(-1.2, -2.2, 3.0)), 1e-12);
+  EXPECT_EQ(at(*image, 1, 1, 0), 0.5f);  // the file's first voxel lies to the right and in front
+  EXPECT_EQ(at(*image, 1, 0, 1), 0.5f);  // no number: the least there is
+}
+
+const std::string kMha = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
+                         "Offset = 1 2 3\nElementSpacing = 0.1 0.2 0.4\nDimSize = 2 3 4\nElementType = MET_SHORT\n";
+
+TEST(MetaImage, LocalDataAreReadInLeftPosteriorSuperior) {
+  const auto image = mha(kMha + "ElementDataFile = LOCAL\n" + ramp());
+  ASSERT_TRUE(image) << key_of(image.error().code) << image.error().where;
+  EXPECT_EQ(image->layout.size, IVec3(2, 3, 4));
+  EXPECT_EQ(image->layout.spacing_mm, Vec3(0.1, 0.2, 0.4));
+  EXPECT_LT(glm::length(image->layout.origin_mm - Vec3(-1.1, -2.4, 3.0)), 1e-12);
+  EXPECT_EQ(at(*image, 1, 2, 0), 0.0f);
+  EXPECT_EQ(at(*image, 0, 2, 0), 1.0f);
+  EXPECT_EQ(at(*image, 1, 1, 3), 310.0f);
+}
+
+TEST(MetaImage, DetachedListedAndNumberedDataAreReadWithoutZerosInFront) {
+  const TempFolder folder;
+  const std::string all = ramp(), slice(12, '\0');
+  write_text(folder / "v.raw", all);
+  for (int k = 0; k < 4; ++k) write_text(folder / ("s" + std::to_string(8 + k) + ".raw"), all.substr(static_cast<std::size_t>(12 * k), 12));
+  const std::string whole = kMha + "ElementDataFile = ";
+  write_text(folder / "one.mhd", whole + "v.raw\n");
+  write_text(folder / "list.mhd", whole + "LIST\ns8.raw\ns9.raw\ns10.raw\ns11.raw\n");
+  write_text(folder / "numbered.mhd", whole + "s%d.raw 8 11 1\n");
+  const auto expected = mha(whole + "LOCAL\n" + all);
+  ASSERT_TRUE(expected);
+  for (const char* name : {"one.mhd", "list.mhd", "numbered.mhd"}) {
+    const auto image = read_metaimage(folder / name);
+    ASSERT_TRUE(image) << name << key_of(image.error().code) << image.error().where;
+    EXPECT_EQ(image->value, expected->value) << name;
+  }
+  std::filesystem::remove(folder / "s10.raw");
+  EXPECT_EQ(read_metaimage(folder / "numbered.mhd").error().code, ImportError::missing_file);
+  EXPECT_EQ(read_metaimage(folder / "numbered.mhd").error().where, "s10.raw");
+}
+
+TEST(MetaImage, BrokenHeadersAndFilesElsewhereAreRefused) {
+  using enum ImportError;
+  const struct {
+    std::string from, to;
+    ImportError code;
+  } cases[] = {
+      {"NDims = 3", "NDims = 2", bad_sizes},
+      {"DimSize = 2 3 4", "DimSize = 2 3", bad_header},
+      {"DimSize = 2 3 4", "DimSize = 2 0 4", bad_sizes},
+      {"DimSize = 2 3 4", "DimSize = 2 3 4000", too_large},
+      {"DimSize = 2 3 4", "DimSize = 500 500 500", truncated},
+      {"MET_SHORT", "MET_STRING", unsupported},
+      {"BinaryData = True", "BinaryData = False", unsupported},
+      {"LOCAL", "../../etc/passwd", unsupported},
+      {"LOCAL", "/etc/passwd", unsupported},
+      {"LOCAL", "gone.raw", missing_file},
+      {"LOCAL", "s%s.raw 1 4 1", unsupported},
+      {"LOCAL", "s%d.raw 1 9999999 1", bad_header},
+      {"ObjectType = Image", "ObjectType = Tube", unsupported},
+      {"Offset", "NDims = 3\nOffset", bad_header},
+      {"ElementSpacing = 0.1 0.2 0.4", "TransformMatrix = 1 0 0 1 1 0 0 0 1", bad_orientation},
+  };
+  for (const auto& c : cases) {
+    std::string text = kMha + "ElementDataFile = LOCAL\n" + ramp();
+    text.replace(text.find(c.from), c.from.size(), c.to);
+    const auto r = mha(text);
+    ASSERT_FALSE(r) << c.to;
+    EXPECT_EQ(key_of(r.error().code), key_of(c.code)) << c.to << " " << r.error().where;
+  }
+  EXPECT_EQ(key_of(mha(kMha + "ElementDataFile = LOCAL\n" + ramp() + "x").error().code), "corrupt");
+  EXPECT_EQ(key_of(mha("\x7f" "ELF").error().code), "unknown_format");
+}
+
+Image grey_ball(IVec3 size, Vec3 spacing, Vec3 centre, double radius) {
+  Image out;
+  out.layout = *lay_out(size, {Vec3(spacing.x, 0, 0), Vec3(0, spacing.y, 0), Vec3(0, 0, spacing.z)}, Vec3(0.0), {});
+  IVec3 v;
+  for (v.z = 0; v.z < size.z; ++v.z)
+    for (v.y = 0; v.y < size.y; ++v.y)
+      for (v.x = 0; v.x < size.x; ++v.x) {
+        const double d = glm::length(Vec3(v) * spacing - centre) - radius;
+        // What a scanner makes of a sharp edge: half the contrast at the surface.
+        out.value.push_back(static_cast<float>(1000.0 - 2000.0 * std::clamp(d / 1.5 + 0.5, 0.0, 1.0)));
+      }
+  return out;
+}
+
+Result<VoxelVolume, ImportFailure> made(const Image& image, const ImageTissues& what, std::vector<ImportRemark>* said = nullptr) {
+  std::vector<ImportRemark> remarks;
+  auto out = volume_of_image(image, what, "v", {}, remarks);
+  if (said) *said = remarks;
+  return out;
+}
+
+TEST(ImageVolume, AThresholdedBallIsFarMoreExactThanItsVoxels) {
+  const Vec3 centre(4.03, 3.97, 4.11);
+  const Image image = grey_ball({41, 41, 41}, Vec3(0.2), centre, 3.0);
+  ImageTissues what;
+  what.thresholds = {{0.0, Tissue::dentine}};
+  const auto v = made(image, what);
+  ASSERT_TRUE(v);
+  double worst = 0.0;
+  IVec3 at;
+  for (at.z = 0; at.z < v->grid.size.z; ++at.z)
+    for (at.y = 0; at.y < v->grid.size.y; ++at.y)
+      for (at.x = 0; at.x < v->grid.size.x; ++at.x) {
+        const double d = (glm::length(v->grid.centre_mm(at) - centre) - 3.0) / 0.2;
+        if (std::abs(d) < 2.0) worst = std::max(worst, std::abs(distance_from_solid(v->s[v->grid.index(at)]) - d));
+      }
+  RecordProperty("worst", std::to_string(worst));
+  EXPECT_LT(worst, 0.1);  // measured 0.02 of a voxel; by labels it is half a voxel
+  const double exact = 4.0 / 3.0 * std::numbers::pi * 27.0;
+  EXPECT_NEAR(specimen_solid(*Specimen::build(*v, Reading::banded)).total_mm3(), exact, 0.005 * exact);
+}
+
+TEST(ImageVolume, AnisotropicVoxelsBecomeCubesAndThatIsSaid) {
+  const Image image = grey_ball({41, 41, 17}, Vec3(0.2, 0.2, 0.5), Vec3(4.0), 3.0);
+  ImageTissues what;
+  what.thresholds = {{0.0, Tissue::dentine}};
+  std::vector<ImportRemark> said;
+  const auto v = made(image, what, &said);
+  ASSERT_TRUE(v);
+  EXPECT_NEAR(v->grid.voxel_mm, 0.2, 1e-12);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].code, RemarkCode::resampled);
+  EXPECT_EQ(said[0].numbers, (std::vector<double>{0.2, 0.2, 0.5, 0.2}));
+  const double exact = 4.0 / 3.0 * std::numbers::pi * 27.0;
+  EXPECT_NEAR(specimen_solid(*Specimen::build(*v, Reading::banded)).total_mm3(), exact, 0.02 * exact);
+  std::vector<ImportRemark> silent;
+  ASSERT_TRUE(made(grey_ball({21, 21, 21}, Vec3(0.4), Vec3(4.0), 3.0), what, &silent));
+  EXPECT_TRUE(silent.empty());
+}
+
+TEST(ImageVolume, LabelsKeepTheirPlaceAndSizeWhenResampled) {
+  Image image;
+  image.layout = *lay_out({4, 4, 2}, {Vec3(0.5, 0, 0), Vec3(0, 0.5, 0), Vec3(0, 0, 1.0)}, Vec3(10.0), {});
+  image.kind = ImageKind::labels;
+  image.value.assign(32, 7.0f);
+  image.value[0] = 9.0f;
+  ImageTissues what;
+  what.labels = {{7, Tissue::bone}, {9, Tissue::pulp}};
+  const auto v = made(image, what);
+  ASSERT_TRUE(v);
+  EXPECT_EQ(v->grid.size, IVec3(4 + 8));
+  EXPECT_LT(glm::length(v->grid.centre_mm(IVec3(4)) - Vec3(10.0, 10.0, 9.75)), 1e-9);
+  std::size_t pulp = 0, bone = 0;
+  for (std::size_t i = 0; i < v->s.size(); ++i) {
+    pulp += v->s[i] >= kHalf && v->tissue[i] == Tissue::pulp;
+    bone += v->s[i] >= kHalf && v->tissue[i] == Tissue::bone;
+  }
+  EXPECT_EQ(pulp, 2u);
+  EXPECT_EQ(bone, 62u);
+}
+
+TEST(ImageVolume, WhatIsUpTurnsTheVolumeWithoutMirroringIt) {
+  Image image;
+  image.layout = *lay_out({2, 3, 4}, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}, Vec3(0.0), {});
+  image.kind = ImageKind::labels;
+  image.value.assign(24, 1.0f);
+  image.value[0] = 2.0f;  // at the origin
+  ImageTissues what;
+  what.labels = {{1, Tissue::bone}, {2, Tissue::pulp}};
+  what.up = UpAxis::y;  // (x, y, z) becomes (x, -z, y)
+  const auto v = made(image, what);
+  ASSERT_TRUE(v);
+  EXPECT_EQ(v->grid.size - 2 * kPadVoxels, IVec3(2, 4, 3));
+  EXPECT_EQ(v->tissue[v->grid.index(IVec3(0, 3, 0) + kPadVoxels)], Tissue::pulp);
+}
+
+TEST(ImageVolume, LoosePiecesGoAndHollowsAreFilled) {
+  Grid g;
+  g.size = {9, 9, 9};
+  std::vector<Tissue> labels(g.voxels(), Tissue::empty);
+  IVec3 v;
+  for (v.z = 1; v.z < 6; ++v.z)
+    for (v.y = 1; v.y < 6; ++v.y)
+      for (v.x = 1; v.x < 6; ++v.x) labels[g.index(v)] = Tissue::dentine;
+  labels[g.index({3, 3, 3})] = Tissue::empty;
+  labels[g.index({8, 8, 8})] = Tissue::dentine;
+  EXPECT_EQ(keep_largest_piece(g, labels), 1u);
+  EXPECT_EQ(labels[g.index({8, 8, 8})], Tissue::empty);
+  EXPECT_EQ(fill_hollows(g, labels, Tissue::pulp), 1u);
+  EXPECT_EQ(labels[g.index({3, 3, 3})], Tissue::pulp);
+  labels[g.index({3, 3, 3})] = labels[g.index({3, 3, 4})] = labels[g.index({3, 3, 5})] = Tissue::empty;  // a way out
+  EXPECT_EQ(fill_hollows(g, labels, Tissue::pulp), 0u);
+}
+
+TEST(ImageVolume, OptionsThatCannotBeAreRefusedByName) {
+  const Image image = grey_ball({9, 9, 9}, Vec3(1.0), Vec3(4.0), 3.0);
+  const auto code = [&](const ImageTissues& what) { const auto r = made(image, what); return r ? std::string("read") : std::string(key_of(r.error().code)) + " " + r.error().where; };
+  ImageTissues what;
+  EXPECT_EQ(code(what), "nothing_solid v");
+  what.thresholds = {{0.0, Tissue::dentine}, {0.0, Tissue::enamel}};
+  EXPECT_EQ(code(what), "bad_option threshold");
+  what.thresholds = {{5000.0, Tissue::dentine}};
+  EXPECT_EQ(code(what), "nothing_solid v");
+  what.thresholds = {{0.0, Tissue::dentine}};
+  EXPECT_EQ(code(what), "read");
+  what.unit_mm = 0.0;
+  EXPECT_EQ(code(what), "bad_option unit-mm");
+  what.unit_mm = 1.0;
+  what.voxel_mm = 0.006;  // 1508 voxels an edge, 3.4 thousand million in all
+  EXPECT_EQ(code(what).substr(0, 9), "too_large");
+  what.voxel_mm = 100.0;
+  EXPECT_EQ(code(what), "bad_option voxel-mm");
+}
+
+TEST(ImageVolume, MetalAboveEnamelCanBeLeftOut) {
+  EXPECT_EQ(tissue_at(500.0, {{0.0, Tissue::dentine}, {1000.0, Tissue::enamel}, {3000.0, Tissue::empty}}), Tissue::dentine);
+  EXPECT_EQ(tissue_at(1000.0, {{0.0, Tissue::dentine}, {1000.0, Tissue::enamel}, {3000.0, Tissue::empty}}), Tissue::enamel);
+  EXPECT_EQ(tissue_at(9000.0, {{0.0, Tissue::dentine}, {1000.0, Tissue::enamel}, {3000.0, Tissue::empty}}), Tissue::empty);
+  EXPECT_EQ(tissue_at(-1.0, {{0.0, Tissue::dentine}}), Tissue::empty);
+}
+
+TEST(ImageVolume, TheSuggestedThresholdsPartThreeHeaps) {
+  std::vector<float> values(3000, -1000.0f);
+  values.insert(values.end(), 800, 1200.0f);
+  values.insert(values.end(), 300, 2500.0f);
+  const auto t = suggested_thresholds(values);
+  EXPECT_GT(t[0], -1000.0);
+  EXPECT_LE(t[0], 1200.0);
+  EXPECT_GT(t[1], 1200.0);
+  EXPECT_LE(t[1], 2500.0);
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <cmath>
+
+#include "engine/volume/specimen.h"
+#include "scenarios/import/nrrd.h"
+#include "scenarios/library/library.h"
+#include "ui/editor/editor_records.h"
+#include "ui/editor/specimen_grower.h"
+#include "ui/instructor/import_page.h"
+
+namespace cusp {
+
+Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const std::string& name,
+                                               const std::filesystem::path& database) {
+  const auto pattern = load_builtin("channel-1");
+  const SpecimenFacts facts = facts_of(volume);
+  EditorStart start;
+  Scenario& s = start.draft;
+  if (pattern) s = *pattern;
+  s.id = ScenarioId::make();
+  s.key.clear();
+  s.title = {{"en", name}};
+  s.briefing = {{"en", pattern ? pattern->briefing.at("en") : name}};
+  s.specimen = {};
+  s.specimen.volume = "specimen.nrrd";
+  s.specimen.voxel_mm = volume.grid.voxel_mm;
+  s.tissues = usual_tissues(facts.tissues);
+  if (std::ranges::find(facts.tissues, Tissue::pulp) != facts.tissues.end()) {
+    s.protected_tissues = {Tissue::pulp};
+    s.rubric.critical = {"pulp_exposure"};
+  }
+  const auto tidy = [](double mm) { return std::round(mm * 100) / 100; };
+  const Vec3 middle = (facts.low_mm + facts.high_mm) / 2.0;
+  const auto specimen = Specimen::build(volume, Reading::banded);
+  s.target.top_mm = tidy(height_at(*specimen, middle.x, middle.y).value_or(facts.high_mm.z));
+  // A third of the length and of the height at most, so that the first target lies inside whatever was brought.
+  const double reach = std::min(std::abs(s.target.paths[0][0].x), (facts.high_mm.x - facts.low_mm.x) / 6);
+  s.target.paths = {{{tidy(middle.x - reach), tidy(middle.y), 0}, {tidy(middle.x + reach), tidy(middle.y), 0}}};
+  settle_on_floor(s.target);
+  const std::filesystem::path folder = drafts_folder(database, s.id);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return fail(ImportError::io, folder.string(), error.message());
+  if (auto written = write_nrrd(volume, folder / s.specimen.volume); !written) return std::unexpected(written.error());
+  start.folder = folder.string();
+  return start;
+}
+
+}  // namespace cusp
