@@ -42,9 +42,10 @@ struct LoopLatest {
 
 /// What the loop hands over; each ring has the tick as its producer and the mirror as its consumer.
 struct HandOver {
-  explicit HandOver(std::size_t ring_inputs) : inputs(ring_inputs), marks(256) {}
+  explicit HandOver(std::size_t ring_inputs) : inputs(ring_inputs), marks(256), pieces(64) {}
   SpscRing<StepInput> inputs;       // every input that was stepped, in order
   SpscRing<DigestMark> marks;       // one a second of ticks; dropped when full (the next one heals)
+  SpscRing<std::uint32_t> pieces;   // the other way: names of severed pieces (voxel_name()), one thread to the tick
   TripleBuffer<LoopLatest> latest;  // reader: one screen thread
   std::atomic<LoopPhase> phase{LoopPhase::ready};
   std::atomic<LoopEnd> end{LoopEnd::none};
@@ -81,6 +82,8 @@ class Ticker {
   enum class Want : std::uint8_t { nothing, pause, resume };
   void publish(Sample::Status device) noexcept;
   Feedback zero_force() const noexcept;
+  /// What the next input says of severed pieces: a name's first half, then its second.
+  std::uint16_t named_piece() noexcept;
 
   static constexpr std::uint32_t kNoBurr = 0xFFFFFFFF;
   StepState state_;
@@ -93,6 +96,7 @@ class Ticker {
   double softest_n_per_mm_ = 1.0;
   std::uint16_t burr_ = 0;
   std::uint16_t port_burr_ = 0;
+  std::uint16_t second_half_ = 0;  // of a name, still to be sent; 0: none
   LoopPhase phase_ = LoopPhase::ready;
   LoopEnd end_ = LoopEnd::none;
   bool rearm_ = false;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "engine/loop/haptic_loop.h"
+#include "engine/mirror/loose_pieces.h"
 #include "ui/session/run_follower.h"
 #include "ui/session/run_setup.h"
 
@@ -24,6 +25,7 @@ struct ExerciseRun::Inner {
   std::unique_ptr<HapticLoop> loop;
   std::unique_ptr<Mirror> mirror;
   std::unique_ptr<RunFollower> follower;
+  std::unique_ptr<LooseFinder> loose;
   std::unique_ptr<Store> store;  // back from the recorder, once all is written
   bool stopped = false, over = false;
 
@@ -75,6 +77,8 @@ Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& p
   // The picture before the scores.
   for (Observer* observer : run.plan.observers) run.mirror->add(*observer);
   run.mirror->add(*run.follower);
+  run.loose = std::make_unique<LooseFinder>(run.loop->hand_over());
+  run.mirror->add(*run.loose);
   run.rate_at = std::chrono::steady_clock::now();
   run.mirror->start();
   run.loop->start();

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "engine/loop/haptic_loop.h"
+#include "engine/mirror/loose_pieces.h"
 #include "ui/session/run_follower.h"
 #include "ui/session/run_setup.h"
 
@@ -32,12 +33,15 @@ Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& 
 
   // The mirror follows on the other core. Short turns and a short wait: what stands on the disk is never more than a
   // fraction of a second of the session behind what was played.
-  constexpr std::uint64_t kTurn = 50;
+  constexpr std::uint64_t kTurn = 25;
   constexpr std::size_t kMostWaiting = 150;
   RunEnd end = RunEnd::script;
   std::uint64_t asked_at_s = 0;
+  // Between turns, not by the mirror: when a piece goes must not depend on threads.
+  LooseFinder loose(loop.hand_over());
   mirror.start();
   while (loop.run(kTurn) == kTurn) {
+    loose.look(loop.state());
     while (loop.hand_over().inputs.size() > kMostWaiting) std::this_thread::sleep_for(std::chrono::microseconds(200));
     if (recorder && recorder->state() == RecordingState::failed) break;
     const std::uint64_t elapsed = loop.state().last().elapsed_us;
