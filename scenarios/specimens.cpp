@@ -1,5 +1,7 @@
 #include "scenarios/specimens.h"
 
+#include <algorithm>
+
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/teeth/tooth.h"
@@ -7,16 +9,25 @@
 namespace cusp {
 namespace {
 
-Result<VoxelVolume, ImportFailure> tooth(const SpecimenSource& source) {
-  auto grown = make_tooth({source.fdi, source.seed, source.voxel_mm});
-  if (grown) return std::move(*grown);
-  switch (grown.error().code) {
-    case ToothError::unknown_fdi: return fail(ImportError::bad_option, "fdi", grown.error().where);
-    case ToothError::bad_voxel_size: return fail(ImportError::bad_option, "voxel_mm", grown.error().where);
-    case ToothError::cancelled: return fail(ImportError::cancelled, "tooth");
+ImportFailure refused(const ToothFailure& failure) {
+  switch (failure.code) {
+    case ToothError::unknown_fdi: return {ImportError::bad_option, "fdi", failure.where};
+    case ToothError::bad_voxel_size: return {ImportError::bad_option, "voxel_mm", failure.where};
+    case ToothError::unknown_site: return {ImportError::bad_option, "lesions", failure.where};
+    case ToothError::cancelled: return {ImportError::cancelled, "tooth", {}};
     case ToothError::bad_tables: break;
   }
-  return fail(ImportError::corrupt, grown.error().where, grown.error().detail);
+  return {ImportError::corrupt, failure.where, failure.detail};
+}
+
+bool asks_for(const SpecimenSource& source, std::string_view key) {
+  return std::ranges::find(source.around, key) != source.around.end();
+}
+
+Result<VoxelVolume, ImportFailure> tooth(const SpecimenSource& source) {
+  auto grown = make_tooth(tooth_request(source));
+  if (!grown) return std::unexpected(refused(grown.error()));
+  return std::move(*grown);
 }
 
 Result<VoxelVolume, ImportFailure> from_file(const std::string& volume, const std::filesystem::path& folder) {
@@ -28,6 +39,28 @@ Result<VoxelVolume, ImportFailure> from_file(const std::string& volume, const st
 }
 
 }  // namespace
+
+ToothRequest tooth_request(const SpecimenSource& source) {
+  ToothRequest out{source.fdi, source.seed, source.voxel_mm};
+  out.typodont = source.typodont;
+  out.neighbours = asks_for(source, "neighbours") || asks_for(source, "jaw");
+  out.gingiva = asks_for(source, "gingiva");
+  out.bone = asks_for(source, "bone");
+  for (const LesionSource& lesion : source.lesions) {
+    const Lesion::Kind kind = lesion.kind == "proximal" ? Lesion::Kind::proximal
+                              : lesion.kind == "root"   ? Lesion::Kind::root
+                                                        : Lesion::Kind::fissure;
+    out.lesions.push_back({kind, lesion.site, lesion.radius_mm, lesion.depth_mm, lesion.softness});
+  }
+  return out;
+}
+
+Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source) {
+  if (source.generator != "tooth" || !asks_for(source, "jaw")) return std::vector<Jaw::Standing>{};
+  auto rest = rest_of_jaw(tooth_request(source));
+  if (!rest) return std::unexpected(refused(rest.error()));
+  return std::move(*rest);
+}
 
 Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
                                                  const std::filesystem::path& scenario_folder) {

@@ -7,6 +7,7 @@
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/import/import_error.h"
+#include "scenarios/teeth/tooth.h"
 
 namespace cusp {
 
@@ -15,5 +16,12 @@ namespace cusp {
 /// haptic thread. `where` of a failure is the key of scenario.json or the file.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
                                                                const std::filesystem::path& scenario_folder);
+
+/// What a "tooth" source asks of the generator.
+[[nodiscard]] ToothRequest tooth_request(const SpecimenSource& source);
+
+/// The rest of the jaw of a source that asks for it, to look at: no voxels. Empty for any other source. Seconds; not for
+/// the haptic thread.
+[[nodiscard]] Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source);
 
 }  // namespace cusp

@@ -46,6 +46,10 @@ inline constexpr std::array<std::string_view, 2> kCriticalKeys = {"pulp_exposure
 /// "paper-block": three materials, 10 mm cube, 128^3 voxels; "block": plastic 20x20x10 mm; "layered-block": the same
 /// with a hard layer above; "tooth": by FDI number.
 inline constexpr std::array<std::string_view, 4> kGeneratorKeys = {"paper-block", "block", "layered-block", "tooth"};
+/// What a tooth may have about it: the teeth that touch it; the soft tissue and the bone that they stand in; the rest of
+/// its jaw, to look at.
+inline constexpr std::array<std::string_view, 4> kAroundKeys = {"neighbours", "gingiva", "bone", "jaw"};
+inline constexpr std::array<std::string_view, 3> kLesionKeys = {"fissure", "proximal", "root"};
 inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};
 /// At most one spindle; vibration and sound need one. "sound" is of no account to the step.
 inline constexpr std::array<std::string_view, 7> kPhenomenonKeys = {

@@ -113,6 +113,10 @@ class Value {
     }
     return node_.get<std::uint64_t>();
   }
+  bool yes() const {
+    if (!node_.is_boolean()) return wrong<bool>("boolean");
+    return node_.get<bool>();
+  }
   std::string text(std::size_t least, std::size_t most) const {
     if (!node_.is_string()) return wrong<std::string>("string");
     const std::string& v = node_.get_ref<const std::string&>();
@@ -244,6 +248,18 @@ Tissue read_tissue(const Value& value) {
   return tissue;
 }
 
+LesionSource read_lesion(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  LesionSource out;
+  out.kind = object.need("kind").word(FormatError::unknown_generator, one_of(kLesionKeys));
+  out.site = object.need("site").text(1, 64);
+  out.radius_mm = object.need("radius_mm").number({0.2, 4});
+  out.depth_mm = object.need("depth_mm").number({0, 5});
+  out.softness = object.need("softness").number({0, 1});
+  object.nothing_else();
+  return out;
+}
+
 SpecimenSource read_specimen(const Value& value) {
   Object object(value.node(), value.where(), value.problems());
   SpecimenSource out;
@@ -259,6 +275,15 @@ SpecimenSource read_specimen(const Value& value) {
     out.fdi = fdi.integer({11, 48});
     if (out.fdi != 0 && !is_fdi(out.fdi)) fdi.refuse(FormatError::out_of_range, "FDI");
     object.maybe("seed", [&](const Value& v) { out.seed = v.seed(); });
+    object.maybe("typodont", [&](const Value& v) { out.typodont = v.yes(); });
+    object.maybe("around", [&](const Value& list) {
+      list.list(0, kAroundKeys.size(), [&](const Value& v) {
+        out.around.push_back(v.word(FormatError::unknown_generator, one_of(kAroundKeys)));
+      });
+    });
+    object.maybe("lesions", [&](const Value& list) {
+      list.list(0, 16, [&](const Value& v) { out.lesions.push_back(read_lesion(v)); });
+    });
   }
   object.maybe("voxel_mm", [&](const Value& v) { out.voxel_mm = v.number({0.04, 1}); });
   object.nothing_else();

@@ -17,6 +17,14 @@ namespace cusp {
 /// Text by language code ("en", "de", "pt_BR"); "en" is always there.
 using LocalText = std::map<std::string, std::string>;
 
+/// Decay on a grown tooth (scenarios/teeth/caries.h says what each means).
+struct LesionSource {
+  std::string kind = "fissure";  // key of kLesionKeys
+  std::string site = "central";  // pit, fissure or side
+  double radius_mm = 0.8, depth_mm = 1.0, softness = 0.7;
+  friend bool operator==(const LesionSource&, const LesionSource&) = default;
+};
+
 /// Where the voxels come from: a generator, or a volume file beside scenario.json.
 struct SpecimenSource {
   std::string generator;   // "paper-block", "block", "tooth"; empty = from file
@@ -24,6 +32,9 @@ struct SpecimenSource {
   std::uint64_t seed = 0;  // tooth: natural variation, below 2^53; 0 = the average
   double voxel_mm = 0.1;
   std::string volume;  // file name beside scenario.json (NRRD), when generator is empty
+  bool typodont = false;            // tooth: of plastic, as in a training model
+  std::vector<std::string> around;  // tooth: what stands about it, keys of kAroundKeys
+  std::vector<LesionSource> lesions;
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;
 };
 

@@ -31,6 +31,18 @@ Json json_of(const SpecimenSource& specimen) {
   if (specimen.generator == "tooth") {
     out["fdi"] = specimen.fdi;
     out["seed"] = specimen.seed;
+    // Left out when they say nothing: what was published before there were any keeps its hash.
+    if (specimen.typodont) out["typodont"] = true;
+    if (!specimen.around.empty()) out["around"] = specimen.around;
+    for (const LesionSource& lesion : specimen.lesions) {
+      Json one = Json::object();
+      one["kind"] = lesion.kind;
+      one["site"] = lesion.site;
+      one["radius_mm"] = lesion.radius_mm;
+      one["depth_mm"] = lesion.depth_mm;
+      one["softness"] = lesion.softness;
+      out["lesions"].push_back(std::move(one));
+    }
   }
   out["voxel_mm"] = specimen.voxel_mm;
   return out;

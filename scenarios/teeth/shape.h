@@ -53,7 +53,7 @@ class ToothShape {
   void measure();
   Vec3 furthest(Vec3 way, double z_from, double z_to) const;
 
-  const ToothTable& table_;
+  ToothTable table_;  // with what the seed changed in it
   std::uint64_t seed_;
   double voxel_mm_;
   Wall wall_;

@@ -86,6 +86,8 @@ ToothTable tooth(const Json& j) {
   t.cej_d = d.at("cej_d");
   t.cej_b = d.at("cej_b");
   t.cej_l = d.at("cej_l");
+  t.contact_m = pair(j.at("contacts").at("m"));
+  t.contact_d = pair(j.at("contacts").at("d"));
   t.wall = wall(j.at("wall"));
   t.edge_mm = j.at("edge");
   t.ridge_blend_mm = j.value("ridge_blend", 0.3);

@@ -83,6 +83,7 @@ struct ToothTable {
   int fdi = 0;
   ToothDims dims;
   double cej_m = 0, cej_d = 0, cej_b = 0, cej_l = 0;
+  Vec2 contact_m{0.0}, contact_d{0.0};  // (y, z): where the contacts are to lie
   WallTable wall;
   double edge_mm = 0.0;
   double ridge_blend_mm = 0.0;

@@ -1,33 +1,223 @@
 #include "scenarios/teeth/tooth.h"
 
+#include <algorithm>
+
+#include "scenarios/teeth/arch.h"
 #include "scenarios/teeth/find_landmarks.h"
+#include "scenarios/teeth/gums.h"
+#include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/tables.h"
+#include "scenarios/teeth/two_threads.h"
 #include "scenarios/teeth/voxels.h"
 
 namespace cusp {
 namespace {
 
+constexpr double kShapeShare = 0.25;     // of the time, measured at 0.1 mm
+constexpr double kSceneryVoxelMm = 0.2;  // what the grooves of scenery are widened for
 
 bool stopped(ToothCancel cancel) { return cancel != nullptr && cancel->load(); }
 
-}  // namespace
+/// Everything grows in the frame of the tables; what is of quadrant 2 or 4 is turned round at the end.
+int table_side(int fdi, bool mirrored) {
+  if (!mirrored) return fdi;
+  constexpr int kOther[5] = {0, 2, 1, 4, 3};
+  return 10 * kOther[fdi / 10] + fdi % 10;
+}
 
-Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel cancel, const ToothProgress& progress) {
+/// A tooth and those beside it, standing. The first is the one that was asked for.
+struct Row {
+  bool mirrored = false;
+  ToothLandmarks landmarks;
+  std::vector<PlacedLesion> lesions;
+  std::vector<Standing> teeth;
+};
+
+Result<Row, ToothFailure> stand(const ToothRequest& request, ToothCancel cancel) {
   if (!(request.voxel_mm >= kMinToothVoxelMm && request.voxel_mm <= kMaxToothVoxelMm)) {
     return fail(ToothError::bad_voxel_size, "voxel_mm", std::to_string(request.voxel_mm));
   }
   const auto choice = table_for(request.fdi);
   if (!choice) return std::unexpected(choice.error());
   if (stopped(cancel)) return fail(ToothError::cancelled, "tooth");
-  const ToothShape shape(*choice->table, request.seed, request.voxel_mm);
-  constexpr double kShapeShare = 0.25;  // of the time, measured at 0.1 mm
+  Row row;
+  row.mirrored = choice->mirrored;
+  const int fdi = table_side(request.fdi, row.mirrored);
+  std::vector<int> fdis{fdi};
+  if (request.neighbours) {
+    for (const bool mesial : {true, false}) {
+      if (const int beside = neighbour_fdi(fdi, mesial)) fdis.push_back(beside);
+    }
+  }
+  std::vector<std::unique_ptr<ToothShape>> shapes(fdis.size());
+  in_two_threads(static_cast<int>(fdis.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    shapes[at] = i == 0 ? std::make_unique<ToothShape>(*choice->table, request.seed, request.voxel_mm)
+                        : shape_in_mouth(fdis[at], request.seed, request.voxel_mm);
+  });
+  Standing own;
+  own.fdi = fdi;
+  own.shape = std::move(shapes[0]);
+  row.landmarks = find_landmarks(*own.shape);
+  for (const Lesion& lesion : request.lesions) {
+    const auto placed = PlacedLesion::place(lesion, *own.shape, row.landmarks);
+    if (!placed) return fail(ToothError::unknown_site, lesion.site);
+    row.lesions.push_back(*placed);
+  }
+  row.teeth.push_back(std::move(own));
+  for (std::size_t i = 1; i < fdis.size(); ++i) {
+    const bool mesial = fdis[i] == neighbour_fdi(fdi, true);
+    row.teeth.push_back(stand_beside(row.teeth.front(), mesial, std::move(shapes[i])));
+  }
+  return row;
+}
+
+Result<Tooth, ToothFailure> grown(const ToothRequest& request, Row& row, ToothCancel cancel,
+                                  const ToothProgress& progress) {
+  std::vector<ToothBody> bodies;
+  for (const Standing& s : row.teeth) {
+    const bool own = bodies.empty();
+    const ToothMaterial material = request.typodont ? ToothMaterial::typodont
+                                   : own            ? ToothMaterial::natural
+                                                    : ToothMaterial::neighbour;
+    bodies.emplace_back(*s.shape, s.place, material, own ? row.lesions : std::vector<PlacedLesion>{});
+  }
+  const bool gums = request.gingiva || request.bone;
+  const double pieces = static_cast<double>(bodies.size() + (gums ? 1 : 0));
+  double done = 0.0;
+  const auto grow = [&](const Body& body) {
+    const double from = kShapeShare + (1.0 - kShapeShare) * done / pieces;
+    const double to = kShapeShare + (1.0 - kShapeShare) * (done + 1.0) / pieces;
+    done += 1.0;
+    const ToothProgress part = [&](double share) {
+      if (progress) progress(from + (to - from) * share);
+    };
+    return voxels_of(body, request.voxel_mm, cancel, part, 0.0);
+  };
+  std::vector<VoxelVolume> parts;
+  for (const ToothBody& body : bodies) {
+    auto part = grow(body);
+    if (!part) return std::unexpected(part.error());
+    parts.push_back(std::move(*part));
+  }
+  Tooth out;
+  out.volume = parts.size() == 1 ? std::move(parts.front()) : united(parts);
+  parts.clear();
+  if (gums) {
+    std::vector<const ToothBody*> all;
+    for (const ToothBody& body : bodies) all.push_back(&body);
+    auto around = grow(Gums(all, {request.gingiva, request.bone}));
+    if (!around) return std::unexpected(around.error());
+    out.volume = embedded(std::move(out.volume), *around);
+  }
+  for (const auto& [code, name] : own_tissue_names()) {
+    const bool there = std::ranges::find(out.volume.tissue, Tissue{code}) != out.volume.tissue.end();
+    if (there) out.volume.names[code] = name;
+  }
+  out.landmarks = row.landmarks;
+  for (std::size_t i = 1; i < row.teeth.size(); ++i) {
+    const Standing& s = row.teeth[i];
+    out.neighbours.push_back({table_side(s.fdi, row.mirrored), s.contact_mm, s.gap_mm});
+  }
+  if (row.mirrored) {
+    out.volume = mirrored(out.volume);
+    out.landmarks = mirrored(std::move(out.landmarks));
+    for (Neighbour& n : out.neighbours) n.contact_mm.x = -n.contact_mm.x;
+  }
+  return out;
+}
+
+/// The teeth beyond a neighbour, in the order in which the jaw goes on: mesially over the midline to the other side's
+/// third molar, distally to this side's.
+std::vector<int> beyond(int neighbour, bool mesial) {
+  std::vector<int> out;
+  bool forwards = mesial;
+  for (int at = neighbour; at != 0;) {
+    const bool over = forwards && at % 10 == 1;
+    at = neighbour_fdi(at, forwards);
+    if (over) forwards = false;
+    if (at != 0) out.push_back(at);
+  }
+  return out;
+}
+
+Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& request, const Row& row, double step_mm,
+                                                         ToothCancel cancel) {
+  const int fdi = row.teeth.front().fdi;
+  std::vector<int> fdis;
+  std::vector<const Standing*> begins;  // for each of them the neighbour that its chain begins at
+  for (std::size_t i = 1; i < row.teeth.size(); ++i) {
+    // The neighbour of a central incisor is of the other side already: from there the way leads backwards.
+    const bool mesial = row.teeth[i].fdi == neighbour_fdi(fdi, true) && fdi % 10 != 1;
+    for (const int next : beyond(row.teeth[i].fdi, mesial)) {
+      begins.push_back(&row.teeth[i]);
+      fdis.push_back(next);
+    }
+  }
+  std::vector<std::unique_ptr<ToothShape>> shapes(fdis.size());
+  in_two_threads(static_cast<int>(fdis.size()), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    shapes[at] = shape_in_mouth(fdis[at], request.seed, kSceneryVoxelMm);
+  });
+  std::vector<Standing> rest;
+  rest.reserve(fdis.size());
+  for (std::size_t i = 0; i < fdis.size(); ++i) {
+    const bool first = i == 0 || begins[i] != begins[i - 1];
+    const Standing& before = first ? *begins[i] : rest.back();
+    rest.push_back(stand_beside(before, fdis[i] == neighbour_fdi(before.fdi, true), std::move(shapes[i])));
+  }
+  std::vector<SceneryMesh> meshes(rest.size());
+  const ToothMaterial material = request.typodont ? ToothMaterial::typodont : ToothMaterial::natural;
+  in_two_threads(static_cast<int>(rest.size()), [&](int i) {
+    const Standing& s = rest[static_cast<std::size_t>(i)];
+    meshes[static_cast<std::size_t>(i)] = mesh_of(ToothBody(*s.shape, s.place, material), step_mm);
+  });
+  if (stopped(cancel)) return fail(ToothError::cancelled, "jaw");
+  std::vector<Jaw::Standing> out;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (row.mirrored) mirror(meshes[i]);
+    out.push_back({table_side(rest[i].fdi, row.mirrored), std::move(meshes[i])});
+  }
+  // From the patient's right to the left.
+  std::ranges::sort(out, {}, [](const Jaw::Standing& s) {
+    const int quadrant = s.fdi / 10, number = s.fdi % 10;
+    return quadrant == 1 || quadrant == 4 ? -number : number;
+  });
+  return out;
+}
+
+}  // namespace
+
+Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel cancel, const ToothProgress& progress) {
+  auto row = stand(request, cancel);
+  if (!row) return std::unexpected(row.error());
   if (progress) progress(kShapeShare);
   if (stopped(cancel)) return fail(ToothError::cancelled, "tooth");
-  ToothLandmarks landmarks = find_landmarks(shape);
-  auto volume = voxels_of(shape, request.voxel_mm, cancel, progress, kShapeShare);
-  if (!volume) return std::unexpected(volume.error());
-  if (choice->mirrored) return Tooth{mirrored(*volume), mirrored(std::move(landmarks))};
-  return Tooth{std::move(*volume), std::move(landmarks)};
+  return grown(request, *row, cancel, progress);
+}
+
+Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm, ToothCancel cancel,
+                                   const ToothProgress& progress) {
+  ToothRequest near = request;
+  near.neighbours = true;
+  auto row = stand(near, cancel);
+  if (!row) return std::unexpected(row.error());
+  if (progress) progress(kShapeShare);
+  auto tooth = grown(near, *row, cancel, progress);
+  if (!tooth) return std::unexpected(tooth.error());
+  auto rest = rest_of(request, *row, scenery_step_mm, cancel);
+  if (!rest) return std::unexpected(rest.error());
+  if (progress) progress(1.0);
+  return Jaw{std::move(*tooth), std::move(*rest)};
+}
+
+Result<std::vector<Jaw::Standing>, ToothFailure> rest_of_jaw(const ToothRequest& request, double scenery_step_mm,
+                                                             ToothCancel cancel) {
+  ToothRequest near = request;
+  near.neighbours = true;
+  auto row = stand(near, cancel);
+  if (!row) return std::unexpected(row.error());
+  return rest_of(request, *row, scenery_step_mm, cancel);
 }
 
 Result<VoxelVolume, ToothFailure> make_tooth(const ToothRequest& request, ToothCancel cancel,

@@ -8,7 +8,9 @@
 
 #include "engine/base/result.h"
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/teeth/caries.h"
 #include "scenarios/teeth/landmarks.h"
+#include "scenarios/teeth/scenery.h"
 
 namespace cusp {
 
@@ -17,6 +19,7 @@ enum class ToothError : std::uint8_t {
   bad_voxel_size,  // not within kMinToothVoxelMm .. kMaxToothVoxelMm (NaN too)
   bad_tables,      // teeth.json does not fit its schema: a broken build
   cancelled,
+  unknown_site,  // a lesion is asked for where the tooth has no such place
 };
 using ToothFailure = Failure<ToothError>;
 
@@ -28,6 +31,17 @@ struct ToothRequest {
   int fdi = 36;            // FDI number
   std::uint64_t seed = 0;  // 0: the average tooth; others vary within the spread of teeth.md
   double voxel_mm = 0.1;
+  bool typodont = false;        // of plastic throughout, as in a training model; then no lesion is grown
+  std::vector<Lesion> lesions = {};  // where two reach, the first of them counts
+  bool neighbours = false;      // the teeth that touch it, in tissues of their own (own_tissues.h)
+  bool gingiva = false, bone = false;
+};
+
+/// A tooth that stands beside the one that was asked for, touching it.
+struct Neighbour {
+  int fdi = 0;
+  Vec3 contact_mm{0.0};  // where the two come nearest
+  double gap_mm = 0.0;   // there: below 0.05
 };
 
 /// Stops early, with ToothError::cancelled, once *cancel is true. May be written by any thread.
@@ -38,6 +52,7 @@ using ToothProgress = std::function<void(double)>;
 struct Tooth {
   VoxelVolume volume;
   ToothLandmarks landmarks;
+  std::vector<Neighbour> neighbours;  // mesial first
 };
 
 /// Grows a tooth and its landmarks. Banded s is the signed distance within the band; the tissue is set wherever s > 0.
@@ -46,6 +61,25 @@ struct Tooth {
 /// 1 and 3 mirrored in x, bit for bit. Uses up to two threads of its own. Not for the haptic thread.
 [[nodiscard]] Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,
                                                      const ToothProgress& progress = {});
+
+/// A whole jaw about a tooth that can be drilled. What the burr can reach (the tooth, its neighbours, gingiva and bone
+/// about them where the request asks) is voxels; the other teeth are surfaces to look at.
+struct Jaw {
+  Tooth tooth;
+  struct Standing {
+    int fdi = 0;
+    SceneryMesh mesh;  // in the tooth's frame
+  };
+  std::vector<Standing> scenery;  // from the patient's right to the left
+};
+/// As grow_tooth with neighbours; scenery of about `scenery_step_mm`. Pre: 0.1 <= scenery_step_mm <= 1.
+[[nodiscard]] Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm = 0.3,
+                                                 ToothCancel cancel = nullptr, const ToothProgress& progress = {});
+
+/// The scenery of grow_jaw alone.
+[[nodiscard]] Result<std::vector<Jaw::Standing>, ToothFailure> rest_of_jaw(const ToothRequest& request,
+                                                                           double scenery_step_mm = 0.3,
+                                                                           ToothCancel cancel = nullptr);
 
 /// grow_tooth for callers that need the voxels alone.
 [[nodiscard]] Result<VoxelVolume, ToothFailure> make_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,

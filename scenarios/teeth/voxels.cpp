@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <thread>
+
+#include "scenarios/teeth/own_tissues.h"
+#include "scenarios/teeth/two_threads.h"
 
 namespace cusp {
 namespace {
@@ -13,21 +15,8 @@ constexpr int kBlock = 4;             // voxels on a side of the blocks that are
 constexpr int kPad = 4;               // empty voxels on every side (voxel_volume.h)
 constexpr double kTapVoxels = 4.5;    // how far from the surface samples are read: band 2.75 and two taps, less a bit
 constexpr double kSlopeMost = 1.5;    // of the fields, away from fissures
+constexpr std::size_t kCrumbVoxels = 8;
 constexpr double kFissureMm = 0.35;   // within a fissure the field may promise that much too much distance
-
-/// Runs work(i) for i in [0, count) on this thread and one more; `tick` on this one, between pieces.
-void in_two(int count, const std::function<void(int)>& work, const std::function<void(int)>& tick, ToothCancel cancel) {
-  std::atomic<int> next{0};
-  const auto stop = [&] { return cancel != nullptr && cancel->load(std::memory_order_relaxed); };
-  const auto run = [&](bool first) {
-    for (int i = next++; i < count && !stop(); i = next++) {
-      work(i);
-      if (first) tick(i);
-    }
-  };
-  std::jthread other([&] { run(false); });
-  run(true);
-}
 
 /// Samples of the outside field on the grid, with a cubic reading between them.
 struct Field {
@@ -117,10 +106,10 @@ constexpr int kMostStep[4] = {0, step_of(1.0), step_of(1.41421356), step_of(1.73
 
 class Maker {
  public:
-  Maker(const ToothShape& shape, double voxel_mm) : shape_(shape), h_(voxel_mm) {
+  Maker(const Body& body, double voxel_mm) : body_(body), h_(voxel_mm) {
     // Whole voxels from the origin, so that the mirrored tooth lies on the same grid.
     const double edge = kBandVoxels + kPad + 0.5;
-    const IVec3 low(glm::floor(shape.low() / h_ - edge)), high(glm::ceil(shape.high() / h_ + edge));
+    const IVec3 low(glm::floor(body.low() / h_ - edge)), high(glm::ceil(body.high() / h_ + edge));
     Grid grid;
     grid.size = high - low + 1;
     grid.voxel_mm = h_;
@@ -138,13 +127,13 @@ class Maker {
   void sample(int layer) {
     const double radius = (0.5 * kBlock * std::sqrt(3.0) + kTapVoxels) * h_, far = kSlopeMost * radius + kFissureMm;
     for_blocks(layer, [&](IVec3 low, IVec3 high, Kind& kind) {
-      const double centre = shape_.outside(place(0.5 * Vec3(low + high - 1)));
+      const double centre = body_.outside(place(0.5 * Vec3(low + high - 1)));
       kind = centre > far ? Kind::outside : centre < -far ? Kind::inside : Kind::near;
       for (int z = low.z; z < high.z; ++z) {
         for (int y = low.y; y < high.y; ++y) {
           for (int x = low.x; x < high.x; ++x) {
             field_.f[field_.index(x, y, z)] =
-                static_cast<float>((kind == Kind::near ? shape_.outside(place({x, y, z})) : centre) / h_);
+                static_cast<float>((kind == Kind::near ? body_.outside(place({x, y, z})) : centre) / h_);
           }
         }
       }
@@ -157,13 +146,7 @@ class Maker {
     for_blocks(layer, [&](IVec3 low, IVec3 high, Kind& kind) {
       if (kind == Kind::outside) return;
       Tissue whole = Tissue::empty;
-      if (kind == Kind::inside) {
-        const Vec3 c = place(0.5 * Vec3(low + high - 1));
-        const double value = shape_.outside(c), dentine = shape_.dentine(c, value), pulp = shape_.pulp(c);
-        if (pulp < -far) whole = Tissue::pulp;
-        else if (dentine < -far && pulp > far) whole = Tissue::dentine;
-        else if (dentine > far && shape_.above_cej(c) > far) whole = Tissue::enamel;
-      }
+      if (kind == Kind::inside) whole = body_.whole(place(0.5 * Vec3(low + high - 1)), far);
       for (int z = low.z; z < high.z; ++z) {
         for (int y = low.y; y < high.y; ++y) {
           for (int x = low.x; x < high.x; ++x) voxel({x, y, z}, kind, whole);
@@ -209,6 +192,9 @@ class Maker {
     for (const std::vector<std::size_t>& piece : strays) {
       std::array<int, kTissueCodes> votes{};
       const Tissue own = out_.tissue[piece.front()];
+      // Several lesions are several pieces; only crumbs of one are strays.
+      const bool decay = own == Tissue::carious_enamel || own == Tissue::carious_dentine || own == kFirmCariousDentine;
+      if (decay && piece.size() > kCrumbVoxels) continue;
       for (const std::size_t i : piece) {
         for (const std::size_t step : around) {
           if (solid(i + step) && out_.tissue[i + step] != own) ++votes[index_of(out_.tissue[i + step])];
@@ -238,21 +224,21 @@ class Maker {
   }
 
   void voxel(IVec3 v, Kind kind, Tissue whole) {
+    if (!inner(v)) return;  // padding, whatever a body says of its box
     const std::size_t i = field_.index(v.x, v.y, v.z);
     const double value = double(field_.f[i]);
     double d = value;
     Vec3 nearest(v);
-    if (kind == Kind::near && std::fabs(value) < kTapVoxels && inner(v)) d = true_distance(field_, v, value, nearest);
+    if (kind == Kind::near && std::fabs(value) < kTapVoxels) d = true_distance(field_, v, value, nearest);
     const std::uint16_t s = solid_from_distance(d);
     if (s == 0) return;
     out_.s[i] = s;
     if (whole != Tissue::empty) {
       out_.tissue[i] = whole;
     } else if (d > 0.0) {
-      const Vec3 p = place(nearest);  // outside: as the surface next to it
-      out_.tissue[i] = shape_.above_cej(p) > 0.0 ? Tissue::enamel : Tissue::cementum;
+      out_.tissue[i] = body_.skin(place(nearest));  // outside: as the surface next to it
     } else {
-      out_.tissue[i] = tissue(place(Vec3(v)), d * h_);
+      out_.tissue[i] = body_.inside(place(Vec3(v)), d * h_);
     }
   }
 
@@ -296,17 +282,12 @@ class Maker {
     return static_cast<std::size_t>(b.x + blocks_.x * (b.y + blocks_.y * b.z));
   }
 
-  Tissue tissue(Vec3 p, double outside_mm) const noexcept {
-    if (shape_.dentine(p, outside_mm) < 0.0) return shape_.pulp(p) < 0.0 ? Tissue::pulp : Tissue::dentine;
-    return shape_.above_cej(p) > 0.0 ? Tissue::enamel : Tissue::cementum;
-  }
-
   bool inner(IVec3 v) const noexcept {
     return v.x >= kPad && v.y >= kPad && v.z >= kPad && v.x < field_.size.x - kPad && v.y < field_.size.y - kPad &&
            v.z < field_.size.z - kPad;
   }
 
-  const ToothShape& shape_;
+  const Body& body_;
   double h_;
   Field field_;
   IVec3 blocks_{0};
@@ -316,9 +297,9 @@ class Maker {
 
 }  // namespace
 
-Result<VoxelVolume, ToothFailure> voxels_of(const ToothShape& shape, double voxel_mm, ToothCancel cancel,
+Result<VoxelVolume, ToothFailure> voxels_of(const Body& body, double voxel_mm, ToothCancel cancel,
                                             const ToothProgress& progress, double from) {
-  Maker maker(shape, voxel_mm);
+  Maker maker(body, voxel_mm);
   const int layers = maker.layers();
   const auto tell = [&](double low, double high) {
     return [&progress, low, high, layers](int i) {
@@ -326,12 +307,62 @@ Result<VoxelVolume, ToothFailure> voxels_of(const ToothShape& shape, double voxe
     };
   };
   const double middle = from + 0.5 * (1.0 - from);
-  in_two(layers, [&](int layer) { maker.sample(layer); }, tell(from, middle), cancel);
-  in_two(layers, [&](int layer) { maker.fill(layer); }, tell(middle, 1.0), cancel);
+  in_two_threads(layers, [&](int layer) { maker.sample(layer); }, tell(from, middle), cancel);
+  in_two_threads(layers, [&](int layer) { maker.fill(layer); }, tell(middle, 1.0), cancel);
   if (cancel != nullptr && cancel->load()) return fail(ToothError::cancelled, "tooth");
   maker.settle();
   maker.join_strays();
   return maker.take();
+}
+
+VoxelVolume united(const std::vector<VoxelVolume>& parts) {
+  const double h = parts.front().grid.voxel_mm;
+  const auto first_of = [h](const Grid& g) { return IVec3(glm::floor(g.origin_mm / h + 0.5)); };
+  IVec3 low = first_of(parts.front().grid), high = low;
+  for (const VoxelVolume& part : parts) {
+    low = glm::min(low, first_of(part.grid));
+    high = glm::max(high, first_of(part.grid) + part.grid.size);
+  }
+  Grid grid;
+  grid.voxel_mm = h;
+  grid.size = high - low;
+  grid.origin_mm = h * Vec3(low);
+  VoxelVolume out(grid);
+  for (const VoxelVolume& part : parts) {
+    out.names.insert(part.names.begin(), part.names.end());
+    const IVec3 shift = first_of(part.grid) - low;
+    std::size_t i = 0;
+    for (int z = 0; z < part.grid.size.z; ++z) {
+      for (int y = 0; y < part.grid.size.y; ++y) {
+        std::size_t to = grid.index(IVec3(0, y, z) + shift);
+        for (int x = 0; x < part.grid.size.x; ++x, ++i, ++to) {
+          if (part.s[i] <= out.s[to]) continue;
+          out.s[to] = part.s[i];
+          out.tissue[to] = part.tissue[i];
+        }
+      }
+    }
+  }
+  return out;
+}
+
+VoxelVolume embedded(VoxelVolume teeth, const VoxelVolume& around) {
+  // The surroundings run through the teeth: there they reach further in than the tooth does, and must not win.
+  VoxelVolume out = united({std::move(teeth), VoxelVolume(around.grid)});
+  const double h = around.grid.voxel_mm;
+  const IVec3 shift(glm::floor((around.grid.origin_mm - out.grid.origin_mm) / h + 0.5));
+  std::size_t i = 0;
+  for (int z = 0; z < around.grid.size.z; ++z) {
+    for (int y = 0; y < around.grid.size.y; ++y) {
+      std::size_t to = out.grid.index(IVec3(0, y, z) + shift);
+      for (int x = 0; x < around.grid.size.x; ++x, ++i, ++to) {
+        if (around.s[i] <= out.s[to]) continue;
+        if (out.s[to] < kHalf) out.tissue[to] = around.tissue[i];
+        out.s[to] = around.s[i];
+      }
+    }
+  }
+  return out;
 }
 
 VoxelVolume mirrored(const VoxelVolume& volume) {

@@ -168,4 +168,59 @@ double pulp_cover_mm(const VoxelVolume& volume, double z_from, double most_mm) {
   return best;
 }
 
+double thickness_below(const VoxelVolume& v, Vec3 top, Tissue tissue) {
+  const double step = 0.01;
+  double gone = 0.0;
+  while (tissue_at(v, top) == Tissue::empty && gone < 0.3) top.z -= step, gone += step;
+  double thick = 0.0;
+  while (tissue_at(v, top) == tissue) top.z -= step, thick += step;
+  return thick;
+}
+
+PulpHeights pulp_heights(const VoxelVolume& v, Vec3 cusp_tip) {
+  const Grid& g = v.grid;
+  Vec3 sum(0.0);
+  double count = 0.0;
+  IVec3 p;
+  for (p.z = 0; p.z < g.size.z; ++p.z) {
+    const double z = g.centre_mm(p).z;
+    if (z < -0.2 || z > 0.8) continue;
+    for (p.y = 0; p.y < g.size.y; ++p.y) {
+      for (p.x = 0; p.x < g.size.x; ++p.x) {
+        if (v.tissue[g.index(p)] == Tissue::pulp) sum += g.centre_mm(p), count += 1.0;
+      }
+    }
+  }
+  const Vec3 middle = sum / count;
+  double ceiling = -99.0, floor = 99.0, furcation = -99.0;
+  for (double z = -6.0; z < 6.0; z += 0.02) {
+    if (tissue_at(v, {middle.x, middle.y, z}) != Tissue::pulp) continue;
+    ceiling = std::max(ceiling, z);
+    floor = std::min(floor, z);
+  }
+  for (double dx = -1.5; dx <= 1.5; dx += 0.25) {
+    for (double dy = -1.0; dy <= 1.0; dy += 0.25) {
+      double z = -8.0;
+      if (tissue_at(v, {middle.x + dx, middle.y + dy, z}) != Tissue::empty) continue;  // a root
+      while (z < 0.0 && tissue_at(v, {middle.x + dx, middle.y + dy, z}) == Tissue::empty) z += 0.02;
+      furcation = std::max(furcation, z);
+    }
+  }
+  return {cusp_tip.z - ceiling, ceiling - floor,     cusp_tip.z - floor,
+          floor - furcation,    ceiling - furcation, cusp_tip.z - furcation};
+}
+
+double furthest_from_quoted(const PulpHeights& h, const QuotedHeights& q) {
+  const auto off = [](double v, Quoted quoted) { return std::fabs(v - quoted.mean) / quoted.deviation; };
+  return std::max({off(h.cusp_to_ceiling, q.cusp_to_ceiling), off(h.chamber, q.chamber), off(h.cusp_to_floor, q.cusp_to_floor),
+                   off(h.floor_to_furcation, q.floor_to_furcation), off(h.ceiling_to_furcation, q.ceiling_to_furcation),
+                   off(h.cusp_to_furcation, q.cusp_to_furcation)});
+}
+
+Pieces pieces_of_tissues(const VoxelVolume& v) {
+  const auto of = [&](Tissue t) { return pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf && v.tissue[i] == t; }); };
+  return {pieces(v, [&](std::size_t i) { return v.s[i] >= kHalf; }), of(Tissue::enamel), of(Tissue::dentine),
+          of(Tissue::cementum), of(Tissue::pulp)};
+}
+
 }  // namespace cusp

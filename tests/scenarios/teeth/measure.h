@@ -30,4 +30,33 @@ Tissue tissue_at(const VoxelVolume& volume, Vec3 at_mm);
 /// Least distance from a pulp voxel above `z_from` to one that is neither pulp nor dentine; `most_mm` when none is nearer.
 double pulp_cover_mm(const VoxelVolume& volume, double z_from, double most_mm);
 
+/// mm of a tissue straight below a place on the surface.
+double thickness_below(const VoxelVolume& volume, Vec3 top, Tissue tissue);
+
+/// Heights inside a molar as Deutsch and Musikant 2004 measured them (mm): from the mesiobuccal cusp's tip, over the
+/// middle of the chamber, down to the roots' parting.
+struct PulpHeights {
+  double cusp_to_ceiling = 0, chamber = 0, cusp_to_floor = 0;
+  double floor_to_furcation = 0, ceiling_to_furcation = 0, cusp_to_furcation = 0;
+};
+PulpHeights pulp_heights(const VoxelVolume& volume, Vec3 cusp_tip);
+/// Their means and standard deviations (dental.md 3.2): upper, or lower molars.
+struct Quoted {
+  double mean, deviation;
+};
+struct QuotedHeights {
+  Quoted cusp_to_ceiling, chamber, cusp_to_floor, floor_to_furcation, ceiling_to_furcation, cusp_to_furcation;
+};
+inline constexpr QuotedHeights kUpperMolars{{6.24, 0.88}, {1.88, 0.69}, {8.08, 0.88}, {3.05, 0.79}, {4.91, 1.06}, {11.15, 1.21}};
+inline constexpr QuotedHeights kLowerMolars{{6.36, 0.93}, {1.57, 0.68}, {7.95, 0.79}, {2.96, 0.78}, {4.55, 0.91}, {10.90, 1.21}};
+/// How many standard deviations the furthest of the six is from its mean.
+double furthest_from_quoted(const PulpHeights& heights, const QuotedHeights& quoted);
+
+/// Pieces of the whole, and of each of enamel, dentine, cementum and pulp: all 1 in a sound tooth.
+struct Pieces {
+  int whole = 0, enamel = 0, dentine = 0, cementum = 0, pulp = 0;
+  bool all_one() const noexcept { return whole == 1 && enamel == 1 && dentine == 1 && cementum == 1 && pulp == 1; }
+};
+Pieces pieces_of_tissues(const VoxelVolume& volume);
+
 }  // namespace cusp

@@ -1,0 +1,28 @@
+/// Teeth that no burr can reach, as a surface to look at: no voxels, a few thousand triangles each.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/volume/tissue.h"
+#include "scenarios/teeth/body.h"
+
+namespace cusp {
+
+/// Triangles that face outwards. Any thread.
+struct SceneryMesh {
+  std::vector<glm::vec3> points_mm, normals;  // per point; normals are unit and point outwards
+  std::vector<Tissue> tissue;                 // per point
+  std::vector<std::uint32_t> triangles;       // three indices each
+  std::size_t bytes() const noexcept {
+    return points_mm.size() * (2 * sizeof(glm::vec3) + sizeof(Tissue)) + triangles.size() * sizeof(std::uint32_t);
+  }
+};
+
+/// Turned round in x, still facing outwards.
+void mirror(SceneryMesh& mesh) noexcept;
+
+/// One point in each cell of `step_mm` that the surface crosses, drawn onto the surface.
+SceneryMesh mesh_of(const Body& body, double step_mm);
+
+}  // namespace cusp
