@@ -14,7 +14,7 @@ constexpr std::size_t kPages = 14000;
 constexpr std::size_t kMostFeatures = 4 * static_cast<std::size_t>(kBrickVoxels);
 /// Two cuts make the larger of two distances, without rounding: what differs more is no ridge of two.
 constexpr double kMostOff = 0.3;
-/// Voxels: a scratch this deep is felt though no cell of the cut holds it.
+/// Voxels: a scratch up to this deep holds a cutting burr though no cell of the cut has it.
 constexpr double kShallow = 0.15;
 /// s beyond which no surface crosses the cells that touch the voxel (1.8 voxels).
 constexpr std::uint16_t kLeast = 11000, kMost = 54500;
@@ -255,20 +255,10 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   }
   const double length = std::sqrt(glm::dot(g, g));
   if (d > 0.0) {
-    // The cut has taken it. A scratch so shallow that it takes no voxel's centre shows in no cell of the cut: then what
-    // stands of the face about it is kept, and the scratch's own floor is put under it.
-    if (d < kShallow && length > 0.25 && !made.feature.edge && made_count_ + 1 < made_.size()) {
-      const Vec3 down = g / length;
-      const CutFeature base = made.feature;
-      add_beside(made.feature, d * volume.grid().voxel_mm / length, Vec3f(down));
-      Made& floor = made_[++made_count_];
-      floor = Made{};
-      floor.at = Vec3f(Vec3(place) - down * (d / length));
-      floor.feature.normal = Vec3f(down);
-      floor.feature.cell = base.cell;
-      floor.feature.field = Field::cut;
-      floor.feature.tissue = base.tissue;
-      add_beside(floor.feature, -d * volume.grid().voxel_mm / length * glm::dot(Vec3(base.normal), down), base.normal);
+    // The cut has taken it. A scratch so shallow that it takes no voxel's centre shows in no cell of the cut, and most of
+    // the face about the point still stands: a burr that cuts on is held by the face as deep as the scratch has it there.
+    if (!sharp_ && d < kShallow && length > 0.25 && !made.feature.edge) {
+      made.at = Vec3f(Vec3(place) - Vec3(made.feature.normal) * (d / length));
       ++made_count_;
     }
     return cut.crease_near();

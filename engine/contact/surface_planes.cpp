@@ -96,8 +96,10 @@ inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 
   if (square > far * far + beside * beside) return false;
   const double height = glm::dot(c.normal, y) - c.level;
   if (height > 0.0 && square - height * height <= beside * beside) {
+    // While the burr cuts, its own scratch is a lens, whose side turns up again within the plane's reach.
+    const double bulge = !sharp_ && c.field == Field::base && c.others > 0 ? 0.5 * (square - height * height) / r : 0.0;
     const auto past = [&](Vec3 other, double other_d) {
-      return other_d + glm::dot(other, d) - height * glm::dot(other, c.normal) > 0.0;
+      return other_d + glm::dot(other, d) - height * glm::dot(other, c.normal) > bulge;
     };
     const bool beyond = c.others > 0 && (past(Vec3(c.feature->other_normal), c.feature->other_d_mm) ||
                                          (c.others > 1 && past(Vec3(c.feature->third_normal), c.feature->third_d_mm)));
@@ -111,8 +113,6 @@ inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 
   }
   trusted = false;
   if (square > far * far || square < 1e-18) return false;
-  // What stands about a scratch: the point itself is gone.
-  if (c.others > 0 && c.feature->other_d_mm > 0.0f) return false;
   const double distance = std::sqrt(square);
   plane.n = d / distance;
   plane.c = glm::dot(plane.n, y) - (distance - r);
@@ -223,7 +223,6 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y,
         return true;
       }
     }
-    if (c.others > 0 && c.feature->other_d_mm > 0.0f) return false;
   } else {
     if (gap > slack_mm + voxel_mm_) return false;
     // The distance along a piece is all but convex: where its slope changes sign.

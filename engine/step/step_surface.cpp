@@ -23,7 +23,7 @@ constexpr double kFastestMmS = 300.0, kLongestCarveMm = 1.0;
 constexpr double kLongestPieceMm = 0.04;
 constexpr double kLeastPieceMm = 0.008;
 constexpr double kShallowTauMm = 0.005;
-constexpr double kLeastTauMm = 0.0002;
+constexpr double kLeastTauMm = 0.00005;
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
 constexpr double kOutrunTimes = 2.0, kOutrunMm = 0.02;
 constexpr int kParts = 8;
