@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/tool/swept.h"
+
 namespace cusp {
 
 namespace {
@@ -18,6 +20,7 @@ constexpr double kNearVoxels = 1.5;    // a gap beyond it needs no foot yet: a s
 constexpr int kFootPasses = 6;
 constexpr double kFootSettled = 1e-6;  // of the normal
 constexpr double kOverlapMm = 0.001;
+constexpr double kOnHeadMm = 1e-6;  // of the head's skin
 
 }  // namespace
 
@@ -26,7 +29,7 @@ GradientProxy::GradientProxy(const Scene& scene, const Volume& volume) : axis_(s
   for (const Burr& burr : scene.burrs) {
     // At least three by three points a side, so that the best of them leads to the foot.
     const double spacing = std::min(kBallVoxels * voxel, 0.45 * burr.radius_mm);
-    shells_.push_back({shell_of(burr, scene.tool_axis, spacing, kHolderVoxels * voxel), burr.radius_mm,
+    shells_.push_back({shell_of(burr, scene.tool_axis, spacing, kHolderVoxels * voxel), burr.radius_mm, head_reach(burr),
                        std::max(burr.neck_radius_mm, burr.shank_radius_mm)});
   }
 }
@@ -35,7 +38,12 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
   const Shell& shell = shells_[burr];
   Scan out;
   out.gap_mm = field.band_mm();
-  if (box_.holds(y, shell.radius_mm)) {
+  if (box_.holds(y, shell.reach_mm)) {
+    for (const PointShell::HeadPoint& point : shell.points.head) {
+      if (!box_.holds(y + point.offset_mm)) continue;
+      const double d = field.at(y + point.offset_mm);
+      if (d < out.gap_mm) out = {point.offset_mm, d, false};
+    }
     for (const PointShell::BallPoint& point : shell.points.ball) {
       const Vec3 offset = point.out * shell.radius_mm;
       const double d = field.at(y + offset);
@@ -53,21 +61,33 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
   return out;
 }
 
-GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, double radius_mm, Vec3 y, Vec3 offset) noexcept {
+GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, const Burr& burr, Vec3 y,
+                                        Vec3 offset) const noexcept {
   Foot out;
   out.offset = offset;
-  // No point of neck and shank lies inside the ball.
-  out.shank = glm::dot(offset, offset) > radius_mm * radius_mm * (1.0 + 1e-9);
+  const double radius_mm = burr.radius_mm;
+  const bool ball = burr.head.ball();
+  // No point of neck and shank lies inside the head.
+  out.shank = ball ? glm::dot(offset, offset) > radius_mm * radius_mm * (1.0 + 1e-9)
+                   : head_distance(burr, axis_, offset) > kOnHeadMm;
   if (out.shank) {
     out.known = field.normal(y + offset, out.n);
     out.gap_mm = field.at(y + offset);
     return out;
   }
   Vec3 n = offset / -radius_mm;
+  if (!ball) {
+    head_distance(burr, axis_, offset, n);
+    n = -n;
+  }
+  // The head's place that a plane of this normal touches; of a flat end or flank the one nearest to the foot so far.
+  const auto against = [&](Vec3 normal) {
+    return ball ? normal * -radius_mm : head_support(burr, axis_, -normal, out.offset);
+  };
   Vec3 before(0.0);
   for (int pass = 0; pass < kFootPasses; ++pass) {
     Vec3 m;
-    if (!field.normal(y - n * radius_mm, m)) break;
+    if (!field.normal(ball ? y - n * radius_mm : y + against(n), m)) break;
     out.known = true;
     Vec3 change = m - n;
     // On a feature sharper than the burr the iteration swings: then half the way.
@@ -78,7 +98,7 @@ GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, double radi
     if (glm::dot(change, change) < kFootSettled * kFootSettled) break;
   }
   out.n = n;
-  out.offset = n * -radius_mm;
+  out.offset = against(n);
   out.gap_mm = field.at(y + out.offset);
   return out;
 }
@@ -92,7 +112,7 @@ BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std
   BandedContact out;
   const TrilinearField field(volume);
   const double voxel = volume.grid().voxel_mm;
-  const double radius = shells_[burr].radius_mm;
+  const Burr& shape = scene.burrs[burr];
   Vec3 y = from;
   Foot held;
   bool touching = false, clipped = false;
@@ -102,13 +122,13 @@ BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std
   double bound = voxel;
   for (int pass = 0; pass < kPasses; ++pass) {
     Foot found;
-    if (glm::dot(kept, kept) > 0.0) found = foot(field, radius, y, kept);
+    if (glm::dot(kept, kept) > 0.0) found = foot(field, shape, y, kept);
     if (since_scan >= kRescanVoxels * voxel) {
       since_scan = 0.0;
       const Scan seen = scan(field, burr, y);
       clear = seen.gap_mm;
       if (clear < kNearVoxels * voxel) {
-        const Foot other = foot(field, radius, y, seen.offset);
+        const Foot other = foot(field, shape, y, seen.offset);
         if (other.known && (!found.known || other.gap_mm < found.gap_mm - 1e-6)) found = other;
       } else {
         found = Foot{};

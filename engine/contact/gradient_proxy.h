@@ -1,6 +1,7 @@
 /// Gradient proxy: a god-object on the implicit surface s = 1/2 (Salisbury and Tarr 1997), what users of the usual
 /// libraries get. The field is plain trilinear, its normal a central difference over a voxel. The burr's ball is an
-/// offset: its foot is x = y - r n(x), iterated from the last one. One tangent plane at a time: the deepest of the foot
+/// offset: its foot is x = y - r n(x), iterated from the last one; of another head the foot is its place furthest against
+/// n(x). One tangent plane at a time: the deepest of the foot
 /// that is followed and of what a coarse scan of the burr's skin finds (the ball's best direction, made a foot; neck
 /// and shank by their points), scanned again after every half voxel of way. Each pass puts the proxy on the device
 /// point's projection onto that plane, at most a voxel from where it was, so that no wall of two voxels is jumped. Its
@@ -48,11 +49,11 @@ class GradientProxy {
     bool shank = false;
   };
   Scan scan(const TrilinearField& field, std::size_t burr, Vec3 y) const noexcept;
-  static Foot foot(const TrilinearField& field, double radius_mm, Vec3 y, Vec3 offset) noexcept;
+  Foot foot(const TrilinearField& field, const Burr& burr, Vec3 y, Vec3 offset) const noexcept;
 
   struct Shell {
     PointShell points;
-    double radius_mm = 0.0, holder_radius_mm = 0.0;
+    double radius_mm = 0.0, reach_mm = 0.0, holder_radius_mm = 0.0;
   };
   std::vector<Shell> shells_;  // one for each burr of the scene
   Vec3 axis_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/contact/trilinear_field.h"
+#include "engine/tool/swept.h"
 
 namespace cusp {
 
@@ -12,6 +13,8 @@ namespace {
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 constexpr double kHolderVoxels = 3.0;  // spacing of the neck's and shank's points
 constexpr int kHalvings = 40;          // of the burr's diameter: to 1e-12 mm
+constexpr int kChords = 24;            // of another head's depth
+constexpr double kSettledMm = 1e-6;
 }  // namespace
 
 Penalty::Penalty(const Scene& scene, const Volume& volume)
@@ -21,7 +24,10 @@ Penalty::Penalty(const Scene& scene, const Volume& volume)
     Shell shell;
     shell.points = shell_of(burr, scene.tool_axis, voxel, kHolderVoxels * voxel);  // a point a voxel, as in VPS
     shell.radius_mm = burr.radius_mm;
+    shell.reach_mm = head_reach(burr);
     shell.deepest_mm = std::min(2.0 * burr.radius_mm, burr.radius_mm + 0.5 * band_mm_);
+    // A flat end's points all come to the band's end at once: no deeper push can be told.
+    if (!burr.head.ball()) shell.deepest_mm = band_mm_;
     shell.most = response(shell, shell.deepest_mm);
     shells_.push_back(std::move(shell));
   }
@@ -51,6 +57,35 @@ double Penalty::depth_of(const Shell& shell, double sum_mm) const noexcept {
   return 0.5 * (low + high);
 }
 
+/// The same of a shell whose lowest point against the plane lies lowest_mm along -normal from the pivot.
+double Penalty::response(const Shell& shell, Vec3 normal, double lowest_mm, double depth_mm) const noexcept {
+  double sum = 0.0;
+  for (const PointShell::HeadPoint& point : shell.points.head) {
+    const double deep = depth_mm - (lowest_mm + glm::dot(point.offset_mm, normal));
+    if (deep > 0.0) sum -= point.share * (deep < band_mm_ ? deep : band_mm_) * glm::dot(point.out, normal);
+  }
+  return sum;
+}
+
+double Penalty::depth_of(const Shell& shell, Vec3 normal, double sum_mm) const noexcept {
+  double lowest = -1e300;
+  for (const PointShell::HeadPoint& point : shell.points.head)
+    lowest = std::max(lowest, -glm::dot(point.offset_mm, normal));
+  double low = 0.0, high = shell.deepest_mm;
+  if (response(shell, normal, lowest, high) <= sum_mm) return high;
+  // It rises piece by piece and bends little: between chords and halves.
+  double at_low = 0.0, at_high = response(shell, normal, lowest, high);
+  for (int i = 0; i < kChords && high - low > kSettledMm; ++i) {
+    const double chord = low + (high - low) * (sum_mm - at_low) / (at_high - at_low);
+    const double middle = i % 3 == 2 ? 0.5 * (low + high) : chord;
+    const double at_middle = response(shell, normal, lowest, middle);
+    if (std::fabs(at_middle - sum_mm) < 1e-9 * at_high) return middle;
+    (at_middle < sum_mm ? low : high) = middle;
+    (at_middle < sum_mm ? at_low : at_high) = at_middle;
+  }
+  return 0.5 * (low + high);
+}
+
 BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 /*from*/, Vec3 device,
                              Vec3& /*kept*/) noexcept {
   BandedContact out;
@@ -59,14 +94,26 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   const TrilinearField field(volume);
   std::array<double, kTissueCodes> of{};  // push by tissue
 
-  Vec3 ball(0.0);
-  if (box_.holds(device, shell.radius_mm)) {
+  Vec3 head(0.0);
+  if (!shell.points.ball.empty() && box_.holds(device, shell.radius_mm)) {
     for (const PointShell::BallPoint& point : shell.points.ball) {
       const Vec3 p = device + point.out * shell.radius_mm;
       const double d = field.at(p);
       if (d >= 0.0) continue;
       const double push = -d * point.share;
-      ball -= point.out * push;
+      head -= point.out * push;
+      of[index_of(field.tissue(p))] += push;
+    }
+  }
+
+  if (!shell.points.head.empty() && box_.holds(device, shell.reach_mm)) {
+    for (const PointShell::HeadPoint& point : shell.points.head) {
+      const Vec3 p = device + point.offset_mm;
+      if (!box_.holds(p)) continue;
+      const double d = field.at(p);
+      if (d >= 0.0) continue;
+      const double push = -d * point.share;
+      head -= point.out * push;
       of[index_of(field.tissue(p))] += push;
     }
   }
@@ -88,8 +135,9 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   }
 
   Vec3 push(0.0);
-  const double sum = length_of(ball);
-  if (sum > 1e-12) push = ball * (depth_of(shell, sum) / sum);
+  const double sum = length_of(head);
+  if (sum > 1e-12)
+    push = head * ((shell.points.head.empty() ? depth_of(shell, sum) : depth_of(shell, head / sum, sum)) / sum);
   const double holding = length_of(holder);
   if (holding > 1e-12) {
     out.shank = true;

@@ -1,10 +1,10 @@
 /// Penalty: a shell of points on the burr against the voxels' distance field, no proxy (McNeely, Puterbaugh and Troy
 /// 1999, "Voxmap PointShell"; Barbic and James 2008, whose distance field and inward point normals it has). Every point
 /// that lies in tissue pushes back along its own normal, by its depth. Made comparable to K times a depth: the sum of
-/// the pushes, each with its share of the sphere, is measured against the closed form of what a plane pressed to a
-/// depth gives (the band's clamp included), and the force is K times the depth at which a plane would give the same
+/// the pushes, each with its share of the sphere, is measured against what a plane pressed to a depth gives (a ball: in
+/// closed form; another head: by its own shell against the plane across the sum; the band's clamp included), and the force is K times the depth at which a plane would give the same
 /// sum, along the sum. So a plane gives K d, whatever the burr and the shell; other shapes give what the sum makes of
-/// them: two walls at a right angle 2^(1/4) d instead of 2^(1/2) d, a hole as wide as the burr sqrt(2 r d / 3). Neck
+/// them, of a ball: two walls at a right angle 2^(1/4) d instead of 2^(1/2) d, a hole as wide as the burr sqrt(2 r d / 3). Neck
 /// and shank push by their deepest point along the mean of theirs. K is the mean over the points, weighted by their
 /// push. The reported pose is device point + F / K. It remembers nothing: beyond the band or a thin wall's middle the
 /// burr falls through, as with every penalty. Thread: haptic; wait-free; memory at construction.
@@ -39,11 +39,14 @@ class Penalty {
   struct Shell {
     PointShell points;
     double radius_mm = 0.0;
+    double reach_mm = 0.0;    // of the head from the pivot
     double deepest_mm = 0.0;  // the plane's response rises up to here
     double most = 0.0;        // and is this there
   };
   double response(const Shell& shell, double depth_mm) const noexcept;
+  double response(const Shell& shell, Vec3 normal, double lowest_mm, double depth_mm) const noexcept;
   double depth_of(const Shell& shell, double sum_mm) const noexcept;
+  double depth_of(const Shell& shell, Vec3 normal, double sum_mm) const noexcept;
 
   std::vector<Shell> shells_;  // one for each burr of the scene
   TissueBox box_;

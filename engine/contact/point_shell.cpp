@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/tool/swept.h"
+
 namespace cusp {
 
 namespace {
@@ -29,30 +31,82 @@ void ball_points(double radius_mm, double spacing_mm, std::vector<PointShell::Ba
   for (PointShell::BallPoint& p : out) p.share /= sum;
 }
 
-/// Round the axis: the outline of a square of 8 m points blown up to the circle.
-void ring(Vec3 axis, Vec3 a, Vec3 b, double along, double radius, Vec3 normal_along, double outward, double spacing,
-          double ball_radius, std::vector<PointShell::HolderPoint>& out) {
-  const int m = std::clamp(static_cast<int>(6.2831853 * radius / spacing / 8.0 + 0.5), 1, 16);
+/// Calls visit(direction, part of the turn) round the axis: the outline of a square of 8 m points blown up to the circle.
+template <class Visit>
+void around(Vec3 a, Vec3 b, int m, Visit&& visit) {
   for (int side = 0; side < 4; ++side)
     for (int i = 0; i < 2 * m; ++i) {
       double x = 1.0, y = (i + 0.5) / m - 1.0;
+      const double square = x * x + y * y;
       for (int turn = 0; turn < side; ++turn) {
         const double t = x;
         x = -y;
         y = t;
       }
-      const Vec3 round = (a * x + b * y) / std::sqrt(x * x + y * y);
-      const Vec3 offset = axis * along + round * radius;
-      if (glm::dot(offset, offset) <= ball_radius * ball_radius) continue;
-      out.push_back({offset, normal_along + round * outward, along});
+      visit((a * x + b * y) / std::sqrt(x * x + y * y), 1.0 / square);
     }
+}
+
+/// How many an eighth of a ring takes.
+int points_of(double radius, double spacing) {
+  return std::clamp(static_cast<int>(6.2831853 * radius / spacing / 8.0 + 0.5), 1, 16);
+}
+
+/// An outline's pieces in rings about as wide as the spacing; an arc by its chord, blown up to the circle.
+void head_points(const Profile& head, Vec3 axis, Vec3 a, Vec3 b, double spacing,
+                 std::vector<PointShell::HeadPoint>& out) {
+  double sum = 0.0;
+  for (int i = 0; i < head.size(); ++i) {
+    const OutlinePiece& p = head.piece(i);
+    const double dt = p.to.t - p.from.t, dr = p.to.rho - p.from.rho;
+    const double chord = std::sqrt(dt * dt + dr * dr);
+    const int rings = std::clamp(static_cast<int>(chord / spacing + 0.5), 1, 200);
+    const auto at_part = [&](double part, OnHalf& normal) {
+      OnHalf at{p.from.t + dt * part, p.from.rho + dr * part};
+      normal = {-dr / chord, dt / chord};
+      if (p.radius == 0.0) return at;
+      const double t = at.t - p.centre.t, rho = at.rho - p.centre.rho;
+      const double away = std::sqrt(t * t + rho * rho);
+      normal = {t / away, rho / away};
+      return OnHalf{p.centre.t + p.radius * normal.t, p.centre.rho + p.radius * normal.rho};
+    };
+    OnHalf ignored, last = p.from;
+    for (int k = 0; k < rings; ++k) {
+      const OnHalf next = at_part((k + 1.0) / rings, ignored);
+      OnHalf normal;
+      const OnHalf at = at_part((k + 0.5) / rings, normal);
+      const double t = next.t - last.t, rho = next.rho - last.rho;
+      const double area = std::sqrt(t * t + rho * rho) * (next.rho + last.rho);
+      last = next;
+      const std::size_t first = out.size();
+      double whole = 0.0;
+      around(a, b, points_of(at.rho, spacing), [&](Vec3 round, double part) {
+        out.push_back({axis * at.t + round * at.rho, axis * normal.t + round * normal.rho, part});
+        whole += part;
+      });
+      for (std::size_t j = first; j < out.size(); ++j) {
+        out[j].share *= area / whole;
+        sum += out[j].share;
+      }
+    }
+  }
+  for (PointShell::HeadPoint& p : out) p.share /= sum;
+}
+
+void ring(const Burr& burr, Vec3 axis, Vec3 a, Vec3 b, double along, double radius, Vec3 normal_along, double outward,
+          double spacing, std::vector<PointShell::HolderPoint>& out) {
+  around(a, b, points_of(radius, spacing), [&](Vec3 round, double) {
+    const Vec3 offset = axis * along + round * radius;
+    const bool in_head = burr.head.ball() ? glm::dot(offset, offset) <= burr.radius_mm * burr.radius_mm
+                                          : head_distance(burr, axis, offset) <= 0.0;
+    if (!in_head) out.push_back({offset, normal_along + round * outward, along});
+  });
 }
 
 }  // namespace
 
-PointShell shell_of(const Burr& burr, Vec3 axis, double ball_spacing_mm, double holder_spacing_mm) {
+PointShell shell_of(const Burr& burr, Vec3 axis, double head_spacing_mm, double holder_spacing_mm) {
   PointShell out;
-  ball_points(burr.radius_mm, ball_spacing_mm, out.ball);
   int least = 0;
   for (int i = 1; i < 3; ++i)
     if (std::fabs(axis[i]) < std::fabs(axis[least])) least = i;
@@ -61,11 +115,15 @@ PointShell shell_of(const Burr& burr, Vec3 axis, double ball_spacing_mm, double 
   a -= axis * glm::dot(a, axis);
   a /= std::sqrt(glm::dot(a, a));
   const Vec3 b = glm::cross(axis, a);
+  if (burr.head.ball()) {
+    ball_points(burr.radius_mm, head_spacing_mm, out.ball);
+  } else {
+    head_points(burr.head, axis, a, b, head_spacing_mm, out.head);
+  }
   const auto tube = [&](double from, double to, double radius) {
     const int rings = std::max(1, static_cast<int>((to - from) / holder_spacing_mm + 0.5));
     for (int i = 0; i <= rings; ++i)
-      ring(axis, a, b, from + (to - from) * i / rings, radius, Vec3(0.0), 1.0, holder_spacing_mm, burr.radius_mm,
-           out.holder);
+      ring(burr, axis, a, b, from + (to - from) * i / rings, radius, Vec3(0.0), 1.0, holder_spacing_mm, out.holder);
   };
   tube(0.0, burr.neck_length_mm, burr.neck_radius_mm);
   const double wide = burr.shank_radius_mm - burr.neck_radius_mm;
@@ -73,8 +131,8 @@ PointShell shell_of(const Burr& burr, Vec3 axis, double ball_spacing_mm, double 
     // The shoulder between neck and shank looks back to the ball.
     const int rings = std::max(1, static_cast<int>(wide / holder_spacing_mm + 0.5));
     for (int i = 1; i <= rings; ++i)
-      ring(axis, a, b, burr.neck_length_mm, burr.neck_radius_mm + wide * i / rings, -axis, 0.0, holder_spacing_mm,
-           burr.radius_mm, out.holder);
+      ring(burr, axis, a, b, burr.neck_length_mm, burr.neck_radius_mm + wide * i / rings, -axis, 0.0,
+           holder_spacing_mm, out.holder);
   }
   if (burr.shank_length_mm > 0.0)
     tube(burr.neck_length_mm, burr.neck_length_mm + burr.shank_length_mm, burr.shank_radius_mm);

@@ -1,4 +1,4 @@
-/// Points on a burr's skin: its ball, evenly weighted over the sphere, and its neck and shank, coarser.
+/// Points on a burr's skin: its head, each with its share of it, and its neck and shank, coarser.
 /// Made of + - * / and sqrt alone, so that the same burr has the same points everywhere.
 #pragma once
 
@@ -14,16 +14,22 @@ struct PointShell {
     Vec3 out{0.0};       // unit, from the ball's centre
     double share = 0.0;  // of the sphere; all shares are 1 together
   };
+  struct HeadPoint {
+    Vec3 offset_mm{0.0};  // from the pivot
+    Vec3 out{0.0};        // unit normal
+    double share = 0.0;   // of the head's skin; all shares are 1 together
+  };
   struct HolderPoint {
     Vec3 offset_mm{0.0};  // from the pivot
     Vec3 out{0.0};        // unit normal
     double along_mm = 0.0;
   };
-  std::vector<BallPoint> ball;
-  std::vector<HolderPoint> holder;  // in order of along_mm; none inside the ball
+  std::vector<BallPoint> ball;      // of a ball
+  std::vector<HeadPoint> head;      // of any other head
+  std::vector<HolderPoint> holder;  // in order of along_mm; none inside the head
 };
 
-/// axis: unit, from the ball towards the shank. Spacings in mm, about. Not for the haptic thread.
-PointShell shell_of(const Burr& burr, Vec3 axis, double ball_spacing_mm, double holder_spacing_mm);
+/// axis: unit, from the head towards the shank. Spacings in mm, about. Not for the haptic thread.
+PointShell shell_of(const Burr& burr, Vec3 axis, double head_spacing_mm, double holder_spacing_mm);
 
 }  // namespace cusp

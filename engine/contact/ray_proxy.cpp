@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "engine/tool/swept.h"
+
 namespace cusp {
 
 namespace {
@@ -18,7 +20,8 @@ constexpr double kRestVoxels = 1.0 / 64;
 constexpr double kLeastVoxels = 0.001;  // of a step that counts
 /// The length of the near voxels' mean over their root mean square distance is about (1 + r / reach) / 2 at a face,
 /// half the square root of two of that in a right angle, less in a groove or a hole. Between the first two lies what
-/// counts as one surface.
+/// counts as one surface. Of a head that is no ball the mean is that of the head's normals towards the near voxels: one at
+/// a face, the same half the square root of two in a right angle.
 constexpr double kFlat = 0.85;
 /// Voxels whose mean gives the normal lie up to this far from the burr: fewer make the normal step with the voxels,
 /// more round every corner. Mean angle on a face, r 0.25, 10/128 mm: 1.5 gives 2.5 degrees, 2.5 gives 0.8, 3.5 gives
@@ -43,6 +46,10 @@ constexpr const auto& kSquares = kSums<2>;
 
 RayProxy::RayProxy(const Scene& scene, const Volume& volume) : overlap_(scene, volume, false) {
   for (const Burr& burr : scene.burrs) {
+    if (!burr.head.ball()) {
+      near_.push_back(near_head(burr, scene.tool_axis, volume.grid().voxel_mm));
+      continue;
+    }
     const double r = burr.radius_mm / volume.grid().voxel_mm + kNearVoxels;
     const int reach = static_cast<int>(std::ceil(r));
     Near near;
@@ -58,7 +65,55 @@ RayProxy::RayProxy(const Scene& scene, const Volume& volume) : overlap_(scene, v
   }
 }
 
+RayProxy::Near RayProxy::near_head(const Burr& burr, Vec3 axis, double voxel_mm) {
+  Near out;
+  const int reach = static_cast<int>(std::ceil(head_reach(burr) / voxel_mm + kNearVoxels));
+  for (int z = -reach; z <= reach; ++z)
+    for (int y = -reach; y <= reach; ++y) {
+      bool open = false;
+      for (int x = -reach; x <= reach; ++x) {
+        Vec3 gradient;
+        const double away = head_distance(burr, axis, Vec3(x, y, z) * voxel_mm, gradient);
+        const bool near = away > 0.0 && away <= kNearVoxels * voxel_mm;
+        if (near && !open) out.rows.push_back({z, y, x, x});
+        if (near) {
+          out.rows.back().x1 = x;
+          out.normals.push_back(gradient);
+        }
+        open = near;
+      }
+    }
+  return out;
+}
+
+bool RayProxy::look_round_head(const Near& near, IVec3 pivot, Side& side) const noexcept {
+  const Occupancy& occupancy = overlap_.occupancy();
+  Vec3 sum(0.0);
+  int count = 0;
+  std::size_t first = 0;
+  for (const Row& row : near.rows) {
+    const int x1 = pivot.x + row.x1;
+    for (int x = pivot.x + row.x0; x <= x1; x = (x | 7) + 1) {
+      unsigned bits = 0xffu << (x & 7);
+      if ((x | 7) > x1) bits &= 0xffu >> (7 - (x1 & 7));
+      bits &= occupancy.row({x, pivot.y + row.y, pivot.z + row.z});
+      for (; bits != 0; bits &= bits - 1) {
+        const int at = (x & ~7) + std::countr_zero(bits) - pivot.x - row.x0;
+        sum += near.normals[first + static_cast<std::size_t>(at)];
+        ++count;
+      }
+    }
+    first += static_cast<std::size_t>(row.x1 - row.x0 + 1);
+  }
+  if (count == 0) return false;
+  const double length = length_of(sum);
+  side.flat = length > kFlat * count;
+  if (length > 0.0) side.n = sum / -length;
+  return true;
+}
+
 bool RayProxy::look(std::size_t burr, IVec3 pivot, Side& side) const noexcept {
+  if (!near_[burr].normals.empty()) return look_round_head(near_[burr], pivot, side);
   const Occupancy& occupancy = overlap_.occupancy();
   int count = 0;
   IVec3 sum(0);

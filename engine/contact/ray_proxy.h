@@ -32,6 +32,12 @@ class RayProxy {
   struct Row {
     int z, y, x0, x1;
   };
+  struct Near {
+    std::vector<Row> rows;      // of a ball a little wider than the burr; of another head the layer round it
+    double flat = 0.0;          // ball: least square of the mean's length over the mean square that counts as one surface
+    std::vector<Vec3> normals;  // other heads: out of the head at each voxel of the rows
+  };
+  static Near near_head(const Burr& burr, Vec3 axis, double voxel_mm);
   struct At {
     Vec3 p;
     IVec3 voxel;
@@ -45,6 +51,7 @@ class RayProxy {
   };
   /// False when none is near.
   bool look(std::size_t burr, IVec3 pivot, Side& side) const noexcept;
+  bool look_round_head(const Near& near, IVec3 pivot, Side& side) const noexcept;
   /// Away from the surface, as far as there is room.
   void climb(const Grid& grid, std::size_t burr, At& at, Vec3 n, double by) const noexcept;
   /// One step of the path along a surface: over what stands in the way and down again. False: no way.
@@ -54,10 +61,6 @@ class RayProxy {
   bool step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept;
 
   ToolOverlap overlap_;
-  struct Near {
-    std::vector<Row> rows;  // of a ball a little wider than the burr
-    double flat = 0.0;      // least square of the mean's length over the mean square that counts as one surface
-  };
   std::vector<Near> near_;  // one for each burr of the scene
 };
 

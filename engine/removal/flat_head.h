@@ -129,7 +129,8 @@ inline Lanes distance_of(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt, Lane
       orho = nearer ? nr : orho;
     }
   }
-  const LaneMask outside = most > 0.0f;
+  // On the skin a smooth neighbour's line may say more than the piece that a place stands on, by a rounding.
+  const LaneMask outside = most > 1e-4f;
   if (bits_of(outside) == 0) return most;
   Lanes square = least * least, ct{}, cr{};
   LaneMask cornered = outside ^ outside;

@@ -69,7 +69,7 @@ class BandedMethod final : public ContactMethod {
   }
   bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
     state.cut_valid = false;
-    return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burrs[burr].radius_mm).overflow;
+    return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burrs[burr], state.scene->tool_axis).overflow;
   }
   bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
     return !cusp::take_away(state.volume, voxels).overflow;
@@ -81,7 +81,8 @@ class BandedMethod final : public ContactMethod {
   void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick,
            StepOutput& out) noexcept {
     const Scene& scene = *state.scene;
-    const double radius = scene.burrs[out.burr].radius_mm;
+    const Burr& burr = scene.burrs[out.burr];
+    const double radius = burr.radius_mm;
     const Vec3 push = tick.device - contact.pose_mm;
     const double distance = length_of(push);
     if (!(distance > 1e-6)) return;
@@ -97,13 +98,16 @@ class BandedMethod final : public ContactMethod {
     const Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double alpha = wear_coefficient(distance, contact.stiffness_n_per_mm, scene.full_force_n);
     const double own = scene.tissues[index_of(contact.tissue)].speed_mm_s;
-    double advance = alpha * front_speed(state.volume, scene, pose, radius, direction, own) * tick.dt_s * tick.removal_factor;
+    const double speed = burr.head.ball() ? front_speed(state.volume, scene, pose, radius, direction, own)
+                                          : front_speed(state.volume, scene, pose, state.fronts[out.burr],
+                                                        scene.tool_axis, direction, own);
+    double advance = alpha * speed * tick.dt_s * tick.removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
     if (advance > gap) advance = gap;
     const Vec3 next = pose + direction * advance;
     if (advance > 0.0) {
       const bool whole = state.cut_valid && length_of(next - state.cut_pose) <= kLongestCarveMm;
-      const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, radius);
+      const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, burr, scene.tool_axis);
       out.overflow = !drop_crumbs(state, carved) || carved.overflow;
       out.cutting = carved.any;
       out.advance_mm = advance;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kSameMm = 1e-7;    // ends that should meet, an arc's end on its circle: what a data file rounds to
 constexpr double kSharp = 1e-3;     // sine of an angle that counts as an edge
+constexpr double kOnSkinMm = 1e-9;  // a corner that the lines alone tell is no further off by more than that
 constexpr double kStraight = 1e-9;  // sine of an angle that counts as none
 
 OnHalf operator-(OnHalf a, OnHalf b) noexcept { return {a.t - b.t, a.rho - b.rho}; }
@@ -117,7 +118,8 @@ double Profile::distance(OnHalf at, OnHalf& gradient) const noexcept {
       nearest = normal;
     }
   }
-  if (most <= 0.0 || most == least) return most;
+  // On the skin a smooth neighbour's line may say as much as the piece that the place stands on, or a rounding more.
+  if (most <= kOnSkinMm || most == least) return most;
   // Outside: the nearest piece, or a corner or a pole.
   double square = least < 1e299 ? least * least : 1e300;
   bool corner = false;

@@ -105,6 +105,16 @@ double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradien
   return distance;
 }
 
+Vec3 head_support(const Burr& burr, Vec3 axis, Vec3 direction, Vec3 near) noexcept {
+  if (burr.head.ball()) return direction * burr.radius_mm;
+  const Cylindrical way = by_axis(axis, direction), place = by_axis(axis, near);
+  const OnHalf at = burr.head.support(way.at, place.at);
+  if (way.at.rho > 1e-9) return axis * at.t + way.off * (at.rho / way.at.rho);
+  // Along the axis: about it as the place is.
+  const Vec3 round = place.at.rho > 0.0 ? place.off / place.at.rho : across(axis);
+  return axis * at.t + round * at.rho;
+}
+
 Passing passing_head(const Burr& burr, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, double enough_mm) noexcept {
   Passing out;
   const double near = nearest_part(a, b, place);

@@ -17,6 +17,9 @@ double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradien
 /// From the pivot, the head's place furthest along a unit direction (of many, the one that Profile::support names).
 Vec3 head_furthest(const Burr& burr, Vec3 axis, Vec3 direction) noexcept;
 
+/// The same, but of a flat end or a straight flank that all lies furthest the place nearest to `near` (from the pivot).
+Vec3 head_support(const Burr& burr, Vec3 axis, Vec3 direction, Vec3 near) noexcept;
+
 /// Where the head, on its way, is nearest to a place.
 struct Passing {
   double distance_mm = 0.0;

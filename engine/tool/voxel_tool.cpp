@@ -3,17 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/tool/swept.h"
+
 namespace cusp {
 
 VoxelTool voxelise(const Burr& burr, Vec3 axis, double voxel_mm) {
   VoxelTool out;
   const double r = burr.radius_mm / voxel_mm;
-  out.reach = static_cast<int>(std::ceil(r));
+  const auto cuts = [&](Vec3 v) {
+    if (burr.head.ball()) return glm::dot(v, v) <= r * r;
+    return head_distance(burr, axis, v * voxel_mm) <= 0.0;
+  };
+  out.reach = static_cast<int>(std::ceil(head_reach(burr) / voxel_mm));
   for (int z = -out.reach; z <= out.reach; ++z)
     for (int y = -out.reach; y <= out.reach; ++y)
       for (int x = -out.reach; x <= out.reach; ++x) {
         const Vec3 v(x, y, z);
-        if (glm::dot(v, v) <= r * r) out.cutting.push_back({x, y, z});
+        if (cuts(v)) out.cutting.push_back({x, y, z});
       }
 
   const double neck = burr.neck_length_mm / voxel_mm;
@@ -31,7 +37,7 @@ VoxelTool voxelise(const Burr& burr, Vec3 axis, double voxel_mm) {
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x) {
         const Vec3 v(x, y, z);
-        if (glm::dot(v, v) <= r * r || !inside(v)) continue;
+        if (cuts(v) || !inside(v)) continue;
         // Only the outer layer: nothing gets inside without crossing it, a voxel at a time.
         const bool outer = !inside(v + Vec3(1, 0, 0)) || !inside(v - Vec3(1, 0, 0)) || !inside(v + Vec3(0, 1, 0)) ||
                            !inside(v - Vec3(0, 1, 0)) || !inside(v + Vec3(0, 0, 1)) || !inside(v - Vec3(0, 0, 1));

@@ -14,7 +14,7 @@ struct VoxelTool {
   int reach = 0;               // voxels from the pivot to the furthest cutting one
 };
 
-/// Voxels whose centre lies in the burr; axis: unit, from the ball towards the shank. Not for the haptic thread.
+/// Voxels whose centre lies in the burr; axis: unit, from the head towards the shank. Not for the haptic thread.
 VoxelTool voxelise(const Burr& burr, Vec3 axis, double voxel_mm);
 
 }  // namespace cusp

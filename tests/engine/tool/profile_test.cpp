@@ -64,6 +64,14 @@ TEST(Profile, says_the_distance_that_its_outline_sampled_densely_has) {
   }
 }
 
+TEST(Profile, is_level_all_along_its_own_skin) {
+  for (const Burr& burr : all_shapes())
+    for (const OnHalf& at : outline(burr.head, 3000)) {
+      OnHalf gradient;
+      ASSERT_NEAR(burr.head.distance(at, gradient), 0.0, 1e-9) << burr.name << " " << at.t << " " << at.rho;
+    }
+}
+
 TEST(Profile, has_the_gradient_of_its_distance) {
   Random random(5);
   for (const Burr& burr : all_shapes()) {
