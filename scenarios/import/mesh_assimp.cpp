@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <fstream>
 #include <map>
 #include <new>
 #include <string_view>
@@ -84,12 +85,31 @@ class OneFile : public Assimp::DefaultIOSystem {
   std::string path_;
 };
 
+/// Whether a PLY file can hold as many things as its header counts: assimp takes the room, or the time, for any number.
+bool ply_can_be_true(const std::filesystem::path& path, std::uintmax_t bytes) {
+  constexpr int kMostLines = 1000;
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  for (int n = 0; n < kMostLines && std::getline(in, line); ++n) {
+    while (line.ends_with('\r') || line.ends_with(' ')) line.pop_back();
+    if (line == "end_header") return true;
+    const auto word = words(line);
+    if (word.size() != 3 || word[0] != "element") continue;
+    const auto count = whole_number<std::uintmax_t>(word[2]);
+    if (!count || *count > bytes) return false;  // each takes a byte at the least
+  }
+  return false;
+}
+
 Result<std::vector<TriangleMesh>, ImportFailure> read(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   // Of the forty kinds that the library knows these alone are meshes of parts and nothing more.
   constexpr std::string_view kinds[] = {".stl", ".obj", ".ply", ".3ds", ".off"};
   if (std::ranges::find(kinds, std::string_view(lower(path.extension().string()))) == std::end(kinds))
     return fail(ImportError::unknown_format, name);
+  std::error_code ec;
+  if (lower(path.extension().string()) == ".ply" && !ply_can_be_true(path, std::filesystem::file_size(path, ec)))
+    return fail(ImportError::bad_header, name);
   Assimp::Importer importer;
   importer.SetIOHandler(new OneFile(path.string()));  // the importer's from here on
   // Only positions: normals and texture seams would part the points of one place.

@@ -173,7 +173,17 @@ std::string three_ds_file(const std::vector<Mesh>& meshes) {
     }
     objects += chunk(0x4000, mesh.name + '\0' + chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, faces)));
   }
-  return chunk(0x4d4d, chunk(0x3d3d, objects));
+  // The key frames' tree, where assimp finds the names.
+  std::string nodes;
+  for (const Mesh& mesh : meshes) {
+    std::string header = mesh.name + '\0', pivot;
+    u16(header, 0);
+    u16(header, 0);
+    u16(header, 0xffff);
+    for (int i = 0; i < 3; ++i) f32(pivot, 0.0);
+    nodes += chunk(0xb002, chunk(0xb010, header) + chunk(0xb013, pivot));
+  }
+  return chunk(0x4d4d, chunk(0x3d3d, objects) + chunk(0xb000, nodes));
 }
 
 }  // namespace cusp::testing

@@ -1,0 +1,76 @@
+#include "tests/fuzz/readers.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "scenarios/import/binvox.h"
+#include "scenarios/import/metaimage.h"
+#include "scenarios/import/nrrd.h"
+#include "scenarios/import/nrrd_image.h"
+
+namespace cusp::fuzz {
+namespace {
+
+// A fuzzer that is let read hundreds of megabytes finds nothing but that.
+constexpr VolumeLimits kSmall{.max_edge_voxels = 256, .max_voxels = std::size_t{1} << 18};
+
+void must(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %s\n", what);
+  std::abort();
+}
+
+void check(const Image& image) {
+  const ImageLayout& l = image.layout;
+  const auto voxels = static_cast<std::size_t>(l.size.x) * static_cast<std::size_t>(l.size.y) * static_cast<std::size_t>(l.size.z);
+  must(image.value.size() == voxels && voxels <= kSmall.max_voxels, "as many values as voxels");
+  for (int i = 0; i < 3; ++i) must(std::isfinite(l.origin_mm[i]) && l.spacing_mm[i] > 0.0, "a place and a spacing");
+  for (const float v : image.value) must(std::isfinite(v), "finite values");
+}
+
+std::istringstream stream_of(std::span<const std::uint8_t> bytes) {
+  return std::istringstream(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace
+
+void nrrd_specimen(std::span<const std::uint8_t> bytes) {
+  auto in = stream_of(bytes);
+  const auto volume = read_nrrd(in, bytes.size(), "v.nrrd", kSmall);
+  if (!volume) return;
+  must(volume->s.size() == volume->grid.voxels() && volume->tissue.size() == volume->s.size(), "as many voxels as the grid");
+  for (std::size_t i = 0; i < volume->s.size(); ++i)
+    must(index_of(volume->tissue[i]) < kTissueCodes && (volume->s[i] == 0 || volume->tissue[i] != Tissue::empty), "tissue where it is solid");
+}
+
+void nrrd_image(std::span<const std::uint8_t> bytes) {
+  auto in = stream_of(bytes);
+  if (const auto image = read_nrrd_image(in, bytes.size(), "v.nrrd", kSmall)) check(*image);
+}
+
+void metaimage(std::span<const std::uint8_t> bytes) {
+  auto in = stream_of(bytes);
+  // The files beside it hold the same bytes again: short ones, long ones and packed ones.
+  const SideFiles beside = [&](const std::string& name) {
+    must(!name.empty() && name.find_first_of("/\\") == name.npos && name != "..", "plain names only");
+    SideFile side;
+    if (name.ends_with('!')) return side;
+    side.in = std::make_unique<std::istringstream>(stream_of(bytes));
+    side.bytes = bytes.size();
+    return side;
+  };
+  if (const auto image = read_metaimage(in, bytes.size(), "v.mhd", beside, kSmall)) check(*image);
+}
+
+void binvox(std::span<const std::uint8_t> bytes) {
+  auto in = stream_of(bytes);
+  const auto volume = read_binvox(in, bytes.size(), "v.binvox", kSmall);
+  if (!volume) return;
+  const auto image = image_of(*volume, "v.binvox", kSmall);
+  if (image) check(*image);
+}
+
+}  // namespace cusp::fuzz
