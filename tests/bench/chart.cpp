@@ -10,6 +10,7 @@
 #include "tests/bench/pin.h"
 #include "tests/bench/program.h"
 #include "tests/bench/rate.h"
+#include "tests/bench/removal.h"
 #include "tests/bench/scale.h"
 #include "tests/bench/stability.h"
 
@@ -22,7 +23,8 @@ namespace fs = std::filesystem;
 /// Rows of one report go to their kinds, each with the report's commit and machine.
 void sort_in(Evidence& to, const Report& report) {
   for (const Row& row : report.rows) {
-    Report& kind = !row.case_name.empty()   ? to.stability
+    Report& kind = !row.measure.empty()      ? to.removal
+                   : !row.case_name.empty()   ? to.stability
                    : row.volume_voxels >= 0 ? to.scale
                    : !row.task.empty()      ? to.rate
                                             : to.accuracy;
@@ -90,11 +92,12 @@ int failed(const ChartFailure& failure) {
 Evidence measure_all(const Options& options) {
   Evidence out;
   const Report here = empty_report();
-  out.accuracy = out.rate = out.scale = out.stability = here;
+  out.accuracy = out.rate = out.scale = out.stability = out.removal = here;
   out.accuracy.rows = accuracy_rows(options);
   out.rate.rows = rate_rows(options);
   out.scale.rows = scale_rows(options);
   out.stability.rows = stability_rows(options);
+  out.removal.rows = removal_rows(options);
   return out;
 }
 
@@ -106,7 +109,7 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
       files.emplace_back(name);
       continue;
     }
-    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "pace.csv", "motion.csv"})
+    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "pace.csv", "motion.csv"})
       if (fs::exists(fs::path(name) / table, none)) files.push_back(fs::path(name) / table);
   }
   Evidence out;
@@ -147,6 +150,17 @@ Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence
     if (!picture) return std::unexpected(picture.error());
     out[name] = *picture;
   }
+  // Tables of before there was such a report have none of it.
+  if (evidence.removal.rows.empty()) return out;
+  out["removal.csv"] = to_csv(evidence.removal);
+  const auto removal = from_csv(out["removal.csv"]);
+  if (!removal) return fail(ChartError::cannot_read, "a row", removal.error().where);
+  for (const auto& [name, picture] : {std::pair<const char*, Picture>{"drilling-depth.svg", depth_over_time(*removal)},
+                                      {"drilling-speed-error.svg", speed_error(*removal)},
+                                      {"removal.md", removal_table(*removal)}}) {
+    if (!picture) return std::unexpected(picture.error());
+    out[name] = *picture;
+  }
   return out;
 }
 
@@ -176,7 +190,7 @@ int run_chart(const Options& options) {
   }
   if (!options.json.empty()) {
     Report all{evidence.rate.commit, evidence.rate.machine, evidence.accuracy.rows};
-    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability})
+    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal})
       all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());
     if (const auto written = print_json(all, options.json); !written)
       return failed({ChartError::cannot_write, written.error().where, ""});
@@ -185,6 +199,9 @@ int run_chart(const Options& options) {
   for (const auto& placed : {place_table(options.readme, kTableBegin, kTableEnd, files->at("methods.md")),
                              place_table(options.readme, kStabilityBegin, kStabilityEnd, files->at("stability.md"))})
     if (!placed) return failed(placed.error());
+  if (const auto removal = files->find("removal.md"); removal != files->end())
+    if (const auto placed = place_table(options.readme, kRemovalBegin, kRemovalEnd, removal->second); !placed)
+      return failed(placed.error());
   return kDone;
 }
 

@@ -13,7 +13,7 @@ namespace cusp::bench {
 
 /// All that the pictures are drawn from.
 struct Evidence {
-  Report accuracy, rate, scale, stability;
+  Report accuracy, rate, scale, stability, removal;
   PaceReport pace;
   MotionReport motion;
 };
@@ -33,6 +33,9 @@ inline constexpr std::string_view kTableEnd = "<!-- /methods -->\n";
 /// And the one of what breaks.
 inline constexpr std::string_view kStabilityBegin = "<!-- stability: written by cusp-bench chart -->\n";
 inline constexpr std::string_view kStabilityEnd = "<!-- /stability -->\n";
+/// And the one of what the cut keeps.
+inline constexpr std::string_view kRemovalBegin = "<!-- removal: written by cusp-bench chart -->\n";
+inline constexpr std::string_view kRemovalEnd = "<!-- /removal -->\n";
 
 /// Records pace and motion where nothing that was read holds them.
 int run_chart(const Options& options);

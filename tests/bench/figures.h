@@ -40,6 +40,13 @@ Picture stiffness_against_damping(const Report& stability);
 /// The worst of every method with the guard on, as a Markdown table with where it is from.
 Picture stability_table(const Report& stability);
 
+/// The paper's figure 15: depth over time through three materials, with the slopes that were wanted.
+Picture depth_over_time(const Report& removal);
+/// Error of the drilling speed against voxel size, tick and direction.
+Picture speed_error(const Report& removal);
+/// What the cut keeps of what was promised, as a Markdown table with where it is from.
+Picture removal_table(const Report& removal);
+
 /// Order p of error = c h^p, by least squares on the logarithms. Pre: at least two points, all positive.
 double fitted_order(const std::vector<std::pair<double, double>>& h_and_error);
 

@@ -20,6 +20,12 @@ struct Options {
   std::vector<std::string> grips;    // stability
   std::vector<double> frictions_n;   // stability
   std::vector<double> delays_ms;     // stability
+  std::vector<std::string> measures;    // removal
+  std::vector<std::string> tissues;     // removal
+  std::vector<std::string> directions;  // removal
+  std::vector<double> ticks_ms;         // removal
+  std::vector<double> alphas;           // removal
+  bool full = false;                    // removal: every combination for one burr, instead of all pairs
   std::vector<double> speeds_mm_s;
   std::vector<double> burr_radii_mm;
   std::vector<double> voxels_mm;

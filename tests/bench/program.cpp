@@ -10,6 +10,7 @@
 #include "tests/bench/names.h"
 #include "tests/bench/options.h"
 #include "tests/bench/rate.h"
+#include "tests/bench/removal.h"
 #include "tests/bench/scale.h"
 #include "tests/bench/stability.h"
 
@@ -30,6 +31,7 @@ constexpr Verb kVerbs[] = {
     {"scale", "what a tick and a scene cost as the volume grows from 128^3 to 1024^3 voxels", run_scale, false},
     {"stability", "where every method, its guard on and off, becomes unstable, falls through, jams or kicks",
      run_stability, false},
+    {"removal", "how fast and how exactly every method cuts, and what a cutting tick costs", run_removal, false},
     {"chart", "all of it, or what --from names, as the tables and pictures of tests/bench/results", run_chart, true},
 };
 
@@ -61,6 +63,15 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
       ->check(CLI::Range(0.0, 10.0));
   app.add_option("--delay-ms", options.delays_ms, "stability: there and back, 0, 1 or 3 (repeatable)")
       ->check(CLI::Range(0.0, 20.0));
+  const std::vector<std::string> measures(kMeasures.begin(), kMeasures.end());
+  const std::vector<std::string> tissues(kRemovalTissues.begin(), kRemovalTissues.end());
+  app.add_option("--measure", options.measures, "removal: only this (repeatable)")->check(CLI::IsMember(measures));
+  app.add_option("--tissue", options.tissues, "removal: only this tissue (repeatable)")->check(CLI::IsMember(tissues));
+  app.add_option("--direction", options.directions, "removal: only this way of drilling, -z or +x-y (repeatable)")
+      ->check(CLI::IsMember(direction_names()));
+  app.add_option("--tick-ms", options.ticks_ms, "removal: lengths of a tick (repeatable)")->check(CLI::Range(0.1, 50.0));
+  app.add_option("--alpha", options.alphas, "removal: wear coefficients (repeatable)")->check(CLI::Range(0.01, 1.0));
+  app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round burr at 0.1 mm, not all pairs");
   app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));
   app.add_option("--burr-radius-mm", options.burr_radii_mm, "burr radii (repeatable)")->check(CLI::Range(0.05, 5.0));
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")

@@ -29,6 +29,26 @@ struct Row {
   std::string variant;             // of a cut: single, crossing; of a channel: straight, oblique, slot
   std::string motion;              // press, slide
   std::string task;                // rate: displacement, exploration, perforation
+  std::string measure;             // removal: speed, hand, mixed, density, depth, shape, order, slide, ridge, tick
+  std::string burr;                // removal: its name, with the diameter
+  std::string tissue;              // removal
+  std::string direction;           // removal: +x-y, or the way that the burr is led
+  double tick_ms = kAbsent;        // removal: length of a tick
+  double alpha = kAbsent;          // removal: wear coefficient of eq. (4)
+  double target_mm_s = kAbsent;    // removal: what the speed should be, and what it is on the surface that is left
+  double measured_mm_s = kAbsent;
+  double error_percent = kAbsent;  // removal: of what is measured, against its target
+  double deepest_mm_s = kAbsent;   // removal: the speed by the deepest place alone, and by the volume alone
+  double volume_mm_s = kAbsent;
+  double density = kAbsent;        // removal: D of eq. (6)
+  double time_s = kAbsent;         // removal: of a moment of the paper's perforation, and
+  double depth_mm = kAbsent;       // how deep the burr's tip is by then
+  double removed_mm3 = kAbsent;    // removal
+  double deviation_um_mean = kAbsent;  // removal: of the surface that is left from the swept burr's
+  double deviation_um_max = kAbsent;
+  double excess_um_p99 = kAbsent;  // removal: how much further the surface went back in a tick than wear allows
+  double excess_um_max = kAbsent;
+  double ridge_um = kAbsent;       // removal: how far an edge between cuts stands below the exact one
   double speed_mm_s = kAbsent;
   double burr_radius_mm = kAbsent;
   double voxel_mm = kAbsent;
@@ -104,6 +124,26 @@ void for_each_field(R& row, Visit&& visit) {
   visit("variant", row.variant);
   visit("motion", row.motion);
   visit("task", row.task);
+  visit("measure", row.measure);
+  visit("burr", row.burr);
+  visit("tissue", row.tissue);
+  visit("direction", row.direction);
+  visit("tick_ms", row.tick_ms);
+  visit("alpha", row.alpha);
+  visit("target_mm_s", row.target_mm_s);
+  visit("measured_mm_s", row.measured_mm_s);
+  visit("error_percent", row.error_percent);
+  visit("deepest_mm_s", row.deepest_mm_s);
+  visit("volume_mm_s", row.volume_mm_s);
+  visit("density", row.density);
+  visit("time_s", row.time_s);
+  visit("depth_mm", row.depth_mm);
+  visit("removed_mm3", row.removed_mm3);
+  visit("deviation_um_mean", row.deviation_um_mean);
+  visit("deviation_um_max", row.deviation_um_max);
+  visit("excess_um_p99", row.excess_um_p99);
+  visit("excess_um_max", row.excess_um_max);
+  visit("ridge_um", row.ridge_um);
   visit("speed_mm_s", row.speed_mm_s);
   visit("burr_radius_mm", row.burr_radius_mm);
   visit("voxel_mm", row.voxel_mm);

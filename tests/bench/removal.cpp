@@ -1,0 +1,352 @@
+#include "tests/bench/removal.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "engine/removal/wear.h"
+#include "engine/tool/swept.h"
+#include "tests/bench/frame.h"
+#include "tests/bench/pin.h"
+#include "tests/bench/program.h"
+#include "tests/bench/removal_pairs.h"
+#include "tests/bench/removal_ways.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kPaperVoxelMm = 10.0 / 128;
+const std::vector<double> kVoxelsMm = {0.04, kPaperVoxelMm, 0.1, 0.2};
+const std::vector<double> kTicksMs = {0.25, 1.0, 4.0};
+const std::vector<double> kAlphas = {0.1, 0.25, 0.5, 1.0};
+constexpr double kFullVoxelMm = 0.1, kFullBurrMm = 1.0;
+constexpr double kLargestBurrMm = 2.3;
+
+std::string_view name_of(Tissue tissue) {
+  for (std::size_t i = 0; i < kRemovalMaterials.size(); ++i)
+    if (kRemovalMaterials[i].tissue == tissue) return kRemovalTissues[i];
+  return "";
+}
+
+/// Radius under three voxels: what the field says of such a bowl is outside every goal.
+bool unresolved(const Cutter& cutter, double voxel_mm) { return cutter.burr.radius_mm < 3.0 * voxel_mm; }
+
+Row row_of(std::string_view measure, const DrillRun& run) {
+  Row row;
+  row.method = key_of(run.method);
+  row.measure = measure;
+  row.burr = run.cutter.name;
+  row.burr_radius_mm = run.cutter.burr.radius_mm;
+  row.voxel_mm = run.voxel_mm;
+  row.tick_ms = run.tick_ms;
+  row.alpha = run.alpha;
+  row.target_mm_s = run.target_mm_s;
+  row.unresolved = unresolved(run.cutter, run.voxel_mm);
+  for (const Direction& d : directions())
+    if (length(d.unit - run.direction) < 1e-9) row.direction = d.name;
+  return row;
+}
+
+void fill(Row& row, const DrillSpeed& speed) {
+  row.target_mm_s = speed.target_mm_s;
+  row.deepest_mm_s = speed.by_deepest_mm_s;
+  row.volume_mm_s = speed.by_volume_mm_s;
+  row.samples = speed.ticks;
+  // The worse of the two; where the burr is too small for its volume to be read, its deepest place alone.
+  row.measured_mm_s = speed.by_deepest_mm_s;
+  if (!row.unresolved && !std::isnan(speed.by_volume_mm_s) &&
+      std::fabs(speed.by_volume_mm_s - row.target_mm_s) > std::fabs(speed.by_deepest_mm_s - row.target_mm_s))
+    row.measured_mm_s = speed.by_volume_mm_s;
+  row.error_percent = 100.0 * (row.measured_mm_s / row.target_mm_s - 1.0);
+}
+
+DrillRun run_in(Method method, const Cutter& cutter, double voxel_mm, const RemovalTissue& material, double alpha) {
+  DrillRun run;
+  run.method = method;
+  run.cutter = cutter;
+  run.voxel_mm = voxel_mm;
+  run.alpha = alpha;
+  run.tissue = [tissue = material.tissue](Vec3) { return tissue; };
+  for (const RemovalTissue& m : kRemovalMaterials) run.speed_mm_s[index_of(m.tissue)] = m.speed_mm_s;
+  run.target_mm_s = alpha * material.speed_mm_s;
+  return run;
+}
+
+void add_speeds(const Options& options, Method method, std::vector<Row>& rows) {
+  for (const DrillRun& run : speed_runs(options, method)) {
+    Row& row = rows.emplace_back(row_of("speed", run));
+    row.tissue = name_of(run.tissue(Vec3(0.0)));
+    fill(row, drill(run));
+  }
+}
+
+void add_hands(Method method, std::vector<Row>& rows) {
+  for (const RemovalTissue& material : kRemovalMaterials)
+    for (const double diameter : {0.5, 1.0, kLargestBurrMm}) {
+      DrillRun run = run_in(method, round_cutter(diameter), kPaperVoxelMm, material, 0.6);
+      run.by_hand = true;
+      Row& row = rows.emplace_back(row_of("hand", run));
+      row.tissue = name_of(material.tissue);
+      DrillSpeed speed = drill(run);
+      speed.by_volume_mm_s = kAbsent;  // a trembling burr takes more than its depth tells
+      fill(row, speed);
+      row.alpha = row.target_mm_s / material.speed_mm_s;
+    }
+}
+
+/// The seam lies along the way, turned about it: half of the burr in each tissue.
+void add_mixed(Method method, std::vector<Row>& rows) {
+  const RemovalTissue &soft = kRemovalMaterials[0], &hard = kRemovalMaterials[2];
+  for (const std::string_view name : {"-z", "+x", "+x-y", "-x+y+z"})
+    for (int turn = 0; turn < 3; ++turn) {
+      DrillRun run = run_in(method, round_cutter(1.0), kPaperVoxelMm, soft, 1.0);
+      for (const Direction& d : directions())
+        if (d.name == name) run.direction = d.unit;
+      const Vec3 u = across(run.direction), w = glm::cross(run.direction, u);
+      constexpr double kTurn[3][2] = {{1.0, 0.0}, {0.8, 0.6}, {0.28, -0.96}};
+      const Vec3 normal = u * kTurn[turn][0] + w * kTurn[turn][1];
+      run.tissue = [normal, soft, hard](Vec3 p) { return glm::dot(p, normal) > 0.0 ? soft.tissue : hard.tissue; };
+      run.target_mm_s = 2.0 / (1.0 / soft.speed_mm_s + 1.0 / hard.speed_mm_s);
+      Row& row = rows.emplace_back(row_of("mixed", run));
+      row.tissue = fmt::format("{} and {}", name_of(soft.tissue), name_of(hard.tissue));
+      row.variant = fmt::format("seam {}", turn + 1);
+      fill(row, drill(run));
+    }
+}
+
+/// Source: paper, eq. (6) with its 40 updates a second.
+void add_densities(std::vector<Row>& rows) {
+  for (const RemovalTissue& material : kRemovalMaterials) {
+    Row& row = rows.emplace_back();
+    row.method = key_of(Method::occupancy);
+    row.measure = "density";
+    row.tissue = name_of(material.tissue);
+    row.voxel_mm = kPaperVoxelMm;
+    row.target_mm_s = material.speed_mm_s;
+    row.density = density_for(material.speed_mm_s, kPaperVoxelMm);
+    constexpr double kUpdatesPerS = 40.0;
+    row.error_percent = 100.0 * (row.density / (kUpdatesPerS / (1.0 / kPaperVoxelMm) / material.speed_mm_s) - 1.0);
+  }
+}
+
+Row way_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Way way) {
+  Row row;
+  row.method = key_of(Method::surface);
+  row.measure = measure;
+  row.burr = cutter.name;
+  row.burr_radius_mm = cutter.burr.radius_mm;
+  row.voxel_mm = voxel_mm;
+  row.direction = key_of(way);
+  row.tick_ms = 1.0;
+  row.unresolved = unresolved(cutter, voxel_mm);
+  return row;
+}
+
+void add_shapes(const std::vector<double>& voxels, std::vector<Row>& rows) {
+  for (const double voxel : voxels)
+    for (const Cutter& cutter : removal_cutters()) {
+      if (cutter.sideways) continue;  // a way leads every burr down and aside at once
+      for (const Way way : {Way::straight, Way::curved, Way::tilted})
+        for (const double speed : {1.0, 50.0, 200.0}) {
+          Row& row = rows.emplace_back(way_row("shape", cutter, voxel, way));
+          row.speed_mm_s = speed;
+          const ShapeLeft left =
+              lead_along(cutter, voxel, way, points_of(way, speed, 1.0, cutter.burr.radius_mm), 1.0, 1);
+          row.deviation_um_mean = left.mean_um;
+          row.deviation_um_max = left.most_um;
+          row.removed_mm3 = left.removed_mm3;
+          row.samples = left.points;
+        }
+    }
+}
+
+void add_orders(std::vector<Row>& rows) {
+  const Cutter cutter = round_cutter(1.0);
+  constexpr double kSpeed = 25.0, kCornerMm = 0.1;
+  for (const Way way : {Way::straight, Way::curved}) {
+    double whole = 0.0;
+    struct Led {
+      double tick_ms;
+      int parts;
+    };
+    for (const Led led : {Led{1.0, 1}, Led{1.0, 2}, Led{0.25, 1}, Led{4.0, 1}}) {
+      Row& row = rows.emplace_back(way_row("order", cutter, kPaperVoxelMm, way));
+      row.tick_ms = led.tick_ms;
+      row.speed_mm_s = kSpeed;
+      row.variant = led.parts == 1 ? "whole" : "halves";
+      row.removed_mm3 = lead_along(cutter, kPaperVoxelMm, way,
+                                   points_of(way, kSpeed, led.tick_ms, cutter.burr.radius_mm, kCornerMm), led.tick_ms,
+                                   led.parts)
+                            .removed_mm3;
+      if (whole == 0.0) whole = row.removed_mm3;
+      row.error_percent = 100.0 * (row.removed_mm3 / whole - 1.0);
+    }
+  }
+}
+
+void add_slides(std::uint64_t seed, std::vector<Row>& rows) {
+  for (const Cutter& cutter : removal_cutters()) {
+    if (cutter.sideways || !cutter.burr.head.ball()) continue;  // the exact excess is known for a ball
+    Row& row = rows.emplace_back(way_row("slide", cutter, kPaperVoxelMm, Way::curved));
+    row.direction = "circle";
+    row.speed_mm_s = 50.0;
+    row.seed = static_cast<std::int64_t>(seed);
+    const SlideExcess excess = slide_cutting(cutter, kPaperVoxelMm, 50.0, 1.0, seed);
+    row.excess_um_p99 = excess.p99_um;
+    row.excess_um_max = excess.most_um;
+    row.samples = excess.ticks;
+  }
+}
+
+void add_ridges(std::vector<Row>& rows) {
+  for (const double diameter : {1.0, kLargestBurrMm})
+    for (const bool after : {false, true}) {
+      const Cutter cutter = round_cutter(diameter);
+      Row& row = rows.emplace_back(way_row("ridge", cutter, kPaperVoxelMm, Way::straight));
+      row.speed_mm_s = 50.0;
+      row.variant = after ? "after 40 passes" : "between two cuts";
+      const RidgeKept kept = ridge_between(cutter, kPaperVoxelMm, 50.0);
+      row.ridge_um = after ? kept.after_um : kept.felt_um;
+    }
+}
+
+void add_costs(const Options& options, Method method, std::vector<Row>& rows) {
+  const Cutter cutter = round_cutter(kLargestBurrMm);
+  Row& row = rows.emplace_back(way_row("tick", cutter, kPaperVoxelMm, Way::straight));
+  row.method = key_of(method);
+  row.direction.clear();
+  row.alpha = 1.0;
+  const CutCost cost = cost_of_cutting(cutter, method, kPaperVoxelMm, options.budget_s);
+  row.tick_us_p50 = cost.p50_us;
+  row.tick_us_p99 = cost.p99_us;
+  row.tick_us_max = cost.most_us;
+  row.samples = cost.ticks;
+}
+
+void print(const std::vector<Row>& rows) {
+  const auto number = [](double v, int digits) { return std::isnan(v) ? std::string("-") : fmt::format("{:.{}f}", v, digits); };
+  fmt::print("{:<10} {:<8} {:<11} {:<20} {:>6} {:>6} {:<10} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}\n", "method",
+             "measure", "burr", "tissue", "voxel", "ms", "direction", "alpha", "target", "mm/s", "%", "um", "um max",
+             "us p50", "us p99");
+  for (const Row& row : rows) {
+    const double um = !std::isnan(row.deviation_um_mean) ? row.deviation_um_mean
+                      : !std::isnan(row.excess_um_p99)   ? row.excess_um_p99
+                                                         : row.ridge_um;
+    const double most = !std::isnan(row.deviation_um_max) ? row.deviation_um_max : row.excess_um_max;
+    fmt::print("{:<10} {:<8} {:<11} {:<20} {:>6} {:>6} {:<10} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}{}\n",
+               row.method, row.measure, row.burr, row.tissue.empty() ? row.variant : row.tissue, number(row.voxel_mm, 3),
+               number(row.tick_ms, 2), row.direction, number(row.alpha, 2), number(row.target_mm_s, 3),
+               number(std::isnan(row.measured_mm_s) ? row.density : row.measured_mm_s, 4), number(row.error_percent, 3),
+               number(um, 3), number(most, 2), number(row.tick_us_p50, 1), number(row.tick_us_p99, 1),
+               row.unresolved ? "  unresolved" : "");
+  }
+}
+
+}  // namespace
+
+const std::vector<Direction>& directions() {
+  static const std::vector<Direction> all = [] {
+    std::vector<Direction> out;
+    for (int i = 0; i < 27; ++i) {
+      const IVec3 d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      if (i == 13) continue;
+      Direction one;
+      one.axes = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+      for (int a = 0; a < 3; ++a)
+        if (d[a] != 0) one.name += std::string(d[a] > 0 ? "+" : "-") + "xyz"[a];
+      one.unit = unit(Vec3(d));
+      out.push_back(std::move(one));
+    }
+    return out;
+  }();
+  return all;
+}
+
+std::vector<std::string> direction_names() {
+  std::vector<std::string> out;
+  for (const Direction& d : directions()) out.push_back(d.name);
+  return out;
+}
+
+std::vector<Cutter> removal_cutters() {
+  return {round_cutter(0.5), round_cutter(1.0), round_cutter(kLargestBurrMm), fissure_cutter(1.0, false),
+          fissure_cutter(1.0, true)};
+}
+
+std::vector<DrillRun> speed_runs(const Options& options, Method method) {
+  const std::vector<double> voxels = chosen(options.voxels_mm, options.full ? std::vector{kFullVoxelMm} : kVoxelsMm);
+  const std::vector<double> ticks = chosen(options.ticks_ms, kTicksMs), alphas = chosen(options.alphas, kAlphas);
+  std::vector<Cutter> cutters = options.full ? std::vector{round_cutter(kFullBurrMm)} : removal_cutters();
+  if (!options.burr_radii_mm.empty()) {
+    cutters.clear();
+    for (const double radius : options.burr_radii_mm) cutters.push_back(round_cutter(2.0 * radius));
+  }
+  std::vector<Direction> ways;
+  for (const Direction& d : directions())
+    if (asked(options.directions, d.name)) ways.push_back(d);
+  std::vector<RemovalTissue> materials;
+  for (std::size_t i = 0; i < kRemovalMaterials.size(); ++i)
+    if (asked(options.tissues, kRemovalTissues[i])) materials.push_back(kRemovalMaterials[i]);
+
+  const std::vector<int> levels = {static_cast<int>(ways.size()),  static_cast<int>(voxels.size()),
+                                   static_cast<int>(ticks.size()), static_cast<int>(materials.size()),
+                                   static_cast<int>(alphas.size()), static_cast<int>(cutters.size())};
+  std::vector<std::vector<int>> choices;
+  if (options.full) {
+    std::vector<int> at(levels.size(), 0);
+    for (bool more = true; more;) {
+      choices.push_back(at);
+      std::size_t f = 0;
+      while (f < at.size() && ++at[f] == levels[f]) at[f++] = 0;
+      more = f < at.size();
+    }
+  } else {
+    choices = all_pairs(levels);
+  }
+  std::vector<DrillRun> runs;
+  for (const std::vector<int>& c : choices) {
+    const auto pick = [&c](std::size_t f) { return static_cast<std::size_t>(c[f]); };
+    DrillRun run = run_in(method, cutters[pick(5)], voxels[pick(1)], materials[pick(3)], alphas[pick(4)]);
+    run.tick_ms = ticks[pick(2)];
+    run.direction = ways[pick(0)].unit;
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+std::vector<Row> removal_rows(const Options& options) {
+  std::vector<Row> rows;
+  const auto wants = [&options](std::string_view measure) { return asked(options.measures, measure); };
+  std::vector<std::string> methods = options.methods;
+  if (methods.empty()) methods = {std::string(key_of(Method::surface)), std::string(key_of(Method::occupancy))};
+  const bool surface = asked(methods, key_of(Method::surface));
+  for (const Method method : {Method::surface, Method::penalty, Method::gradient, Method::occupancy, Method::occupancy_pivot, Method::ray}) {
+    if (!asked(methods, key_of(method))) continue;
+    const bool banded = reading_of(method) == Reading::banded;
+    if (wants("speed")) add_speeds(options, method, rows);
+    if (wants("depth") && !options.full && (method == Method::surface || method == Method::occupancy)) add_depths(method, rows);
+    if (wants("hand") && banded && !options.full) add_hands(method, rows);
+    if (wants("mixed") && banded && !options.full) add_mixed(method, rows);
+    if (wants("tick") && !options.full) add_costs(options, method, rows);
+  }
+  if (options.full) return rows;
+  if (wants("density") && asked(methods, key_of(Method::occupancy))) add_densities(rows);
+  if (!surface) return rows;
+  if (wants("shape")) add_shapes(chosen(options.voxels_mm, {kPaperVoxelMm}), rows);
+  if (wants("order")) add_orders(rows);
+  if (wants("slide")) add_slides(options.seed, rows);
+  if (wants("ridge")) add_ridges(rows);
+  return rows;
+}
+
+int run_removal(const Options& options) {
+  if (asked(options.measures, "tick") && !pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
+  Report report = empty_report();
+  report.rows = removal_rows(options);
+  return hand_over(report, options.json, print);
+}
+
+}  // namespace cusp::bench

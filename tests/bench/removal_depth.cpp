@@ -1,0 +1,94 @@
+// The paper's second test: a perforation through three materials (its figure 15).
+#include <algorithm>
+#include <cmath>
+
+#include "tests/bench/motions.h"
+#include "tests/bench/removal.h"
+#include "tests/bench/tasks.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kAheadMm = 0.3;      // of the device point before the burr: always full wear
+constexpr double kVoxelMm = 10.0 / 128;
+constexpr double kEndMm = 9.6;        // before the burr comes out below
+constexpr double kClearMm = 0.1;      // of the front from the next material
+
+/// A cube of 10 mm, dentine over bone over enamel, its top at z = 0.
+std::shared_ptr<Scene> layered_scene(Method method) {
+  constexpr int kPadding = 4, kVoxels = 128;
+  constexpr int n = kVoxels + 2 * kPadding;
+  const Grid grid{IVec3(n), kVoxelMm, {-0.5 * (n - 1) * kVoxelMm, -0.5 * (n - 1) * kVoxelMm, (0.5 - kVoxels - kPadding) * kVoxelMm}};
+  VoxelVolume dense(grid);
+  IVec3 v;
+  for (v.z = 0; v.z < n; ++v.z)
+    for (v.y = 0; v.y < n; ++v.y)
+      for (v.x = 0; v.x < n; ++v.x) {
+        const Vec3 p = grid.centre_mm(v);
+        const double d = std::max({std::fabs(p.x) - 5.0, std::fabs(p.y) - 5.0, p.z, -10.0 - p.z});
+        const std::size_t i = grid.index(v);
+        dense.s[i] = solid_from_distance(d / kVoxelMm);
+        const auto layer = static_cast<std::size_t>(std::clamp(-p.z / kLayerMm, 0.0, 2.999));
+        if (dense.s[i] > 0) dense.tissue[i] = kRemovalMaterials[layer].tissue;
+      }
+  auto scene = std::make_shared<Scene>();
+  scene->method = method;
+  scene->specimen = Specimen::build(dense, reading_of(method));
+  Burr burr;
+  burr.name = "bench";
+  burr.radius_mm = kDepthBurrMm;
+  burr.neck_radius_mm = burr.shank_radius_mm = 0.4 * kDepthBurrMm;
+  burr.neck_length_mm = 12.0;
+  scene->burrs = {burr};
+  for (const RemovalTissue& m : kRemovalMaterials) scene->tissues[index_of(m.tissue)] = {1.0, m.speed_mm_s};
+  scene->full_force_n = kFullForceN;
+  scene->guard = unguarded();
+  return scene;
+}
+
+}  // namespace
+
+void add_depths(Method method, std::vector<Row>& rows) {
+  StepState state(layered_scene(method));
+  const Vec3 off{0.0137, -0.0211, 0.0};  // off the grid's own lines
+  const auto at = [&](double z, bool cut) { return input_at(off + Vec3(0.0, 0.0, z), cut); };
+  lead(state, step, off + Vec3(0.0, 0.0, kDepthBurrMm + 0.5), 0.05);
+  lead(state, step, off + Vec3(0.0, 0.0, kDepthBurrMm - 0.1), 0.02);
+  StepOutput out = state.last();
+  const auto each = static_cast<int>(kSampleS * 1000.0 + 0.5);
+  double depth = kDepthBurrMm - out.proxy_mm.z;
+  for (int k = 0; depth < kEndMm && k < 40000; ++k) {
+    if (k % each == 0) {
+      Row& row = rows.emplace_back();
+      row.method = key_of(method);
+      row.measure = "depth";
+      row.tissue = kRemovalTissues[static_cast<std::size_t>(std::clamp(depth / kLayerMm, 0.0, 2.999))];
+      row.burr_radius_mm = kDepthBurrMm;
+      row.voxel_mm = kVoxelMm;
+      row.time_s = k * 1e-3;
+      row.depth_mm = depth;
+    }
+    out = step(state, at(out.proxy_mm.z - kAheadMm, true));
+    depth = kDepthBurrMm - out.proxy_mm.z;
+  }
+}
+
+double slope_in(const std::vector<Row>& rows, std::string_view method, std::size_t layer) {
+  const double top = static_cast<double>(layer) * kLayerMm;
+  double n = 0.0, t = 0.0, d = 0.0, tt = 0.0, td = 0.0;
+  for (const Row& row : rows) {
+    // The front is a half ball: it is in one material from where the ball's middle enters it.
+    if (row.measure != "depth" || row.method != method || row.depth_mm < top + kDepthBurrMm + kClearMm ||
+        row.depth_mm > top + kLayerMm - kClearMm)
+      continue;
+    n += 1.0;
+    t += row.time_s;
+    d += row.depth_mm;
+    tt += row.time_s * row.time_s;
+    td += row.time_s * row.depth_mm;
+  }
+  return n < 2.0 ? kAbsent : (n * td - t * d) / (n * tt - t * t);
+}
+
+}  // namespace cusp::bench

@@ -1,0 +1,249 @@
+#include "tests/bench/removal_drill.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/tool/heads.h"
+#include "engine/tool/swept.h"
+#include "engine/volume/cell_field.h"
+#include "engine/volume/cut_volume.h"
+#include "tests/bench/frame.h"
+#include "tests/bench/motions.h"
+#include "tests/bench/rows.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kHandAsideMm = 0.01;    // of a hand's tremor across
+constexpr double kStandOffMm = 0.2;      // of the burr before the face, where a run begins
+constexpr double kApproachMm = 0.02;     // a tick
+constexpr double kPaddingVoxels = 4.0;   // empty, on every side of the grid
+constexpr double kAroundVoxels = 4.0;    // tissue beyond what the burr reaches, and
+constexpr double kAroundMm = 0.2;
+constexpr double kThinNeckMm = 0.02;
+constexpr double kSideShare = 0.9;       // of the radius that a burr goes in sideways, at most: the neck stays outside
+constexpr int kLeastLayers = 10;         // voxels that a stroke through voxels goes, at least
+
+/// From the pivot to the furthest point of the head towards `direction`.
+double furthest(const Burr& burr, Vec3 axis, Vec3 direction) {
+  if (burr.head.ball()) return burr.radius_mm;
+  const double t = glm::dot(direction, axis);
+  const Vec3 off = direction - axis * t;
+  const OnHalf d{t, std::sqrt(glm::dot(off, off))};
+  const OnHalf p = burr.head.support(d, {0.0, 0.0});
+  return p.t * d.t + p.rho * d.rho;
+}
+
+Vec3 axis_of(const DrillRun& run) { return run.cutter.sideways ? across(run.direction) : -run.direction; }
+
+/// Distance of a ball of tissue with a flat face: behind the face (along `in`) and within `radius` of `middle`.
+double half_ball(Vec3 p, Vec3 in, Vec3 middle, double radius) {
+  return std::max(-glm::dot(p, in), length(p - middle) - radius);
+}
+
+/// Where the cut's own field passes through zero on the line from `from` along `in`; looked for within `reach` of it.
+double surface_on_line(const Volume& volume, Vec3 from, Vec3 in, double reach) {
+  const Grid& grid = volume.grid();
+  const auto depth = [&](double s) {  // positive in the cut, mm
+    const Vec3 x = (from + in * s - grid.origin_mm) / grid.voxel_mm;
+    const IVec3 cell{static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
+                     static_cast<int>(std::floor(x.z))};
+    CellField field;
+    field.load(volume, Field::cut, cell);
+    Vec3 g;
+    return -field.eval(x - Vec3(cell), g);
+  };
+  double in_cut = -reach, in_tissue = reach;
+  if (!(depth(in_cut) < 0.0) || !(depth(in_tissue) > 0.0)) return kAbsent;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (in_cut + in_tissue);
+    (depth(middle) < 0.0 ? in_cut : in_tissue) = middle;
+  }
+  return 0.5 * (in_cut + in_tissue);
+}
+
+/// How far the burr's line is free of voxels, from `from` on: where the first voxel that is there begins.
+double voxels_on_line(const Volume& volume, double from, Vec3 in) {
+  const Grid& grid = volume.grid();
+  const double part = 0.02 * grid.voxel_mm;
+  for (double s = from;; s += part) {
+    const Vec3 x = (in * s - grid.origin_mm) / grid.voxel_mm + 0.5;
+    const IVec3 v{static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
+                  static_cast<int>(std::floor(x.z))};
+    if (!grid.contains(v) || volume.occupied(v)) return s;
+  }
+}
+
+/// Depth at which the burr has taken so much.
+double depth_of(const Cutter& cutter, double mm3, double about) {
+  double low = 0.5 * about, high = 1.5 * about;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (taken_mm3(cutter, middle) < mm3 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// The surface that is left after this many ticks: what is gone, and how deep.
+struct Left {
+  double mm3 = 0.0;
+  double deepest_mm = 0.0;
+};
+Left left_by(const StepState& state, Vec3 device, Vec3 in, double about) {
+  // On a copy: the button up carves what is still pending, and would end the stroke.
+  const std::vector<std::byte> bytes = state.save();
+  std::optional<StepState> copy = StepState::restore(std::make_shared<Scene>(state.scene()), bytes);
+  step(*copy, input_at(device, false));
+  return {removed_solid(copy->volume()).total_mm3(),
+          about + surface_on_line(copy->volume(), in * about, in, 1.5 * state.volume().grid().voxel_mm)};
+}
+
+}  // namespace
+
+Cutter round_cutter(double diameter_mm) {
+  Cutter out;
+  std::string digits = std::to_string(diameter_mm);
+  out.name = "round " + digits.substr(0, digits.find('.') + 2);
+  out.burr.name = out.name;
+  out.burr.radius_mm = 0.5 * diameter_mm;
+  out.burr.neck_radius_mm = 0.4 * out.burr.radius_mm;
+  out.burr.neck_length_mm = 4.0 + out.burr.radius_mm;
+  out.burr.shank_radius_mm = out.burr.neck_radius_mm;
+  out.burr.shank_length_mm = 4.0;
+  return out;
+}
+
+Cutter fissure_cutter(double diameter_mm, bool sideways) {
+  Cutter out = round_cutter(diameter_mm);
+  const double r = out.burr.radius_mm;
+  out.name = "fissure" + out.name.substr(out.name.find(' ')) + (sideways ? ", side" : ", end");
+  out.burr.name = out.name;
+  out.burr.head = flat_head(r, r, kFissureMm).value_or(Profile{});
+  // So thin that it stays over the face while the flank goes in.
+  if (sideways) out.burr.neck_radius_mm = out.burr.shank_radius_mm = kThinNeckMm;
+  out.sideways = sideways;
+  out.flank_mm = kFissureMm;
+  return out;
+}
+
+std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
+  const double stroke = run.stroke_mm;
+  const double reach = head_reach(run.cutter.burr);
+  const double around = std::sqrt(reach * reach + stroke * stroke) + kAroundVoxels * run.voxel_mm + kAroundMm;
+  // Seen from the face, the burr ends `furthest` before its pivot: the middle of what it reaches lies on the face.
+  const Vec3 in = run.direction;
+  const int n = 2 * static_cast<int>(std::ceil(around / run.voxel_mm + kBandVoxels + kPaddingVoxels)) + 1;
+  // Off the grid's own planes by parts of a voxel.
+  const Grid grid{IVec3(n), run.voxel_mm, Vec3(-0.5 * (n - 1) * run.voxel_mm) + Vec3(0.137, -0.211, 0.173) * run.voxel_mm};
+  VoxelVolume dense(grid);
+  IVec3 v;
+  for (v.z = 0; v.z < n; ++v.z)
+    for (v.y = 0; v.y < n; ++v.y)
+      for (v.x = 0; v.x < n; ++v.x) {
+        const Vec3 p = grid.centre_mm(v);
+        const std::size_t i = grid.index(v);
+        dense.s[i] = solid_from_distance(half_ball(p, in, Vec3(0.0), around) / run.voxel_mm);
+        if (dense.s[i] > 0) dense.tissue[i] = run.tissue(p);
+      }
+  auto scene = std::make_shared<Scene>();
+  scene->method = run.method;
+  scene->specimen = Specimen::build(dense, reading_of(run.method));
+  scene->burrs = {run.cutter.burr};
+  scene->tool_axis = axis_of(run);
+  for (std::size_t t = 0; t < kTissueCodes; ++t) scene->tissues[t] = {1.0, run.speed_mm_s[t]};
+  scene->full_force_n = kFullForceN;
+  scene->friction = false;
+  scene->guard = unguarded();
+  return scene;
+}
+
+double taken_mm3(const Cutter& cutter, double depth_mm) {
+  const double r = cutter.burr.radius_mm, h = depth_mm;
+  if (cutter.flank_mm == 0.0) return h < r ? kPi * h * h * (r - h / 3.0) : kPi * r * r * (2.0 / 3.0 * r + (h - r));
+  if (!cutter.sideways) return kPi * r * r * h;
+  return cutter.flank_mm * (r * r * std::acos(1.0 - h / r) - (r - h) * std::sqrt(h * (2.0 * r - h)));
+}
+
+DrillSpeed drill(const DrillRun& asked_run) {
+  DrillRun run = asked_run;
+  const bool filled = reading_of(run.method) == Reading::filled;
+  if (filled) run.stroke_mm = std::max(run.stroke_mm, kLeastLayers * run.voxel_mm);
+  if (run.cutter.sideways) run.stroke_mm = std::min(run.stroke_mm, kSideShare * run.cutter.burr.radius_mm);
+  const Vec3 in = run.direction;
+  const Vec3 axis = axis_of(run);
+  const double most = furthest(run.cutter.burr, axis, in);
+  const double dt_s = run.tick_ms * 1e-3;
+  const auto tick_us = static_cast<std::uint32_t>(run.tick_ms * 1000.0 + 0.5);
+  StepState state(drill_scene(run));
+  const double ahead = run.alpha * kFullForceN;
+
+  // To the face, and by a spring's length into it, without cutting.
+  const auto at = [&](double s, bool cut) {
+    StepInput input = input_at(in * s, cut);
+    input.elapsed_us = tick_us;
+    return input;
+  };
+  double s = -most - kStandOffMm;
+  StepOutput out = step(state, at(s, false));
+  while (s < -most + ahead) out = step(state, at(s = std::min(s + kApproachMm, -most + ahead), false));
+
+  const auto total = static_cast<std::int64_t>(run.stroke_mm / (run.target_mm_s * dt_s) + 0.5);
+  const auto run_in = static_cast<std::int64_t>(kRunIn * static_cast<double>(total) + 0.5);
+  DrillSpeed result{kAbsent, kAbsent, kAbsent, kAbsent, run.target_mm_s, total};
+  const double whole_speed = run.target_mm_s / run.alpha;
+  const Vec3 aside = across(in);
+  double pushed = 0.0;  // of a hand: the sum of alpha
+  const auto where = [&] { return glm::dot(out.proxy_mm, in) + most; };  // of the burr's foremost point
+  Left first{};
+  // Through voxels the surface goes in strides: from the first after the run-in to the last.
+  struct Stride {
+    double depth_mm = kAbsent, s = 0.0;
+  } from_stride, to_stride;
+  double from = 0.0, free = filled ? voxels_on_line(state.volume(), -run.voxel_mm, in) : 0.0;
+  for (std::int64_t k = 1; k <= total; ++k) {
+    if (run.by_hand) {
+      const double t = 2.0 * kPi * static_cast<double>(k) * dt_s;
+      const double push = ahead * (1.0 + 0.5 * std::sin(1.3 * t) + 0.07 * std::sin(9.0 * t));
+      const Vec3 device = in * (glm::dot(out.proxy_mm, in) + push) + aside * (kHandAsideMm * std::sin(8.3 * t));
+      if (k > run_in) pushed += std::min(1.0, length(device - out.proxy_mm) / kFullForceN);
+      StepInput input = input_at(device, true);
+      input.elapsed_us = tick_us;
+      out = step(state, input);
+    } else {
+      out = step(state, at(glm::dot(out.proxy_mm, in) + ahead, true));
+    }
+    if (filled) {
+      const double now = voxels_on_line(state.volume(), free, in);
+      if (now > free && k > run_in) {
+        to_stride = {now, static_cast<double>(k) * dt_s};
+        if (std::isnan(from_stride.depth_mm)) from_stride = to_stride;
+      }
+      free = now;
+    }
+    if (k == run_in) {
+      from = where();
+      if (!filled) first = left_by(state, out.proxy_mm, in, from);
+    }
+  }
+  const double seconds = static_cast<double>(total - run_in) * dt_s;
+  result.by_pose_mm_s = (where() - from) / seconds;
+  if (run.by_hand) result.target_mm_s = whole_speed * pushed / static_cast<double>(total - run_in);
+  if (filled) {
+    if (to_stride.s > from_stride.s)
+      result.by_deepest_mm_s = (to_stride.depth_mm - from_stride.depth_mm) / (to_stride.s - from_stride.s);
+    return result;
+  }
+  const Left last = left_by(state, out.proxy_mm, in, where());
+  result.by_deepest_mm_s = (last.deepest_mm - first.deepest_mm) / seconds;
+  const double a = depth_of(run.cutter, first.mm3, from), b = depth_of(run.cutter, last.mm3, where());
+  result.by_volume_mm_s = (b - a) / seconds;
+  const double exact = taken_mm3(run.cutter, last.deepest_mm);
+  result.volume_error_percent = 100.0 * (last.mm3 / exact - 1.0);
+  return result;
+}
+
+}  // namespace cusp::bench

@@ -1,0 +1,257 @@
+// Sliding while cutting, ridges between cuts, and what a cutting tick costs.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/step/state.h"
+#include "tests/bench/frame.h"
+#include "tests/bench/motions.h"
+#include "tests/bench/pin.h"
+#include "tests/bench/random.h"
+#include "tests/bench/removal_ways.h"
+#include "tests/bench/tick_times.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kCircleMm = 1.0;     // of the hand's circle
+constexpr double kPressMm = 0.12;     // of the device point below the face's offset surface, at first
+constexpr double kTremorMm = 0.02;    // of the hand, 9 Hz, and
+constexpr double kNoiseMm = 0.002;    // of its device, from tick to tick
+constexpr double kSlideS = 1.5;
+constexpr double kRidgeWearMmS = 1e-3;
+constexpr int kSkip = 3;              // every so many ticks the exact excess is looked for
+
+/// Where the burr has been, as far as removal goes; found by place.
+class Way3 {
+ public:
+  Way3(double radius, double face_mm, Vec3 up) : radius_(radius), face_(face_mm), up_(up) {}
+  void add(Vec3 a, Vec3 b) { segments_.push_back({a, b}); }
+  /// Turns to what can matter within a burr of y.
+  void gather(Vec3 y) {
+    near_.clear();
+    for (const Segment& s : segments_)
+      if (distance(s, y) < 2.0 * radius_ + 0.01) near_.push_back(s);
+  }
+  /// How far a place lies in what was tissue: from the face and from all that the burr swept. Negative outside.
+  double depth(Vec3 x) const {
+    double d = face_ - glm::dot(x, up_);
+    for (const Segment& s : near_) {
+      d = std::min(d, distance(s, x) - radius_);
+      if (d <= 0.0) return d;
+    }
+    return d;
+  }
+
+ private:
+  struct Segment {
+    Vec3 a, b;
+  };
+  static double distance(const Segment& s, Vec3 x) {
+    const Vec3 along = s.b - s.a;
+    const double square = glm::dot(along, along);
+    const double t = square > 1e-18 ? std::clamp(glm::dot(x - s.a, along) / square, 0.0, 1.0) : 0.0;
+    return length(x - s.a - along * t);
+  }
+  double radius_, face_;
+  Vec3 up_;
+  std::vector<Segment> segments_, near_;
+};
+
+/// How far the surface goes back where a ball comes to y: the deepest place of the ball's surface in what was tissue.
+double recession(Way3& way, Vec3 y, double radius, Vec3 up) {
+  way.gather(y);
+  const Frame f = Frame::of(up, {1.0, 0.51, 0.0}, Vec3(0.0));
+  double best = 0.0;
+  Vec3 best_u = -up;
+  constexpr int kRings = 14;
+  for (int i = 0; i <= kRings; ++i) {
+    const double polar = 0.5 * kPi * i / kRings;
+    const int count = std::max(1, static_cast<int>(4.0 * kRings * std::sin(polar)));
+    for (int j = 0; j < count; ++j) {
+      const double around = 2.0 * kPi * (j + 0.5 * (i & 1)) / count;
+      const Vec3 u = f.direction({std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), -std::cos(polar)});
+      const double d = way.depth(y + u * radius);
+      if (d > best) {
+        best = d;
+        best_u = u;
+      }
+    }
+  }
+  if (best <= 0.0) return 0.0;
+  for (double part = 0.05; part > 5e-4; part *= 0.5)
+    for (bool moved = true; moved;) {
+      moved = false;
+      const Frame g = Frame::of(best_u, {0.3, 0.7, 0.2}, Vec3(0.0));
+      for (const Vec3& side : {g.x, -g.x, g.y, -g.y}) {
+        const Vec3 u = unit(best_u + side * part);
+        const double d = way.depth(y + u * radius);
+        if (d > best + 1e-9) {
+          best = d;
+          best_u = u;
+          moved = true;
+        }
+      }
+    }
+  return best;
+}
+
+}  // namespace
+
+SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, double speed_mm_s, double tick_ms, std::uint64_t seed) {
+  const double radius = cutter.burr.radius_mm;
+  auto scene = soft_scene(cutter, Method::surface, voxel_mm, Way::straight);
+  constexpr double kWearMmS = 1.0;
+  for (TissueFeel& feel : scene->tissues) feel = {1.0, kWearMmS};
+  scene->full_force_n = kFullForceN;
+  StepState state(scene);
+  const Frame f = Frame::of(kWayUp, {1.0, 0.51, 0.0}, Vec3(0.0));
+  Random random(seed);
+  const double dt_s = tick_ms * 1e-3;
+  const auto tick_us = static_cast<std::uint32_t>(tick_ms * 1000.0 + 0.5);
+  const auto place = [&](std::int64_t k) {
+    const double t = static_cast<double>(k) * dt_s;
+    const double a = speed_mm_s * t / kCircleMm;
+    const double tremor = kTremorMm * std::sin(2.0 * kPi * 9.0 * t);
+    const Vec3 noise{random.between(-kNoiseMm, kNoiseMm), random.between(-kNoiseMm, kNoiseMm),
+                     random.between(-kNoiseMm, kNoiseMm)};
+    return f.to_world(Vec3{kCircleMm * std::cos(a) + 0.5 * tremor, kCircleMm * std::sin(a), radius - kPressMm + tremor} + noise);
+  };
+  lead(state, step, place(0) + f.z * 0.4, 0.05);
+  lead(state, step, place(0), 0.02);
+  Way3 way(radius, 0.0, f.z);
+  const auto ticks = static_cast<std::int64_t>(kSlideS / dt_s + 0.5);
+  std::vector<double> excess;
+  SlideExcess out;
+  out.ticks = ticks;
+  bool cutting = false;
+  Vec3 pose{0.0};
+  for (std::int64_t k = 0; k < ticks; ++k) {
+    StepInput input = input_at(place(k), true);
+    input.elapsed_us = tick_us;
+    const StepOutput got = step(state, input);
+    const StepState::Inner& inner = state.inner();
+    out.allowed_um += got.advance_mm * 1e3;
+    const bool valid = inner.cut_valid;
+    if (valid && got.advance_mm > 0.0) {
+      const bool whole = cutting && length(inner.cut_pose - pose) <= 0.3;
+      const Vec3 from = whole ? pose : inner.cut_pose;
+      if (k % kSkip == 0) {
+        double most = recession(way, inner.cut_pose, radius, f.z);
+        if (whole) most = std::max(most, recession(way, 0.5 * (from + inner.cut_pose), radius, f.z));
+        excess.push_back((most - got.advance_mm) * 1e3);
+      }
+      way.add(from, inner.cut_pose);
+      out.depth_um = std::max(out.depth_um, (radius - f.to_local(inner.cut_pose).z) * 1e3);
+    }
+    cutting = valid;
+    pose = inner.cut_pose;
+  }
+  if (excess.empty()) return out;
+  std::sort(excess.begin(), excess.end());
+  out.most_um = excess.back();
+  out.p99_um = excess[static_cast<std::size_t>(0.99 * static_cast<double>(excess.size() - 1))];
+  return out;
+}
+
+RidgeKept ridge_between(const Cutter& cutter, double voxel_mm, double speed_mm_s) {
+  const double r = cutter.burr.radius_mm;
+  const Frame f = Frame::of(kWayUp, {1.0, 0.51, 0.0}, Vec3(0.0));
+  const double apart = 0.6 * r, pivot = 0.6 * r;  // of each groove from the ridge; of the burr above the face
+  const double ridge = pivot - 0.8 * r;
+  Cutter fine = round_cutter(r);  // half as wide
+  auto soft = soft_scene(cutter, Method::surface, voxel_mm, Way::straight);
+  soft->burrs.push_back(fine.burr);
+  StepState state(soft);
+  const double each = speed_mm_s * 1e-3, half = 1.2;
+  for (const double side : {-1.0, 1.0}) {
+    const auto place = [&](double y) { return f.to_world({side * apart, y, pivot}); };
+    lead(state, step, place(-half) + f.z * (2.0 * r), 0.2);
+    lead(state, step, place(-half) + f.z * (0.4 * r), 0.02);
+    step(state, input_at(place(-half), true));
+    for (double y = -half; y < half; y += each) step(state, input_at(place(y), true));
+    step(state, input_at(place(half), false));
+    lead(state, step, place(half) + f.z * (2.0 * r), 0.2);
+  }
+  // The finer ball goes over it from groove to groove; its highest place is the ridge's.
+  const auto felt = [&](StepState& over) {
+    double most = 0.0;
+    const double radius = fine.burr.radius_mm;
+    for (int i = 0; i < 9; ++i) {
+      const double y = -0.8 + 0.2 * i + 0.037;
+      const auto way = [&](double x) {
+        StepInput input = input_at(f.to_world({x, y, ridge + radius - 0.1}));
+        input.burr = 1;
+        return step(over, input).proxy_mm;
+      };
+      const auto to = [&](Vec3 p) {
+        StepInput input = input_at(f.to_world(p));
+        input.burr = 1;
+        step(over, input);
+      };
+      for (double z = 2.0; z > 0.0; z -= 0.05) to({-0.5 * apart, y, ridge + radius - 0.1 + z});
+      double highest = -1e9;
+      for (double x = -0.5 * apart; x <= 0.5 * apart; x += 0.004) highest = std::max(highest, f.to_local(way(x)).z - radius);
+      for (double z = 0.0; z < 2.0; z += 0.05) to({0.5 * apart, y, ridge + radius - 0.1 + z});
+      most = std::max(most, std::fabs(ridge - highest) * 1e3);
+    }
+    return most;
+  };
+  RidgeKept out;
+  out.felt_um = felt(state);
+  // Over the ridge again and again, the button down, in tissue that all but resists.
+  auto hard = std::make_shared<Scene>(*soft);
+  for (TissueFeel& feel : hard->tissues) feel = {1.0, kRidgeWearMmS};
+  hard->full_force_n = kFullForceN;
+  auto worn = StepState::restore(hard, state.save());
+  lead(*worn, step, f.to_world({-apart, -1.0, pivot + 1.0}), 0.05);
+  lead(*worn, step, f.to_world({-apart, -1.0, pivot - 0.05}), 0.02);
+  const double wide = 1.5 * apart;
+  const auto ticks = static_cast<int>(40.0 * 2.0 * wide / each);
+  for (int k = 0; k < ticks; ++k) {
+    const double phase = std::fmod(k * each / (2.0 * wide), 2.0);
+    const double x = phase < 1.0 ? -wide + 2.0 * wide * phase : wide - 2.0 * wide * (phase - 1.0);
+    step(*worn, input_at(f.to_world({x, -1.0 + 2.0 * k / ticks, ridge + r - 0.1}), true));
+  }
+  step(*worn, input_at(f.to_world({0.0, 1.0, ridge + r - 0.1}), false));
+  out.after_um = felt(*worn) - kRidgeWearMmS * ticks;  // a tick wears so many um at most
+  return out;
+}
+
+CutCost cost_of_cutting(const Cutter& cutter, Method method, double voxel_mm, double budget_s) {
+  DrillRun run;
+  run.method = method;
+  run.cutter = cutter;
+  run.voxel_mm = voxel_mm;
+  run.speed_mm_s.fill(1.2);
+  run.stroke_mm = 1.4;  // of the block; half of it down, the rest across
+  const auto scene = drill_scene(run);
+  constexpr double kAheadMm = 0.25, kDownMm = 0.5;
+  std::vector<double> us;
+  const double begin = core_time_s();
+  do {
+    StepState state(scene);
+    const Vec3 in = run.direction, side{1.0, 0.0, 0.0};
+    const double r = cutter.burr.radius_mm;
+    lead(state, step, -in * (r + 0.2), 0.05);
+    lead(state, step, -in * (r - kAheadMm), 0.02);
+    StepOutput out = state.last();
+    for (const Vec3& way : {in, side})
+      for (int k = 0; k < static_cast<int>(kDownMm / 1.2e-3); ++k) {
+        const StepInput input = input_at(out.proxy_mm + way * kAheadMm, true);
+        const double before = core_time_s();
+        out = step(state, input);
+        us.push_back((core_time_s() - before) * 1e6);
+      }
+  } while (core_time_s() - begin < budget_s);
+  CutCost cost;
+  cost.ticks = static_cast<std::int64_t>(us.size());
+  cost.p50_us = percentile(us, 0.5);
+  cost.p99_us = percentile(us, 0.99);
+  cost.most_us = us.back();
+  return cost;
+}
+
+}  // namespace cusp::bench
