@@ -113,7 +113,7 @@ namespace {
 
 constexpr std::size_t kBins = 512;
 
-/// Where the variance between the two sides of bins [first, kBins) is greatest (Otsu 1979).
+/// Where the variance between the two sides of bins [first, kBins) is greatest (Otsu 1979): the middle of an empty stretch.
 std::size_t otsu(const std::array<double, kBins>& count, std::size_t first) {
   double all = 0.0, moment = 0.0;
   for (std::size_t i = first; i < kBins; ++i) {
@@ -121,18 +121,20 @@ std::size_t otsu(const std::array<double, kBins>& count, std::size_t first) {
     moment += count[i] * static_cast<double>(i);
   }
   double below = 0.0, moment_below = 0.0, best = -1.0;
-  std::size_t at = first;
+  std::size_t at = first, last = first;
   for (std::size_t i = first; i + 1 < kBins; ++i) {
     below += count[i];
     moment_below += count[i] * static_cast<double>(i);
     if (below <= 0.0 || below >= all) continue;
     const double apart = moment_below / below - (moment - moment_below) / (all - below);
     const double between = below * (all - below) * apart * apart;
-    if (between <= best) continue;
-    best = between;
-    at = i + 1;
+    if (between > best) {
+      best = between;
+      at = i + 1;
+    }
+    if (between == best) last = i + 1;
   }
-  return at;
+  return (at + last) / 2;
 }
 
 }  // namespace

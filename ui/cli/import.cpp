@@ -12,6 +12,7 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/worker.h"
 #include "ui/app/import_words.h"
+#include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 
@@ -118,7 +119,8 @@ void say_image(const ImageInfo& i) {
 
 int list_verb(const ImportOptions& o) {
   StopOnInterrupt stop;
-  const auto seen = look_in_child(paths_of(o), {}, {}, stop.token());
+  const auto seen = look_in_child(paths_of(o), {}, show_progress, stop.token());
+  end_progress();
   if (!seen) return failed(tell(seen.error()));
   nlohmann::ordered_json json;
   json["meshes"] = nlohmann::ordered_json::array();
@@ -178,7 +180,7 @@ std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxi
 
 /// A label map whose numbers are tissue codes needs no words for them.
 Result<void, ImportFailure> take_codes_as_they_are(const ImportOptions& o, ImageTissues& t, std::stop_token stop) {
-  const auto seen = look_in_child(paths_of(o), {}, {}, std::move(stop));
+  const auto seen = look_in_child(paths_of(o), {}, show_progress, std::move(stop));
   if (!seen) return std::unexpected(seen.error());
   if (!seen->image || seen->image->specimen || seen->image->kind != ImageKind::labels) return {};
   for (const auto& [value, voxels] : seen->image->values) {
@@ -235,9 +237,12 @@ int import_verb(const ImportOptions& o) {
     if (!tissues) return wrong_usage(tissues.error());
     what.tissues = std::move(*tissues);
     if (what.tissues.labels.empty() && what.tissues.thresholds.empty()) {
-      if (auto r = take_codes_as_they_are(o, what.tissues, stop.token()); !r) return failed(tell(r.error()));
+      if (auto r = take_codes_as_they_are(o, what.tissues, stop.token()); !r) {
+        end_progress();
+        return failed(tell(r.error()));
+      }
     }
-    volume = import_image_in_child(what, {}, {}, stop.token(), &done.remarks);
+    volume = import_image_in_child(what, {}, show_progress, stop.token(), &done.remarks);
   } else {
     MeshImport what;
     what.path = o.files.front();
@@ -254,8 +259,9 @@ int import_verb(const ImportOptions& o) {
     if (what.tissues.empty()) {
       return wrong_usage(CliWords::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
     }
-    volume = import_mesh_in_child(what, {}, {}, stop.token(), &done.remarks);
+    volume = import_mesh_in_child(what, {}, show_progress, stop.token(), &done.remarks);
   }
+  end_progress();
   if (!volume) return failed(tell(volume.error()));
   done.volume = std::move(*volume);
   return finish(o, done);

@@ -26,4 +26,12 @@ std::string read_secret(const std::string& prompt) {
   return line;
 }
 
+void show_progress(double share) {
+  if (isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "\r%3d %%", static_cast<int>(100.0 * share));
+}
+
+void end_progress() {
+  if (isatty(STDERR_FILENO) == 1) std::fputs("\r\033[K", stderr);
+}
+
 }  // namespace cusp

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QPixmap>
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include "ui/app/import_words.h"
 #include "ui/app/sentences.h"
 #include "ui/instructor/slice_view.h"
+#include "ui/render/colours.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -27,7 +29,6 @@ constexpr std::array kTissues = {Tissue::enamel, Tissue::carious_enamel, Tissue:
 constexpr int kNothing = -1;         // of a range of grey: it is left out
 constexpr int kNotUsed = 0;
 constexpr std::size_t kRanges = 4;   // dentine, enamel, metal and one more
-constexpr std::size_t kLabelRows = 16;
 constexpr double kMendMm = 1.0;      // a speck of a scanner's; a jaw's open base is far wider
 
 QPixmap swatch(QColor colour) {
@@ -42,7 +43,10 @@ QComboBox* make_tissue_box(const QString& none, const QString& name) {
   auto* out = new QComboBox;
   out->setAccessibleName(name);
   out->addItem(none, kNotUsed);
-  for (const Tissue t : kTissues) out->addItem(tissue_name(t), static_cast<int>(t));
+  for (const Tissue t : kTissues) {
+    const Colour c = tissue_colours()[index_of(t)];
+    out->addItem(QIcon(swatch(QColor::fromRgbF(c.r, c.g, c.b))), tissue_name(t), static_cast<int>(t));
+  }
   return out;
 }
 
@@ -67,10 +71,10 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     QLabel* state = make_label({}, TextRole::body, false, sound ? "good" : "look");
     state->setWordWrap(true);
     QComboBox* tissue = make_tissue_box(tr("Leave out"), tr("What %1 is made of").arg(name));
-    grid->addWidget(title, line, 0, Qt::AlignTop);
-    grid->addWidget(size, line, 1, Qt::AlignTop);
-    grid->addWidget(state, line, 2, Qt::AlignTop);
-    grid->addWidget(tissue, line, 3, Qt::AlignTop);
+    grid->addWidget(title, line, 0, Qt::AlignVCenter);
+    grid->addWidget(size, line, 1, Qt::AlignVCenter);
+    grid->addWidget(state, line, 2, Qt::AlignVCenter);
+    grid->addWidget(tissue, line, 3, Qt::AlignVCenter);
     connect(tissue, &QComboBox::currentIndexChanged, this, &MeshForm::changed);
     rows_.push_back({std::move(info), size, state, tissue});
     ++line;
@@ -196,7 +200,6 @@ QWidget* VolumeForm::make_labels() {
   grid->setColumnStretch(2, 1);
   int line = 0;
   for (const auto& [value, voxels] : info_.values) {
-    if (labels_.size() == kLabelRows) break;
     const bool colours = info_.kind == ImageKind::colours;
     const QString name = colours ? QColor::fromRgb(value).name() : QLocale().toString(value);
     QComboBox* tissue = make_tissue_box(tr("Leave out"), tr("What %1 is made of").arg(name));

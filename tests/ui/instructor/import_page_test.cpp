@@ -1,0 +1,295 @@
+// The import page over real files and a real child. With CUSP_PICTURES=FOLDER it leaves pictures of itself there.
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+
+#include "scenarios/import/nrrd.h"
+#include "scenarios/import/worker.h"
+#include "tests/scenarios/import/image_files.h"
+#include "ui/app/language.h"
+#include "ui/instructor/import_forms.h"
+#include "ui/instructor/import_page.h"
+#include "ui/instructor/slice_view.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+using namespace cusp::testing;
+
+constexpr int kPatienceMs = 60'000;  // for a child on a busy machine; what is waited for comes in a second
+
+/// A tooth as a scanner sees it: enamel over dentine about a hollow, in CT numbers, with a speck beside it.
+int tooth_at(IVec3 v) {
+  const double x = (v.x - 20.0) / 13.0, y = (v.y - 20.0) / 11.0, z = (v.z - 14.0) / 12.0;
+  const double r = x * x + y * y + z * z;
+  if (v.x > 36 && v.y > 36) return 900;
+  if (r > 1.0) return -1000 + (v.x * 7 + v.y * 13 + v.z * 5) % 60;
+  if (r < 0.06) return 40;
+  return r > 0.6 && z > 0.1 ? 2600 : 1300;
+}
+
+struct Page : ::testing::Test {
+  TempFolder folder;
+  Ports ports = Ports::of_the_system();
+  std::unique_ptr<ImportPage> page = std::make_unique<ImportPage>(ports, folder / "cusp.db");
+  std::optional<EditorStart> started;
+
+  Page() {
+    page->resize(1080, 900);
+    page->show();
+    QObject::connect(page.get(), &ImportPage::edit_wanted, [this](const EditorStart& s) { started = s; });
+  }
+  void open(const QStringList& files) {
+    page->open_files(files);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  }
+  QString file(const std::string& name) const { return QString::fromStdString((folder / name).string()); }
+  QString texts() const {
+    QString all;
+    for (const QLabel* label : page->findChildren<QLabel*>())
+      if (label->isVisibleTo(page.get())) all += label->text() + u'\n';
+    return all;
+  }
+  QPushButton* button(const QString& text) const {
+    for (QPushButton* b : page->findChildren<QPushButton*>())
+      if (b->text() == text) return b;
+    return nullptr;
+  }
+  QComboBox* box(const QString& name) const {
+    for (QComboBox* b : page->findChildren<QComboBox*>())
+      if (b->accessibleName() == name) return b;
+    return nullptr;
+  }
+  void choose(const QString& name, Tissue tissue) const {
+    QComboBox* b = box(name);
+    ASSERT_NE(b, nullptr) << name.toStdString();
+    b->setCurrentIndex(b->findData(static_cast<int>(tissue)));
+  }
+  void write_ct() const {
+    std::filesystem::create_directory(folder / "ct");
+    for (int n = 0; n < 28; ++n) {
+      DicomWish w;
+      w.columns = w.rows = 40;
+      w.position = {0, 0, 0.5 * n};
+      w.across_mm = w.down_mm = 0.3;
+      w.thickness_mm = 0.5;
+      w.number = n + 1;
+      w.values = values_of({40, 40, 1}, [&](IVec3 v) { return tooth_at({v.x, v.y, n}); });
+      write_text(folder / ("ct/" + std::to_string(28 - n)), dicom_file(w));
+    }
+  }
+  void picture(const std::string& name) const {
+    const QByteArray to = qgetenv("CUSP_PICTURES");
+    if (to.isEmpty()) return;
+    QTest::qWait(50);
+    EXPECT_TRUE(page->grab().save(QString::fromUtf8(to) + u'/' + QString::fromStdString(name) + QStringLiteral(".png")));
+  }
+};
+
+TEST_F(Page, says_what_it_takes_and_makes_nothing_of_nothing) {
+  EXPECT_TRUE(texts().contains(QStringLiteral("Drop files here")));
+  EXPECT_FALSE(button(QStringLiteral("Make a specimen"))->isVisibleTo(page.get()));
+  EXPECT_EQ(page->meshes(), nullptr);
+}
+
+TEST_F(Page, nested_meshes_of_several_files_become_an_exercise_on_their_tissues) {
+  write_text(folder / "crown.stl", binary_stl(sphere("solid", {0, 0, 0}, 0.4, 3)));
+  write_text(folder / "pulp.stl", binary_stl(sphere("solid", {0, 0, 0}, 0.15, 3)));
+  open({file("crown.stl")});
+  open({file("pulp.stl")});  // joins the first
+  ASSERT_NE(page->meshes(), nullptr);
+  EXPECT_EQ(page->files().size(), 2u);
+  // 0.8 units long: centimetres are the first that make a tooth of it.
+  EXPECT_TRUE(texts().contains(QStringLiteral("8.0 × 8.0 × 8.0"))) << texts().toStdString();
+  QPushButton* make = button(QStringLiteral("Make a specimen"));
+  EXPECT_FALSE(make->isEnabled());
+  choose(QStringLiteral("What crown is made of"), Tissue::dentine);
+  choose(QStringLiteral("What pulp is made of"), Tissue::pulp);
+  ASSERT_TRUE(make->isEnabled());
+  make->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return started.has_value(); }, kPatienceMs)) << texts().toStdString();
+  EXPECT_EQ(started->draft.title.at("en"), "crown");
+  EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp});
+  const auto volume = read_nrrd(std::filesystem::path(started->folder) / started->draft.specimen.volume);
+  ASSERT_TRUE(volume);
+  EXPECT_DOUBLE_EQ(volume->grid.voxel_mm, 0.1);
+}
+
+TEST_F(Page, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_when_asked) {
+  Mesh open_ball = sphere("crown", {10, 0, 0}, 4.0, 3);
+  open_ball.triangles.erase(open_ball.triangles.begin() + 5);
+  write_obj(folder / "m.obj", {open_ball, sphere("core", {10, 0, 0}, 1.0, 2)});
+  open({file("m.obj")});
+  EXPECT_TRUE(texts().contains(QStringLiteral("1 gap of "))) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QRegularExpression(QStringLiteral("at \\W*\\(-?\\d+\\.\\d; ")))) << texts().toStdString();
+  QComboBox* crown = box(QStringLiteral("What crown is made of"));
+  EXPECT_TRUE(crown->isEnabled());
+  const auto mend = page->findChildren<QCheckBox*>();
+  ASSERT_EQ(mend.size(), 1);
+  choose(QStringLiteral("What crown is made of"), Tissue::enamel);
+  mend[0]->setChecked(false);
+  EXPECT_FALSE(crown->isEnabled());
+  EXPECT_EQ(crown->currentIndex(), 0) << "what cannot be used is not chosen";
+  mend[0]->setChecked(true);
+  choose(QStringLiteral("What crown is made of"), Tissue::enamel);
+  button(QStringLiteral("Make a specimen"))->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  EXPECT_FALSE(started.has_value()) << "first it is said what was done";
+  EXPECT_TRUE(texts().contains(QStringLiteral("hole of "))) << texts().toStdString();
+  button(QStringLiteral("Go on to the exercise"))->click();
+  EXPECT_TRUE(started.has_value());
+}
+
+TEST_F(Page, a_unit_that_makes_no_tooth_is_asked_again) {
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
+  open({file("a.stl")});
+  EXPECT_FALSE(texts().contains(QStringLiteral("Is the unit right?")));
+  for (QComboBox* b : page->findChildren<QComboBox*>())
+    if (const int metre = b->findText(QStringLiteral("Metre")); metre >= 0) b->setCurrentIndex(metre);
+  EXPECT_TRUE(texts().contains(QStringLiteral("larger than any jaw")));
+}
+
+TEST_F(Page, a_ct_shows_its_tissues_live_and_keeps_no_name) {
+  write_ct();
+  open({file("ct")});
+  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QStringLiteral("28 slices"))) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QStringLiteral("are resampled to cubes of")));
+  SliceView* view = page->volume()->view();
+  const auto coloured = [&] {
+    const QImage picture = view->picture();
+    int n = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor c = picture.pixelColor(x, y);
+        n += c.red() != c.green() || c.green() != c.blue();
+      }
+    return n;
+  };
+  const int before = coloured();
+  EXPECT_GT(before, 200);
+  EXPECT_LT(before, 40 * 40);
+  QDoubleSpinBox* first = nullptr;
+  for (QDoubleSpinBox* b : page->findChildren<QDoubleSpinBox*>())
+    if (b->accessibleName() == QStringLiteral("Least value of range 1")) first = b;
+  ASSERT_NE(first, nullptr);
+  EXPECT_GT(first->value(), -900.0);
+  EXPECT_LT(first->value(), 1300.0);
+  first->setValue(2700.0);
+  EXPECT_LT(coloured(), before);
+  first->setValue(500.0);
+  EXPECT_EQ(coloured(), before);
+  picture("ct");
+  auto* slider = view->findChild<QSlider*>();
+  slider->setValue(0);
+  EXPECT_LT(coloured(), before);
+  for (QCheckBox* b : page->findChildren<QCheckBox*>()) b->setChecked(true);
+  button(QStringLiteral("Make a specimen"))->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  EXPECT_TRUE(texts().contains(QStringLiteral("Nothing about the patient was read."))) << texts().toStdString();
+  button(QStringLiteral("Go on to the exercise"))->click();
+  ASSERT_TRUE(started.has_value());
+  EXPECT_EQ(started->draft.title.at("en"), "CT");
+  EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp}) << "the hollow";
+}
+
+TEST_F(Page, a_file_that_cannot_be_read_says_so_and_leaves_the_page_as_it_was) {
+  write_text(folder / "bad.stl", "solid nothing");
+  open({file("bad.stl")});
+  EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("cannot be read"))) << page->findChild<Band*>()->text().toStdString();
+  EXPECT_TRUE(page->files().empty());
+  open({file("gone.nrrd")});
+  EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("gone.nrrd")));
+}
+
+TEST_F(Page, files_can_be_dropped) {
+  write_text(folder / "a.ply", ply_file(sphere("a", {0, 0, 0}, 5.0, 2), true));
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file("a.ply"))});
+  QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(page.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(page.get(), &drop);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  EXPECT_NE(page->meshes(), nullptr);
+  QMimeData text;
+  text.setText(QStringLiteral("words"));
+  QDragEnterEvent words(QPoint(5, 5), Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+  words.ignore();
+  QApplication::sendEvent(page.get(), &words);
+  EXPECT_FALSE(words.isAccepted());
+}
+
+TEST_F(Page, a_label_map_offers_its_numbers_with_the_tissues_they_most_likely_mean) {
+  std::string data(512, '\1');
+  data[0] = 2;
+  data[1] = 77;
+  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nspacings: 1 1 1\nencoding: raw\n\n" + data);
+  open({file("map.nrrd")});
+  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
+  const ImageTissues t = page->volume()->tissues();
+  EXPECT_EQ(t.labels, (std::vector<std::pair<std::uint32_t, Tissue>>{{1, Tissue::enamel}, {2, Tissue::dentine}}));
+  EXPECT_TRUE(texts().contains(QStringLiteral("510 voxels")));
+}
+
+TEST_F(Page, it_has_room_for_german_in_light_and_dark) {
+  Mesh open_ball = sphere("Schmelzkappe", {10, 0, 0}, 4.0, 3);
+  open_ball.triangles.erase(open_ball.triangles.begin() + 5);
+  Mesh twisted = sphere("Wurzelzement und Desmodont der distobukkalen Wurzel", {10, 0, 0}, 2.0, 3);
+  std::swap(twisted.triangles[9][0], twisted.triangles[9][1]);
+  write_obj(folder / "m.obj", {open_ball, twisted, sphere("Pulpa", {10, 0, 0}, 1.0, 2)});
+  write_ct();
+  for (const bool dark : {false, true}) {
+    install_language(*qApp, QStringLiteral("de"));
+    apply_theme(*qApp, dark ? ColourScheme::dark : ColourScheme::light, 100);
+    page = std::make_unique<ImportPage>(ports, folder / "cusp.db");
+    page->resize(1080, 860);
+    page->show();
+    picture(dark ? "empty-dark" : "empty-light");
+    open({file("m.obj")});
+    picture(dark ? "mesh-de-dark" : "mesh-de-light");
+    // A word may break; nothing may lie beyond the window.
+    for (const QLabel* label : page->findChildren<QLabel*>()) {
+      if (!label->isVisible()) continue;
+      EXPECT_LE(label->mapTo(page.get(), QPoint(label->width(), 0)).x(), page->width()) << label->text().toStdString();
+      EXPECT_GE(label->height(), label->heightForWidth(label->width()) > 0 ? label->heightForWidth(label->width()) : 0) << label->text().toStdString();
+    }
+    page->open_files({file("ct")});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+    picture(dark ? "ct-de-dark" : "ct-de-light");
+  }
+  install_language(*qApp, QStringLiteral("en"));
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+}  // namespace
+}  // namespace cusp
+
+int main(int argc, char** argv) {
+  if (const auto status = cusp::import_child_main(argc, argv)) return *status;
+  const QTemporaryDir home;
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) qputenv(name, home.path().toUtf8());
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  qputenv("LC_ALL", "C.UTF-8");
+  QApplication app(argc, argv);
+  cusp::install_language(app, QStringLiteral("en"));
+  cusp::apply_theme(app, cusp::ColourScheme::light, 100);
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
