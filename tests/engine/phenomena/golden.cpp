@@ -1,5 +1,5 @@
 // The same bits on every build and CPU with every phenomenon on: integers in, hashed. Beside tests/determinism, which
-// holds the scenes that ask for none. The constants were made by g++ 12 -O2 on x86-64.
+// holds the scenes that ask for none: what changes those hashes changes these. The constants were made by g++ 12 -O2 on x86-64.
 #include <gtest/gtest.h>
 
 #include "engine/volume/hash.h"
@@ -45,10 +45,10 @@ std::uint64_t run(Method method, Handpiece handpiece) {
 }
 
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_surface_proxy) {
-  EXPECT_EQ(run(Method::surface, Handpiece::turbine), 15889740718415927564ull);
+  EXPECT_EQ(run(Method::surface, Handpiece::turbine), 792878415648978937ull);
 }
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_papers_proxy) {
-  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), 18436901688273376915ull);
+  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), 9617322060855014134ull);
 }
 
 }  // namespace
