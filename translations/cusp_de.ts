@@ -26,14 +26,6 @@
     <context>
         <name>cusp::Briefing</name>
         <message>
-            <source>%1 (%2)</source>
-            <translation>%1 (%2)</translation>
-        </message>
-        <message>
-            <source>, </source>
-            <translation>, </translation>
-        </message>
-        <message>
             <source>Back</source>
             <translation>Zurück</translation>
         </message>
@@ -113,18 +105,14 @@
             <source>Move the mouse, or the arrow keys, to slide the burr over the tooth. Push with the wheel or with Page Down, let up with Page Up. Hold Space, or the left button, to cut.</source>
             <translation>Mit der Maus oder den Pfeiltasten gleitet der Bohrer über den Zahn. Drücken Sie mit dem Mausrad oder Bild ab, geben Sie mit Bild auf nach. Zum Abtragen die Leertaste oder die linke Maustaste halten.</translation>
         </message>
+        <message>
+            <source>; </source>
+            <extracomment>Between the burrs of a list, each of which has commas of its own.</extracomment>
+            <translation>; </translation>
+        </message>
     </context>
     <context>
         <name>cusp::BurrTray</name>
-        <message>
-            <source>round %1</source>
-            <extracomment>Kind of burr and its diameter in mm, as "round 1.0".</extracomment>
-            <translation>rund %1</translation>
-        </message>
-        <message>
-            <source>Burr %1, round, %2</source>
-            <translation>Bohrer %1, rund, %2</translation>
-        </message>
         <message>
             <source>Burrs</source>
             <translation>Bohrer</translation>
@@ -133,17 +121,18 @@
             <source>[ and ]</source>
             <translation>[ und ]</translation>
         </message>
+        <message>
+            <source>%1 %2</source>
+            <extracomment>Kind of burr and its diameter in mm, as "round 1.0".</extracomment>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>Burr %1</source>
+            <translation>Bohrer %1</translation>
+        </message>
     </context>
     <context>
         <name>cusp::BurrsForm</name>
-        <message>
-            <source>Round burrs</source>
-            <translation>Rosenbohrer</translation>
-        </message>
-        <message>
-            <source>Number and diameter</source>
-            <translation>Nummer und Durchmesser</translation>
-        </message>
         <message>
             <source>Burr to add</source>
             <translation>Neuer Bohrer</translation>
@@ -169,8 +158,33 @@
             <translation>Bohrer %1 entfernen</translation>
         </message>
         <message>
-            <source>Round %1, %2</source>
-            <translation>Rund %1, %2</translation>
+            <source>Burrs</source>
+            <translation>Bohrer</translation>
+        </message>
+        <message>
+            <source>Number, shape and diameter</source>
+            <translation>Nummer, Form und Durchmesser</translation>
+        </message>
+        <message>
+            <source>Add from the catalogue</source>
+            <translation>Aus dem Katalog hinzufügen</translation>
+        </message>
+        <message>
+            <source>Shape of the burr to add</source>
+            <translation>Form des Bohrers, der hinzukommt</translation>
+        </message>
+        <message>
+            <source>Sizes and outlines are the usual ones, not verified. Blades are not modelled: a head is the body that they sweep.</source>
+            <translation>Größen und Umrisse sind die üblichen, nicht geprüft. Schneiden sind nicht nachgebildet: Ein Kopf ist der Körper, den sie überstreichen.</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <extracomment>Number of a burr and its diameter.</extracomment>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>All burrs of this shape are in the exercise.</source>
+            <translation>Alle Bohrer dieser Form sind in der Übung.</translation>
         </message>
     </context>
     <context>
@@ -250,14 +264,6 @@
             <translation>%1 ist bei dieser Feinheit zu dünn zum Beurteilen; ab %2 geht es.</translation>
         </message>
         <message>
-            <source>Burr %1 is too small for this fineness: its radius is %2, from %3 it cuts truly.</source>
-            <translation>Bohrer %1 ist für diese Feinheit zu klein: sein Radius ist %2, ab %3 trägt er genau ab.</translation>
-        </message>
-        <message>
-            <source>The neck of burr %1 is wider than its ball.</source>
-            <translation>Der Hals von Bohrer %1 ist breiter als seine Kugel.</translation>
-        </message>
-        <message>
             <source>No burr fits: the smallest is %1 wide, the target %2.</source>
             <translation>Kein Bohrer passt: der kleinste ist %1 breit, das Ziel %2.</translation>
         </message>
@@ -292,6 +298,18 @@
         <message>
             <source>Something is wrong at %1.</source>
             <translation>Bei %1 stimmt etwas nicht.</translation>
+        </message>
+        <message>
+            <source>Burr %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.</source>
+            <translation>Bohrer %1 ist für diese Feinheit zu klein: sein Durchmesser ist %2, ab %3 trägt er genau ab.</translation>
+        </message>
+        <message>
+            <source>The head of burr %1 is too short for this fineness: %2 long, from %3 it cuts truly.</source>
+            <translation>Der Kopf von Bohrer %1 ist für diese Feinheit zu kurz: %2 lang, ab %3 trägt er genau ab.</translation>
+        </message>
+        <message>
+            <source>The neck of burr %1 is wider than its head.</source>
+            <translation>Der Hals von Bohrer %1 ist dicker als sein Kopf.</translation>
         </message>
     </context>
     <context>
@@ -2719,6 +2737,27 @@
             <source>Engine %1, marking %2</source>
             <translation>Rechenkern %1, Bewertung %2</translation>
         </message>
+        <message>
+            <source>%1 to %2</source>
+            <extracomment>From one moment of a go to another, as "1:12 to 3:05".</extracomment>
+            <translation>%1 bis %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>und %n weiteres Mal</numerusform>
+                <numerusform>und %n weitere Male</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Burr %1: %2</source>
+            <extracomment>A burr, and when it was used.</extracomment>
+            <translation>Bohrer %1: %2</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <translation>, </translation>
+        </message>
     </context>
     <context>
         <name>cusp::ReportPage</name>
@@ -4373,6 +4412,202 @@ Ihr bester davor</translation>
         <message>
             <source>from</source>
             <translation>ab</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::BurrWords</name>
+        <message>
+            <source>decay</source>
+            <translation>Karies</translation>
+        </message>
+        <message>
+            <source>entry</source>
+            <translation>Eröffnung</translation>
+        </message>
+        <message>
+            <source>undercuts</source>
+            <translation>Unterschnitte</translation>
+        </message>
+        <message>
+            <source>flat floors</source>
+            <translation>ebene Böden</translation>
+        </message>
+        <message>
+            <source>walls</source>
+            <translation>Wände</translation>
+        </message>
+        <message>
+            <source>bulk removal</source>
+            <translation>grober Abtrag</translation>
+        </message>
+        <message>
+            <source>rounded line angles</source>
+            <translation>gerundete Kanten</translation>
+        </message>
+        <message>
+            <source>crowns</source>
+            <translation>Kronen</translation>
+        </message>
+        <message>
+            <source>inlays</source>
+            <translation>Inlays</translation>
+        </message>
+        <message>
+            <source>class I outlines</source>
+            <translation>Umrisse Klasse I</translation>
+        </message>
+        <message>
+            <source>class II outlines</source>
+            <translation>Umrisse Klasse II</translation>
+        </message>
+        <message>
+            <source>class II boxes</source>
+            <translation>Kästen Klasse II</translation>
+        </message>
+        <message>
+            <source>chamfers</source>
+            <translation>Hohlkehlen</translation>
+        </message>
+        <message>
+            <source>shoulders</source>
+            <translation>Stufen</translation>
+        </message>
+        <message>
+            <source>bevels</source>
+            <translation>Abschrägungen</translation>
+        </message>
+        <message>
+            <source>between teeth</source>
+            <translation>zwischen Zähnen</translation>
+        </message>
+        <message>
+            <source>occlusal surfaces</source>
+            <translation>Kauflächen</translation>
+        </message>
+        <message>
+            <source>lingual surfaces</source>
+            <translation>linguale Flächen</translation>
+        </message>
+        <message>
+            <source>Round</source>
+            <translation>Rosenbohrer</translation>
+        </message>
+        <message>
+            <source>Inverted cone</source>
+            <translation>Umgekehrter Kegel</translation>
+        </message>
+        <message>
+            <source>Straight fissure</source>
+            <translation>Fissurenbohrer, zylindrisch</translation>
+        </message>
+        <message>
+            <source>Cross-cut fissure</source>
+            <translation>Fissurenbohrer mit Querhieb</translation>
+        </message>
+        <message>
+            <source>Dome fissure</source>
+            <translation>Fissurenbohrer, rundes Ende</translation>
+        </message>
+        <message>
+            <source>Tapered fissure</source>
+            <translation>Fissurenbohrer, konisch</translation>
+        </message>
+        <message>
+            <source>Cross-cut tapered fissure</source>
+            <translation>Fissurenbohrer, konisch mit Querhieb</translation>
+        </message>
+        <message>
+            <source>Pear</source>
+            <translation>Birne</translation>
+        </message>
+        <message>
+            <source>Long pear</source>
+            <translation>Lange Birne</translation>
+        </message>
+        <message>
+            <source>Round-end taper</source>
+            <translation>Kegel, rundes Ende</translation>
+        </message>
+        <message>
+            <source>Flat-end taper</source>
+            <translation>Kegel, flaches Ende</translation>
+        </message>
+        <message>
+            <source>Flame</source>
+            <translation>Flamme</translation>
+        </message>
+        <message>
+            <source>Football</source>
+            <translation>Ei</translation>
+        </message>
+        <message>
+            <source>Own shape</source>
+            <translation>Eigene Form</translation>
+        </message>
+        <message>
+            <source>round</source>
+            <translation>rund</translation>
+        </message>
+        <message>
+            <source>inverted cone</source>
+            <translation>umgekehrter Kegel</translation>
+        </message>
+        <message>
+            <source>straight fissure</source>
+            <translation>Fissur zylindrisch</translation>
+        </message>
+        <message>
+            <source>cross-cut fissure</source>
+            <translation>Fissur mit Querhieb</translation>
+        </message>
+        <message>
+            <source>dome fissure</source>
+            <translation>Fissur rund</translation>
+        </message>
+        <message>
+            <source>tapered fissure</source>
+            <translation>Fissur konisch</translation>
+        </message>
+        <message>
+            <source>cross-cut tapered fissure</source>
+            <translation>Fissur konisch mit Querhieb</translation>
+        </message>
+        <message>
+            <source>pear</source>
+            <translation>Birne</translation>
+        </message>
+        <message>
+            <source>long pear</source>
+            <translation>lange Birne</translation>
+        </message>
+        <message>
+            <source>round-end taper</source>
+            <translation>Kegel rund</translation>
+        </message>
+        <message>
+            <source>flat-end taper</source>
+            <translation>Kegel flach</translation>
+        </message>
+        <message>
+            <source>flame</source>
+            <translation>Flamme</translation>
+        </message>
+        <message>
+            <source>football</source>
+            <translation>Ei</translation>
+        </message>
+        <message>
+            <source>own shape</source>
+            <translation>eigene Form</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <translation>, </translation>
+        </message>
+        <message>
+            <source>%1, %2, %3</source>
+            <extracomment>Number of a burr, its shape, its diameter.</extracomment>
+            <translation>%1, %2, %3</translation>
         </message>
     </context>
 </TS>

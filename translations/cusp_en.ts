@@ -205,6 +205,13 @@
                 <numerusform>Best before: %1 points on %2; today %3.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>and %n more</numerusform>
+                <numerusform>and %n more</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>cusp::Sentences</name>

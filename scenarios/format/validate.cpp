@@ -111,9 +111,9 @@ class Checks {
         warn(at("/instruments", i, "/radius_mm"), "burr_small", {{"value", burr.radius_mm}, {"limit", least}},
              burr.name);
       }
-      if (!burr.head.ball() && below(0.5 * (burr.head.high() - burr.head.low()), least)) {
-        warn(at("/instruments", i, "/head"), "burr_small",
-             {{"value", 0.5 * (burr.head.high() - burr.head.low())}, {"limit", least}}, burr.name);
+      const double length = burr.head.ball() ? 2 * burr.radius_mm : burr.head.high() - burr.head.low();
+      if (!burr.head.ball() && below(length, 2 * least)) {
+        warn(at("/instruments", i, "/head"), "head_short", {{"value", length}, {"limit", 2 * least}}, burr.name);
       }
       if (burr.neck_radius_mm > burr.radius_mm) {
         warn(at("/instruments", i, "/neck_radius_mm"), "neck_wider_than_ball",

@@ -8,6 +8,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "scenarios/burrs/burr_catalogue.h"
+#include "ui/app/burr_words.h"
+#include "ui/widgets/burr_silhouette.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -23,9 +26,10 @@ class BurrButton : public QAbstractButton {
     setFocusPolicy(Qt::TabFocus);
     number_ = QString::fromStdString(burr.name);
     //: Kind of burr and its diameter in mm, as "round 1.0".
-    kind_ = BurrTray::tr("round %1").arg(format_number(2 * burr.radius_mm, 1));
-    setAccessibleName(BurrTray::tr("Burr %1, round, %2").arg(number_, format({2 * burr.radius_mm, {}, QStringLiteral("mm"), 1})));
-    setToolTip(accessibleName());
+    kind_ = BurrTray::tr("%1 %2").arg(burr_shape_word(shape_of(burr)), format_number(2 * burr.radius_mm, 1));
+    setAccessibleName(BurrTray::tr("Burr %1").arg(burr_text(burr)));
+    const QString uses = burr_uses_text(burr);
+    setToolTip(uses.isEmpty() ? accessibleName() : accessibleName() + u'\n' + uses);
   }
   QSize sizeHint() const override {
     const int text = std::max(QFontMetrics(font_of(TextRole::body, true)).horizontalAdvance(number_),
@@ -48,16 +52,20 @@ class BurrButton : public QAbstractButton {
       p.setBrush(Qt::NoBrush);
       p.drawRoundedRect(box.adjusted(3, 3, -3, -3), px(3), px(3));
     }
-    // Three pixels a tenth of a millimetre would be to scale and too large: the ball's size is, the lengths are not.
-    const double x = px(17), r = std::clamp(burr_.radius_mm * px(6.5), double(px(2)), double(px(7)));
-    const double neck = std::max(burr_.neck_radius_mm * px(6.5), 1.0), shank = px(3.2);
+    // The head is true to its shape, as large as its height allows; of neck and shank only the widths are.
+    const double x = px(17), length = burr_.radius_mm + burr_head_top_mm(burr_);
+    const double scale = std::min({double(px(6.5)), px(26) / length, px(7) / burr_.radius_mm});
+    const double tip = px(46), pivot = tip - burr_.radius_mm * scale;
+    const double neck = std::max(burr_.neck_radius_mm * scale, 1.0), shank = px(3.2);
     p.setPen(Qt::NoPen);
     p.setBrush(t.text3);
-    p.drawRect(QRectF(x - shank, px(9), 2 * shank, px(13)));
-    p.setBrush(t.text2);
-    p.drawRect(QRectF(x - neck, px(22), 2 * neck, px(12)));
-    p.drawEllipse(QPointF(x, px(44) - r), r, r);
-    p.drawRect(QRectF(x - neck, px(30), 2 * neck, px(44) - 2 * r - px(30) + 1));
+    p.drawRect(QRectF(x - shank, px(8), 2 * shank, px(9)));
+    p.drawRect(QRectF(x - neck, px(17), 2 * neck, pivot - px(17)));
+    p.setBrush(t.text);
+    p.save();
+    p.translate(x, pivot);
+    p.drawPath(burr_head_path(burr_, scale));
+    p.restore();
     p.setPen(t.text);
     p.setFont(font_of(TextRole::body, true));
     p.drawText(QRectF(px(34), px(9), width() - px(36), px(20)), Qt::AlignVCenter | Qt::AlignLeft, number_);

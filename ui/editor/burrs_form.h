@@ -7,6 +7,7 @@
 #include "ui/editor/editor_model.h"
 
 class QComboBox;
+class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
@@ -22,12 +23,16 @@ class BurrsForm : public QWidget {
 
  private:
   void follow_model();
+  void fill_catalogue();
+  void tell_uses();
 
   EditorModel& model_;
   QVBoxLayout* list_;
+  QComboBox* shapes_;
   QComboBox* catalogue_;
+  QLabel* uses_;
   QPushButton* add_;
-  std::vector<NumberBox*> diameters_;
+  std::vector<NumberBox*> diameters_;  // by row; of a head that is no ball none
   std::vector<std::string> built_;  // names of the rows, in order
 };
 

@@ -61,10 +61,14 @@ QString check_sentence(const Finding& f) {
     return Words::tr("%1 is too thin to be judged at this fineness; from %2 it can.").arg(mm(value), mm(limit));
   }
   if (c == u"burr_small") {
-    return Words::tr("Burr %1 is too small for this fineness: its radius is %2, from %3 it cuts truly.")
+    return Words::tr("Burr %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.")
+        .arg(name, mm(2 * value), mm(2 * limit));
+  }
+  if (c == u"head_short") {
+    return Words::tr("The head of burr %1 is too short for this fineness: %2 long, from %3 it cuts truly.")
         .arg(name, mm(value), mm(limit));
   }
-  if (c == u"neck_wider_than_ball") return Words::tr("The neck of burr %1 is wider than its ball.").arg(name);
+  if (c == u"neck_wider_than_ball") return Words::tr("The neck of burr %1 is wider than its head.").arg(name);
   if (c == u"burr_wider_than_target") {
     return Words::tr("No burr fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
   }

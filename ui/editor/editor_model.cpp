@@ -367,7 +367,7 @@ bool EditorModel::remove_burr(std::size_t index) {
 }
 
 bool EditorModel::set_burr_radius_mm(std::size_t index, double mm) {
-  if (index >= scenario_.instruments.size()) return false;
+  if (index >= scenario_.instruments.size() || !scenario_.instruments[index].head.ball()) return false;
   return edit(tr("Burr"), u"burr/%1"_qs.arg(index), [&](Scenario& s) { s.instruments[index].radius_mm = mm; });
 }
 

@@ -17,6 +17,32 @@ struct Ring {
   float cutting;
 };
 
+/// The outline's pieces as rings; where two meet at an edge, both with their own normals.
+void add_head(const Profile& head, std::vector<Ring>& out) {
+  constexpr int kArc = 10;
+  const auto add = [&out](OnHalf at, OnHalf normal) {
+    out.push_back({static_cast<float>(at.t), static_cast<float>(at.rho), static_cast<float>(normal.t),
+                   static_cast<float>(normal.rho), 1.0f});
+  };
+  for (int i = 0; i < head.size(); ++i) {
+    const OutlinePiece& p = head.piece(i);
+    if (p.radius == 0.0) {
+      const double length = std::hypot(p.to.t - p.from.t, p.to.rho - p.from.rho);
+      const OnHalf normal{-(p.to.rho - p.from.rho) / length, (p.to.t - p.from.t) / length};
+      add(p.from, normal);
+      add(p.to, normal);
+      continue;
+    }
+    const double from = std::atan2(p.from.rho - p.centre.rho, p.from.t - p.centre.t);
+    const double to = std::atan2(p.to.rho - p.centre.rho, p.to.t - p.centre.t);
+    for (int k = 0; k <= kArc; ++k) {
+      const double angle = from + (to - from) * k / kArc;
+      const OnHalf normal{std::cos(angle), std::sin(angle)};
+      add({p.centre.t + p.radius * normal.t, p.centre.rho + p.radius * normal.rho}, normal);
+    }
+  }
+}
+
 std::vector<Ring> profile(const Burr& burr) {
   std::vector<Ring> out;
   const auto r = static_cast<float>(burr.radius_mm);
@@ -24,15 +50,20 @@ std::vector<Ring> profile(const Burr& burr) {
   const auto neck_end = static_cast<float>(burr.neck_length_mm);
   const auto shank = static_cast<float>(burr.shank_radius_mm);
   const float meet = std::sqrt(std::max(r * r - neck * neck, 0.0f));  // where the neck leaves the ball
+  float head_end = meet;
+  if (!burr.head.ball()) {
+    head_end = static_cast<float>(burr.head.high());
+    add_head(burr.head, out);
+  }
   constexpr int kBall = 14;
   const float last = std::acos(std::clamp(-meet / r, -1.0f, 1.0f));
-  for (int i = 0; i <= kBall; ++i) {
+  for (int i = 0; burr.head.ball() && i <= kBall; ++i) {
     const float a = last * static_cast<float>(i) / kBall;  // from the tip
     out.push_back({-r * std::cos(a), r * std::sin(a), -std::cos(a), std::sin(a), 1.0f});
   }
-  out.push_back({meet, neck, 0, 1, 0});
+  out.push_back({head_end, neck, 0, 1, 0});
   // The neck widens to the shank over its last part, as turned steel does.
-  const float shoulder = std::max(meet, neck_end - 1.6f * std::max(shank - neck, 0.0f));
+  const float shoulder = std::max(head_end, neck_end - 1.6f * std::max(shank - neck, 0.0f));
   const float length = std::hypot(neck_end - shoulder, shank - neck);
   const float nz = length > 0 ? -(shank - neck) / length : 0.0f, nr = length > 0 ? (neck_end - shoulder) / length : 1.0f;
   out.push_back({shoulder, neck, 0, 1, 0});

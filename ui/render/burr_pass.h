@@ -1,4 +1,4 @@
-/// The burr: cutting ball, neck and shank as one body of revolution. Thread: the one that holds the context.
+/// The burr: cutting head, neck and shank as one body of revolution. Thread: the one that holds the context.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace cusp {
 struct BurrVertex {
   Vec3f position_mm;  // tool's frame: pivot at the origin, z towards the shank
   Vec3f normal;
-  float cutting;      // 1 on the ball
+  float cutting;      // 1 on the head
 };
 
 /// Triangles of a burr, counter-clockwise seen from outside; the shank's far end is open.

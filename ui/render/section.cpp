@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/tool/swept.h"
+
 namespace cusp {
 namespace {
 
@@ -99,7 +101,7 @@ class PlaneField {
 double burr_distance(const Burr& burr, Vec3 from_pivot, Vec3 axis) {
   const double along = glm::dot(from_pivot, axis);
   const double across = glm::length(from_pivot - along * axis);
-  double d = glm::length(from_pivot) - burr.radius_mm;
+  double d = head_distance(burr, axis, from_pivot);
   const auto rod = [&](double low, double high, double radius) {
     return std::max({across - radius, low - along, along - high});
   };

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "ui/app/burr_words.h"
 #include "ui/app/sentences.h"
 #include "ui/render/snapshot.h"
 #include "ui/render/target_look.h"
@@ -35,6 +36,12 @@ ReportData gather_report(const RunResult& result, Store* store, const Actor* rea
     data.when = moment(details->row.started_utc_us);
     data.kind = details->row.kind;
     data.go = details->row.go;
+  }
+  if (const auto chunks = store->traces.chunks(result.session)) {
+    BurrUse use;
+    for (const ChunkInfo& chunk : *chunks)
+      if (const auto inputs = store->traces.inputs(result.session, chunk.number)) use.add(*inputs);
+    data.burrs = use.spans();
   }
   if (!data.peak_push_n) {
     if (const auto seconds = store->metrics.over_time(result.session); seconds && !seconds->empty()) {
@@ -81,6 +88,31 @@ QString circumstances_text(const ReportData& data) {
                  .arg(format({data.result.stiffness_share * 100, std::nullopt, u"%"_qs, 0}));
   }
   return parts.join(u" · "_qs);
+}
+
+QStringList burrs_used_text(const ReportData& data) {
+  constexpr int kMostSpans = 4;  // of a line; a go with more changes says so
+  QStringList lines;
+  const std::vector<Burr>& burrs = data.result.scenario.instruments;
+  for (std::size_t i = 0; i < burrs.size(); ++i) {
+    QStringList spans;
+    int more = 0;
+    for (const BurrSpan& span : data.burrs) {
+      if (span.burr != i) continue;
+      if (spans.size() == kMostSpans) {
+        ++more;
+        continue;
+      }
+      const auto clock = [](std::uint64_t us) { return format_clock(static_cast<double>(us) * 1e-6); };
+      //: From one moment of a go to another, as "1:12 to 3:05".
+      spans += Words::tr("%1 to %2").arg(clock(span.from_us), clock(span.to_us));
+    }
+    if (spans.isEmpty()) continue;
+    if (more > 0) spans += Words::tr("and %n more", nullptr, more);
+    //: A burr, and when it was used.
+    lines += Words::tr("Burr %1: %2").arg(burr_text(burrs[i]), spans.join(Words::tr(", ")));
+  }
+  return lines;
 }
 
 QImage draw_report_tooth(const RunResult& result, int side_px) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "storage/store.h"
+#include "ui/session/burr_use.h"
 #include "ui/session/exercise_run.h"
 
 namespace cusp {
@@ -21,6 +22,7 @@ struct ReportData {
   SessionKind kind = SessionKind::try_it;
   int go = 0;                     // 0 = nothing was kept
   std::optional<double> peak_push_n;
+  std::vector<BurrSpan> burrs;    // what was in the handpiece when; empty when nothing was kept
   std::optional<Grade> before;    // the best go before, of the same exercise and device class
   QDateTime before_when;
 };
@@ -38,6 +40,9 @@ std::vector<const CriterionGrade*> lost_points(const Grade& grade);
 QString occasion_text(const ReportData& data);
 /// "7:38 min · peak push 2.1 N · Mouse and keys".
 QString circumstances_text(const ReportData& data);
+
+/// "Burr 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", a line for each burr that was used; empty when nothing was kept.
+QStringList burrs_used_text(const ReportData& data);
 
 /// The tooth coloured by deviation, drawn without a window; null where there is no OpenGL.
 QImage draw_report_tooth(const RunResult& result, int side_px);

@@ -164,6 +164,11 @@ QWidget* ReportPage::make_score() {
   line->addStretch();
   text->addLayout(line);
   text->addWidget(make_label(circumstances_text(data_), TextRole::caption, false, "text2"));
+  for (const QString& used : burrs_used_text(data_)) {
+    QLabel* label = make_label(used, TextRole::caption, false, "text2");
+    label->setWordWrap(true);
+    text->addWidget(label);
+  }
   text->addStretch();
   row->addLayout(text, 1);
   if (data_.before) {

@@ -88,6 +88,7 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
               right, w - width, 12, true, g.passed ? t.good : t.bad);
   paper.skip(2);
   paper.write(circumstances_text(d), right, w - width, 11, false, t.text2);
+  for (const QString& used : burrs_used_text(d)) paper.write(used, right, w - width, 11, false, t.text2);
   paper.skip(14);
   for (const std::string& critical : g.critical) {
     paper.write(Words::tr("%1: this fails the go, whatever its points.").arg(critical_name(critical)), x, w, 12, true, t.bad);

@@ -6,6 +6,7 @@
 #include <QPainterPath>
 #include <QPushButton>
 
+#include "ui/app/burr_words.h"
 #include "ui/app/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -18,10 +19,10 @@ namespace cusp {
 QString burrs_text(const Scenario& scenario) {
   QStringList parts;
   for (const Burr& burr : scenario.instruments) {
-    parts += Briefing::tr("%1 (%2)").arg(QString::fromStdString(burr.name),
-                                         format({2 * burr.radius_mm, std::nullopt, u"mm"_qs, 1}));
+    parts += burr_text(burr);
   }
-  return parts.join(Briefing::tr(", "));
+  //: Between the burrs of a list, each of which has commas of its own.
+  return parts.join(Briefing::tr("; "));
 }
 
 void show_covering(QLabel* label, const QImage& image, double radius) {

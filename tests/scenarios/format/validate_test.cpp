@@ -134,6 +134,16 @@ TEST(Validate, WarnsOfWhatTheBurrCannotCut) {
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
 }
 
+TEST(Validate, WarnsOfAHeadShorterThanTheVoxelsCanShow) {
+  using ::testing::ElementsAre;
+  // 33 1/2 is 0.6 mm wide and high: below 3 voxels of 0.105 mm radius, and 6 of height.
+  EXPECT_THAT(after([](Scenario& s) {
+                s.instruments = {catalogue_burr("33 1/2")->burr};
+                s.specimen.voxel_mm = 0.105;
+              }),
+              ElementsAre("warning /instruments/0/radius_mm burr_small", "warning /instruments/0/head head_short"));
+}
+
 TEST(Validate, KnowsThatAFlatEndLeavesASharpCorner) {
   using ::testing::ElementsAre;
   const auto with = [](const char* number, double corner_mm) {

@@ -8,7 +8,7 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/library/library.h"
-#include "ui/editor/burr_catalogue.h"
+#include "scenarios/burrs/burr_catalogue.h"
 #include "ui/editor/check_sentences.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/points_form.h"
@@ -70,7 +70,7 @@ const std::vector<Edit>& every_edit() {
       {"bands", [](EditorModel& m) { return m.set_bands(0, {70, 80, 95, 100, 100, 100}); }},
       {"pass", [](EditorModel& m) { return m.set_pass(80); }},
       {"critical", [](EditorModel& m) { return m.set_critical("pulp_exposure", false); }},
-      {"add a burr", [](EditorModel& m) { return m.add_burr(round_burrs().back()); }},
+      {"add a burr", [](EditorModel& m) { return m.add_burr(catalogue_burr("8")->burr); }},
       {"remove a burr", [](EditorModel& m) { return m.remove_burr(0); }},
       {"burr", [](EditorModel& m) { return m.set_burr_radius_mm(1, 0.55); }},
       {"time", [](EditorModel& m) { return m.set_time_limit_s(600); }},
@@ -278,7 +278,7 @@ TEST(check_sentences, every_code_of_the_checks_has_words) {
   for (const char* code :
        {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "no_criteria", "weight_zero",
         "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
-        "voxel_mismatch", "feature_thin", "burr_small", "neck_wider_than_ball", "burr_wider_than_target",
+        "voxel_mismatch", "feature_thin", "burr_small", "head_short", "neck_wider_than_ball", "burr_wider_than_target",
         "corner_below_burr", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
         "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp"}) {
     const QString said = check_sentence({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});

@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "scenarios/burrs/burr_catalogue.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "tests/ui/desk_records.h"
@@ -207,6 +208,22 @@ TEST_F(EditorPages, criteria_and_burrs_are_added_and_removed) {
   named<QDoubleSpinBox>(*page, "Diameter of burr 2")->setValue(1.1);
   EXPECT_DOUBLE_EQ(page->model().scenario().instruments[0].name == "2" ? page->model().scenario().instruments[0].radius_mm : 0.0, 0.55);
   EXPECT_FALSE(named<QCheckBox>(*page, "Opening the pulp fails the go") && named<QCheckBox>(*page, "Opening the pulp fails the go")->isEnabled());
+}
+
+TEST_F(EditorPages, a_burr_of_another_shape_comes_from_the_catalogue_and_keeps_its_size) {
+  const auto page = open();
+  auto* shapes = named<QComboBox>(*page, "Shape of the burr to add");
+  auto* sizes = named<QComboBox>(*page, "Burr to add");
+  ASSERT_NE(shapes, nullptr);
+  EXPECT_EQ(static_cast<std::size_t>(shapes->count()), burr_shapes().size());
+  shapes->setCurrentIndex(shapes->findText(QStringLiteral("Straight fissure")));
+  ASSERT_EQ(sizes->count(), 3);
+  sizes->setCurrentIndex(1);
+  named<QPushButton>(*page, "Add a burr")->click();
+  EXPECT_EQ(page->model().scenario().instruments.back(), catalogue_burr("57")->burr);
+  EXPECT_EQ(sizes->count(), 2) << "one of each number";
+  EXPECT_EQ(named<QDoubleSpinBox>(*page, "Diameter of burr 57"), nullptr) << "its head has the catalogue's size";
+  EXPECT_FALSE(page->model().set_burr_radius_mm(page->model().scenario().instruments.size() - 1, 0.6));
 }
 
 TEST_F(EditorPages, every_control_has_a_name) {

@@ -4,7 +4,11 @@
 
 #include <numbers>
 
+#include "engine/tool/heads.h"
+#include "engine/tool/swept.h"
+
 #include "tests/ui/render/ball.h"
+#include "ui/render/burr_pass.h"
 
 namespace cusp {
 namespace {
@@ -51,6 +55,39 @@ TEST(Section, the_burr_is_drawn_where_its_pivot_is) {
   const std::uint32_t ball = image.rgba[static_cast<std::size_t>(13 * image.width + 80)];
   EXPECT_EQ(ball >> 24, 255u);
   EXPECT_NEAR(ball & 255u, settings.metal.r * 255, 1);
+}
+
+TEST(Section, a_fissure_burr_is_drawn_with_its_flat_end_and_straight_flank) {
+  const Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
+  SectionSettings settings = through_the_middle();
+  settings.burr = Burr{"57", 0.5, 0.3, 1.0, 0.4, 4.0, flat_head(0.5, 0.5, 2.0).value()};
+  settings.pivot_mm = {0, 0, 2.1};
+  const SectionImage image = draw_section(volume, settings);
+  const auto at = [&image](double y_mm, double z_mm) {
+    const int x = static_cast<int>(79.5 - y_mm / 0.03 + 0.5), y = static_cast<int>(79.5 - z_mm / 0.03 + 0.5);
+    return image.rgba[static_cast<std::size_t>(y * image.width + x)];
+  };
+  // The tip stands at 1.6, half a millimetre wide to either side: a ball would leave its corners free.
+  for (const double side : {-0.44, 0.0, 0.44}) EXPECT_NEAR(at(side, 1.66) & 255u, settings.metal.r * 255, 1) << side;
+  EXPECT_EQ(at(0.56, 2.0) >> 24, 0u);
+  EXPECT_EQ(at(0.0, 1.54) >> 24, 0u);
+}
+
+TEST(BurrMesh, lies_on_the_skin_of_head_neck_and_shank_and_looks_outwards) {
+  for (const auto& head : {flat_head(0.5, 0.5, 4.0), round_end_head(0.45, 0.5, 4.0), pear_head(0.5, 0.3, 0.3, 2.0),
+                           oval_head(0.5, 0.2, 1.5, 0.3, 3.0)}) {
+    const Burr burr{"x", 0.5, 0.2, 5.0, 0.8, 6.0, head.value()};
+    int on_head = 0;
+    for (const BurrVertex& v : burr_mesh(burr)) {
+      EXPECT_NEAR(glm::length(v.normal), 1.0f, 1e-5f);
+      if (v.cutting < 0.5f) continue;
+      const Vec3 at(v.position_mm);
+      EXPECT_NEAR(head_distance(burr, {0, 0, 1}, at), 0.0, 1e-5);
+      EXPECT_GT(head_distance(burr, {0, 0, 1}, at + 0.01 * Vec3(v.normal)), 0.0099);
+      ++on_head;
+    }
+    EXPECT_GT(on_head, 300);
+  }
 }
 
 TEST(Section, left_in_the_picture_is_where_right_points_away_from) {

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <filesystem>
 
+#include "scenarios/burrs/burr_catalogue.h"
 #include "scenarios/library/library.h"
 #include "tests/ui/desk_records.h"
 #include "ui/report/against_before.h"
@@ -69,6 +70,27 @@ TEST(ReportData, losses_come_dearest_first) {
   const auto lost = lost_points(grade);
   ASSERT_EQ(lost.size(), 2u);
   EXPECT_EQ(lost[0]->id, "target_removed");
+}
+
+TEST(ReportData, says_which_burr_was_used_when) {
+  ReportData data = sample();
+  data.result.scenario.instruments = {catalogue_burr("2")->burr, catalogue_burr("8")->burr, catalogue_burr("57")->burr};
+  EXPECT_TRUE(burrs_used_text(data).isEmpty()) << "of a go that was not kept nothing is said";
+  BurrUse use;
+  const auto put = [&use](std::uint16_t burr, int seconds) {
+    StepInput input;
+    input.burr = burr;
+    input.elapsed_us = 1'000'000;
+    use.add(std::vector<StepInput>(static_cast<std::size_t>(seconds), input));
+  };
+  put(0, 72);
+  put(2, 113);
+  put(0, 5);
+  data.burrs = use.spans();
+  const QStringList lines = burrs_used_text(data);
+  ASSERT_EQ(lines.size(), 2) << "the one that was never taken is not named";
+  EXPECT_EQ(plain(lines[0]), "Burr 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 3:10");
+  EXPECT_EQ(plain(lines[1]), "Burr 57, straight fissure, 1.0 mm: 1:12 to 3:05");
 }
 
 TEST(ReportData, what_was_lost_because_little_was_drilled_comes_after_what_was_done_and_nothings_are_left_out) {
