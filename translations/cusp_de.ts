@@ -300,6 +300,22 @@
             <translation>Bei %1 stimmt etwas nicht.</translation>
         </message>
         <message>
+            <source>Only one handpiece can be used at a time.</source>
+            <translation>Es kann nur ein Handstück zugleich benutzt werden.</translation>
+        </message>
+        <message>
+            <source>The drilling sound needs a handpiece.</source>
+            <translation>Das Bohrgeräusch braucht ein Handstück.</translation>
+        </message>
+        <message>
+            <source>Vibration needs a handpiece.</source>
+            <translation>Das Zittern braucht ein Handstück.</translation>
+        </message>
+        <message>
+            <source>%1 is graded, but this exercise does not reckon coolant and heat.</source>
+            <translation>%1 wird bewertet, aber diese Übung rechnet Kühlung und Wärme nicht.</translation>
+        </message>
+        <message>
             <source>Burr %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.</source>
             <translation>Bohrer %1 ist für diese Feinheit zu klein: sein Durchmesser ist %2, ab %3 trägt er genau ab.</translation>
         </message>
@@ -446,8 +462,8 @@
             <translation>Eine scenario.json, ihr Ordner oder eine mitgelieferte: paper-block, channel-1, class-1-36</translation>
         </message>
         <message>
-            <source>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, or a CSV file of inputs</source>
-            <translation>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp oder eine CSV-Datei mit Eingaben</translation>
+            <source>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
+            <translation>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
         </message>
         <message>
             <source>Of the hand's tremor</source>
@@ -1305,6 +1321,14 @@
             <source>Time limit</source>
             <translation>Zeitgrenze</translation>
         </message>
+        <message>
+            <source>Tissue</source>
+            <translation>Gewebe</translation>
+        </message>
+        <message>
+            <source>Handpiece</source>
+            <translation>Handstück</translation>
+        </message>
     </context>
     <context>
         <name>cusp::EditorPage</name>
@@ -1511,6 +1535,10 @@
             <source>Students find it among their exercises. Earlier results keep the version they were made with.</source>
             <translation>Studierende finden sie unter ihren Übungen. Frühere Ergebnisse behalten die Version, mit der sie entstanden.</translation>
         </message>
+        <message>
+            <source>Tissues</source>
+            <translation>Gewebe</translation>
+        </message>
     </context>
     <context>
         <name>cusp::ExercisesPage</name>
@@ -1598,6 +1626,89 @@
         <message>
             <source>Device</source>
             <translation>Gerät</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::HandpiecePanel</name>
+        <message>
+            <source>Handpiece</source>
+            <translation>Handstück</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Drehzahl</translation>
+        </message>
+        <message>
+            <source>Coolant</source>
+            <translation>Kühlung</translation>
+        </message>
+        <message>
+            <source>Off</source>
+            <translation>Aus</translation>
+        </message>
+        <message>
+            <source>On</source>
+            <translation>Ein</translation>
+        </message>
+        <message>
+            <source>Tooth warmer by</source>
+            <translation>Zahn wärmer um</translation>
+        </message>
+        <message>
+            <source>The pulp is at risk from %1 (not verified)</source>
+            <translation>Gefahr für die Pulpa ab %1 (nicht gesichert)</translation>
+        </message>
+        <message>
+            <source>Sound off</source>
+            <translation>Ton aus</translation>
+        </message>
+        <message>
+            <source>Sound on</source>
+            <translation>Ton ein</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>Lautstärke</translation>
+        </message>
+        <message>
+            <source>No sound: this computer has no audio output.</source>
+            <translation>Kein Ton: Dieser Rechner hat keine Tonausgabe.</translation>
+        </message>
+        <message>
+            <source>Coolant is on</source>
+            <translation>Kühlung ist ein</translation>
+        </message>
+        <message>
+            <source>Coolant is off</source>
+            <translation>Kühlung ist aus</translation>
+        </message>
+        <message>
+            <source>Turn the coolant off</source>
+            <translation>Kühlung ausschalten</translation>
+        </message>
+        <message>
+            <source>Turn the coolant on</source>
+            <translation>Kühlung einschalten</translation>
+        </message>
+        <message>
+            <source>stalled, push less</source>
+            <translation>steht, weniger Druck</translation>
+        </message>
+        <message>
+            <source>%1 rpm</source>
+            <translation>%1 U/min</translation>
+        </message>
+        <message>
+            <source>Too warm for the pulp: stop, and run the coolant</source>
+            <translation>Zu warm für die Pulpa: absetzen und kühlen</translation>
+        </message>
+        <message>
+            <source>Speed %1.</source>
+            <translation>Drehzahl %1.</translation>
+        </message>
+        <message>
+            <source>Tooth warmer by %1.</source>
+            <translation>Zahn wärmer um %1.</translation>
         </message>
     </context>
     <context>
@@ -1713,6 +1824,14 @@
         <message>
             <source>Time earns no points.</source>
             <translation>Zeit bringt keine Punkte.</translation>
+        </message>
+        <message>
+            <source>coolant on and off, where the exercise has it</source>
+            <translation>Kühlung ein und aus, wo die Übung sie hat</translation>
+        </message>
+        <message>
+            <source>drilling sound on and off, likewise</source>
+            <translation>Bohrgeräusch ein und aus, ebenso</translation>
         </message>
     </context>
     <context>
@@ -2650,6 +2769,10 @@
         <message>
             <source>pass %1 of 100, shares of %2</source>
             <translation>Grenze %1 von 100, Anteile von %2</translation>
+        </message>
+        <message>
+            <source>Overheating the tooth fails the go</source>
+            <translation>Den Zahn zu überhitzen lässt durchfallen</translation>
         </message>
     </context>
     <context>
@@ -3754,6 +3877,38 @@
             <source>The surface is turned inside out at %1 mm. Let it be mended.</source>
             <translation>Die Oberfläche ist bei %1 mm nach innen gewendet. Lassen Sie sie ausbessern.</translation>
         </message>
+        <message>
+            <source>Cut without coolant</source>
+            <translation>Ohne Kühlung gebohrt</translation>
+        </message>
+        <message>
+            <source>Tooth warmer by</source>
+            <translation>Zahn wärmer um</translation>
+        </message>
+        <message>
+            <source>Tooth overheated</source>
+            <translation>Zahn überhitzt</translation>
+        </message>
+        <message>
+            <source>The tooth was overheated by cutting dry</source>
+            <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt</translation>
+        </message>
+        <message>
+            <source>%1 without coolant; full points up to %2</source>
+            <translation>%1 ohne Kühlung; volle Punkte bis %2</translation>
+        </message>
+        <message>
+            <source>%1 warmer; full points up to %2</source>
+            <translation>%1 wärmer; volle Punkte bis %2</translation>
+        </message>
+        <message>
+            <source>Run the coolant before the burr touches the tooth.</source>
+            <translation>Kühlung einschalten, bevor der Bohrer den Zahn berührt.</translation>
+        </message>
+        <message>
+            <source>Run the coolant, push less, and lift off now and then.</source>
+            <translation>Kühlen, weniger drücken und zwischendurch absetzen.</translation>
+        </message>
     </context>
     <context>
         <name>cusp::ShapeForm</name>
@@ -4351,6 +4506,85 @@ Ihr bester davor</translation>
         <message>
             <source>%1 deep</source>
             <translation>%1 tief</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::TissuesForm</name>
+        <message>
+            <source>set for this exercise</source>
+            <translation>für diese Übung gesetzt</translation>
+        </message>
+        <message>
+            <source>usual, not verified</source>
+            <translation>üblich, nicht gesichert</translation>
+        </message>
+        <message>
+            <source>usual, from the published method</source>
+            <translation>üblich, aus dem veröffentlichten Verfahren</translation>
+        </message>
+        <message>
+            <source>usual, by hardness (Chun 2014)</source>
+            <translation>üblich, nach Härte (Chun 2014)</translation>
+        </message>
+        <message>
+            <source>usual, from %1</source>
+            <translation>üblich, aus %1</translation>
+        </message>
+        <message>
+            <source>Handpiece</source>
+            <translation>Handstück</translation>
+        </message>
+        <message>
+            <source>Any: speed is not reckoned</source>
+            <translation>Beliebig: Drehzahl zählt nicht</translation>
+        </message>
+        <message>
+            <source>Turbine</source>
+            <translation>Turbine</translation>
+        </message>
+        <message>
+            <source>Electric</source>
+            <translation>Elektrisch</translation>
+        </message>
+        <message>
+            <source>Slow</source>
+            <translation>Langsam</translation>
+        </message>
+        <message>
+            <source>Burr vibrates in the hand</source>
+            <translation>Bohrer zittert in der Hand</translation>
+        </message>
+        <message>
+            <source>Drilling sound</source>
+            <translation>Bohrgeräusch</translation>
+        </message>
+        <message>
+            <source>Coolant and heat</source>
+            <translation>Kühlung und Wärme</translation>
+        </message>
+        <message>
+            <source>Friction</source>
+            <translation>Reibung</translation>
+        </message>
+        <message>
+            <source>How handpieces give way, tremble and warm a tooth is general knowledge, not verified.</source>
+            <translation>Wie Handstücke nachgeben, zittern und einen Zahn erwärmen, ist Allgemeinwissen, nicht gesichert.</translation>
+        </message>
+        <message>
+            <source>Stiffness of %1</source>
+            <translation>Steifigkeit: %1</translation>
+        </message>
+        <message>
+            <source>Stiffness</source>
+            <translation>Steifigkeit</translation>
+        </message>
+        <message>
+            <source>Removal speed of %1</source>
+            <translation>Abtragsgeschwindigkeit: %1</translation>
+        </message>
+        <message>
+            <source>Removal speed</source>
+            <translation>Abtrag</translation>
         </message>
     </context>
     <context>

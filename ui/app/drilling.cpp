@@ -22,6 +22,7 @@ void Desktop::drill(const Exercise& exercise) {
     plan.kind = SessionKind::try_it;
   }
   auto* screen = new DrillScreen;
+  screen->keep_sound_in(&settings_);
   connect(screen, &DrillScreen::left, this, &Desktop::back);
   connect(screen, &DrillScreen::failed, this, [this](const RunFailure& failure) {
     back();

@@ -26,6 +26,7 @@ void Desktop::import_specimen() {
 
 void Desktop::try_out(const RunPlan& plan, const QString& title) {
   auto* screen = new DrillScreen(nullptr, ports_);
+  screen->keep_sound_in(&settings_);
   connect(screen, &DrillScreen::left, this, &Desktop::back);
   connect(screen, &DrillScreen::failed, this, [this](const RunFailure& failure) {
     back();

@@ -72,6 +72,8 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
                       {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
                       {{u"["_qs, u"]"_qs}, tr("burr before, burr after")},
                       {{u"P"_qs}, tr("pause and go on")},
+                      {{u"W"_qs}, tr("coolant on and off, where the exercise has it")},
+                      {{u"M"_qs}, tr("drilling sound on and off, likewise")},
                       {{u"Ctrl"_qs, u"Return"_qs}, tr("finish (asks)")}});
   drilling->body()->addStretch();
   row->addWidget(drilling, 1);

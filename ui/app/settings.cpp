@@ -25,6 +25,12 @@ QString Settings::language() const { return store_.value("look/language").toStri
 void Settings::set_language(const QString& code) { store_.setValue("look/language", code); }
 int Settings::scale_percent() const { return std::clamp(store_.value("look/scale", 100).toInt(), 100, 200); }
 void Settings::set_scale_percent(int percent) { store_.setValue("look/scale", std::clamp(percent, 100, 200)); }
+int Settings::volume_percent() const {
+  return std::clamp(store_.value("sound/volume", kUsualVolumePercent).toInt(), 0, 100);
+}
+void Settings::set_volume_percent(int percent) { store_.setValue("sound/volume", std::clamp(percent, 0, 100)); }
+bool Settings::muted() const { return store_.value("sound/muted", false).toBool(); }
+void Settings::set_muted(bool muted) { store_.setValue("sound/muted", muted); }
 QByteArray Settings::window() const { return store_.value("window/geometry").toByteArray(); }
 void Settings::set_window(const QByteArray& geometry) { store_.setValue("window/geometry", geometry); }
 

@@ -24,6 +24,12 @@ class Settings {
   /// 100 to 200.
   int scale_percent() const;
   void set_scale_percent(int percent);
+  /// Of the drilling sound, 0 to 100; muted or not.
+  int volume_percent() const;
+  void set_volume_percent(int percent);
+  bool muted() const;
+  void set_muted(bool muted);
+  static constexpr int kUsualVolumePercent = 50;
   QByteArray window() const;
   void set_window(const QByteArray& geometry);
 

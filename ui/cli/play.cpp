@@ -96,7 +96,7 @@ void add_play(CLI::App& program, Job& job) {
                                                               "channel-1, class-1-36")))
       ->required();
   verb->add_option("--script", o->script,
-                   help(CliWords::tr("expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, or a CSV file of inputs")))
+                   help(CliWords::tr("expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
   verb->add_option("--seed", o->seed, help(CliWords::tr("Of the hand's tremor")))->capture_default_str();

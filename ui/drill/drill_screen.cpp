@@ -14,16 +14,20 @@
 #include <thread>
 
 #include "device/pointer/pointer_port.h"
+#include "scenarios/format/keys.h"
 #include "ui/app/sentences.h"
+#include "ui/app/settings.h"
 #include "ui/drill/burr_tray.h"
 #include "ui/drill/coach.h"
 #include "ui/drill/drill_feed.h"
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/frame_stats.h"
+#include "ui/drill/handpiece_panel.h"
 #include "ui/drill/pointer_input.h"
 #include "ui/drill/score_panel.h"
 #include "ui/drill/tooth_view.h"
 #include "ui/session/scene_builder.h"
+#include "ui/sound/drill_sound.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -77,6 +81,8 @@ struct DrillScreen::Inner {
   BurrTray* tray;
   Busy* busy;
   QTimer look_timer;
+  DrillSound* sound;
+  Settings* settings = nullptr;
 
   // The go.
   std::shared_ptr<Opened> go;
@@ -155,6 +161,18 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   left->addWidget(in.tray);
   middle->addLayout(left, 1);
   in.panel = new ScorePanel(this);
+  in.sound = new DrillSound(this);
+  connect(in.panel->handpiece(), &HandpiecePanel::coolant_changed, this, [this](bool on) {
+    if (inner_->go && inner_->go->run) inner_->go->run->set_coolant(on);
+  });
+  connect(in.panel->handpiece(), &HandpiecePanel::volume_changed, this, [this](int percent) {
+    inner_->sound->set_volume(percent);
+    if (inner_->settings) inner_->settings->set_volume_percent(percent);
+  });
+  connect(in.panel->handpiece(), &HandpiecePanel::muted_changed, this, [this](bool muted) {
+    inner_->sound->set_muted(muted);
+    if (inner_->settings) inner_->settings->set_muted(muted);
+  });
   middle->addWidget(in.panel);
   column->addLayout(middle, 1);
 
@@ -173,7 +191,9 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   key(QKeySequence(Qt::Key_BracketRight), [this] { inner_->tray->step(+1); });
   key(QKeySequence(Qt::CTRL | Qt::Key_P), [this] { inner_->panel->setVisible(!inner_->panel->isVisible()); });
   key(QKeySequence(Qt::CTRL | Qt::Key_Enter), [this] { ask_finish(); });
-  key(QKeySequence(Qt::CTRL | Qt::Key_Space), [this] { announce(this, inner_->stage->spoken()); });
+  key(QKeySequence(Qt::CTRL | Qt::Key_Space), [this] {
+    announce(this, (inner_->stage->spoken() + u' ' + inner_->panel->handpiece()->spoken()).trimmed());
+  });
   enable_controls(false);
 }
 
@@ -188,6 +208,8 @@ DrillScreen::~DrillScreen() {
   inner_->input.reset();
   if (inner_->go) inner_->go->run.reset();
 }
+
+void DrillScreen::keep_sound_in(Settings* settings) { inner_->settings = settings; }
 
 bool DrillScreen::running() const { return inner_->go && inner_->go->run && !inner_->over; }
 
@@ -268,6 +290,13 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
   in.panel->set_exercise(scenario, !go.look->empty(), go.has_pulp, is_tooth);
   in.panel->set_device(go.run->device(), go.run->stiffness_share());
   in.device->setText(device_name(go.run->device().device_class));
+  if (has_phenomenon(scenario.phenomena, "sound")) {
+    const int volume = in.settings ? in.settings->volume_percent() : Settings::kUsualVolumePercent;
+    const bool muted = in.settings && in.settings->muted();
+    in.sound->set_volume(volume);
+    in.sound->set_muted(muted);
+    in.panel->handpiece()->set_sound(in.sound->start(), volume, muted);
+  }
   in.stage->set_exercise(scenario, *go.look, go.bounds, go.pointer != nullptr, is_tooth);
   ToothView* view = in.stage->view();
   view->set_feed(go.patches);
@@ -296,6 +325,8 @@ void DrillScreen::look() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
   in.live = in.go->run->view();
+  const bool heard = in.live.phase == LoopPhase::running && in.sound->available();
+  if (in.sound->available()) in.sound->follow(heard ? heard_of(in.live.output, *in.go->run->scene()) : DrillHeard{});
   in.stage->view()->follow_burr(kFollow);
   if (auto image = in.go->feed->take_panel()) in.panel->section()->show_image(*image);
   if (auto image = in.go->feed->take_lid()) in.stage->show_cutaway(std::move(*image));
@@ -360,6 +391,7 @@ void DrillScreen::finish_now() {
   if (in.input) in.input->set_enabled(false);
   in.working = true;
   in.look_timer.stop();
+  in.sound->stop();
   enable_controls(false);
   in.leave->setEnabled(false);
   in.stats.write_where_asked();
@@ -409,6 +441,7 @@ void DrillScreen::ask_leave() {
       return;
     }
     inner.look_timer.stop();
+    inner.sound->stop();
     inner.stats.write_where_asked();
     inner.over = true;
     inner.stage->view()->set_burr_source({});

@@ -29,6 +29,8 @@ class DrillScreen : public QWidget {
   void begin(RunPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
   class ToothView* view() const;
+  /// Where volume and mute of the drilling sound are kept; outlives the screen. Without: the usual ones, not kept.
+  void keep_sound_in(class Settings* settings);
 
  public Q_SLOTS:
   /// Stops the clock and the force; the same again goes on.

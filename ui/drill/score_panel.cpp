@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/app/sentences.h"
+#include "ui/drill/handpiece_panel.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
@@ -180,6 +181,12 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   tissue_grid_->setColumnStretch(2, 1);
   static_cast<QVBoxLayout*>(part->layout())->addLayout(tissue_grid_);
 
+  handpiece_ = new HandpiecePanel(this);
+  column->addWidget(handpiece_);
+  handpiece_rule_ = make_rule();
+  handpiece_rule_->hide();
+  column->addWidget(handpiece_rule_);
+
   part = add_part(tr("Device"));
   auto* device_line = new QHBoxLayout;
   device_ = make_label({});
@@ -213,6 +220,8 @@ void ScorePanel::set_exercise(const Scenario& scenario, bool has_target, bool ha
   }
   progress_part_->setVisible(has_target);
   over_pulp_row_->setVisible(has_pulp);
+  handpiece_->set_exercise(scenario);
+  handpiece_rule_->setVisible(!handpiece_->isHidden());
   int at = 0;
   for (const ScenarioTissue& t : scenario.tissues) {
     TissueRow r{t.tissue, new Bar(role_of(t.tissue), this), make_value()};
@@ -253,6 +262,7 @@ void ScorePanel::show_values(const LiveView& live) {
     set_value(r.value, format({removed, {}, mm3, 2}));
     r.bar->set_share(removed / most, r.value->text());
   }
+  handpiece_->show_values(live);
   QString state;
   switch (live.device) {
     case Sample::Status::fresh: state = live.fault == Fault::none ? tr("steady") : tr("stopped"); break;

@@ -17,6 +17,8 @@ class QGridLayout;
 
 namespace cusp {
 
+class HandpiecePanel;
+
 /// The picture of a section on the view's background, with the letters of its two sides.
 class SectionView : public QWidget {
   Q_OBJECT
@@ -47,6 +49,7 @@ class ScorePanel : public QFrame {
   void set_device(const DeviceLimits& limits, double stiffness_share = 1.0);
   void show_values(const LiveView& live);
   SectionView* section() { return section_; }
+  HandpiecePanel* handpiece() { return handpiece_; }
 
  private:
   struct TissueRow {
@@ -57,6 +60,8 @@ class ScorePanel : public QFrame {
   QFrame* add_part(const QString& title, QLabel** aside = nullptr);
 
   SectionView* section_;
+  HandpiecePanel* handpiece_;
+  QFrame* handpiece_rule_;
   QLabel *section_aside_, *percent_, *too_far_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
   QWidget *progress_part_, *over_pulp_row_;
   Bar* percent_bar_;

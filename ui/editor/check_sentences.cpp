@@ -93,6 +93,14 @@ QString check_sentence(const Finding& f) {
   if (c == u"leeway_opens_pulp") {
     return Words::tr("The leeway reaches the pulp: it lies %1 from the target.").arg(mm(value));
   }
+  if (c == u"two_spindles") return Words::tr("Only one handpiece can be used at a time.");
+  if (c == u"spindle_missing") {
+    return f.detail == "sound" ? Words::tr("The drilling sound needs a handpiece.")
+                               : Words::tr("Vibration needs a handpiece.");
+  }
+  if (c == u"heat_missing") {
+    return Words::tr("%1 is graded, but this exercise does not reckon coolant and heat.").arg(metric_name(f.detail));
+  }
   if (c == u"nothing_can_be_cut") return Words::tr("Nothing of this tooth can be cut.");
   return Words::tr("Something is wrong at %1.").arg(isolate(QString::fromStdString(f.path)));
 }
@@ -102,6 +110,7 @@ EditorPlace place_of(const Finding& f) {
   if (p.starts_with("/title") || p.starts_with("/briefing")) return EditorPlace::title;
   if (p.starts_with("/instruments")) return EditorPlace::burrs;
   if (p.starts_with("/rubric")) return EditorPlace::points;
+  if (p.starts_with("/phenomena")) return EditorPlace::tissues;
   if (p.starts_with("/specimen") || p.starts_with("/tissues") || p.starts_with("/protected")) return EditorPlace::tooth;
   return EditorPlace::shape;
 }

@@ -7,7 +7,7 @@
 
 namespace cusp {
 
-enum class EditorPlace { title, tooth, shape, points, burrs };
+enum class EditorPlace { title, tooth, shape, points, burrs, tissues };
 
 /// "The target reaches out of the tooth: its edge lies at 12.3 mm, the tooth ends at 11.0 mm."
 QString check_sentence(const Finding& finding);

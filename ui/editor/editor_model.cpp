@@ -7,6 +7,7 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "scenarios/shapes/outline.h"
+#include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/commands.h"
 
 namespace cusp {
@@ -188,7 +189,9 @@ bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<S
       return std::ranges::any_of(tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
     };
     std::erase_if(s.protected_tissues, [&](Tissue t) { return !there(t); });
-    if (there(Tissue::pulp) && !has(s.protected_tissues, Tissue::pulp)) s.protected_tissues.push_back(Tissue::pulp);
+    for (const ScenarioTissue& t : tissues) {
+      if (tissue_facts(t.tissue).critical.value && !has(s.protected_tissues, t.tissue)) s.protected_tissues.push_back(t.tissue);
+    }
     if (!there(Tissue::pulp)) std::erase(s.rubric.critical, "pulp_exposure");
   });
 }
@@ -373,6 +376,35 @@ bool EditorModel::set_burr_radius_mm(std::size_t index, double mm) {
 
 bool EditorModel::set_time_limit_s(double seconds) {
   return edit(tr("Time limit"), u"time"_qs, [&](Scenario& s) { s.time_limit_s = seconds; });
+}
+
+bool EditorModel::set_tissue_figures(std::size_t index, double stiffness_n_per_mm, double speed_mm_s) {
+  if (index >= scenario_.tissues.size()) return false;
+  return edit(tr("Tissue"), u"tissue/%1"_qs.arg(index), [&](Scenario& s) {
+    s.tissues[index].stiffness_n_per_mm = stiffness_n_per_mm;
+    s.tissues[index].speed_mm_s = speed_mm_s;
+  });
+}
+
+bool EditorModel::set_handpiece(const std::string& key) {
+  end_gesture();
+  return edit(tr("Handpiece"), u"handpiece"_qs, [&](Scenario& s) {
+    std::erase_if(s.phenomena, [](const std::string& k) { return k.starts_with("spindle-"); });
+    if (key.empty()) {
+      std::erase_if(s.phenomena, [](const std::string& k) { return k == "vibration" || k == "sound"; });
+    } else {
+      s.phenomena.insert(s.phenomena.begin(), key);
+    }
+  });
+}
+
+bool EditorModel::set_phenomenon(const std::string& key, bool on) {
+  end_gesture();
+  return edit(tr("Handpiece"), u"phenomenon"_qs, [&](Scenario& s) {
+    std::erase(s.phenomena, key);
+    if (on) s.phenomena.push_back(key);
+    if (key == "heat" && !on) std::erase(s.rubric.critical, "dry_cutting");
+  });
 }
 
 }  // namespace cusp

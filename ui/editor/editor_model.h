@@ -36,7 +36,7 @@ class EditorModel : public QObject {
   /// field merge until end_gesture().
   bool set_title(const std::string& language, const QString& text);     // empty: takes the language away
   bool set_briefing(const std::string& language, const QString& text);
-  /// Other tissues come with another specimen; the pulp stays protected where there is one.
+  /// Other tissues come with another specimen; critical ones (scenarios/tissues) stay protected where there are any.
   bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
   bool set_target(const Target& target, const QString& field);          // handles: everything of the target at once
   bool set_shape(const std::string& shape);                             // keeps place, size and depth
@@ -61,6 +61,11 @@ class EditorModel : public QObject {
   bool remove_burr(std::size_t index);
   bool set_burr_radius_mm(std::size_t index, double mm);
   bool set_time_limit_s(double seconds);
+  bool set_tissue_figures(std::size_t index, double stiffness_n_per_mm, double speed_mm_s);
+  /// A key of kPhenomenonKeys; "" for none. Without a handpiece vibration and sound go too.
+  bool set_handpiece(const std::string& key);
+  /// Any other phenomenon. Without heat, overheating fails no go.
+  bool set_phenomenon(const std::string& key, bool on);
   /// The value of a spin box or a handle has come to rest: the next edit is a step of its own.
   void end_gesture() { ++gesture_; }
 

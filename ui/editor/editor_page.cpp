@@ -24,6 +24,7 @@
 #include "ui/editor/shape_form.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/target_view.h"
+#include "ui/editor/tissues_form.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/empty_state.h"
@@ -36,7 +37,7 @@ namespace {
 constexpr int kTopBar = 48, kLeft = 248, kRight = 304, kChecks = 80;  // px at 100 %
 constexpr int kAutosaveMs = 1500;
 constexpr const char* kLanguages[] = {"en", "de"};
-enum Tab { kShapeTab, kPointsTab, kBurrsTab, kWordsTab };
+enum Tab { kShapeTab, kPointsTab, kBurrsTab, kTissuesTab, kWordsTab };
 
 struct ShapeChoice {
   const char* key;
@@ -296,6 +297,7 @@ QWidget* EditorPage::make_right() {
   tabs_->addTab(scrolling(new ShapeForm(*model_)), tr("Shape"));
   tabs_->addTab(scrolling(new PointsForm(*model_)), tr("Points"));
   tabs_->addTab(scrolling(new BurrsForm(*model_)), tr("Burrs"));
+  tabs_->addTab(scrolling(new TissuesForm(*model_)), tr("Tissues"));
   tabs_->addTab(scrolling(make_words_form()), tr("Words"));
   column->addWidget(tabs_);
   return panel;
@@ -440,6 +442,7 @@ void EditorPage::show_first_check() {
     case EditorPlace::shape: tabs_->setCurrentIndex(kShapeTab); break;
     case EditorPlace::points: tabs_->setCurrentIndex(kPointsTab); break;
     case EditorPlace::burrs: tabs_->setCurrentIndex(kBurrsTab); break;
+    case EditorPlace::tissues: tabs_->setCurrentIndex(kTissuesTab); break;
   }
   tabs_->setFocus();
 }

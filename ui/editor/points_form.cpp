@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/library/library.h"
 #include "ui/app/sentences.h"
@@ -47,6 +48,9 @@ Bands first_bands(const std::string& metric, const Target& target) {
       return b;
     }
   }
+  // Coolant: none of it missing is the ideal, the pulp's criterion the end [M].
+  if (metric == "dry_cutting_time") return {0, 0, 0, 2, 5, 10};
+  if (metric == "temperature_rise_peak") return {0, 0, 0, 2, 4, kPulpCriterionK};
   const auto known = metric_from_key(metric);
   const double least = known ? known->least : 0, most = known ? std::min(known->most, kOpenEnd) : kOpenEnd;
   return {least, least, least, most, most, most};
@@ -82,6 +86,9 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   pulp_ = new QCheckBox(tr("Opening the pulp fails the go"));
   column->addWidget(pulp_);
   connect(pulp_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("pulp_exposure", on); });
+  dry_ = new QCheckBox(tr("Overheating the tooth fails the go"));
+  column->addWidget(dry_);
+  connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", on); });
   QLabel* note = make_label(tr("Bands of depth move with the target’s depth."), TextRole::caption, false, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
@@ -180,7 +187,10 @@ void PointsForm::follow_model() {
   sum_->setText(tr("pass %1 of 100, shares of %2").arg(format_points(s.rubric.pass), format_points(sum)));
   pass_->show_value(s.rubric.pass);
   const bool pulp = has_tissue(s, Tissue::pulp);
-  const QSignalBlocker quiet(pulp_), quieter(metric_);
+  const bool heat = has_phenomenon(s.phenomena, "heat");
+  const QSignalBlocker quiet(pulp_), quieter(metric_), still(dry_);
+  dry_->setVisible(heat);
+  dry_->setChecked(std::ranges::find(s.rubric.critical, "dry_cutting") != s.rubric.critical.end());
   pulp_->setEnabled(pulp);
   pulp_->setChecked(std::ranges::find(s.rubric.critical, "pulp_exposure") != s.rubric.critical.end());
   const QVariant kept = metric_->currentData();
@@ -191,7 +201,7 @@ void PointsForm::follow_model() {
     }
   };
   for (const MetricKey& known : kMetricKeys) {
-    if (known.key != "remaining_over_pulp" || pulp) offer(std::string(known.key));
+    if ((known.key != "remaining_over_pulp" || pulp) && (heat || !needs_heat(known.key))) offer(std::string(known.key));
   }
   for (const ScenarioTissue& t : s.tissues) offer("removed_" + std::string(key_of_scenario_tissue(t.tissue)));
   metric_->setCurrentIndex(std::max(metric_->findData(kept), 0));

@@ -36,7 +36,7 @@ class PointsForm : public QWidget {
   EditorModel& model_;
   QLabel* sum_;
   NumberBox* pass_;
-  QCheckBox* pulp_;
+  QCheckBox *pulp_, *dry_;
   QComboBox* metric_;
   QPushButton* add_;
   QVBoxLayout* list_;

@@ -7,6 +7,7 @@
 #include "scenarios/library/library.h"
 #include "scenarios/specimens.h"
 #include "scenarios/teeth/tooth.h"
+#include "scenarios/tissues/tissue_facts.h"
 
 namespace cusp {
 namespace {
@@ -104,7 +105,12 @@ void SpecimenGrower::grow(const SpecimenSource& source, Method method, const std
 std::vector<ScenarioTissue> usual_tissues(const std::string& generator) {
   for (const std::string_view key : builtin_scenarios()) {
     const auto scenario = load_builtin(key);
-    if (scenario && scenario->specimen.generator == generator) return scenario->tissues;
+    if (!scenario || scenario->specimen.generator != generator) continue;
+    // The paper's three materials are the paper's; all others begin with what is usual.
+    if (generator == "paper-block") return scenario->tissues;
+    std::vector<Tissue> there;
+    for (const ScenarioTissue& t : scenario->tissues) there.push_back(t.tissue);
+    return usual_tissues(there);
   }
   return {};
 }
@@ -112,17 +118,8 @@ std::vector<ScenarioTissue> usual_tissues(const std::string& generator) {
 std::vector<ScenarioTissue> usual_tissues(const std::vector<Tissue>& tissues) {
   std::vector<ScenarioTissue> out;
   for (const Tissue tissue : tissues) {
-    ScenarioTissue fresh;
-    fresh.tissue = tissue;
-    // The tooth's own values before those of the blocks.
-    for (const char* generator : {"tooth", "block", "paper-block"}) {
-      const auto known = usual_tissues(std::string(generator));
-      const auto it = std::ranges::find(known, tissue, &ScenarioTissue::tissue);
-      if (it == known.end()) continue;
-      fresh = *it;
-      break;
-    }
-    out.push_back(fresh);
+    const TissueFacts& facts = tissue_facts(tissue);
+    out.push_back({tissue, facts.stiffness_n_per_mm.value, facts.speed_mm_s.value});
   }
   return out;
 }

@@ -6,10 +6,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "scenarios/library/library.h"
+#include "ui/app/settings.h"
 #include "ui/drill/burr_tray.h"
+#include "ui/drill/handpiece_panel.h"
 #include "ui/drill/tooth_view.h"
 #include "ui/widgets/gauge.h"
 
@@ -29,11 +33,14 @@ class Screen : public testing::Test {
     screen->resize(1280, 800);
     screen->show();
   }
-  void begin(const char* key) {
+  void begin(const char* key, const std::vector<std::string>& phenomena = {}) {
     RunPlan plan;
     plan.scenario = load_builtin(key).value();
+    plan.scenario.phenomena = phenomena;
     plan.kind = SessionKind::try_it;
     screen->begin(std::move(plan), {QStringLiteral("Channel"), QStringLiteral("Practice")});
+    screen->activateWindow();  // shortcuts are the active window's
+    ASSERT_TRUE(QTest::qWaitForWindowActive(screen.get()));
     ASSERT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kPatienceMs));
   }
   double removed() const {
@@ -42,6 +49,7 @@ class Screen : public testing::Test {
     }
     return -1;
   }
+  HandpiecePanel* panel() const { return screen->findChild<HandpiecePanel*>(); }
   QString coach() const {
     for (const QLabel* label : screen->findChildren<QLabel*>()) {
       if (label->accessibleName() == QStringLiteral("Coach")) return label->text();
@@ -73,6 +81,55 @@ TEST_F(Screen, space_alone_drills_the_block_and_finishing_brings_the_grade) {
   EXPECT_FALSE(result->volume->cut_bricks().empty());
   EXPECT_EQ(asked, QStringList{QStringLiteral("Finish")});
   EXPECT_FALSE(screen->running());
+}
+
+TEST_F(Screen, without_phenomena_nothing_of_a_handpiece_is_shown) {
+  begin("channel-1");
+  EXPECT_FALSE(panel()->isVisible());
+}
+
+TEST_F(Screen, speed_coolant_and_warmth_are_shown_where_the_exercise_reckons_them_and_w_runs_the_coolant) {
+  begin("channel-1", {"spindle-turbine", "vibration", "sound", "heat"});
+  EXPECT_TRUE(panel()->isVisible());
+  const auto shows = [this](const QString& part) {
+    for (const QLabel* label : panel()->findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(part)) return true;
+    return false;
+  };
+  EXPECT_TRUE(shows(QStringLiteral("not verified"))) << "a criterion of general knowledge says so";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shows(QStringLiteral("0 rpm")); }, kPatienceMs));
+  QTest::keyPress(screen.get(), Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shows(QStringLiteral("000 rpm")); }, kPatienceMs));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shows(QStringLiteral("0.1")) || shows(QStringLiteral("0.2")); }, kPatienceMs))
+      << "dry cutting warms the tooth";
+  const auto wet = [this] { return screen->running() && panel()->spoken().contains(QStringLiteral("Coolant is on")); };
+  EXPECT_FALSE(wet());
+  QTest::keyClick(screen.get(), Qt::Key_W);
+  EXPECT_TRUE(QTest::qWaitFor(wet, kPatienceMs));
+  QTest::keyRelease(screen.get(), Qt::Key_Space);
+}
+
+TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_said) {
+  const QTemporaryDir folder;
+  Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
+  settings.set_volume_percent(30);
+  screen->keep_sound_in(&settings);
+  begin("channel-1", {"spindle-electric", "sound"});
+  // Where this machine has no output, the panel says so; the controls are the same with one.
+  bool said = false;
+  for (const QLabel* label : panel()->findChildren<QLabel*>())
+    said = said || (label->isVisible() && label->text().startsWith(QStringLiteral("No sound")));
+  const auto* slider = panel()->findChild<QSlider*>();
+  ASSERT_NE(slider, nullptr);
+  EXPECT_NE(said, slider->isVisible());
+  panel()->set_sound(true, settings.volume_percent(), settings.muted());
+  EXPECT_EQ(slider->value(), 30);
+  EXPECT_NE(slider->focusPolicy() & Qt::TabFocus, 0);
+  QTest::keyClick(panel()->findChild<QSlider*>(), Qt::Key_Right);
+  EXPECT_GT(settings.volume_percent(), 30);
+  QTest::keyClick(screen.get(), Qt::Key_M);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return settings.muted(); }, kPatienceMs));
+  EXPECT_FALSE(slider->isEnabled());
 }
 
 TEST_F(Screen, answering_no_goes_on_with_the_go) {

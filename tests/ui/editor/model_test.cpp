@@ -8,11 +8,14 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/library/library.h"
+#include "scenarios/tissues/tissue_facts.h"
 #include "scenarios/burrs/burr_catalogue.h"
 #include "ui/editor/check_sentences.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/points_form.h"
+#include "ui/editor/specimen_grower.h"
 #include "ui/editor/target_handles.h"
+#include "ui/editor/tissues_form.h"
 
 namespace cusp {
 namespace {
@@ -74,6 +77,9 @@ const std::vector<Edit>& every_edit() {
       {"remove a burr", [](EditorModel& m) { return m.remove_burr(0); }},
       {"burr", [](EditorModel& m) { return m.set_burr_radius_mm(1, 0.55); }},
       {"time", [](EditorModel& m) { return m.set_time_limit_s(600); }},
+      {"tissue", [](EditorModel& m) { return m.set_tissue_figures(0, 2.5, 0.6); }},
+      {"handpiece", [](EditorModel& m) { return m.set_handpiece("spindle-electric"); }},
+      {"coolant", [](EditorModel& m) { return m.set_phenomenon("heat", true); }},
   };
   return edits;
 }
@@ -274,13 +280,61 @@ TEST(editor_model, a_target_that_opens_a_pulp_that_must_stay_closed_is_never_pub
   EXPECT_TRUE(model.publishable());
 }
 
+TEST(editor_model, a_handpiece_brings_what_needs_one_and_takes_it_along_and_coolant_what_is_graded_of_it) {
+  EditorModel model(class_one());
+  EXPECT_TRUE(model.set_handpiece("spindle-turbine"));
+  EXPECT_TRUE(model.set_phenomenon("vibration", true));
+  EXPECT_TRUE(model.set_phenomenon("heat", true));
+  EXPECT_TRUE(model.set_critical("dry_cutting", true));
+  EXPECT_EQ(model.scenario().phenomena, (std::vector<std::string>{"spindle-turbine", "vibration", "heat"}));
+  EXPECT_TRUE(model.set_handpiece("spindle-slow"));
+  EXPECT_EQ(model.scenario().phenomena, (std::vector<std::string>{"spindle-slow", "vibration", "heat"}));
+  EXPECT_FALSE(model.set_handpiece("spindle-pedalled")) << "no word of the format";
+  EXPECT_FALSE(model.set_phenomenon("magic", true));
+  EXPECT_TRUE(model.set_handpiece(""));
+  EXPECT_EQ(model.scenario().phenomena, std::vector<std::string>{"heat"});
+  EXPECT_TRUE(model.set_phenomenon("heat", false));
+  EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"});
+  while (model.stack().canUndo()) model.stack().undo();
+  EXPECT_EQ(model.scenario(), class_one().draft);
+}
+
+TEST(editor_model, a_new_tooth_begins_with_the_usual_figures_and_its_critical_tissues_protected) {
+  const auto usual = usual_tissues({Tissue::enamel, Tissue::pulp, static_cast<Tissue>(17)});
+  ASSERT_EQ(usual.size(), 3u);
+  EXPECT_EQ(usual[0].speed_mm_s, tissue_facts(Tissue::enamel).speed_mm_s.value);
+  EXPECT_EQ(usual[2].stiffness_n_per_mm, tissue_facts(static_cast<Tissue>(17)).stiffness_n_per_mm.value);
+  const auto tooth = usual_tissues(std::string("tooth"));
+  ASSERT_FALSE(tooth.empty());
+  for (const ScenarioTissue& t : tooth) EXPECT_EQ(t.speed_mm_s, tissue_facts(t.tissue).speed_mm_s.value);
+  // The paper's block keeps the paper's speeds.
+  for (const ScenarioTissue& t : usual_tissues(std::string("paper-block"))) {
+    EXPECT_TRUE(t.tissue != Tissue::dentine || t.speed_mm_s == 1.2);
+  }
+  EditorStart start = class_one();
+  start.draft.protected_tissues.clear();
+  EditorModel model(start);
+  SpecimenSource source = start.draft.specimen;
+  source.seed = 3;
+  EXPECT_TRUE(model.set_specimen(source, usual));
+  EXPECT_EQ(model.scenario().protected_tissues, std::vector<Tissue>{Tissue::pulp});
+}
+
+TEST(tissues_form, a_figure_that_nobody_verified_says_so_and_one_that_was_set_says_that) {
+  EXPECT_EQ(figure_note(3, 3, "M", false), QStringLiteral("usual, not verified"));
+  EXPECT_EQ(figure_note(0.5, 0.5, "paper", true), QStringLiteral("usual, from the published method"));
+  EXPECT_TRUE(figure_note(2.1, 2.1, "chun-2014", true).contains(QStringLiteral("Chun 2014")));
+  EXPECT_EQ(figure_note(2.2, 2.1, "chun-2014", true), QStringLiteral("set for this exercise"));
+}
+
 TEST(check_sentences, every_code_of_the_checks_has_words) {
   for (const char* code :
        {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "no_criteria", "weight_zero",
         "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
         "voxel_mismatch", "feature_thin", "burr_small", "head_short", "neck_wider_than_ball", "burr_wider_than_target",
         "corner_below_burr", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
-        "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp"}) {
+        "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp", "two_spindles",
+        "spindle_missing", "heat_missing"}) {
     const QString said = check_sentence({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
     EXPECT_TRUE(said.endsWith(u'.')) << code;
     EXPECT_FALSE(said.contains(QLatin1String(code))) << code;

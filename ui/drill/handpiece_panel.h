@@ -1,0 +1,53 @@
+/// What the handpiece does, as far as the exercise reckons it: speed of the spindle, coolant, the tooth's warmth, and the
+/// sound. Parts that the exercise does not ask for are not there. Shows what it is given; decides nothing. Thread: GUI.
+#pragma once
+
+#include <QFrame>
+
+#include "scenarios/format/scenario.h"
+#include "ui/session/observer.h"
+
+class QLabel;
+class QPushButton;
+class QSlider;
+class QToolButton;
+
+namespace cusp {
+
+class Bar;
+
+class HandpiecePanel : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit HandpiecePanel(QWidget* parent = nullptr);
+
+  /// Once. Hidden as a whole where the exercise asks for none of it.
+  void set_exercise(const Scenario& scenario);
+  void show_values(const LiveView& live);
+  /// What the user wants of the sound, and whether there is an output; without one it says so.
+  void set_sound(bool available, int volume_percent, bool muted);
+  /// Coolant, by key or screen reader.
+  void toggle_coolant();
+  /// Speed, coolant and warmth as one sentence; empty where there is none.
+  QString spoken() const;
+
+ Q_SIGNALS:
+  void coolant_changed(bool on);
+  void volume_changed(int percent);
+  void muted_changed(bool muted);
+
+ private:
+  void show_coolant(bool on);
+  void show_muted();
+
+  QWidget *speed_row_, *coolant_row_, *heat_part_, *sound_row_;
+  QLabel *speed_, *heat_, *heat_note_, *no_sound_;
+  QPushButton* coolant_;
+  Bar* heat_bar_;
+  QToolButton* mute_;
+  QSlider* volume_;
+  bool spindle_ = false, reckons_heat_ = false, sounds_ = false, over_ = false;
+};
+
+}  // namespace cusp
