@@ -115,7 +115,11 @@ class Checks {
       if (!burr.head.ball() && below(length, 2 * least)) {
         warn(at("/instruments", i, "/head"), "head_short", {{"value", length}, {"limit", 2 * least}}, burr.name);
       }
-      if (burr.neck_radius_mm > burr.radius_mm) {
+      // The neck runs from the pivot: where it is wider than the head it would touch before the head does.
+      OnHalf gradient;
+      const bool wider = burr.head.ball() ? burr.neck_radius_mm > burr.radius_mm
+                                          : burr.head.distance({0.0, burr.neck_radius_mm}, gradient) > 1e-9;
+      if (wider) {
         warn(at("/instruments", i, "/neck_radius_mm"), "neck_wider_than_ball",
              {{"value", burr.neck_radius_mm}, {"limit", burr.radius_mm}}, burr.name);
       }

@@ -21,8 +21,9 @@ struct Ring {
 void add_head(const Profile& head, std::vector<Ring>& out) {
   constexpr int kArc = 10;
   const auto add = [&out](OnHalf at, OnHalf normal) {
+    // The end towards the neck has no blades.
     out.push_back({static_cast<float>(at.t), static_cast<float>(at.rho), static_cast<float>(normal.t),
-                   static_cast<float>(normal.rho), 1.0f});
+                   static_cast<float>(normal.rho), normal.t > 0.9 ? 0.0f : 1.0f});
   };
   for (int i = 0; i < head.size(); ++i) {
     const OutlinePiece& p = head.piece(i);

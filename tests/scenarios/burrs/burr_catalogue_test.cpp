@@ -63,6 +63,10 @@ TEST(BurrCatalogue, has_heads_of_the_size_it_says_with_an_fg_shank_behind) {
     EXPECT_NEAR(b.head.low(), -b.radius_mm, 1e-12) << b.name;
     EXPECT_NEAR(b.head.high() - b.head.low(), one.head_length_mm, 1e-9) << b.name;
     EXPECT_GT(b.neck_length_mm, b.head.high()) << b.name << ": the shank begins above the head";
+    for (double t = 0.0; t < b.head.high(); t += 0.01) {
+      OnHalf gradient;
+      EXPECT_LE(b.head.distance({t, b.neck_radius_mm}, gradient), 0.0) << b.name << ": the neck lies within the head up to its end";
+    }
   }
   EXPECT_TRUE(catalogue_burr("330")->verified("iso_shape"));
   EXPECT_TRUE(catalogue_burr("330")->verified("head_length_mm"));
