@@ -14,6 +14,9 @@ constexpr std::size_t kPages = 14000;
 constexpr std::size_t kMostFeatures = 4 * static_cast<std::size_t>(kBrickVoxels);
 /// Two cuts make the larger of two distances, without rounding: what differs more is no ridge of two.
 constexpr double kMostOff = 0.3;
+/// Voxels: another surface this far from a point does not end its plane, which is believed 0.8 beside it.
+constexpr double kBeside = 1.6;
+const std::uint16_t kDeep = solid_from_distance(-kBeside);
 /// Voxels: a scratch up to this deep holds a cutting burr though no cell of the cut has it.
 constexpr double kShallow = 0.15;
 /// s beyond which no surface crosses the cells that touch the voxel (1.8 voxels).
@@ -263,7 +266,7 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
     }
     return cut.crease_near();
   }
-  if (d > -2.5 && length > 0.25 && !made.feature.edge)
+  if (d > -kBeside && length > 0.25 && !made.feature.edge)
     add_beside(made.feature, d * volume.grid().voxel_mm / length, Vec3f(g / length));
   ++made_count_;
   return cut.crease_near();
@@ -308,12 +311,12 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   CellField cut;
   cut.load(low, kSide, kSide * kSide);
   if (!crossed && !cut.crease_near()) return false;
-  // Deep in the specimen its own surface is further than 2.5 voxels: nothing of it to keep.
+  // Deep in the specimen its own surface is so far from all corners that it ends no plane: nothing of it to keep.
   const Specimen& specimen = volume.specimen();
   bool deep = true;
   const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
   const bool solid = local.x < 7 && local.y < 7 && local.z < 7 && specimen.s_of(brick) == nullptr && specimen.s_in(brick, 0) == kSolid;
-  for (int i = 0; i < 8 && deep && !solid; ++i) deep = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) == kSolid;
+  for (int i = 0; i < 8 && deep && !solid; ++i) deep = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) >= kDeep;
   CellField base;
   if (!deep) base.load(volume, Field::base, cell);
   const double voxel = volume.grid().voxel_mm;
@@ -373,7 +376,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
       made.feature.cell = static_cast<std::uint16_t>(offset);
       made.feature.tissue = tissue_under(volume, cell, f - 0.5 * n);
       const double length = std::sqrt(glm::dot(g, g));
-      if (other > -2.5 && length > 0.25) add_beside(made.feature, other * voxel / length, Vec3f(g / length));
+      if (other > -kBeside && length > 0.25) add_beside(made.feature, other * voxel / length, Vec3f(g / length));
     }
   }
   // Rounded as it is now, several strokes may shape it when the burr no longer cuts.

@@ -5,7 +5,7 @@
 
 namespace cusp {
 
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept {
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part) noexcept {
   Carved out;
   const Grid& grid = volume.grid();
   const Specimen& specimen = volume.specimen();
@@ -24,9 +24,15 @@ Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept {
   const double near_r = r > kBandVoxels ? r - kBandVoxels : 0.0;
   const double near2 = near_r * near_r;
 
+  int walked = 0;
   for (int bz = low.z >> 3; bz <= high.z >> 3; ++bz)
     for (int by = low.y >> 3; by <= high.y >> 3; ++by)
       for (int bx = low.x >> 3; bx <= high.x >> 3; ++bx) {
+        if (walked++ < part.first) continue;
+        if (out.bricks == part.most) {
+          out.next = walked - 1;
+          return out;
+        }
         const int brick = specimen.brick_index({bx, by, bz});
         if (brick < 0 || !volume.cuttable(brick)) continue;
         const IVec3 corner = IVec3(bx, by, bz) * kBrickEdge;

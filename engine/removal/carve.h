@@ -18,6 +18,13 @@ struct Carved {
   static constexpr int kBoxes = 64;
   Box box[kBoxes];
   int bricks = 0;          // that changed
+  int next = -1;           // where a part of the way's bricks ended: CarvePart::first of the next part; -1: at the end
+};
+
+/// A carving may be done in parts, brick by brick in a fixed order, and comes to the same.
+struct CarvePart {
+  int first = 0;
+  int most = 1 << 30;      // bricks to change
 };
 
 /// Calls tell(low, high) for boxes that together hold every voxel that may have changed.
@@ -32,12 +39,13 @@ void for_changed(const Carved& carved, Tell&& tell) noexcept {
 
 /// Unites the cut field with a ball of radius_mm swept from a to b (mm): C = min(C, solid(r - distance to ab)).
 /// Calls touched() once for every brick that changed.
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm) noexcept;
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part = {}) noexcept;
 
 /// The same for any head; pivot from a to b (mm), axis unit and fixed. A ball goes the ball's own way, bit for bit; any
 /// other head is exact to 4e-4 voxel (measured 2.1e-4, a quantum being 8e-5).
 /// `start_carved`: the last carving ended at a, with this burr and this axis; then what the head leaves behind is not
 /// looked at again. The volume comes out the same, sooner.
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved = false) noexcept;
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved = false,
+                   CarvePart part = {}) noexcept;
 
 }  // namespace cusp

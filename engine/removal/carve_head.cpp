@@ -52,7 +52,7 @@ class Carving {
     }
   }
 
-  Carved run() noexcept {
+  Carved run(CarvePart part) noexcept {
     const Grid& grid = volume_.grid();
     const Profile& head = burr_.head;
     // The head lies in a cylinder about its axis: its box, swept, with the band round it.
@@ -62,9 +62,17 @@ class Carving {
     const Vec3 most = glm::max(glm::max(foot, top), glm::max(foot, top) + way_) + wide;
     low_ = glm::max(IVec3(glm::floor(least)), IVec3(0));
     high_ = glm::min(IVec3(glm::ceil(most)), grid.size - 1);
+    int walked = 0;
     for (int z = low_.z >> 3; z <= high_.z >> 3; ++z)
       for (int y = low_.y >> 3; y <= high_.y >> 3; ++y)
-        for (int x = low_.x >> 3; x <= high_.x >> 3; ++x) brick({x, y, z});
+        for (int x = low_.x >> 3; x <= high_.x >> 3; ++x) {
+          if (walked++ < part.first) continue;
+          if (out_.bricks == part.most) {
+            out_.next = walked - 1;
+            return out_;
+          }
+          brick({x, y, z});
+        }
     return out_;
   }
 
@@ -292,9 +300,10 @@ class Carving {
 
 }  // namespace
 
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved) noexcept {
-  if (burr.head.ball()) return carve_sweep(volume, a, b, burr.radius_mm);
-  return Carving(volume, a, b, burr, axis, start_carved).run();
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved,
+                   CarvePart part) noexcept {
+  if (burr.head.ball()) return carve_sweep(volume, a, b, burr.radius_mm, part);
+  return Carving(volume, a, b, burr, axis, start_carved).run(part);
 }
 
 }  // namespace cusp

@@ -49,9 +49,11 @@ const Round kRound;
 struct Met {
   double weight = 0.0, time = 0.0;
   bool stops = false;  // tissue that cannot be cut
-  void look(const Volume& volume, const Scene& scene, Vec3 at_mm, double w) noexcept {
+  /// eighth: of a voxel about the place, whose middle is asked.
+  void look(const Volume& volume, const Scene& scene, Vec3 at_mm, double w, unsigned eighth) noexcept {
     const Grid& grid = volume.grid();
-    const Vec3 x = (at_mm - grid.origin_mm) / grid.voxel_mm + 0.5;
+    const Vec3 x = (at_mm - grid.origin_mm) / grid.voxel_mm +
+                   Vec3(eighth & 1 ? 0.75 : 0.25, eighth & 2 ? 0.75 : 0.25, eighth & 4 ? 0.75 : 0.25);
     const IVec3 v(static_cast<int>(std::floor(x.x)), static_cast<int>(std::floor(x.y)),
                   static_cast<int>(std::floor(x.z)));
     // The front itself stands at s = 1/2: a quarter voxel of band either way counts as met.
@@ -69,12 +71,14 @@ struct Met {
 }  // namespace
 
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, double radius_mm, Vec3 direction,
-                   double fallback_mm_s) noexcept {
+                   double fallback_mm_s, std::uint64_t tick) noexcept {
   Met met;
+  auto eighth = static_cast<unsigned>(tick & 7);
   for (const Vec3& u : kDirections.unit) {
     const double w = glm::dot(u, direction);
+    eighth = (eighth + 3) & 7;
     if (w <= 0.0) continue;
-    met.look(volume, scene, pose_mm + u * radius_mm, w);
+    met.look(volume, scene, pose_mm + u * radius_mm, w, eighth);
     if (met.stops) return 0.0;
   }
   return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;
@@ -120,15 +124,17 @@ std::vector<FrontRing> front_rings(const Profile& head) {
 }
 
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
-                   Vec3 direction, double fallback_mm_s) noexcept {
+                   Vec3 direction, double fallback_mm_s, std::uint64_t tick) noexcept {
   const Vec3 one = across(axis), other = glm::cross(axis, one);
   Met met;
+  auto eighth = static_cast<unsigned>(tick & 7);
   for (const FrontRing& ring : head)
     for (const OnHalf& turn : kRound.unit) {
+      eighth = (eighth + 3) & 7;
       const Vec3 out = one * turn.t + other * turn.rho;
       const double w = ring.area * glm::dot(axis * ring.normal.t + out * ring.normal.rho, direction);
       if (w <= 0.0) continue;
-      met.look(volume, scene, pose_mm + axis * ring.at.t + out * ring.at.rho, w);
+      met.look(volume, scene, pose_mm + axis * ring.at.t + out * ring.at.rho, w, eighth);
       if (met.stops) return 0.0;
     }
   return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;

@@ -22,9 +22,11 @@ inline double density_for(double velocity_mm_s, double voxel_mm) noexcept { retu
 
 /// Speed at full wear of a ball that pushes towards `direction` (unit): harmonic mean over the tissues that its front
 /// meets, weighted by what each point of the front sweeps. 0 where the front meets tissue that cannot be cut.
-/// fallback: the speed when the front meets nothing yet.
+/// fallback: the speed when the front meets nothing yet. tick: a tissue is known to its voxel only, so each point of the
+/// front asks another eighth of a voxel about it in each of eight ticks: where two tissues meet they then count by their
+/// shares, as between voxels' centres.
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, double radius_mm, Vec3 direction,
-                   double fallback_mm_s) noexcept;
+                   double fallback_mm_s, std::uint64_t tick) noexcept;
 
 /// A ring about the axis of a head that is no ball, and what it has of the head's area. For front_speed.
 struct FrontRing {
@@ -37,7 +39,7 @@ std::vector<FrontRing> front_rings(const Profile& head);
 
 /// As above, of a head told by its rings, at a pose and an axis.
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
-                   Vec3 direction, double fallback_mm_s) noexcept;
+                   Vec3 direction, double fallback_mm_s, std::uint64_t tick) noexcept;
 
 /// Sliding: how deep (mm) a burr that goes `slide` sideways while it wears `advance` into `direction` may stand, if nothing
 /// recedes faster than it wears: the height over its lowest place of where its surface has turned so far that sliding asks

@@ -179,6 +179,10 @@ std::vector<std::byte> StepState::save() const {
   w.u(s.cut_pending ? 1 : 0, 1);
   w.v(s.cut_from);
   w.v(s.cut_axis);
+  for (const Vec3& v : {s.owed_piece.from, s.owed_piece.to, s.owed_piece.axis}) w.v(v);
+  w.u(s.owed_piece.burr, 2);
+  w.u(s.owed_piece.start_carved, 1);
+  w.u(static_cast<std::uint64_t>(s.owed_piece.next + 1), 4);
   for (const double owed : s.owed) w.d(owed);
   w.v(s.foot);
   w.u(s.memory.open() ? 1 : 0, 1);
@@ -222,6 +226,11 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   s.cut_pending = r.u(1) != 0;
   s.cut_from = r.v();
   s.cut_axis = r.v();
+  for (Vec3* v : {&s.owed_piece.from, &s.owed_piece.to, &s.owed_piece.axis}) *v = r.v();
+  s.owed_piece.burr = static_cast<std::uint16_t>(r.u(2));
+  s.owed_piece.start_carved = r.u(1) != 0;
+  s.owed_piece.next = static_cast<std::int32_t>(r.u(4)) - 1;
+  if (s.owed_piece.burr >= burrs) return std::nullopt;
   for (double& owed : s.owed) owed = r.d();
   s.foot = r.v();
   const bool open = r.u(1) != 0;

@@ -29,9 +29,17 @@ struct StepState::Inner {
   Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
   bool started = false;
   bool cut_valid = false;
-  bool cut_pending = false;        // the head has been swept from cut_from to cut_pose and is not carved yet
+  bool cut_pending = false;        // the head has been swept from cut_from to cut_pose: next to be carved
   Vec3 cut_from{0.0};
   Vec3 cut_axis{0.0, 0.0, 1.0};    // of the burr on that way
+  /// A piece of the stroke that is being carved, some bricks a tick.
+  struct Owed {
+    Vec3 from{0.0}, to{0.0}, axis{0.0};
+    std::uint16_t burr = 0;
+    bool start_carved = false;     // the piece before ended where this one begins
+    std::int32_t next = -1;        // brick to go on from; -1: nothing is owed
+  };
+  Owed owed_piece;
   std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (filled)
   Vec3 foot{0.0};                  // gradient: from the pivot to the point of the burr that was followed last; zero: none
   CutMemory memory;

@@ -65,13 +65,16 @@ std::uint64_t StepState::hash() const noexcept {
   Hash64 h;
   h.add(static_cast<std::uint64_t>(kEngineVersion));
   h.add(s.volume.hash());
-  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.cut_from, s.cut_axis, s.velocity, s.last.force_n, s.last.force_raw_n})
+  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.cut_from, s.cut_axis, s.owed_piece.from, s.owed_piece.to,
+                        s.owed_piece.axis, s.velocity, s.last.force_n, s.last.force_raw_n})
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
   h.add(s.last.tick);
   h.add(s.last.elapsed_us);
   h.add(static_cast<std::uint64_t>(s.last.burr) | static_cast<std::uint64_t>(s.guard.fault) << 16 |
         static_cast<std::uint64_t>(s.started) << 24 | static_cast<std::uint64_t>(s.cut_valid) << 25 |
         static_cast<std::uint64_t>(s.cut_pending) << 26);
+  h.add(static_cast<std::uint64_t>(s.owed_piece.next + 1) | static_cast<std::uint64_t>(s.owed_piece.burr) << 32 |
+        static_cast<std::uint64_t>(s.owed_piece.start_carved) << 48);
   h.add_double(s.guard.ramp_ms);
   h.add_double(s.guard.stale_ms);
   const PassivityState& passivity = s.guard.passivity;

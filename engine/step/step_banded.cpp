@@ -98,9 +98,9 @@ class BandedMethod final : public ContactMethod {
     const Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double alpha = wear_coefficient(distance, contact.stiffness_n_per_mm, scene.full_force_n);
     const double own = scene.tissues[index_of(contact.tissue)].speed_mm_s;
-    const double speed = burr.head.ball() ? front_speed(state.volume, scene, pose, radius, direction, own)
+    const double speed = burr.head.ball() ? front_speed(state.volume, scene, pose, radius, direction, own, out.tick)
                                           : front_speed(state.volume, scene, pose, state.fronts[out.burr],
-                                                        scene.tool_axis, direction, own);
+                                                        scene.tool_axis, direction, own, out.tick);
     double advance = alpha * speed * tick.dt_s * tick.removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
     if (advance > gap) advance = gap;

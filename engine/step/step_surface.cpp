@@ -44,21 +44,52 @@ double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcep
   return weight > 0.0 ? sum / weight : 0.0;
 }
 
-/// Carves the head swept from cut_from to cut_pose. False when the volume had no room.
-bool carve_pending(StepState::Inner& state, const Burr& burr, bool* any) noexcept {
-  state.cut_pending = false;
-  const Carved carved = carve_sweep(state.volume, state.cut_from, state.cut_pose, burr, state.cut_axis);
+/// Carves some more of the piece that is owed. False when the volume had no room.
+bool carve_some(StepState::Inner& state, int bricks) noexcept {
+  StepState::Inner::Owed& owed = state.owed_piece;
+  if (owed.next < 0) return true;
+  const Carved carved = carve_sweep(state.volume, owed.from, owed.to, state.scene->burrs[owed.burr], owed.axis,
+                                    owed.start_carved, {owed.next, bricks});
   for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
+  owed.next = carved.next;
+  const bool room = drop_crumbs(state, carved);
+  return room && !carved.overflow;
+}
+
+constexpr int kAllBricks = 1 << 30;
+
+/// Bricks a tick that carve a piece well before the next one is due.
+int bricks_a_tick(const StepState::Inner& state) noexcept {
+  const StepState::Inner::Owed& owed = state.owed_piece;
+  const double side = kBrickEdge * state.volume.grid().voxel_mm;
+  const Burr& burr = state.scene->burrs[owed.burr];
+  const double across = 2.0 * burr.radius_mm / side + 1.0;
+  const double along = burr.head.ball() ? across : (burr.head.high() - burr.head.low()) / side + 1.0;
+  return 1 + static_cast<int>(across * along / 16.0);
+}
+
+/// Ends the piece from cut_from to cut_pose: it is owed from now on. What was owed before is carved.
+bool owe_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
+  const bool room = carve_some(state, kAllBricks);
+  StepState::Inner::Owed& owed = state.owed_piece;
+  const bool goes_on = owed.to == state.cut_from && owed.axis == state.cut_axis && owed.burr == burr;
+  owed = {state.cut_from, state.cut_pose, state.cut_axis, burr, goes_on, 0};
   state.cut_from = state.cut_pose;
-  if (any) *any = carved.any;
-  return drop_crumbs(state, carved) && !carved.overflow;
+  state.cut_pending = false;
+  return room;
+}
+
+/// Carves all that has been swept. False when the volume had no room.
+bool carve_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
+  if (state.cut_pending && !owe_pending(state, burr)) return false;
+  return carve_some(state, kAllBricks);
 }
 
 }  // namespace
 
 bool end_stroke(StepState::Inner& state) noexcept {
-  bool room = true;
-  if (state.cut_pending) room = carve_pending(state, state.scene->burrs[state.last.burr], nullptr);
+  const bool room = carve_pending(state, state.last.burr);
+  state.owed_piece = {};
   state.cut_valid = false;
   state.memory.lift();
   return room;
@@ -72,6 +103,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   const double reach = 1.1 * length_of(device - state.device) + 0.004;
   const Vec3 before = state.proxy;
 
+  if (state.owed_piece.next >= 0) out.overflow = !carve_some(state, bricks_a_tick(state));
   surface.sharpen(state.volume, !cut);
   Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach);
   const double moved = length_of(device - state.device);
@@ -112,8 +144,8 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double own = scene.tissues[index_of(touched)].speed_mm_s;
     const double speed = burr.head.ball()
-                             ? front_speed(state.volume, scene, pose, burr.radius_mm, direction, own)
-                             : front_speed(state.volume, scene, pose, state.fronts[out.burr], axis, direction, own);
+                             ? front_speed(state.volume, scene, pose, burr.radius_mm, direction, own, out.tick)
+                             : front_speed(state.volume, scene, pose, state.fronts[out.burr], axis, direction, own, out.tick);
     double advance = alpha * speed * dt_s * removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
 
@@ -122,7 +154,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     if (slide > 1e-6 && advance > 0.0) {
       const double tau = slide_depth(burr, axis, direction, slid, advance);
       if (tau < kShallowTauMm) {
-        if (state.cut_pending) out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
+        out.overflow = !carve_pending(state, out.burr) || out.overflow;
         Vec3 out_pose;
         const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
         if (surface.push_out(state.volume, burr, axis, pose, shallow, out_pose)) {
@@ -142,15 +174,14 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
       const bool whole = state.cut_valid && length_of(next - old_pose) <= std::min(kLongestCarveMm, kFastestMmS * dt_s);
       const Vec3 from = whole ? old_pose : pose;
       if (!whole) {
-        if (state.cut_pending) out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
+        out.overflow = !carve_pending(state, out.burr) || out.overflow;
         state.memory.lift();
       }
       if (state.cut_pending && !(state.cut_axis == axis))
-        out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
+        out.overflow = !owe_pending(state, out.burr) || out.overflow;
       state.cut_axis = axis;
       const bool straight_on = state.memory.add(from, next, sweeper_of(burr, out.burr, axis));
-      if (state.cut_pending && !straight_on)
-        out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
+      if (state.cut_pending && !straight_on) out.overflow = !owe_pending(state, out.burr) || out.overflow;
       if (!state.cut_pending) state.cut_from = from;
       state.cut_pose = next;
       state.cut_pending = true;
@@ -160,9 +191,9 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
                                ? std::min(kLongestPieceMm, 0.5 * state.volume.grid().voxel_mm)
                                : kLeastPieceMm;
       if (length_of(next - state.cut_from) >= piece)
-        out.overflow = !carve_pending(state, burr, &out.cutting) || out.overflow;
+        out.overflow = !owe_pending(state, out.burr) || out.overflow;
     } else {
-      if (state.cut_pending) out.overflow = !carve_pending(state, burr, nullptr) || out.overflow;
+      out.overflow = !carve_pending(state, out.burr) || out.overflow;
       state.cut_pose = next;
     }
     state.cut_valid = true;
