@@ -8,6 +8,7 @@
 
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/mirror.h"
+#include "engine/tool/heads.h"
 #include "tests/engine/loop/block_scene.h"
 
 namespace {
@@ -95,7 +96,10 @@ TEST(Counters, SeeAPlantedAllocationAndAPlantedLock) {
 class EveryMethod : public testing::TestWithParam<Method> {};
 
 TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
-  const auto scene = test::block_scene(GetParam());
+  auto scene = std::make_shared<Scene>(*test::block_scene(GetParam()));
+  Burr fissure = scene->burrs[0];
+  fissure.head = flat_head(fissure.radius_mm, fissure.radius_mm, 2.0).value();
+  scene->burrs.push_back(fissure);
   HandOver hand_over(16'384);
   Ticker ticker(StepState(scene), hand_over);
   std::vector<Sample> samples;
@@ -107,6 +111,7 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
     if (i == 4000) ticker.pause();
     if (i == 4010) ticker.resume();
     if (i == 6000) ticker.change_burr(1);
+    if (i == 8000) ticker.change_burr(2);
     const Feedback feedback = ticker.tick(samples[i], 1000);
     contact += feedback.in_contact ? 1 : 0;
     cutting += hand_over.latest.read().output.cutting ? 1 : 0;
