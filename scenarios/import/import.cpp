@@ -156,10 +156,10 @@ Piece piece_about(const MeshCheck& shell, const Grid& grid) {
 /// Calls each(index in grid, s of the shell) about a shell. False when what it encloses is not what its triangles say:
 /// it has turned itself inside out somewhere. A face is off by at most a tenth of a voxel, a small shell by two per cent.
 template <class Each>
-bool for_each_voxel(const TriangleMesh& shell, const Grid& grid, Each each) {
+bool for_each_voxel(const TriangleMesh& shell, const Grid& grid, const ImportProgress& progress, Each each) {
   const MeshCheck c = check(shell);
   const Piece piece = piece_about(c, grid);
-  const std::vector<float> d = mesh_distance(shell, piece.grid);
+  const std::vector<float> d = mesh_distance(shell, piece.grid, progress);
   double voxels = 0.0;
   std::size_t i = 0;
   for (int z = 0; z < piece.grid.size.z; ++z)
@@ -175,17 +175,25 @@ bool for_each_voxel(const TriangleMesh& shell, const Grid& grid, Each each) {
 }
 
 /// s of one part alone: its solids less its cavities.
-Result<void, ImportFailure> solids_of(const Part& part, const Grid& grid, std::vector<std::uint16_t>& s) {
+Result<void, ImportFailure> solids_of(const Part& part, const Grid& grid, std::vector<std::uint16_t>& s,
+                                      const ImportProgress& progress) {
   const std::string& name = part.mesh.name;
   const Shells shells = shells_of(part.mesh);
+  const auto all = static_cast<double>(part.mesh.triangles.size());
+  double before = 0.0;
+  const auto share_of = [&](const TriangleMesh& shell) {
+    const double first = before / all, wide = static_cast<double>(shell.triangles.size()) / all;
+    before += static_cast<double>(shell.triangles.size());
+    return [&progress, first, wide](double share) { progress(first + wide * share); };
+  };
   std::ranges::fill(s, std::uint16_t{0});
   for (const TriangleMesh& shell : shells.solids) {
-    if (!for_each_voxel(shell, grid, [&](std::size_t i, std::uint16_t solid) { s[i] = std::max(s[i], solid); }))
+    if (!for_each_voxel(shell, grid, share_of(shell), [&](std::size_t i, std::uint16_t solid) { s[i] = std::max(s[i], solid); }))
       return fail(ImportError::mesh_ambiguous, name);
   }
   bool within = true;
   for (const TriangleMesh& shell : shells.cavities) {
-    const bool sound = for_each_voxel(shell, grid, [&](std::size_t i, std::uint16_t hollow) {
+    const bool sound = for_each_voxel(shell, grid, share_of(shell), [&](std::size_t i, std::uint16_t hollow) {
       within &= hollow != kSolid || s[i] != 0;
       s[i] = std::min(s[i], static_cast<std::uint16_t>(kSolid - hollow));
     });
@@ -251,8 +259,9 @@ Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const Imp
     VoxelVolume out(*grid);
     std::vector<std::uint16_t> s(grid->voxels());
     for (std::size_t i = 0; i < parts->size(); ++i) {
-      report(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(parts->size()));
-      if (auto r = solids_of((*parts)[i], *grid, s); !r) return std::unexpected(r.error());
+      const double wide = 0.7 / static_cast<double>(parts->size()), first = 0.3 + wide * static_cast<double>(i);
+      report(first);
+      if (auto r = solids_of((*parts)[i], *grid, s, [&](double share) { report(first + wide * share); }); !r) return std::unexpected(r.error());
       lay(s, (*parts)[i].tissue, out);
     }
     report(1.0);

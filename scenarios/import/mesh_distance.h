@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/import/image.h"
 #include "scenarios/import/triangle_distance.h"
 #include "scenarios/import/triangle_mesh.h"
 
 namespace cusp {
 
 /// Distance of each voxel in voxels, negative inside, [z][y][x]; clamped to +-kDistanceReach. The points are in the
-/// grid's frame; what lies outside the grid counts too. Throws std::bad_alloc.
-std::vector<float> mesh_distance(const TriangleMesh& shell, const Grid& grid);
+/// grid's frame; what lies outside the grid counts too. `progress` is told a hundred times at most. Throws std::bad_alloc.
+std::vector<float> mesh_distance(const TriangleMesh& shell, const Grid& grid, const ImportProgress& progress = {});
 
 /// For the former: whether each voxel is inside, by OpenVDB, which sees it right also where shells touch or cross
 /// themselves (mesh_to_volume_openvdb.cpp). Its own distances are exact to 1.5 voxels only: further out they were found

@@ -50,7 +50,7 @@ TEST_F(ImportWorker, AChildGivesTheSameVolumeAsACall) {
   ASSERT_TRUE(there) << key_of(there.error().code) << " " << there.error().where << " " << there.error().detail;
   EXPECT_EQ(here->grid, there->grid);
   EXPECT_TRUE(here->s == there->s && here->tissue == there->tissue);
-  ASSERT_GE(shares.size(), 3u);
+  ASSERT_GE(shares.size(), 30u);  // a hundredth apart, most of them within the two meshes
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_EQ(shares.back(), 1.0);
 }
