@@ -521,6 +521,26 @@
             <translation>tooth, block, layered-block oder paper-block</translation>
         </message>
         <message>
+            <source>A tooth of plastic, as in a training model</source>
+            <translation>Ein Zahn aus Kunststoff, wie in einem Übungsmodell</translation>
+        </message>
+        <message>
+            <source>With the teeth that touch it</source>
+            <translation>Mit den Zähnen, die ihn berühren</translation>
+        </message>
+        <message>
+            <source>With the gingiva about it</source>
+            <translation>Mit der Gingiva ringsum</translation>
+        </message>
+        <message>
+            <source>With the bone and the ligament about its roots</source>
+            <translation>Mit Knochen und Wurzelhaut um seine Wurzeln</translation>
+        </message>
+        <message>
+            <source>Decay: fissure, proximal or root, then its place, radius and depth in millimetres, and softness from 0 to 1</source>
+            <translation>Karies: fissure, proximal oder root, dann Ort, Radius und Tiefe in Millimetern und Weichheit von 0 bis 1</translation>
+        </message>
+        <message>
             <source>Tooth number, 11 to 48</source>
             <translation>Zahnnummer, 11 bis 48</translation>
         </message>

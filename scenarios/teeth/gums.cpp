@@ -18,12 +18,15 @@ constexpr double kPapillaMm = 1.6, kPapillaReachMm = 1.4;
 
 
 constexpr double kFarMm = 4.0;    // no tissue of the gums is further from its tooth
+constexpr double kNeckMm = 1.5;   // below the buccal CEJ
 constexpr double kKnownMm = 0.7;  // so near to its surface a tooth's field is a distance
 
 /// A tooth's distance on the nodes of a grid that lie about it, at most kFarMm.
 struct AboutTooth {
   IVec3 low{0}, size{0};  // nodes
   std::vector<float> distance;
+  int neck_node = 0;  // z of the nodes at the neck
+  double neck(int x, int y) const noexcept { return double(distance[at({x, y, neck_node})]); }
   std::size_t at(IVec3 v) const noexcept {
     return static_cast<std::size_t>(v.x - low.x + size.x * (v.y - low.y + size.y * (v.z - low.z)));
   }
@@ -40,6 +43,8 @@ AboutTooth distance_about(const ToothBody& tooth, Vec3 origin, IVec3 nodes) {
   out.low = glm::max(IVec3(glm::floor((tooth.low() - origin - kFarMm) / kStepMm)), IVec3(0));
   const IVec3 high = glm::min(IVec3(glm::ceil((tooth.high() - origin + kFarMm) / kStepMm)), nodes - 1);
   out.size = high - out.low + 1;
+  const double neck = (tooth.place().move_mm.z - kNeckMm - origin.z) / kStepMm;
+  out.neck_node = std::clamp(static_cast<int>(neck + 0.5), out.low.z, high.z);
   const IVec3 n = out.size;
   out.distance.assign(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z), static_cast<float>(kFarMm));
   std::vector<std::uint8_t> known(out.distance.size(), 0);
@@ -145,9 +150,12 @@ Gums::Gums(const std::vector<const ToothBody*>& teeth, Parts parts) : parts_(par
         for (std::size_t t = 0; t < teeth.size(); ++t) {
           if (!about[t].holds({i, j, k})) continue;
           const double d = double(about[t].distance[about[t].at({i, j, k})]), clear = std::max(d, 0.0);
-          if (d >= kFarMm) continue;
-          const double h = teeth[t]->above_cej(p);
-          side = smin(side, d - (kThinMm + (kThickestMm - kThinMm) * smoothstep(0.0, kThickBelowMm, -h)), kSideBlendMm);
+          if (d >= kFarMm && about[t].neck(i, j) >= kFarMm) continue;
+          const double h = teeth[t]->above_cej(p), over = p.z - teeth[t]->place().move_mm.z;
+          // About the crown along it; below, a column about the neck: it fills what lies between the roots.
+          const double column = smin(about[t].neck(i, j), d + 0.3, 1.0), below_neck = smoothstep(-0.5, -2.5, over);
+          const double beside = d + below_neck * (column - d);
+          side = smin(side, beside - (kThinMm + (kThickestMm - kThinMm) * smoothstep(0.0, kThickBelowMm, -h)), kSideBlendMm);
           margin = smin(margin, h - kGumMarginMm + 0.5 * clear, 0.8);
           crest = smin(crest, h + kBoneCrestMm + 0.2 * clear, 0.8);
           second = std::min(second, std::max(nearest, clear));

@@ -192,9 +192,10 @@ class Maker {
     for (const std::vector<std::size_t>& piece : strays) {
       std::array<int, kTissueCodes> votes{};
       const Tissue own = out_.tissue[piece.front()];
-      // Several lesions are several pieces; only crumbs of one are strays.
-      const bool decay = own == Tissue::carious_enamel || own == Tissue::carious_dentine || own == kFirmCariousDentine;
-      if (decay && piece.size() > kCrumbVoxels) continue;
+      // Several lesions, or the ligaments of several teeth, are several pieces; only crumbs of one are strays.
+      const bool several = own == Tissue::carious_enamel || own == Tissue::carious_dentine ||
+                           own == kFirmCariousDentine || own == Tissue::ligament;
+      if (several && piece.size() > kCrumbVoxels) continue;
       for (const std::size_t i : piece) {
         for (const std::size_t step : around) {
           if (solid(i + step) && out_.tissue[i + step] != own) ++votes[index_of(out_.tissue[i + step])];

@@ -2,9 +2,15 @@
 
 #include "scenarios/specimens.h"
 
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "engine/volume/specimen.h"
+#include "scenarios/format/keys.h"
 #include "scenarios/import/nrrd.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -15,11 +21,42 @@ namespace {
 
 struct SpecimenOptions {
   SpecimenSource source;
+  bool neighbours = false, gingiva = false, bone = false;
+  std::vector<std::string> lesions;  // KIND:SITE:RADIUS:DEPTH:SOFTNESS
   std::string out;
   JsonOption json;
 };
 
-int specimen_verb(const SpecimenOptions& o) {
+/// "fissure:central:0.8:1.0:0.7"; numbers may be left out from the end. Nothing when it is not of that form.
+std::optional<LesionSource> lesion_of(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ':') parts.emplace_back();
+    else parts.back() += c;
+  }
+  if (parts.size() < 2 || parts.size() > 5) return std::nullopt;
+  if (std::ranges::find(kLesionKeys, parts[0]) == kLesionKeys.end() || parts[1].empty()) return std::nullopt;
+  LesionSource out;
+  out.kind = parts[0];
+  out.site = parts[1];
+  double* const numbers[] = {&out.radius_mm, &out.depth_mm, &out.softness};
+  for (std::size_t i = 2; i < parts.size(); ++i) {
+    const char* const end = parts[i].data() + parts[i].size();
+    const auto [rest, error] = std::from_chars(parts[i].data(), end, *numbers[i - 2]);
+    if (error != std::errc() || rest != end) return std::nullopt;
+  }
+  // The bounds of the format, so that what grows here can stand in an exercise.
+  const bool fits = out.radius_mm >= 0.2 && out.radius_mm <= 4 && out.depth_mm >= 0 && out.depth_mm <= 5 &&
+                    out.softness >= 0 && out.softness <= 1;
+  return fits ? std::optional(out) : std::nullopt;
+}
+
+int specimen_verb(const SpecimenOptions& options) {
+  SpecimenOptions o = options;
+  if (o.neighbours) o.source.around.emplace_back("neighbours");
+  if (o.gingiva) o.source.around.emplace_back("gingiva");
+  if (o.bone) o.source.around.emplace_back("bone");
+  for (const std::string& text : o.lesions) o.source.lesions.push_back(lesion_of(text).value());
   auto volume = make_specimen(o.source, {});
   if (!volume) return failed(tell(volume.error()));
   if (auto written = write_nrrd(*volume, o.out); !written) return failed(tell(written.error()));
@@ -46,6 +83,15 @@ void add_specimen(CLI::App& program, Job& job) {
   verb->add_option("--voxel-mm", o->source.voxel_mm, help(CliWords::tr("Edge of a voxel in millimetres")))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  verb->add_flag("--typodont", o->source.typodont, help(CliWords::tr("A tooth of plastic, as in a training model")));
+  verb->add_flag("--neighbours", o->neighbours, help(CliWords::tr("With the teeth that touch it")));
+  verb->add_flag("--gingiva", o->gingiva, help(CliWords::tr("With the gingiva about it")));
+  verb->add_flag("--bone", o->bone, help(CliWords::tr("With the bone and the ligament about its roots")));
+  verb->add_option("--lesion", o->lesions,
+                   help(CliWords::tr("Decay: fissure, proximal or root, then its place, radius and depth in millimetres, and "
+                                     "softness from 0 to 1")))
+      ->type_name("KIND:SITE:RADIUS:DEPTH:SOFTNESS")
+      ->check([](const std::string& text) { return lesion_of(text) ? std::string() : text; });
   verb->add_option("-o,--output", o->out, help(CliWords::tr("Volume to write (NRRD)")))->type_name("VOLUME")->required();
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return specimen_verb(*o); }; });

@@ -39,6 +39,9 @@ void clean(SpecimenSource& source) {
   if (source.generator != "tooth") {
     source.fdi = 0;
     source.seed = 0;
+    source.typodont = false;
+    source.around.clear();
+    source.lesions.clear();
   }
 }
 

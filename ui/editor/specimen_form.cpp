@@ -135,7 +135,12 @@ void SpecimenForm::use() {
     // Always the paper's grid: its own exercise states the size.
     source.voxel_mm = 10.0 / 128.0;
   } else if (source.generator == "tooth") {
-    source.fdi = tooth_->currentData().toInt();
+    source = model_.scenario().specimen;  // with what its file says of decay and of what stands about it
+    source.generator = "tooth";
+    source.voxel_mm = voxel_->value();
+    const int fdi = tooth_->currentData().toInt();
+    if (fdi != source.fdi) source.lesions.clear();  // another tooth has other places
+    source.fdi = fdi;
     source.seed = static_cast<std::uint64_t>(seed_->value());
   }
   if (!model_.set_specimen(source, usual_tissues(source.generator))) {

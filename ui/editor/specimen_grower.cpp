@@ -42,7 +42,7 @@ Grown grow_now(const SpecimenSource& source, Method method, const std::string& f
   out->source = source;
   VoxelVolume volume;
   if (source.generator == "tooth") {
-    auto tooth = grow_tooth({source.fdi, source.seed, source.voxel_mm}, &cancel, progress);
+    auto tooth = grow_tooth(tooth_request(source), &cancel, progress);
     if (!tooth) {
       if (tooth.error().code == ToothError::cancelled) return fail(ImportError::cancelled, source.generator);
       // Told by the one place that knows the words for a specimen that cannot be made.

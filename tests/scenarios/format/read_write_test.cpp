@@ -177,6 +177,23 @@ TEST(ScenarioFile, PhenomenaBecomeWhatTheEngineRunsAndNothingElse) {
   EXPECT_EQ(phenomena_from_keys({"spindle-electric"}).handpiece, Handpiece::electric);
 }
 
+TEST(ScenarioFile, DecayAndWhatStandsAboutAToothReadAndComeBack) {
+  Scenario s = sound_scenario();
+  s.specimen = SpecimenSource{};
+  s.specimen.generator = "tooth";
+  s.specimen.fdi = 46;
+  const std::string plain = write_scenario(s);
+  for (const char* key : {"typodont", "around", "lesions"}) EXPECT_EQ(plain.find(key), plain.npos) << key;  // hashes stay
+  s.specimen.typodont = true;
+  s.specimen.around = {"neighbours", "gingiva", "bone", "jaw"};
+  s.specimen.lesions = {{"proximal", "mesial", 1.0, 0.5, 0.25}, {"root", "buccal", 1.5, 0.0, 1.0}};
+  const std::string text = write_scenario(s);
+  const auto read = read_scenario(text);
+  ASSERT_TRUE(read) << read.error().where;
+  EXPECT_EQ(read->specimen, s.specimen);
+  EXPECT_TRUE(check_schema(text).empty());
+}
+
 TEST(ScenarioFile, BrokenJsonIsNamedWithLineAndColumn) {
   FormatFailure failure = failure_of("{\n  \"format\": 1,\n  \"id\" 7\n}");
   EXPECT_EQ(failure.code, FormatError::broken_json);
@@ -417,6 +434,9 @@ TEST(ScenarioFile, UnknownWordsAreNamedByKind) {
       {"/specimen", {{"volume", "c:x.nrrd"}}, FormatError::bad_file_name},
       {"/specimen", {{"volume", ".hidden"}}, FormatError::bad_file_name},
       {"/specimen", {{"generator", "tooth"}, {"fdi", 19}}, FormatError::out_of_range},
+      {"/specimen", {{"generator", "tooth"}, {"fdi", 36}, {"around", {"cheek"}}}, FormatError::unknown_generator},
+      {"/specimen", {{"generator", "tooth"}, {"fdi", 36}, {"typodont", 1}}, FormatError::wrong_type},
+      {"/specimen", {{"generator", "tooth"}, {"fdi", 36}, {"lesions", {{{"kind", "fissure"}}}}}, FormatError::missing_key},
       {"/specimen", {{"generator", "tooth"}, {"fdi", 36}, {"seed", -1}}, FormatError::out_of_range},
       {"/specimen", {{"generator", "tooth"}, {"fdi", 36}, {"seed", 9007199254740992u}}, FormatError::out_of_range},
   };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "scenarios/teeth/own_tissues.h"
+
 namespace cusp {
 namespace {
 
@@ -18,8 +20,18 @@ Vec3 colour_of(Tissue tissue) {
     case Tissue::dentine: return {220, 183, 108};
     case Tissue::cementum: return {130, 95, 55};
     case Tissue::pulp: return {192, 55, 52};
-    default: return kGround;
+    case Tissue::carious_enamel: return {168, 138, 100};
+    case Tissue::carious_dentine: return {106, 61, 30};
+    case Tissue::bone: return {233, 223, 201};
+    case Tissue::gingiva: return {217, 140, 140};
+    case Tissue::ligament: return {150, 110, 150};
+    case Tissue::plastic: return {213, 218, 223};
+    default: break;
   }
+  if (tissue == kFirmCariousDentine) return {150, 98, 52};
+  if (tissue == kNeighbourEnamel) return {214, 222, 236};
+  if (tissue == kNeighbourDentine) return {206, 180, 130};
+  return kGround;
 }
 
 struct Reader {
@@ -48,10 +60,25 @@ struct Reader {
   }
 };
 
-Vec3 shade(const Reader& r, Vec3 p, Vec3 right, Vec3 up, Vec3 into) {
-  const Vec3 n = -glm::normalize(r.slope(p) + Vec3(1e-12));
+Vec3 base_of(Tissue tissue) {
+  if (tissue == Tissue::enamel || tissue == kNeighbourEnamel) return {214, 208, 192};
+  if (tissue == Tissue::cementum || tissue == kNeighbourDentine) return {190, 152, 102};
+  return colour_of(tissue);
+}
+
+/// Key light from the upper left, a weak fill from the right; `open` is how much of them reaches the place.
+Vec3 lit(Tissue tissue, Vec3 n, double open, Vec3 right, Vec3 up, Vec3 into) {
   const Vec3 key = glm::normalize(-0.60 * right + 0.58 * up - 0.62 * into);
   const Vec3 fill = glm::normalize(0.6 * right + 0.1 * up - 0.8 * into);
+  const double diffuse = 0.16 + 0.68 * std::max(0.0, glm::dot(n, key)) + 0.34 * std::max(0.0, glm::dot(n, fill));
+  const Vec3 half = glm::normalize(key - into);
+  const double gloss = std::pow(std::max(0.0, glm::dot(n, half)), 30.0);
+  const bool crown = tissue == Tissue::enamel || tissue == kNeighbourEnamel;
+  return glm::min(base_of(tissue) * diffuse * open + Vec3(crown ? 46.0 : 16.0) * gloss * open, Vec3(255.0));
+}
+
+Vec3 shade(const Reader& r, Vec3 p, Vec3 right, Vec3 up, Vec3 into) {
+  const Vec3 n = -glm::normalize(r.slope(p) + Vec3(1e-12));
   // What stands above the place in its neighbourhood takes light away: fissures and furcations darken.
   double open = 1.0;
   for (const double far : {0.45, 0.8, 1.4}) open -= 0.16 * std::clamp(r.at(p + far * n) * 2.0, 0.0, 1.0);
@@ -59,13 +86,7 @@ Vec3 shade(const Reader& r, Vec3 p, Vec3 right, Vec3 up, Vec3 into) {
     open -= 0.07 * std::clamp(r.at(p + 0.6 * glm::normalize(n + side * right)) * 2.0, 0.0, 1.0);
     open -= 0.07 * std::clamp(r.at(p + 0.6 * glm::normalize(n + side * up)) * 2.0, 0.0, 1.0);
   }
-  open = std::clamp(open, 0.35, 1.0);
-  const double diffuse = 0.16 + 0.68 * std::max(0.0, glm::dot(n, key)) + 0.34 * std::max(0.0, glm::dot(n, fill));
-  const Vec3 half = glm::normalize(key - into);
-  const double gloss = std::pow(std::max(0.0, glm::dot(n, half)), 30.0);
-  const bool crown = r.tissue(p - 0.05 * n) == Tissue::enamel;
-  const Vec3 base = crown ? Vec3(214, 208, 192) : Vec3(190, 152, 102);
-  return glm::min(base * diffuse * open + Vec3(crown ? 46.0 : 16.0) * gloss * open, Vec3(255.0));
+  return lit(r.tissue(p - 0.05 * n), n, std::clamp(open, 0.35, 1.0), right, up, into);
 }
 
 Picture drawn(const VoxelVolume& volume, Vec3 into, Vec3 up, double scale, const std::function<Vec3(Vec3, Vec3)>& ray) {
@@ -158,6 +179,54 @@ Picture view(const VoxelVolume& volume, Vec3 into, Vec3 up, double px_per_mm) {
     }
     return kGround;
   });
+}
+
+Picture view_of_jaw(const Jaw& jaw, double px_per_mm) {
+  const Vec3 right(1, 0, 0), up(0, 1, 0), into(0, 0, -1);
+  const Grid& g = jaw.tooth.volume.grid;
+  Vec3 low = g.origin_mm, high = g.centre_mm(g.size - 1);
+  for (const Jaw::Standing& s : jaw.scenery) {
+    for (const glm::vec3& p : s.mesh.points_mm) {
+      low = glm::min(low, Vec3(p));
+      high = glm::max(high, Vec3(p));
+    }
+  }
+  low -= 1.0;
+  high += 1.0;
+  const int w = static_cast<int>((high.x - low.x) * px_per_mm), h = static_cast<int>((high.y - low.y) * px_per_mm);
+  Picture out(w, h);
+  std::vector<double> depth(static_cast<std::size_t>(w * h), -1e9);
+  for (const Jaw::Standing& s : jaw.scenery) {
+    for (std::size_t k = 0; k < s.mesh.triangles.size(); k += 3) {
+      Vec3 p[3], n[3];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t at = s.mesh.triangles[k + i];
+        const Vec3 mm(s.mesh.points_mm[at]);
+        p[i] = {(mm.x - low.x) * px_per_mm, (high.y - mm.y) * px_per_mm, mm.z};
+        n[i] = Vec3(s.mesh.normals[at]);
+      }
+      const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+      if (std::fabs(area) < 1e-9) continue;
+      const Vec3 least = glm::min(glm::min(p[0], p[1]), p[2]), most = glm::max(glm::max(p[0], p[1]), p[2]);
+      for (int y = std::max(0, int(least.y)); y <= std::min(h - 1, int(most.y)); ++y) {
+        for (int x = std::max(0, int(least.x)); x <= std::min(w - 1, int(most.x)); ++x) {
+          const double qx = x + 0.5 - p[0].x, qy = y + 0.5 - p[0].y;
+          const double b = (qx * (p[2].y - p[0].y) - qy * (p[2].x - p[0].x)) / area;
+          const double c = ((p[1].x - p[0].x) * qy - (p[1].y - p[0].y) * qx) / area, a = 1.0 - b - c;
+          double& known = depth[static_cast<std::size_t>(y * w + x)];
+          const double z = a * p[0].z + b * p[1].z + c * p[2].z;
+          if (a < 0.0 || b < 0.0 || c < 0.0 || z <= known) continue;
+          known = z;
+          const Vec3 colour = lit(s.mesh.tissue[s.mesh.triangles[k]], glm::normalize(a * n[0] + b * n[1] + c * n[2]), 1.0, right, up, into);
+          for (int i = 0; i < 3; ++i) out.rgb[static_cast<std::size_t>((y * w + x) * 3 + i)] = static_cast<std::uint8_t>(colour[i]);
+        }
+      }
+    }
+  }
+  const Vec3 middle = 0.5 * (g.origin_mm + g.centre_mm(g.size - 1));
+  out.put(view(jaw.tooth.volume, into, up, px_per_mm), static_cast<int>((middle.x - low.x) * px_per_mm),
+          static_cast<int>((high.y - middle.y) * px_per_mm));
+  return out;
 }
 
 Picture pulp_section(const VoxelVolume& volume, Vec3 into, Vec3 up, double px_per_mm,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/teeth/tooth.h"
 
 namespace cusp {
 
@@ -23,6 +24,9 @@ struct Picture {
 
 /// Looks along `into`, `up` is up in the picture (both unit axes). Scale: pixels per mm.
 Picture view(const VoxelVolume& volume, Vec3 into, Vec3 up, double px_per_mm);
+
+/// A jaw from above: its voxels and, about them, its scenery.
+Picture view_of_jaw(const Jaw& jaw, double px_per_mm);
 
 /// The tissues in a section that follows the pulp: at each height the cut runs through the middle of the pulp found on
 /// either side, within `keep` (a half of the tooth, or all of it). `into` is x or y.

@@ -1,5 +1,7 @@
-/// cusp-teeth-sheet OUT_DIR [--fdi N]... [--seed N] [--voxel-mm X] [--scale PX_PER_MM]: pictures to judge the teeth by.
-/// Writes sheet.png (a row a tooth: occlusal, buccal, lingual, mesial, distal, two sections) and occlusal.png.
+/// cusp-teeth-sheet OUT_DIR [--fdi N]... [--seed N] [--voxel-mm X] [--scale PX_PER_MM] [--row N] [--jaw N]: pictures to
+/// judge the teeth by. Writes sheet.png (a row a tooth: occlusal, buccal, lingual, mesial, distal, two sections) and
+/// occlusal.png; with --row instead row.png, a tooth with decay, neighbours, gingiva and bone; with --jaw jaw.png.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -10,20 +12,70 @@
 
 using namespace cusp;
 
+namespace {
+
+int refused(const ToothFailure& failure) {
+  std::fprintf(stderr, "cusp-teeth-sheet: %s %s\n", failure.where.c_str(), failure.detail.c_str());
+  return 1;
+}
+int written(const Picture& picture, const std::string& path) {
+  if (picture.save_png(path)) return 0;
+  std::fprintf(stderr, "cusp-teeth-sheet: cannot write %s\n", path.c_str());
+  return 1;
+}
+
+int draw_row(const std::string& dir, ToothRequest request, double scale) {
+  request.neighbours = request.gingiva = request.bone = true;
+  request.lesions = {{Lesion::Kind::fissure, "central", 0.9, 1.2, 0.7},
+                     {Lesion::Kind::proximal, "mesial", 1.1, 1.0, 0.7},
+                     {Lesion::Kind::root, "distal", 1.4, 0.8, 0.6}};
+  const auto tooth = grow_tooth(request);
+  if (!tooth) return refused(tooth.error());
+  const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const auto nowhere = [](Vec3) { return false; };  // no pulp is followed: the section is plane
+  const Picture pictures[] = {view(tooth->volume, -z, y, scale), view(tooth->volume, -y, z, scale),
+                              pulp_section(tooth->volume, -y, z, scale, nowhere), pulp_section(tooth->volume, -x, z, scale, nowhere)};
+  const int gap = 16;
+  int width = gap, height = 0;
+  for (const Picture& p : pictures) width += p.width + gap, height = std::max(height, p.height + 2 * gap);
+  Picture out(width, height);
+  int left = gap;
+  for (const Picture& p : pictures) {
+    out.put(p, left + p.width / 2, height / 2);
+    left += p.width + gap;
+  }
+  return written(out, dir + "/row.png");
+}
+
+int draw_jaw(const std::string& dir, const ToothRequest& request, double scale) {
+  const auto jaw = grow_jaw(request);
+  if (!jaw) return refused(jaw.error());
+  return written(view_of_jaw(*jaw, scale), dir + "/jaw.png");
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: cusp-teeth-sheet OUT_DIR [--fdi N]... [--seed N] [--voxel-mm X] [--scale PX_PER_MM]\n");
+    std::fprintf(stderr, "usage: cusp-teeth-sheet OUT_DIR [--fdi N]... [--seed N] [--voxel-mm X] [--scale PX_PER_MM] [--row N] [--jaw N]\n");
     return 2;
   }
   std::vector<int> fdis;
   ToothRequest request;
   double scale = 8.0, occlusal_scale = 22.0;
+  int row_fdi = 0, jaw_fdi = 0;
   for (int i = 2; i + 1 < argc; i += 2) {
     if (!std::strcmp(argv[i], "--fdi")) fdis.push_back(std::atoi(argv[i + 1]));
     else if (!std::strcmp(argv[i], "--seed")) request.seed = std::strtoull(argv[i + 1], nullptr, 10);
     else if (!std::strcmp(argv[i], "--voxel-mm")) request.voxel_mm = std::atof(argv[i + 1]);
     else if (!std::strcmp(argv[i], "--scale")) scale = std::atof(argv[i + 1]), occlusal_scale = 2.75 * scale;
+    else if (!std::strcmp(argv[i], "--row")) row_fdi = std::atoi(argv[i + 1]);
+    else if (!std::strcmp(argv[i], "--jaw")) jaw_fdi = std::atoi(argv[i + 1]);
     else return 2;
+  }
+  if (row_fdi != 0 || jaw_fdi != 0) {
+    request.fdi = row_fdi != 0 ? row_fdi : jaw_fdi;
+    return row_fdi != 0 ? draw_row(argv[1], request, 2.0 * scale) : draw_jaw(argv[1], request, 1.5 * scale);
   }
   if (fdis.empty()) fdis = {11, 12, 13, 14, 15, 16, 17, 18, 31, 32, 33, 34, 35, 36, 37, 38};
   const int n = static_cast<int>(fdis.size()), columns = n > 4 ? 4 : n;
