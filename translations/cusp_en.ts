@@ -91,7 +91,7 @@
         <message numerus="yes">
             <source>The folder holds %n series; the one with %1 slices was read.</source>
             <translation>
-                <numerusform>The folder holds %n series; the one with %1 slices was read.</numerusform>
+                <numerusform>The folder holds %n series of %1 slices; it was read.</numerusform>
                 <numerusform>The folder holds %n series; the one with %1 slices was read.</numerusform>
             </translation>
         </message>
