@@ -1659,18 +1659,6 @@
             <translation>Drehzahl</translation>
         </message>
         <message>
-            <source>Coolant</source>
-            <translation>Kühlung</translation>
-        </message>
-        <message>
-            <source>Off</source>
-            <translation>Aus</translation>
-        </message>
-        <message>
-            <source>On</source>
-            <translation>Ein</translation>
-        </message>
-        <message>
             <source>Tooth warmer by</source>
             <translation>Zahn wärmer um</translation>
         </message>
@@ -1719,8 +1707,8 @@
             <translation>%1 U/min</translation>
         </message>
         <message>
-            <source>Too warm for the pulp: stop, and run the coolant</source>
-            <translation>Zu warm für die Pulpa: absetzen und kühlen</translation>
+            <source>Too warm for the pulp (%1, not verified): run the coolant</source>
+            <translation>Zu warm für die Pulpa (%1, nicht gesichert): kühlen</translation>
         </message>
         <message>
             <source>Speed %1.</source>
@@ -3902,16 +3890,16 @@
             <translation>Ohne Kühlung gebohrt</translation>
         </message>
         <message>
-            <source>Tooth warmer by</source>
-            <translation>Zahn wärmer um</translation>
+            <source>Tooth warmer by (not verified)</source>
+            <translation>Zahn wärmer um (nicht gesichert)</translation>
         </message>
         <message>
             <source>Tooth overheated</source>
             <translation>Zahn überhitzt</translation>
         </message>
         <message>
-            <source>The tooth was overheated by cutting dry</source>
-            <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt</translation>
+            <source>The tooth was overheated by cutting dry (criterion not verified)</source>
+            <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt (Grenze nicht gesichert)</translation>
         </message>
         <message>
             <source>%1 without coolant; full points up to %2</source>

@@ -329,7 +329,7 @@ QString metric_name(const std::string& m) {
   if (m == "force_mean") return Words::tr("Mean push");
   if (m == "pulp_exposure") return Words::tr("Pulp opened");
   if (m == "dry_cutting_time") return Words::tr("Cut without coolant");
-  if (m == "temperature_rise_peak") return Words::tr("Tooth warmer by");
+  if (m == "temperature_rise_peak") return Words::tr("Tooth warmer by (not verified)");
   if (m == "dry_cutting") return Words::tr("Tooth overheated");
   if (m.starts_with("removed_")) {
     const std::string key = m.substr(8);
@@ -353,7 +353,7 @@ QString metric_unit(const std::string& m) {
 
 QString critical_name(const std::string& critical) {
   if (critical == "pulp_exposure") return Words::tr("The pulp was opened");
-  if (critical == "dry_cutting") return Words::tr("The tooth was overheated by cutting dry");
+  if (critical == "dry_cutting") return Words::tr("The tooth was overheated by cutting dry (criterion not verified)");
   return metric_name(critical);
 }
 

@@ -35,7 +35,9 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(16), px(11), px(16), px(11));
   column->setSpacing(px(8));
-  column->addWidget(make_label(tr("Handpiece"), TextRole::section, true));
+  auto* head = new QHBoxLayout;
+  head->addWidget(make_label(tr("Handpiece"), TextRole::section, true), 1);
+  column->addLayout(head);
   const auto row = [this, column](const QString& icon_name, const QString& name, QLabel** value) {
     auto* holder = new QWidget(this);
     auto* lay = new QHBoxLayout(holder);
@@ -45,27 +47,23 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
     sign->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, devicePixelRatioF()));
     lay->addWidget(sign);
     lay->addWidget(make_label(name), 1);
-    if (value != nullptr) {
-      *value = make_label({}, TextRole::body, true);
-      (*value)->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-      (*value)->setAccessibleDescription(name);
-      lay->addWidget(*value);
-    }
+    *value = make_label({}, TextRole::body, true);
+    (*value)->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    (*value)->setAccessibleDescription(name);
+    lay->addWidget(*value);
     column->addWidget(holder);
     return holder;
   };
   speed_row_ = row(QStringLiteral("turn"), tr("Speed"), &speed_);
 
-  coolant_row_ = row(QStringLiteral("drop"), tr("Coolant"), nullptr);
-  coolant_ = make_button(tr("Off"), ButtonKind::standard, {}, QKeySequence(Qt::Key_W));
+  coolant_ = make_button(tr("Coolant is off"), ButtonKind::standard, QStringLiteral("drop"), QKeySequence(Qt::Key_W));
   coolant_->setCheckable(true);
   coolant_->setFocusPolicy(Qt::TabFocus);  // a click must not take Space from drilling
-  coolant_->setMinimumWidth(px(72));
   connect(coolant_, &QPushButton::toggled, this, [this](bool on) {
     show_coolant(on);
     Q_EMIT coolant_changed(on);
   });
-  coolant_row_->layout()->addWidget(coolant_);
+  head->addWidget(coolant_);
 
   heat_part_ = row(QStringLiteral("heat"), tr("Tooth warmer by"), &heat_);
   heat_bar_ = new Bar(Bar::Role::good, this);
@@ -111,7 +109,7 @@ void HandpiecePanel::set_exercise(const Scenario& scenario) {
   reckons_heat_ = asked.heat;
   sounds_ = spindle_ && has_phenomenon(scenario.phenomena, "sound");
   speed_row_->setVisible(spindle_);
-  coolant_row_->setVisible(reckons_heat_);
+  coolant_->setVisible(reckons_heat_);
   heat_part_->setVisible(reckons_heat_);
   heat_bar_->setVisible(reckons_heat_);
   heat_note_->setVisible(reckons_heat_);
@@ -138,8 +136,9 @@ void HandpiecePanel::show_muted() {
 }
 
 void HandpiecePanel::show_coolant(bool on) {
-  coolant_->setText(on ? tr("On") : tr("Off"));
-  coolant_->setAccessibleName(on ? tr("Coolant is on") : tr("Coolant is off"));
+  const QString name = on ? tr("Coolant is on") : tr("Coolant is off");
+  coolant_->setText(u' ' + name);  // as make_button: the style leaves no room after the sign
+  coolant_->setAccessibleName(name);
   coolant_->setToolTip(QStringLiteral("%1 (%2)").arg(on ? tr("Turn the coolant off") : tr("Turn the coolant on"),
                                                      QKeySequence(Qt::Key_W).toString(QKeySequence::NativeText)));
   coolant_->setShortcut(Qt::Key_W);  // a new text takes the shortcut away
@@ -153,7 +152,9 @@ void HandpiecePanel::show_values(const LiveView& live) {
     const bool stalled = out.has(PhenomenonSign::stalled);
     const double rpm = std::round(static_cast<double>(out.spindle_rpm) / kShownRpm) * kShownRpm;
     //: Turns of the burr in a minute.
-    set_text(speed_, stalled ? tr("stalled, push less") : tr("%1 rpm").arg(format_number(rpm, 0, QLocale())));
+    QLocale grouped;
+    grouped.setNumberOptions(grouped.numberOptions() & ~QLocale::OmitGroupSeparator);
+    set_text(speed_, stalled ? tr("stalled, push less") : tr("%1 rpm").arg(format_number(rpm, 0, grouped)));
     set_ink(speed_, stalled ? "look" : "");
   }
   if (!reckons_heat_) return;
@@ -166,8 +167,9 @@ void HandpiecePanel::show_values(const LiveView& live) {
   const bool over = rise >= kPulpCriterionK;
   if (over == over_) return;
   over_ = over;
-  set_text(heat_note_, over ? tr("Too warm for the pulp: stop, and run the coolant")
-                            : tr("The pulp is at risk from %1 (not verified)").arg(degrees(kPulpCriterionK)));
+  const QString said = over ? tr("Too warm for the pulp (%1, not verified): run the coolant")
+                            : tr("The pulp is at risk from %1 (not verified)");
+  set_text(heat_note_, said.arg(degrees(kPulpCriterionK)));
   set_ink(heat_note_, over ? "bad" : "text2");
   if (over) announce(this, heat_note_->text());
 }

@@ -41,7 +41,7 @@ class HandpiecePanel : public QFrame {
   void show_coolant(bool on);
   void show_muted();
 
-  QWidget *speed_row_, *coolant_row_, *heat_part_, *sound_row_;
+  QWidget *speed_row_, *heat_part_, *sound_row_;
   QLabel *speed_, *heat_, *heat_note_, *no_sound_;
   QPushButton* coolant_;
   Bar* heat_bar_;

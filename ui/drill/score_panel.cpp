@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -128,21 +129,41 @@ QFrame* ScorePanel::add_part(const QString& title, QLabel** aside) {
     head->addWidget(*aside);
   }
   lay->addLayout(head);
-  layout()->addWidget(part);
-  layout()->addWidget(make_rule());
+  body_->layout()->addWidget(part);
+  body_->layout()->addWidget(make_rule());
   return part;
 }
 
 ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   set_kind(this, "panel_right");
   setFixedWidth(px(304));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(1, 0, 0, 0);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(1, 0, 0, 0);
+  whole->setSpacing(0);
+  // A small window scrolls what does not fit; whether the record is safe always stands below it.
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  body_ = new QWidget;
+  set_kind(body_, "page_surface");
+  body_->setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(body_);
+  column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  scroll->setWidget(body_);
+  whole->addWidget(scroll, 1);
 
   QFrame* part = add_part(tr("Section at the burr"), &section_aside_);
   section_ = new SectionView(part);
   part->layout()->addWidget(section_);
+
+  handpiece_ = new HandpiecePanel(this);
+  column->addWidget(handpiece_);
+  handpiece_rule_ = make_rule();
+  handpiece_rule_->hide();
+  column->addWidget(handpiece_rule_);
 
   progress_part_ = part = add_part(tr("Progress"));
   auto* line = new QHBoxLayout;
@@ -181,12 +202,6 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   tissue_grid_->setColumnStretch(2, 1);
   static_cast<QVBoxLayout*>(part->layout())->addLayout(tissue_grid_);
 
-  handpiece_ = new HandpiecePanel(this);
-  column->addWidget(handpiece_);
-  handpiece_rule_ = make_rule();
-  handpiece_rule_->hide();
-  column->addWidget(handpiece_rule_);
-
   part = add_part(tr("Device"));
   auto* device_line = new QHBoxLayout;
   device_ = make_label({});
@@ -200,7 +215,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   part->layout()->addWidget(softened_);
 
   column->addStretch();
-  column->addWidget(make_rule());
+  whole->addWidget(make_rule());
   auto* foot = new QHBoxLayout;
   foot->setContentsMargins(px(16), px(10), px(16), px(10));
   foot->setSpacing(px(8));
@@ -209,7 +224,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   recording_->setWordWrap(true);
   foot->addWidget(recording_icon_);
   foot->addWidget(recording_, 1);
-  column->addLayout(foot);
+  whole->addLayout(foot);
 }
 
 void ScorePanel::set_exercise(const Scenario& scenario, bool has_target, bool has_pulp, bool is_tooth) {

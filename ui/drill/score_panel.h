@@ -59,6 +59,7 @@ class ScorePanel : public QFrame {
   };
   QFrame* add_part(const QString& title, QLabel** aside = nullptr);
 
+  QWidget* body_;
   SectionView* section_;
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
