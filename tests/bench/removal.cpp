@@ -280,6 +280,8 @@ std::vector<DrillRun> speed_runs(const Options& options, Method method) {
   const std::vector<double> voxels = chosen(options.voxels_mm, options.full ? std::vector{kFullVoxelMm} : kVoxelsMm);
   const std::vector<double> ticks = chosen(options.ticks_ms, kTicksMs), alphas = chosen(options.alphas, kAlphas);
   std::vector<Cutter> cutters = options.full ? std::vector{round_cutter(kFullBurrMm)} : removal_cutters();
+  // The paper's burr is a ball.
+  if (reading_of(method) == Reading::filled) std::erase_if(cutters, [](const Cutter& c) { return !c.burr.head.ball(); });
   if (!options.burr_radii_mm.empty()) {
     cutters.clear();
     for (const double radius : options.burr_radii_mm) cutters.push_back(round_cutter(2.0 * radius));

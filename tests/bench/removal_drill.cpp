@@ -120,7 +120,7 @@ Cutter round_cutter(double diameter_mm) {
 Cutter fissure_cutter(double diameter_mm, bool sideways) {
   Cutter out = round_cutter(diameter_mm);
   const double r = out.burr.radius_mm;
-  out.name = "fissure" + out.name.substr(out.name.find(' ')) + (sideways ? ", side" : ", end");
+  out.name = "fissure" + out.name.substr(out.name.find(' ')) + (sideways ? " side" : " end");
   out.burr.name = out.name;
   out.burr.head = flat_head(r, r, kFissureMm).value_or(Profile{});
   // So thin that it stays over the face while the flank goes in.

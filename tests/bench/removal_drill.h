@@ -22,7 +22,7 @@ struct Cutter {
 Cutter round_cutter(double diameter_mm);
 
 /// A straight fissure with a head of kFissureMm, led tip first or sideways.
-inline constexpr double kFissureMm = 2.0;
+inline constexpr double kFissureMm = 1.2;
 Cutter fissure_cutter(double diameter_mm, bool sideways);
 
 /// F_full of the bench's scenes, N: 0.25 mm of spring at the stiffness of every tissue there, 1 N/mm.

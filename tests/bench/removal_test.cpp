@@ -55,6 +55,7 @@ TEST(RemovalRuns, hold_every_burr_in_every_direction_and_the_full_product_of_one
   for (const DrillRun& run : speed_runs(options, Method::surface))
     seen.emplace(run.cutter.name, run.direction.x + 10.0 * run.direction.y + 100.0 * run.direction.z);
   EXPECT_EQ(seen.size(), removal_cutters().size() * 26);
+  EXPECT_EQ(speed_runs(options, Method::occupancy).size(), 26u * 4) << "three burrs, four voxel sizes";
   options.full = true;
   EXPECT_EQ(speed_runs(options, Method::surface).size(), 3u * 26 * 3 * 4);
 }
@@ -192,6 +193,7 @@ Report made_up() {
         Row& row = out.rows.emplace_back();
         row.method = method;
         row.measure = "speed";
+        row.burr = removal_cutters().back().name;
         row.voxel_mm = voxel;
         row.tick_ms = row.alpha = 1.0;
         row.direction = direction;
@@ -209,7 +211,9 @@ Report made_up() {
 }
 
 TEST(RemovalPictures, are_the_same_bytes_from_the_same_rows_and_name_what_is_missing) {
-  const Report rows = *from_csv(to_csv(made_up()));  // as the chart draws: from what the table holds
+  const auto table = from_csv(to_csv(made_up()));  // as the chart draws: from what the table holds
+  ASSERT_TRUE(table);
+  const Report& rows = *table;
   for (const auto draw : {depth_over_time, speed_error, removal_table}) {
     const auto once = draw(rows), again = draw(*from_csv(to_csv(rows)));
     ASSERT_TRUE(once && again);
