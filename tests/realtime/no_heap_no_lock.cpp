@@ -125,6 +125,25 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
   EXPECT_GT(ticker.state().volume().cut_bricks().size(), 0u);
 }
 
+TEST_P(EveryMethod, WithSpindleVibrationAndHeatTicksTakeNoHeapAndNoLock) {
+  const auto scene = std::make_shared<Scene>(*test::block_scene(GetParam()));
+  scene->phenomena = {Handpiece::turbine, true, true};
+  HandOver hand_over(4096);
+  Ticker ticker(StepState(scene), hand_over);
+  double most_rpm = 0;
+  arm();
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    ticker.set_coolant(i > 1500);
+    ticker.tick(test::drilling_sample(i), 1000);
+    most_rpm = std::max(most_rpm, static_cast<double>(hand_over.latest.read().output.spindle_rpm));
+  }
+  const Counts counts = disarm();
+  EXPECT_EQ(counts.allocations, 0u);
+  EXPECT_EQ(counts.frees, 0u);
+  EXPECT_EQ(counts.locks, 0u);
+  EXPECT_GT(most_rpm, 1e5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          testing::Values(Method::surface, Method::occupancy, Method::occupancy_pivot, Method::ray,
                                          Method::penalty, Method::gradient),
