@@ -24,6 +24,7 @@
 #include "ui/instructor/import_forms.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/slice_view.h"
+#include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp {
@@ -215,6 +216,20 @@ TEST_F(Page, a_file_that_cannot_be_read_says_so_and_leaves_the_page_as_it_was) {
   EXPECT_TRUE(page->files().empty());
   open({file("gone.nrrd")});
   EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("gone.nrrd")));
+}
+
+TEST_F(Page, reading_can_be_stopped_and_leaves_nothing) {
+  write_ct();
+  page->open_files({file("ct")});
+  ASSERT_TRUE(page->busy());
+  EXPECT_FALSE(button(QStringLiteral("Choose a file…"))->isEnabled());
+  Q_EMIT page->findChild<Busy*>()->cancelled();
+  EXPECT_FALSE(page->busy());
+  EXPECT_TRUE(page->files().empty());
+  EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("stopped")));
+  EXPECT_TRUE(button(QStringLiteral("Choose a file…"))->isEnabled());
+  open({file("ct")});  // and it can be begun again
+  EXPECT_NE(page->volume(), nullptr);
 }
 
 TEST_F(Page, files_can_be_dropped) {
