@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scenarios/teeth/variety.h"
+
 namespace cusp {
 namespace {
 
@@ -35,11 +37,11 @@ Sided joined(const Sided& a, const Sided& b, double k) {
 }  // namespace
 
 ToothShape::ToothShape(const ToothTable& table, std::uint64_t seed, double voxel_mm)
-    : table_(table),
+    : table_(varied_table(table, seed)),
       seed_(seed),
       voxel_mm_(voxel_mm),
-      wall_(table, kGrooveVoxels * voxel_mm),
-      occlusal_(table, seed, kGrooveVoxels * voxel_mm),
+      wall_(table_, kGrooveVoxels * voxel_mm),
+      occlusal_(table_, seed, kGrooveVoxels * voxel_mm),
       warp_x_(seed * 3, kWarpLengthMm),
       warp_y_(seed * 3 + 1, kWarpLengthMm) {
   for (const LoftTable& root : table.roots) roots_.emplace_back(root, kRootTopMm, kRootTopMm);

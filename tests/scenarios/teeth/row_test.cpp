@@ -8,6 +8,7 @@
 #include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/tables.h"
 #include "scenarios/teeth/tooth.h"
+#include "scenarios/teeth/variety.h"
 #include "tests/scenarios/teeth/measure.h"
 
 namespace cusp {
@@ -220,6 +221,21 @@ TEST(Typodont, IsTheSameFormInPlastic) {
   ASSERT_TRUE(natural && plastic);
   EXPECT_EQ(natural->volume.s, plastic->volume.s);
   EXPECT_EQ(tissues_of(plastic->volume), std::set<Tissue>{Tissue::plastic});
+}
+
+TEST(Variety, LiftsCuspsAndGrowsCarabellisInHalfOfUpperFirstMolars) {
+  const ToothTable& mean = *table_for(16)->table;
+  int with = 0;
+  double most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const ToothTable t = varied_table(mean, seed);
+    for (const FaceTable& face : t.faces) with += face.name == "Carabelli" && face.outward_mm > 0.0;
+    for (std::size_t i = 0; i < t.cusps.size(); ++i) most = std::max(most, std::fabs(t.cusps[i].tip.z - mean.cusps[i].tip.z));
+  }
+  EXPECT_NEAR(with, 50, 15);  // of a hundred; three standard deviations of a fair coin
+  EXPECT_GT(most, 0.1);
+  EXPECT_LE(most, 0.2 + 1e-9);  // two sigma of 0.1 mm
+  EXPECT_EQ(varied_table(mean, 0).cusps.front().tip, mean.cusps.front().tip);
 }
 
 /// Coarse, for the chain of places; the promise at 0.1 mm is held by cusp-teeth-table --jaw.
