@@ -74,11 +74,14 @@ double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, doubl
                    double fallback_mm_s, std::uint64_t tick) noexcept {
   Met met;
   auto eighth = static_cast<unsigned>(tick & 7);
+  const bool half_turn = (tick & 8) != 0;
   for (const Vec3& u : kDirections.unit) {
     const double w = glm::dot(u, direction);
     eighth = (eighth + 3) & 7;
     if (w <= 0.0) continue;
-    met.look(volume, scene, pose_mm + u * radius_mm, w, eighth);
+    // Half a turn about the way every eight ticks: what lies unevenly about it then evens out.
+    const Vec3 at = half_turn ? direction * (2.0 * w) - u : u;
+    met.look(volume, scene, pose_mm + at * radius_mm, w, eighth);
     if (met.stops) return 0.0;
   }
   return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;

@@ -22,6 +22,8 @@ constexpr double kFastestMmS = 300.0, kLongestCarveMm = 1.0;
 /// (the cut pose is drawn to the proxy), after kLeastPieceMm.
 constexpr double kLongestPieceMm = 0.04;
 constexpr double kLeastPieceMm = 0.008;
+/// A shorter slide cannot take more than its own length too much; and contact itself moves that far when a piece is carved.
+constexpr double kLeastSlideMm = 0.0004;
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
@@ -103,7 +105,6 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   const double reach = 1.1 * length_of(device - state.device) + 0.004;
   const Vec3 before = state.proxy;
 
-  if (state.owed_piece.next >= 0) out.overflow = !carve_some(state, bricks_a_tick(state));
   surface.sharpen(state.volume, !cut);
   Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach);
   const double moved = length_of(device - state.device);
@@ -151,7 +152,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
 
     // Sliding: a burr that moves this far in a tick may stand only so deep, if nothing recedes faster than it wears.
     const double slide = length_of(slid);
-    if (slide > 1e-6 && advance > 0.0) {
+    if (slide > kLeastSlideMm && advance > 0.0) {
       const double tau = slide_depth(burr, axis, direction, slid, advance);
       if (tau < kShallowTauMm) {
         out.overflow = !carve_pending(state, out.burr) || out.overflow;
@@ -198,6 +199,8 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     }
     state.cut_valid = true;
 
+    // Before contact is looked for again: how the proxy moves because the field has changed is no slide.
+    if (state.owed_piece.next >= 0) out.overflow = !carve_some(state, bricks_a_tick(state)) || out.overflow;
     contact = surface.after_cut(state.volume, scene, out.burr, axis, contact, device, advance);
     out.infeasible = out.infeasible || contact.infeasible;
     out.overflow = out.overflow || contact.overflow;
