@@ -208,8 +208,8 @@
         <message numerus="yes">
             <source>and %n more</source>
             <translation>
-                <numerusform>and %n more</numerusform>
-                <numerusform>and %n more</numerusform>
+                <numerusform>and %n more time</numerusform>
+                <numerusform>and %n more times</numerusform>
             </translation>
         </message>
     </context>
