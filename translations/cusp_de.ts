@@ -1794,6 +1794,10 @@
             <translation>weniger drücken, mehr drücken</translation>
         </message>
         <message>
+            <source>turn the handpiece, where the exercise lets it; Home: back</source>
+            <translation>das Handstück drehen, wo die Übung es erlaubt; Pos1: zurück</translation>
+        </message>
+        <message>
             <source>cut while held</source>
             <translation>trägt ab, solange gehalten</translation>
         </message>

@@ -6,6 +6,8 @@
 namespace cusp {
 namespace {
 
+constexpr double kRadians = 3.14159265358979323846 / 180.0;
+
 bool finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
@@ -39,6 +41,30 @@ void PointerHand::set_burr(std::uint16_t burr) noexcept {
   wish_.burr = burr;
   hand_over();
 }
+
+void PointerHand::turn(double right_deg, double up_deg) noexcept {
+  if (!std::isfinite(right_deg) || !std::isfinite(up_deg)) return;
+  // The shank points against the approach.
+  const Vec3 by = glm::cross(-wish_.approach, right_ * right_deg + up_ * up_deg) * kRadians;
+  turned_ += by;
+  const double angle = glm::length(turned_);
+  if (angle > turn_limit_) turned_ = angle > 0.0 ? turned_ * (turn_limit_ / angle) : Vec3(0.0);
+  const double left = glm::length(turned_);
+  wish_.orientation = left > 1e-9 ? Quat(std::cos(left / 2), turned_ * (std::sin(left / 2) / left)) : Quat(1.0, 0.0, 0.0, 0.0);
+  hand_over();
+}
+
+void PointerHand::turn_back() noexcept {
+  turned_ = Vec3(0.0);
+  turn(0, 0);
+}
+
+void PointerHand::set_turn_limit(double degrees) noexcept {
+  turn_limit_ = degrees > 0.0 ? std::min(degrees, 60.0) * kRadians : 0.0;
+  turn(0, 0);
+}
+
+double PointerHand::turned_deg() const noexcept { return glm::length(turned_) / kRadians; }
 
 void PointerHand::set_view(Vec3 approach, Vec3 right) noexcept {
   const double length = glm::length(approach);

@@ -16,6 +16,7 @@ struct PointerWish {
   double push_n = 0;                 // 0 = let go: the burr lifts off
   bool cut = false;
   std::uint16_t burr = 0;
+  Quat orientation{1.0, 0.0, 0.0, 0.0};  // by which the handpiece is turned from rest
 };
 
 class PointerHand {
@@ -36,6 +37,14 @@ class PointerHand {
   void lift() noexcept { set_push(0); }
   void set_cut(bool cut) noexcept;
   void set_burr(std::uint16_t burr) noexcept;
+  /// Turns the handpiece by so many degrees, so that its shank leans to the right and up as seen along the approach; no
+  /// further from rest than turn_limit_deg. For held keys, steps of speed * time.
+  void turn(double right_deg, double up_deg) noexcept;
+  /// Back to rest.
+  void turn_back() noexcept;
+  /// 0 to 60; what the exercise allows. 0, as at first: it stays.
+  void set_turn_limit(double degrees) noexcept;
+  double turned_deg() const noexcept;
   /// Which way a push goes, and which way is right on the screen. Refused (unchanged) when not finite, of no length, or
   /// parallel. Default: downward, x to the right.
   void set_view(Vec3 approach, Vec3 right) noexcept;
@@ -51,6 +60,8 @@ class PointerHand {
   PointerWish wish_;
   Vec3 right_{1.0, 0.0, 0.0};  // unit, across the approach
   Vec3 up_{0.0, 1.0, 0.0};
+  Vec3 turned_{0.0};           // about this, by its length in radians
+  double turn_limit_ = 0.0;    // radians
   TripleBuffer<PointerWish> exchange_;
 };
 

@@ -27,6 +27,7 @@ Sample PointerPort::wait(std::chrono::steady_clock::time_point deadline) noexcep
   sample.buttons = wish.cut ? 1 : 0;
   sample.pedal = wish.cut ? 65535 : 0;
   sample.burr = wish.burr;
+  sample.orientation = wish.orientation;
   return sample;
 }
 

@@ -452,6 +452,7 @@ Scenario read_document(const json& document, Problems& problems) {
   });
   out.device.full_force_n = device.need("full_force_n").number({0, 50, true});
   device.maybe("tool_tilt_deg", [&](const Value& v) { out.tool_tilt_deg = v.number({-80, 80}); });
+  device.maybe("tool_turn_deg", [&](const Value& v) { out.tool_turn_deg = v.number({0, 60}); });
   device.nothing_else();
   out.method = root.need("method").word(FormatError::unknown_method, method_from_key);
   root.maybe("phenomena", [&](const Value& list) {

@@ -110,7 +110,8 @@ struct Scenario {
   Leeway leeway;
   std::vector<Tissue> protected_tissues;  // touching one is recorded, removing it is critical where the rubric says
   double time_limit_s = 0;                // 0 = none
-  double tool_tilt_deg = 0;               // of the fixed tool axis, from vertical towards buccal
+  double tool_tilt_deg = 0;               // of the tool axis at rest, from vertical towards buccal
+  double tool_turn_deg = 0;               // how far the hand may turn it from there; 0: it stays
   Rubric rubric;
   double tolerance_points = 2;  // what an audit may change the grade by
   friend bool operator==(const Scenario&, const Scenario&) = default;

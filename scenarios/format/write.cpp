@@ -142,6 +142,7 @@ Json json_of(const Scenario& scenario) {
   device["admitted"] = scenario.device.admitted;
   device["full_force_n"] = scenario.device.full_force_n;
   device["tool_tilt_deg"] = scenario.tool_tilt_deg;
+  if (scenario.tool_turn_deg > 0) device["tool_turn_deg"] = scenario.tool_turn_deg;
   out["device"] = std::move(device);
   out["method"] = key_of(scenario.method);
   out["phenomena"] = scenario.phenomena;

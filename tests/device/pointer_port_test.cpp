@@ -190,5 +190,35 @@ TEST(Catalogue, OffersTheMouseFirstAndKnowsItsKeys) {
   EXPECT_EQ(device_kind("trackball"), nullptr);
 }
 
+TEST(PointerHand, turns_the_handpiece_as_seen_along_the_approach_no_further_than_the_exercise_lets_it) {
+  PointerHand hand;
+  const auto shank = [&] { return hand.wish().orientation * Vec3(0.0, 0.0, 1.0); };
+  hand.turn(20.0, 0.0);
+  EXPECT_EQ(shank(), Vec3(0.0, 0.0, 1.0));  // no exercise has allowed it yet
+  hand.set_turn_limit(30.0);
+  hand.turn(20.0, 0.0);
+  EXPECT_NEAR(shank().x, std::sin(20.0 * 3.14159265358979 / 180.0), 1e-12);  // to the right
+  EXPECT_NEAR(shank().y, 0.0, 1e-12);
+  hand.turn_back();
+  hand.turn(0.0, 20.0);
+  EXPECT_NEAR(shank().y, std::sin(20.0 * 3.14159265358979 / 180.0), 1e-12);  // up
+  hand.turn(0.0, 50.0);
+  EXPECT_NEAR(hand.turned_deg(), 30.0, 1e-9);
+  hand.turn(kNan, 1.0);
+  EXPECT_NEAR(hand.turned_deg(), 30.0, 1e-9);
+  hand.set_turn_limit(10.0);
+  EXPECT_NEAR(hand.turned_deg(), 10.0, 1e-9);
+  hand.set_turn_limit(-1.0);
+  EXPECT_EQ(hand.turned_deg(), 0.0);
+}
+
+TEST(PointerPort, hands_the_turned_handpiece_on) {
+  PointerPort port(Vec3(0.0));
+  ASSERT_TRUE(port.open());
+  port.hand().set_turn_limit(45.0);
+  port.hand().turn(45.0, 0.0);
+  EXPECT_NEAR((port.wait(Clock::now()).orientation * Vec3(0.0, 0.0, 1.0)).x, std::sqrt(0.5), 1e-12);
+}
+
 }  // namespace
 }  // namespace cusp

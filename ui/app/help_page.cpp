@@ -68,6 +68,7 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
   auto* drilling = new Card(tr("Keys while drilling"));
   add_keys(drilling, {{{u"←"_qs, u"→"_qs, u"↑"_qs, u"↓"_qs}, tr("slide the burr")},
                       {{u"Page Up"_qs, u"Page Down"_qs}, tr("push less, push more")},
+                      {{u"Ctrl"_qs, u"↑"_qs}, tr("turn the handpiece, where the exercise lets it; Home: back")},
                       {{u"Space"_qs}, tr("cut while held")},
                       {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
                       {{u"["_qs, u"]"_qs}, tr("burr before, burr after")},

@@ -54,7 +54,7 @@ SectionImage DrillFeed::draw(const StepState& state, const SectionWish& wish) co
   if (wish.with_burr) {
     settings.burr = scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)];
     settings.pivot_mm = out.proxy_mm;
-    settings.axis = scene.tool_axis;
+    settings.axis = out.axis;
   }
   return draw_section(state.volume(), settings);
 }

@@ -305,10 +305,11 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
     if (!running() || inner_->working) return inner_->stage->view()->scene().burr;
     const Scene& scene = *inner_->go->run->scene();
     const StepOutput& out = inner_->go->run->view().output;
-    return BurrPose{scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)], out.proxy_mm, scene.tool_axis,
-                    out.cutting};
+    return BurrPose{scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)], out.proxy_mm,
+                    out.tick > 0 ? out.axis : scene.tool_axis, out.cutting};
   });
   if (go.pointer) {
+    go.pointer->hand().set_turn_limit(scenario.tool_turn_deg);
     in.input = std::make_unique<PointerInput>(*view, go.pointer->hand(), go.run->scene()->tool_axis,
                                               std::clamp(kUsualShare * scenario.device.full_force_n, kLeastUsualN,
                                                          PointerHand::kMaxPushN),

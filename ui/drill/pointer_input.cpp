@@ -95,6 +95,10 @@ bool PointerInput::press_key(int key, bool repeated) {
         change_push(-kPushStepN);
       }
       return true;
+    case Qt::Key_Home:
+      if (hand_.turned_deg() <= 0) return false;
+      hand_.turn_back();
+      return true;
     case Qt::Key_Left:
     case Qt::Key_Right:
     case Qt::Key_Up:
@@ -131,7 +135,11 @@ void PointerInput::step_keys() {
   const double mm = seconds * (fine ? kSlideMmS / 5 : kSlideMmS);
   const double right = (arrows_.contains(Qt::Key_Right) ? mm : 0) - (arrows_.contains(Qt::Key_Left) ? mm : 0);
   const double up = (arrows_.contains(Qt::Key_Up) ? mm : 0) - (arrows_.contains(Qt::Key_Down) ? mm : 0);
-  if (right != 0 || up != 0) hand_.nudge(right, up);
+  if (right == 0 && up == 0) return;
+  if (QGuiApplication::keyboardModifiers() & Qt::ControlModifier)
+    hand_.turn(right * kTurnDegPerMm, up * kTurnDegPerMm);
+  else
+    hand_.nudge(right, up);
 }
 
 void PointerInput::let_go() {

@@ -32,6 +32,7 @@ class PointerInput : public QObject {
   static constexpr double kPushStepN = 0.1;  // a notch of the wheel, a press of Page Down
   static constexpr double kLeastPushN = 0.1;
   static constexpr double kSlideMmS = 2.5;   // of a held arrow key; with Shift a fifth
+  static constexpr double kTurnDegPerMm = 12.0;  // with Ctrl an arrow key turns the handpiece: 30 degrees a second
 
  Q_SIGNALS:
   void push_changed(double newtons);

@@ -109,6 +109,7 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   scene->burrs = scenario.instruments;
   const SineCosine tilt = sine_cosine(scenario.tool_tilt_deg);
   scene->tool_axis = {0.0, tilt.sine, tilt.cosine};
+  scene->tilt_cosine = sine_cosine(scenario.tool_turn_deg).cosine;
   scene->full_force_n = scenario.device.full_force_n;
   scene->friction = has_phenomenon(scenario.phenomena, "friction");
   scene->phenomena = phenomena_from_keys(scenario.phenomena);

@@ -38,6 +38,7 @@ class ScenarioMaker {
     if (coin()) s.device.admitted = {"pointer", "falcon"};
     s.device.full_force_n = above(0, 50);
     s.tool_tilt_deg = between(-80, 80);
+    if (coin()) s.tool_turn_deg = between(0, 60);
     s.method = kMethods[static_cast<std::size_t>(pick(static_cast<int>(kMethods.size())))];
     if (coin()) s.phenomena = {"friction"};
     s.target.shape = kShapeKeys[static_cast<std::size_t>(pick(static_cast<int>(kShapeKeys.size())))];

@@ -368,6 +368,8 @@ TEST(ScenarioFile, BoundsAreTheSchemasBounds) {
       {"/device/full_force_n", 50, 50.1},
       {"/device/tool_tilt_deg", -80, -80.1},
       {"/device/tool_tilt_deg", 80, 80.1},
+      {"/device/tool_turn_deg", 0, -0.1},
+      {"/device/tool_turn_deg", 60, 60.1},
       {"/target/paths/0/0/2", -1000, -1000.1},
       {"/target/paths/0/0/2", 1000, 1000.1},
       {"/target/width_mm", 1e-9, 0},
