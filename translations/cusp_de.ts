@@ -1581,6 +1581,22 @@
             <source>The others are below. Publish them again from the editor.</source>
             <translation>Die anderen stehen unten. Veröffentlichen Sie sie im Editor erneut.</translation>
         </message>
+        <message>
+            <source>No exercise fits</source>
+            <translation>Keine Übung passt</translation>
+        </message>
+        <message>
+            <source>No exercise has these words in its name.</source>
+            <translation>Keine Übung trägt diese Worte im Namen.</translation>
+        </message>
+        <message>
+            <source>Show all exercises</source>
+            <translation>Alle Übungen zeigen</translation>
+        </message>
+        <message>
+            <source>Find an exercise</source>
+            <translation>Übung finden</translation>
+        </message>
     </context>
     <context>
         <name>cusp::GoAnywhere</name>
@@ -2724,7 +2740,7 @@
         </message>
         <message>
             <source>Opening the pulp fails the go</source>
-            <translation>Eine eröffnete Pulpa führt zum Nichtbestehen</translation>
+            <translation>Pulpa eröffnet: nicht bestanden</translation>
         </message>
         <message>
             <source>Bands of depth move with the target’s depth.</source>
@@ -2780,11 +2796,11 @@
         </message>
         <message>
             <source>pass %1 of 100, shares of %2</source>
-            <translation>Grenze %1 von 100, Anteile von %2</translation>
+            <translation>Grenze %1, Summe %2</translation>
         </message>
         <message>
             <source>Overheating the tooth fails the go</source>
-            <translation>Den Zahn zu überhitzen lässt durchfallen</translation>
+            <translation>Zahn überhitzt: nicht bestanden</translation>
         </message>
     </context>
     <context>

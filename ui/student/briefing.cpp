@@ -19,7 +19,8 @@ namespace cusp {
 QString burrs_text(const Scenario& scenario) {
   QStringList parts;
   for (const Burr& burr : scenario.instruments) {
-    parts += burr_text(burr);
+    // A line breaks between burrs, not within one.
+    parts += burr_text(burr).replace(u' ', QChar::Nbsp);
   }
   //: Between the burrs of a list, each of which has commas of its own.
   return parts.join(Briefing::tr("; "));

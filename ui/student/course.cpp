@@ -83,6 +83,14 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   if (role == IconRole && index.column() == kOpen) return u"chevron_right"_qs;
   if (role == QuietRole && index.column() == kBest) return !r.best;
   if (role == Qt::AccessibleTextRole && index.column() == kOpen) return tr("Briefing");
+  if (role == SortRole) {
+    switch (index.column()) {
+      case kDue: return static_cast<qlonglong>(r.due_utc_us.value_or(std::numeric_limits<qlonglong>::max()));
+      case kGoes: return r.goes;
+      case kBest: return r.best && r.best->score ? *r.best->score : -1.0;
+      default: return data(index, Qt::DisplayRole).toString();
+    }
+  }
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kExercise: return local(r.exercise.scenario.title);

@@ -1,6 +1,12 @@
 #include "ui/student/exercises_page.h"
 
 #include <QBoxLayout>
+#include <QCollator>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QShortcut>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
 
 #include "ui/app/sentences.h"
 #include "ui/widgets/empty_state.h"
@@ -8,12 +14,37 @@
 #include "ui/widgets/table.h"
 
 namespace cusp {
+namespace {
+
+/// Numbers as numbers, names as the language orders them with the figures in them counted: level 2 before level 10.
+class Sorted : public QSortFilterProxyModel {
+ public:
+  explicit Sorted(QObject* parent) : QSortFilterProxyModel(parent) {
+    names_.setNumericMode(true);
+    names_.setCaseSensitivity(Qt::CaseInsensitive);
+    setFilterKeyColumn(CourseModel::kExercise);
+    setFilterCaseSensitivity(Qt::CaseInsensitive);
+  }
+
+ protected:
+  bool lessThan(const QModelIndex& a, const QModelIndex& b) const override {
+    const QVariant left = a.data(SortRole), right = b.data(SortRole);
+    if (left.userType() != QMetaType::QString) return left.toDouble() < right.toDouble();
+    return names_.compare(left.toString(), right.toString()) < 0;
+  }
+
+ private:
+  QCollator names_;
+};
+
+}  // namespace
 
 ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) : QWidget(parent) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(px(24), px(16), px(24), px(24));
   outer->setSpacing(px(16));
-  outer->addWidget(new PageHead(tr("Exercises"), tr("Enter opens the briefing")));
+  auto* head = new PageHead(tr("Exercises"), tr("Enter opens the briefing"));
+  outer->addWidget(head);
   const auto course = load_course(store, actor);
   if (!course) {
     const Told told = tell(course.error());
@@ -31,19 +62,54 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) 
   table_ = new Table;
   table_->setAccessibleName(tr("Exercises"));
   auto* model = new CourseModel(course->rows, this);
-  table_->setModel(model);
+  auto* sorted = new Sorted(this);
+  sorted->setSourceModel(model);
+  table_->setModel(sorted);
+  // In the order of the course until a head is clicked; its third click brings that order back.
+  table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
+  table_->horizontalHeader()->setSortIndicatorClearable(true);
+  table_->setSortingEnabled(true);
   table_->set_stretch_column(CourseModel::kExercise);
   bool due = false;
   for (const CourseRow& row : course->rows) due = due || row.due_utc_us.has_value();
   table_->setColumnHidden(CourseModel::kDue, !due);
   table_->choose_row(std::max(course->next(), 0));
-  card->body()->addWidget(table_);
+  auto* shown = new QStackedWidget;
+  shown->addWidget(table_);
+  auto* none = new EmptyState(u"search"_qs, tr("No exercise fits"), tr("No exercise has these words in its name."),
+                              tr("Show all exercises"));
+  shown->addWidget(none);
+  card->body()->addWidget(shown);
   outer->addWidget(card, 1);
-  const auto open = [this, model](const QModelIndex& index) { Q_EMIT briefing_wanted(model->row(index.row()).exercise); };
+  const auto open = [this, model, sorted](const QModelIndex& index) {
+    Q_EMIT briefing_wanted(model->row(sorted->mapToSource(index).row()).exercise);
+  };
   connect(table_, &Table::row_opened, this, open);
   connect(table_, &QTableView::clicked, this, [open](const QModelIndex& index) {
     if (index.column() == CourseModel::kOpen) open(index);
   });
+
+  search_ = new QLineEdit;
+  search_->setPlaceholderText(tr("Find an exercise"));
+  search_->setAccessibleName(tr("Find an exercise"));
+  search_->addAction(icon(u"search"_qs, Ink::text2), QLineEdit::LeadingPosition);
+  search_->setClearButtonEnabled(true);
+  search_->setFixedWidth(px(240));
+  head->buttons()->addWidget(search_);
+  connect(search_, &QLineEdit::textChanged, this, [this, sorted, shown](const QString& text) {
+    sorted->setFilterFixedString(text.trimmed());
+    shown->setCurrentIndex(sorted->rowCount() == 0 ? 1 : 0);
+    if (table_->chosen_row() < 0) table_->choose_row(0);
+  });
+  connect(search_, &QLineEdit::returnPressed, this, [this, sorted, open] {
+    if (sorted->rowCount() > 0) open(sorted->index(std::max(table_->chosen_row(), 0), 0));
+  });
+  connect(none, &EmptyState::acted, this, [this] {
+    search_->clear();
+    table_->setFocus();
+  });
+  auto* find = new QShortcut(QKeySequence::Find, this);
+  connect(find, &QShortcut::activated, search_, [this] { search_->setFocus(Qt::ShortcutFocusReason); });
   setFocusProxy(table_);
 }
 

@@ -1,9 +1,11 @@
-/// All exercises with one's own standing; Enter opens the briefing.
+/// All exercises with one's own standing: found by a word, sorted by a column's head; Enter opens the briefing.
 #pragma once
 
 #include <QWidget>
 
 #include "ui/student/course.h"
+
+class QLineEdit;
 
 namespace cusp {
 
@@ -15,12 +17,14 @@ class ExercisesPage : public QWidget {
  public:
   ExercisesPage(Store& store, const Actor& actor, QWidget* parent = nullptr);
   Table* table() const { return table_; }
+  QLineEdit* search() const { return search_; }
 
  Q_SIGNALS:
   void briefing_wanted(const cusp::Exercise& exercise);
 
  private:
   Table* table_ = nullptr;
+  QLineEdit* search_ = nullptr;
 };
 
 }  // namespace cusp

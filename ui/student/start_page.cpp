@@ -24,13 +24,17 @@ constexpr int kShortText = 120;  // letters: about two lines beside the picture
 
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC); }
 
-QWidget* fact(const QString& name, const QString& value) {
+/// `wraps`: its value may be long, takes what is left of the line and goes on below.
+QWidget* fact(const QString& name, const QString& value, bool wraps = false) {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(make_label(name, TextRole::caption, false, "text2"));
-  column->addWidget(make_label(value));
+  QLabel* text = make_label(value);
+  text->setWordWrap(wraps);
+  column->addWidget(text);
+  column->addStretch();
   return box;
 }
 
@@ -128,8 +132,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
                                                      : format_number(row.goes, 0)));
   facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
                                                                        : tr("none yet")));
-  facts->addWidget(fact(tr("Burrs"), burrs_text(s)));
-  facts->addStretch();
+  facts->addWidget(fact(tr("Burrs"), burrs_text(s), true), 1);
   text->addLayout(facts);
   text->addStretch();
   auto* acts = new QHBoxLayout;

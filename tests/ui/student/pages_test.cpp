@@ -4,7 +4,10 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -71,6 +74,57 @@ TEST_F(Pages, the_list_opens_the_briefing_with_enter) {
   QTest::keyClick(page.table(), Qt::Key_Return);
   ASSERT_TRUE(wanted.has_value());
   EXPECT_EQ(wanted->scenario.key, builtin_scenarios()[1]);
+}
+
+TEST_F(Pages, a_word_finds_its_exercises_and_enter_opens_the_first) {
+  const Account lena = records.student("1", "Lena Brandt");
+  ExercisesPage page(records.store(), lena.actor());
+  page.show();
+  std::optional<Exercise> wanted;
+  QObject::connect(&page, &ExercisesPage::briefing_wanted, [&](const Exercise& e) { wanted = e; });
+  const int all = page.table()->model()->rowCount();
+  page.search()->setText(QStringLiteral("class i"));
+  EXPECT_EQ(page.table()->model()->rowCount(), 1);
+  QTest::keyClick(page.search(), Qt::Key_Return);
+  ASSERT_TRUE(wanted.has_value());
+  EXPECT_EQ(wanted->scenario.key, "class-1-36");
+  page.search()->setText(QStringLiteral("no such thing"));
+  EXPECT_EQ(page.table()->model()->rowCount(), 0);
+  wanted.reset();
+  QTest::keyClick(page.search(), Qt::Key_Return);
+  EXPECT_FALSE(wanted.has_value());
+  for (QPushButton* button : page.findChildren<QPushButton*>()) {
+    if (button->text() == QStringLiteral("Show all exercises")) button->click();
+  }
+  EXPECT_EQ(page.table()->model()->rowCount(), all);
+}
+
+TEST_F(Pages, a_sorted_list_opens_the_exercise_that_it_shows) {
+  const Account lena = records.student("1", "Lena Brandt");
+  ExercisesPage page(records.store(), lena.actor());
+  page.show();
+  std::optional<Exercise> wanted;
+  QObject::connect(&page, &ExercisesPage::briefing_wanted, [&](const Exercise& e) { wanted = e; });
+  page.table()->sortByColumn(CourseModel::kExercise, Qt::AscendingOrder);
+  page.table()->choose_row(0);
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  ASSERT_TRUE(wanted.has_value());
+  EXPECT_EQ(wanted->scenario.key, "circle-1");  // "Circle, level 1" is the first of the alphabet
+  page.table()->sortByColumn(-1, Qt::AscendingOrder);
+  page.table()->choose_row(0);
+  QTest::keyClick(page.table(), Qt::Key_Return);
+  EXPECT_EQ(wanted->scenario.key, builtin_scenarios()[0]);  // the order of the course again
+}
+
+TEST_F(Pages, the_start_page_fits_a_window_of_1280) {
+  const Account lena = records.student("1", "Lena Brandt");
+  StartPage page(records.store(), lena, pictures, now);
+  page.resize(1080, 752);  // less the bar at the side
+  page.show();
+  const auto* scroll = page.findChild<QScrollArea*>();
+  ASSERT_NE(scroll, nullptr);
+  QTest::qWait(0);
+  EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0);
 }
 
 TEST_F(Pages, the_briefing_says_what_earns_points_and_starts) {
