@@ -10,6 +10,7 @@
 #include <QSaveFile>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -29,7 +30,7 @@ namespace cusp {
 namespace {
 
 constexpr int kStackBelow = 1000;       // px at 100 %, of the page
-constexpr double kBar = 5, kFrom = 40;  // points a bar, from
+constexpr double kBar = 5, kFrom = 40;  // points a bar; from, where nobody has fewer
 
 /// Sorts by SortRole: numbers as numbers, names as the language orders them.
 class Sorted : public QSortFilterProxyModel {
@@ -228,16 +229,18 @@ void Performance::show_figures() {
 
   ChartData spread;
   spread.title = tr("How scores spread");
-  const std::vector<int> bars = spread_of(model_->rows(), kFrom, kBar);
+  const bool poor = std::ranges::any_of(model_->rows(), [](const HistoryRow& r) { return r.score && *r.score < kFrom; });
+  const double least = poor ? 0 : kFrom;
+  const std::vector<int> bars = spread_of(model_->rows(), least, kBar);
   const int highest = std::max(4, *std::max_element(bars.begin(), bars.end()));
   const double step = std::max(1.0, std::ceil(highest / 4.0));
-  spread.x = {tr("points"), kFrom, 100, kBar, 0};
+  spread.x = {tr("points"), least, 100, poor ? 2 * kBar : kBar, 0};
   spread.y = {tr("goes"), 0, step * std::ceil(highest / step), step, 0};
   ChartSeries counted;
   counted.name = tr("Goes");
   counted.draw = ChartSeries::Draw::bars;
   for (std::size_t i = 0; i < bars.size(); ++i) {
-    const double from = kFrom + kBar * static_cast<double>(i);
+    const double from = least + kBar * static_cast<double>(i);
     counted.points += {from, static_cast<double>(bars[i]),
                        i == 0 ? tr("below %1").arg(format_number(from + kBar, 0))
                               : tr("%1 to %2").arg(format_number(from, 0), format_number(from + kBar, 0)),

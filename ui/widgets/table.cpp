@@ -94,7 +94,7 @@ QSize TableDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
   int width = metrics.horizontalAdvance(text) + px(18);
   const QString second = index.data(SecondRole).toString();
   if (!second.isEmpty()) width += metrics.horizontalAdvance(second) + px(4);
-  if (!index.data(IconRole).toString().isEmpty()) width += px(26);
+  if (!index.data(IconRole).toString().isEmpty()) width += text.isEmpty() ? px(16) : px(26);
   if (index.data(ShareRole).isValid()) width += px(64);
   Q_UNUSED(option);
   return {width, px(36)};

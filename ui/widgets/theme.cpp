@@ -15,6 +15,7 @@
 #include <QStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <utility>
@@ -134,6 +135,26 @@ QString style_sheet(const Tokens& t) {
   }
   out += text.mid(from);
   return out.replace(u"%chevron_down%"_qs, chevron_file(t));
+}
+
+/// Fusion's own takes its frame from the window's colour, which in the dark is hardly seen.
+void draw_check_box(QPainter& painter, const QStyleOption& option) {
+  const Tokens& t = tokens();
+  const bool enabled = option.state & QStyle::State_Enabled;
+  const bool on = option.state & QStyle::State_On, some = option.state & QStyle::State_NoChange;
+  const bool filled = enabled && (on || some);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const bool under = option.state & QStyle::State_MouseOver;
+  painter.setPen(QPen(!enabled ? t.line : under ? t.text : filled ? t.accent : t.border, px(1.0)));
+  painter.setBrush(!enabled ? t.window : filled ? t.accent : t.surface);
+  const QRectF box = QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter.drawRoundedRect(box, px(4.0), px(4.0));
+  painter.setPen(QPen(enabled ? t.on_accent : t.text3, px(2.0), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const auto at = [&box](double x, double y) { return QPointF(box.left() + x * box.width(), box.top() + y * box.height()); };
+  if (on) painter.drawPolyline(QPolygonF{at(0.25, 0.53), at(0.43, 0.71), at(0.76, 0.31)});
+  if (some) painter.drawLine(at(0.28, 0.5), at(0.72, 0.5));
+  painter.restore();
 }
 
 /// Moves one QFocusFrame to whatever has the focus.
@@ -258,7 +279,11 @@ CuspStyle::CuspStyle() : QProxyStyle(u"Fusion"_qs) {}
 int CuspStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
   switch (metric) {
     case PM_FocusFrameHMargin:
-    case PM_FocusFrameVMargin: return px(4);
+    case PM_FocusFrameVMargin: {
+      // Tabs fill their panel to the window's edge: their ring lies within.
+      const auto* ring = qobject_cast<const QFocusFrame*>(option ? option->styleObject : nullptr);
+      return ring && qobject_cast<const QTabBar*>(ring->widget()) ? 0 : px(4);
+    }
     case PM_ToolTipLabelFrameWidth: return px(6);
     case PM_ScrollBarExtent: return px(12);
     case PM_SmallIconSize:
@@ -302,6 +327,10 @@ void CuspStyle::drawControl(ControlElement element, const QStyleOption* option, 
 void CuspStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                               const QWidget* widget) const {
   if (element == PE_FrameFocusRect) return;  // the ring says it
+  if (element == PE_IndicatorCheckBox) {
+    draw_check_box(*painter, *option);
+    return;
+  }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
 
