@@ -4249,8 +4249,8 @@
             <translation>Übungsblock</translation>
         </message>
         <message>
-            <source>Practice block of two materials</source>
-            <translation>Übungsblock aus zwei Materialien</translation>
+            <source>Block of two materials</source>
+            <translation>Block aus zwei Materialien</translation>
         </message>
         <message>
             <source>Block of three materials</source>

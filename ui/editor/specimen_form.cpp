@@ -42,12 +42,18 @@ QWidget* group(QVBoxLayout** column) {
   return box;
 }
 
+/// The longest entry does not set the width: the panel has the room it has.
+void shrinks(QComboBox& box) {
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(8);
+}
+
 }  // namespace
 
 QString specimen_name(const SpecimenSource& source) {
   if (source.generator == "tooth") return quadrant_name(source.fdi);
   if (source.generator == "block") return SpecimenForm::tr("Practice block");
-  if (source.generator == "layered-block") return SpecimenForm::tr("Practice block of two materials");
+  if (source.generator == "layered-block") return SpecimenForm::tr("Block of two materials");
   if (source.generator == "paper-block") return SpecimenForm::tr("Block of three materials");
   return QFileInfo(QString::fromStdString(source.volume)).fileName();
 }
@@ -67,6 +73,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
     const QString name = s.generator == "tooth" ? tr("Tooth") : s.generator.empty() ? tr("From a file") : specimen_name(s);
     kind_->addItem(name, QString::fromLatin1(key));
   }
+  shrinks(*kind_);
   column->addWidget(labelled(tr("Kind"), kind_));
   QVBoxLayout* rows = nullptr;
   tooth_rows_ = group(&rows);
@@ -74,6 +81,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   for (const int quadrant : {1, 2, 3, 4}) {
     for (int n = 1; n <= 8; ++n) tooth_->addItem(quadrant_name(10 * quadrant + n), 10 * quadrant + n);
   }
+  shrinks(*tooth_);
   rows->addWidget(labelled(tr("Tooth"), tooth_));
   // Neither box edits by itself: the tooth changes as a whole, when it is used.
   const auto keep = [](double) { return true; };

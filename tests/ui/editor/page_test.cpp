@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -21,6 +22,7 @@
 #include "ui/drill/tooth_view.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/specimen_form.h"
 #include "ui/editor/target_view.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
@@ -224,6 +226,19 @@ TEST_F(EditorPages, a_burr_of_another_shape_comes_from_the_catalogue_and_keeps_i
   EXPECT_EQ(sizes->count(), 2) << "one of each number";
   EXPECT_EQ(named<QDoubleSpinBox>(*page, "Diameter of burr 57"), nullptr) << "its head has the catalogue's size";
   EXPECT_FALSE(page->model().set_burr_radius_mm(page->model().scenario().instruments.size() - 1, 0.6));
+}
+
+TEST_F(EditorPages, no_form_is_wider_than_its_panel) {
+  const auto page = open();
+  int forms = 0;
+  for (const QScrollArea* area : page->findChildren<QScrollArea*>()) {
+    if (!area->widget() || area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) continue;
+    ++forms;
+    // 248 px at the left, 304 at the right, each less its line.
+    const int room = qobject_cast<SpecimenForm*>(area->widget()) ? 248 : 304;
+    EXPECT_LT(area->widget()->minimumSizeHint().width(), room) << area->widget()->metaObject()->className();
+  }
+  EXPECT_EQ(forms, 6);
 }
 
 TEST_F(EditorPages, every_control_has_a_name) {

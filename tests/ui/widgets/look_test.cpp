@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
+#include <QStyleOptionButton>
 #include <cmath>
 
 #include "ui/widgets/icon.h"
@@ -109,6 +111,20 @@ TEST(Look, every_icon_is_drawn_in_the_ink_that_was_asked_for) {
     }
     EXPECT_GT(inked, 3) << name.toStdString();
   }
+}
+
+TEST(Look, the_frame_of_an_unchecked_box_is_a_controls_border) {
+  for (const ColourScheme scheme : {ColourScheme::light, ColourScheme::dark}) {
+    apply_theme(*qApp, scheme, 100);
+    QCheckBox box;
+    box.resize(40, 40);
+    QStyleOptionButton option;
+    option.initFrom(&box);
+    const QRect frame = box.style()->subElementRect(QStyle::SE_CheckBoxIndicator, &option, &box);
+    const QImage seen = box.grab().toImage();
+    EXPECT_EQ(seen.pixelColor(frame.left(), frame.center().y()).name().toStdString(), tokens().border.name().toStdString());
+  }
+  apply_theme(*qApp, ColourScheme::light, 100);
 }
 
 TEST(Look, an_icon_follows_the_theme_without_being_made_again) {
