@@ -84,12 +84,14 @@ void paint_diamond(QPainter& p, QPointF at, double r) {
 }
 
 void paint_bars(QPainter& p, const Plot& plot, const ChartSeries& s, const Tokens& t, double unit) {
+  // From one bar to the next, which may be less than from one figure of the axis to the next.
+  const double width = s.points.size() > 1 ? s.points[1].x - s.points[0].x : plot.data.x.step;
   for (const ChartPoint& b : s.points) {
     const QRectF bar(QPointF(plot.x(b.x) + 1.5 * unit, plot.y(b.y)),
-                     QPointF(plot.x(b.x + plot.data.x.step) - 1.5 * unit, plot.area.bottom()));
+                     QPointF(plot.x(b.x + width) - 1.5 * unit, plot.area.bottom()));
     if (b.y <= plot.data.y.least) continue;
     // Below the mark: outline and soft fill, so that the side of the mark shows without colour.
-    const bool below = plot.data.mark && b.x + plot.data.x.step <= *plot.data.mark + 1e-9;
+    const bool below = plot.data.mark && b.x + width <= *plot.data.mark + 1e-9;
     QColor fill = t.accent;
     if (below) fill.setAlphaF(0.22);
     p.setPen(QPen(t.accent, 1.2 * unit));
