@@ -64,7 +64,7 @@ struct Bench {
 TEST(Expert, DrillsWithATurbineAndKeepsTheToothCoolAndTheSameHandWithoutCoolantFails) {
   Bench bench;
   bench.scenario.phenomena = {"spindle-turbine", "vibration", "heat"};
-  bench.scenario.tissues = {{Tissue::dentine, 2, 0.4}, {Tissue::pulp, 1, 4}};  // slow: dry for long enough
+  bench.scenario.tissues = {{Tissue::dentine, 2, 0.2}, {Tissue::pulp, 1, 4}};  // slow: dry for long enough, whatever the path
   bench.scenario.rubric.critical.push_back("dry_cutting");
   bench.scenario.rubric.criteria.push_back({"dry_cutting_time", 10, {0, 0, 0, 1, 5, 10}});
   const Reference reference(bench.scenario, bench.specimen);
@@ -75,7 +75,7 @@ TEST(Expert, DrillsWithATurbineAndKeepsTheToothCoolAndTheSameHandWithoutCoolantF
   EXPECT_TRUE(wet.grade.passed) << wet.grade.score;
   EXPECT_EQ(wet.get("dry_cutting_time").value, 0.0);
   EXPECT_LT(wet.get("temperature_rise_peak").value, 0.5);
-  EXPECT_FALSE(dry.grade.passed);
+  EXPECT_FALSE(dry.grade.passed) << dry.get("temperature_rise_peak").value;
   EXPECT_EQ(dry.grade.critical, std::vector<std::string>{"dry_cutting"});
   EXPECT_GT(dry.get("dry_cutting_time").value, 10.0);
   EXPECT_TRUE(dry.get("dry_cutting").where_mm.has_value());
