@@ -21,6 +21,12 @@ struct Carved {
   int next = -1;           // where a part of the way's bricks ended: CarvePart::first of the next part; -1: at the end
 };
 
+/// A pose that went this far in a tick swept its way; faster or further, the burr flew and did not cut there.
+inline bool swept_whole(double length_mm, double dt_s) noexcept {
+  constexpr double kFastestMmS = 300.0, kLongestMm = 1.0;
+  return length_mm <= kLongestMm && length_mm <= kFastestMmS * dt_s;
+}
+
 /// A carving may be done in parts, brick by brick in a fixed order, and comes to the same.
 struct CarvePart {
   int first = 0;

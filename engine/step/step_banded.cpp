@@ -19,8 +19,6 @@ namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-constexpr double kLongestCarveMm = 0.2;  // a longer sweep is only the advance: the burr flew, it did not cut there
-
 /// Finder: Penalty or GradientProxy.
 template <class Finder>
 class BandedMethod final : public ContactMethod {
@@ -106,7 +104,7 @@ class BandedMethod final : public ContactMethod {
     if (advance > gap) advance = gap;
     const Vec3 next = pose + direction * advance;
     if (advance > 0.0) {
-      const bool whole = state.cut_valid && length_of(next - state.cut_pose) <= kLongestCarveMm;
+      const bool whole = state.cut_valid && swept_whole(length_of(next - state.cut_pose), tick.dt_s);
       const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, burr, scene.tool_axis);
       out.overflow = !drop_crumbs(state, carved) || carved.overflow;
       out.cutting = carved.any;

@@ -15,8 +15,6 @@ namespace {
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 constexpr double kTieMm = 0.005;        // the cut pose stays this close to the proxy
-/// A sweep that was faster, or is longer, is only the advance: the burr flew, it did not cut there.
-constexpr double kFastestMmS = 300.0, kLongestCarveMm = 1.0;
 /// A stroke is carved in pieces, not each micrometre anew: meanwhile its memory keeps its poses admissible. A piece ends
 /// where the stroke turns, or after half a voxel, at most kLongestPieceMm; where it is not straight to 0.1 um all the same
 /// (the cut pose is drawn to the proxy), after kLeastPieceMm.
@@ -84,8 +82,8 @@ bool owe_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
 
 /// Carves all that has been swept. False when the volume had no room.
 bool carve_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
-  if (state.cut_pending && !owe_pending(state, burr)) return false;
-  return carve_some(state, kAllBricks);
+  const bool room = !state.cut_pending || owe_pending(state, burr);
+  return carve_some(state, kAllBricks) && room;
 }
 
 }  // namespace
@@ -173,7 +171,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
     if (advance > gap) advance = gap;
     const Vec3 next = pose + direction * advance;
     if (advance > 0.0) {
-      const bool whole = state.cut_valid && length_of(next - old_pose) <= std::min(kLongestCarveMm, kFastestMmS * dt_s);
+      const bool whole = state.cut_valid && swept_whole(length_of(next - old_pose), dt_s);
       const Vec3 from = whole ? old_pose : pose;
       if (!whole) {
         out.overflow = !carve_pending(state, out.burr) || out.overflow;
