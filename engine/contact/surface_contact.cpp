@@ -1,4 +1,5 @@
-// Planes from candidates, the search among them, and the polish; surface_gather.cpp finds the candidates.
+// The search among planes, and the polish; surface_gather.cpp finds the candidates,
+// surface_planes.cpp what keeps the burr off each, surface_free.cpp where there are none.
 #include "engine/contact/surface_contact.h"
 
 #include <algorithm>

@@ -167,6 +167,8 @@ class SurfaceContact {
   template <class Visit>
   void bricks_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) const noexcept;
   template <class Visit>
+  void features_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) noexcept;
+  template <class Visit>
   void head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm, Visit&& visit) const noexcept;
   template <class Choose, class Visit>
   void features(const Volume& volume, int brick, IVec3 at, Choose&& choose, Visit&& visit) noexcept;

@@ -1,0 +1,171 @@
+// Free space: how far the burr may go without a search, found from the surface's nearest point.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/contact/surface_near.h"
+#include "engine/tool/swept.h"
+
+namespace cusp {
+
+namespace {
+
+constexpr double kFreeMargin = 0.5;   // mm: how far a look for free space goes
+constexpr double kCloseMm = 0.2;      // mm: the nearest point is looked for first so near
+constexpr double kLeastFree = 0.02;   // mm: less is not worth keeping
+constexpr int kPause = 16;            // looks that are skipped where there was too little
+
+}  // namespace
+
+void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
+  free_.valid = false;
+  // The plane of the nearest point, moved up to the highest point of every brick in reach of head, neck and shank, and
+  // half a voxel more for what stands between points.
+  Vec3 n = tool.axis;
+  if (tool.ball())
+    nearest_to_ball(volume, tool.burr->radius_mm, pose, n);
+  else
+    nearest_to_head(volume, tool, pose, n);
+  if (!raise_free(volume, tool, pose, n)) free_pause_ = kPause;
+}
+
+/// Normal of the surface's point that is nearest to a head that is no ball; false, and n as it was, where none is near.
+bool SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
+  double nearest = 1e300;
+  for (const double margin : {kCloseMm, kFreeMargin}) {
+    features_within(volume, tool.axis, pose, head_within(tool, margin), [&](Vec3 point, const CutFeature& f) {
+      Vec3 gradient;
+      const double gap = head_distance(*tool.burr, tool.axis, point - pose, gradient);
+      if (gap >= nearest) return;
+      nearest = gap;
+      n = f.edge ? -gradient : Vec3(f.normal);
+    });
+    if (nearest < 1e200) return true;
+  }
+  return false;
+}
+
+/// The same of a ball.
+bool SurfaceContact::nearest_to_ball(const Volume& volume, double r, Vec3 pose, Vec3& n) noexcept {
+  double nearest2 = 1e300;
+  Vec3 nearest(0.0);
+  for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
+    const double per_mm = 1.0 / voxel_mm_;
+    const auto look = [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& feature) {
+      const double wide = (nearest2 < 1e200 ? std::sqrt(nearest2) : reach) * per_mm + kLoose;
+      int best = -1;
+      for_near(x, y, z, count, Vec3f((pose - corner_mm) * per_mm), static_cast<float>(wide * wide), [&](int i) {
+        const Vec3 d = pose - (corner_mm + voxel_mm_ * Vec3(x[i], y[i], z[i]));
+        const double d2 = glm::dot(d, d);
+        if (d2 >= nearest2) return;
+        nearest2 = d2;
+        nearest = d;
+        best = i;
+      });
+      if (best < 0) return;
+      const CutFeature& f = feature(best);
+      nearest = f.edge ? nearest / std::sqrt(nearest2) : Vec3(f.normal);
+    };
+    ball_bricks(volume, pose, reach, [&](int brick, IVec3 at, double square) {
+      if (square > nearest2) return;
+      const Grid& grid = volume.grid();
+      const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
+      if (!volume.has_cut(brick)) {
+        const BasePoints points = volume.specimen().surface().in(brick);
+        CutFeature own;
+        look(points.x, points.y, points.z, points.count, corner_mm, [&](int i) -> const CutFeature& {
+          base_feature(volume.specimen().surface(), points, i, grid.voxel_mm, own);
+          return own;
+        });
+        return;
+      }
+      for (std::int32_t p = cut_.first(volume, brick); p >= 0; p = cut_.page(p).next) {
+        const CutSurface::Page& page = cut_.page(p);
+        look(page.x, page.y, page.z, page.count, corner_mm,
+             [&](int i) -> const CutFeature& { return page.feature[i]; });
+      }
+    });
+    if (nearest2 < 1e200) break;
+  }
+  if (nearest2 < 1e200) n = nearest;
+  return nearest2 < 1e200;
+}
+
+/// Free space beyond a plane with normal n, if there is enough.
+bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept {
+  const Burr& burr = *tool.burr;
+  FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false, tool.axis};
+  double highest = -1e300;
+  const Vec3f slim_n(n);
+  const auto raise = [&](int brick, IVec3 at) {
+    // Its highest corner along n is not above what there is.
+    if (found.bounded && !volume.has_cut(brick)) {
+      const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
+      const Vec3 low = box.low(), high = box.high();
+      const double top = glm::dot(n, volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge)) +
+                         voxel_mm_ * ((n.x > 0.0 ? high.x : low.x) * n.x + (n.y > 0.0 ? high.y : low.y) * n.y +
+                                      (n.z > 0.0 ? high.z : low.z) * n.z);
+      if (top <= highest) return;
+    }
+    features(
+        volume, brick, at,
+        [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&&) {
+          if (count == 0) return;
+          found.bounded = true;
+          const double height = glm::dot(n, corner_mm) + voxel_mm_ * highest_along(x, y, z, count, slim_n);
+          highest = height > highest ? height : highest;
+        },
+        [](Vec3, const CutFeature&) {});
+  };
+  head_bricks(volume, tool, pose, kFreeMargin, raise);
+  bricks_within(volume, tool.axis, pose, shank_within(tool, kFreeMargin), raise);
+  if (found.bounded) {
+    const double up = glm::dot(n, tool.axis);
+    if (up < 0.0) return false;
+    // The lowest place of each part along n, from the pose.
+    const double across2 = 1.0 - up * up;
+    const double across = across2 > 0.0 ? std::sqrt(across2) : 0.0;
+    const double neck = -across * burr.neck_radius_mm - up * burr.neck_radius_mm;
+    const double shank = up * burr.neck_length_mm - across * burr.shank_radius_mm;
+    double head = -burr.radius_mm;
+    if (!tool.ball()) {
+      const OnHalf deepest = burr.head.support({-up, across}, {});
+      head = up * deepest.t - across * deepest.rho;
+    }
+    const double lowest = std::min(head, std::min(neck, shank));
+    found.c = highest + 0.5 * voxel_mm_ + 0.01 - lowest;
+    if (glm::dot(n, pose) - found.c < kLeastFree) return false;
+  }
+  free_ = found;
+  return true;
+}
+
+bool SurfaceContact::inside_tissue(const Volume& volume, Vec3 pose) const noexcept {
+  return volume.s(cell_of_voxels((pose - volume.grid().origin_mm) / voxel_mm_ + 0.5)) >= kHalf;
+}
+
+bool SurfaceContact::clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept {
+  const Burr& burr = *tool.burr;
+  // Every brick that the burr could sweep is all empty: then the proxy is the device point.
+  const Specimen& specimen = volume.specimen();
+  const Grid& grid = volume.grid();
+  const Vec3 low_mm = glm::min(from, to);
+  const Vec3 high_mm = glm::max(from, to);
+  const auto empty = [&](Vec3 a, Vec3 b) {
+    const IVec3 low = glm::max(brick_floor(grid, a), IVec3(0));
+    const IVec3 high = glm::min(brick_floor(grid, b), specimen.brick_count() - 1);
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x) {
+          const int brick = specimen.brick_index({x, y, z});
+          if (specimen.s_of(brick) != nullptr || specimen.s_in(brick, 0) != 0) return false;
+        }
+    return true;
+  };
+  const double wide = head_reach(burr) + 2.0 * grid.voxel_mm;
+  if (!empty(low_mm - wide, high_mm + wide)) return false;
+  const Vec3 reach = tool.axis * (burr.neck_length_mm + burr.shank_length_mm);
+  const double thick = std::max(burr.neck_radius_mm, burr.shank_radius_mm) + 2.0 * grid.voxel_mm;
+  return empty(glm::min(low_mm, low_mm + reach) - thick, glm::max(high_mm, high_mm + reach) + thick);
+}
+
+}  // namespace cusp
