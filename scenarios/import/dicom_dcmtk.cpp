@@ -1,7 +1,9 @@
 // The one file that knows DCMTK. What is asked of a file is listed in read_slice and pixels_of, and nothing else of it is
 // kept: neither names nor dates nor numbers of patients.
 #include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/oflog/oflog.h>
 
 #include <algorithm>
@@ -21,6 +23,14 @@ constexpr std::size_t kMaxFiles = 4096;       // in one folder; a full-body seri
 constexpr double kSameStep = 0.01;            // share by which the steps between slices may differ
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
 
+/// A packed pixel takes at least a 64th of a byte: RLE halves each of its bytes to a 64th, JPEG lossless has a bit for it.
+constexpr std::uintmax_t kMostPacked = 64;
+
+/// Packings without loss whose decoders the library has. JPEG with loss moves the surfaces, and stays refused.
+bool unpackable(E_TransferSyntax syntax) {
+  return syntax == EXS_RLELossless || syntax == EXS_JPEGProcess14 || syntax == EXS_JPEGProcess14SV1;
+}
+
 struct Slice {
   std::filesystem::path file;
   std::string series;
@@ -34,6 +44,7 @@ struct Slice {
   double number = 0.0;  // of its kind in the series, where no place is given
   double slope = 1.0, intercept = 0.0;
   double along = 0.0;  // place along the normal, mm
+  bool packed = false;
 };
 
 std::optional<double> real(DcmItem& set, const DcmTagKey& key, unsigned long at = 0) {
@@ -80,7 +91,8 @@ Result<Slice, ImportFailure> read_slice(const std::filesystem::path& file) {
   if (set.findAndGetOFString(DCM_PhotometricInterpretation, text).good() && text != "MONOCHROME2")
     return fail(ImportError::unsupported, name + " PhotometricInterpretation");
   if (real(set, DCM_NumberOfFrames).value_or(1.0) > 1.0) return fail(ImportError::unsupported, name + " NumberOfFrames");
-  if (DcmXfer(set.getOriginalXfer()).isEncapsulated()) return fail(ImportError::unsupported, name + " TransferSyntaxUID");
+  out.packed = DcmXfer(set.getOriginalXfer()).isEncapsulated();
+  if (out.packed && !unpackable(set.getOriginalXfer())) return fail(ImportError::unsupported, name + " TransferSyntaxUID");
   const auto down = real(set, DCM_PixelSpacing, 0), across = real(set, DCM_PixelSpacing, 1);
   out.spacing_known = down && across && *down > 0.0 && *across > 0.0;
   if (out.spacing_known) {
@@ -183,6 +195,7 @@ Result<void, ImportFailure> pixels_of(const Slice& slice, const ImageLayout& lay
   const OFCondition read = format.loadFile(slice.file.c_str(), EXS_Unknown, EGL_noChange);
   if (read.bad()) return fail(ImportError::corrupt, name, read.text());
   DcmDataset& set = *format.getDataset();
+  if (slice.packed && set.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad()) return fail(ImportError::corrupt, name + " PixelData");
   const unsigned allocated = whole(set, DCM_BitsAllocated).value_or(16);
   const unsigned stored = whole(set, DCM_BitsStored).value_or(static_cast<Uint16>(allocated));
   const bool is_signed = whole(set, DCM_PixelRepresentation).value_or(0) == 1;
@@ -221,11 +234,11 @@ Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const
   const auto layout = lay_out(size, {ras * first.across * first.pixel_across_mm, ras * first.down * first.pixel_down_mm, ras * *step},
                               ras * first.first_mm, limits);
   if (!layout) return fail(layout.error(), name + " ImagePositionPatient");
-  std::uintmax_t bytes = 0;
+  std::uintmax_t bytes = 0;  // that these files can hold of pixels
   std::error_code ec;
-  for (const Slice& s : *slices) bytes += std::filesystem::file_size(s.file, ec);
+  for (const Slice& s : *slices) bytes += (s.packed ? kMostPacked : 1) * std::filesystem::file_size(s.file, ec);
   const auto voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
-  if (bytes < voxels) return fail(ImportError::truncated, name);  // at least a byte a pixel, not packed
+  if (bytes < voxels) return fail(ImportError::truncated, name);
   out.image.layout = *layout;
   out.image.spacing_known = first.spacing_known;
   out.image.kind = ImageKind::grey;
@@ -252,6 +265,12 @@ Result<DicomSeries, ImportFailure> read_dicom(const std::filesystem::path& path,
   const std::string name = path.filename().string();
   // DCMTK logs what it meets, and that may be somebody's name.
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
+  static const bool decoders = [] {
+    DcmRLEDecoderRegistration::registerCodecs();
+    DJDecoderRegistration::registerCodecs();
+    return true;
+  }();
+  static_cast<void>(decoders);
   std::error_code ec;
   if (!std::filesystem::exists(path, ec)) return fail(ImportError::missing_file, name);
   try {

@@ -4,6 +4,7 @@
 #include "scenarios/import/foreign_images.h"
 #include "scenarios/import/import.h"
 #include "tests/scenarios/import/image_files.h"
+#include "tests/scenarios/import/packed_dicom.h"
 
 namespace cusp {
 namespace {
@@ -185,9 +186,59 @@ TEST_F(Dicom, NothingAboutThePatientLeavesTheReader) {
   }
 }
 
-TEST_F(Dicom, PackedPicturesAndOtherFilesAreRefusedByTheKeyThatSaysIt) {
+TEST_F(Dicom, SlicesPackedWithoutLossAreThoseThatWerePacked) {
+  // Runs, single values, both ends of the range and a step of 32768, which JPEG codes without bits of its own.
+  const auto values = values_of({40, 30, 1}, [](IVec3 v) {
+    if (v.y < 8) return 5;
+    return v.x % 7 == 0 ? (v.y % 2 ? 32767 : -32768) : v.x == 3 ? 0 : 37 * v.x - 900 * (v.y % 5);
+  });
+  for (const char* transfer : {kRleLossless, kJpegLossless}) {
+    const TempFolder packed;
+    for (int n = 0; n < 3; ++n) {
+      DicomWish w = slice(n);
+      w.columns = 40;
+      w.rows = 30;
+      w.intercept = -1000.0;
+      w.transfer = transfer;
+      w.frame = transfer == kRleLossless ? rle_frame(values) : jpeg_lossless_frame(values, w.columns, w.rows);
+      write_text(packed / std::to_string(n), dicom_file(w));
+    }
+    const auto ct = read_dicom(packed.path(), {});
+    ASSERT_TRUE(ct) << transfer << " " << key_of(ct.error().code) << ct.error().where << ct.error().detail;
+    EXPECT_EQ(ct->slices, 3u);
+    for (int z = 0; z < 3; ++z)
+      for (int y = 0; y < 30; ++y)
+        for (int x = 0; x < 40; ++x)  // left-posterior to right-anterior
+          ASSERT_EQ(at(ct->image, 39 - x, 29 - y, z), static_cast<float>(values[static_cast<std::size_t>(40 * y + x)]) - 1000.0f)
+              << transfer << " " << x << " " << y;
+  }
+}
+
+TEST_F(Dicom, APackedSliceThatIsCutOrClaimsMoreThanItCanHoldIsRefused) {
   DicomWish w = slice(0);
-  w.transfer = "1.2.840.10008.1.2.4.70";  // JPEG lossless
+  w.columns = w.rows = 32;
+  const auto values = values_of({32, 32, 1}, [](IVec3 v) { return v.x * v.y; });
+  w.transfer = kRleLossless;
+  w.frame = rle_frame(values).substr(0, 100);
+  put("cut", w);
+  EXPECT_FALSE(read_dicom(folder / "cut", {}));
+  w.transfer = kJpegLossless;
+  w.frame = jpeg_lossless_frame(values, 32, 32).substr(0, 60);
+  put("cut", w);
+  EXPECT_FALSE(read_dicom(folder / "cut", {}));
+  // A few hundred bytes that say they hold 2000 x 2000 pixels.
+  w.series = "1.2.4";
+  w.frame = jpeg_lossless_frame(values, 32, 32);
+  w.columns = w.rows = 2000;
+  put("claims", w);
+  const auto claims = read_dicom(folder / "claims", {});
+  ASSERT_FALSE(claims);
+  EXPECT_EQ(key_of(claims.error().code), "truncated");
+}
+
+TEST_F(Dicom, PicturesPackedWithLossAndOtherFilesAreRefusedByTheKeyThatSaysIt) {
+  DicomWish w = slice(0);
+  w.transfer = "1.2.840.10008.1.2.4.51";  // JPEG extended
   put("jpeg", w);
   const auto r = read_dicom(folder / "jpeg", {});
   ASSERT_FALSE(r);

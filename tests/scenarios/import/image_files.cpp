@@ -45,6 +45,25 @@ std::string short_value(unsigned v) {
   return out;
 }
 
+/// One packed picture: an empty table of offsets, then the frame.
+std::string packed_pixels(const std::string& frame) {
+  std::string out;
+  u16(out, 0x7fe0);
+  u16(out, 0x10);
+  out += std::string("OB\0\0", 4);
+  u32(out, 0xffffffff);
+  const auto item = [&](unsigned number, const std::string& body) {
+    u16(out, 0xfffe);
+    u16(out, number);
+    u32(out, static_cast<std::uint32_t>(body.size()));
+    out += body;
+  };
+  item(0xe000, {});
+  item(0xe000, frame);
+  item(0xe0dd, {});
+  return out;
+}
+
 std::string chunk(unsigned id, const std::string& body) {
   std::string out;
   u16(out, id);
@@ -121,7 +140,8 @@ std::string dicom_file(const DicomWish& w) {
          element(0x28, 0x30, "DS", decimal(w.down_mm) + "\\" + decimal(w.across_mm)) + element(0x28, 0x100, "US", short_value(16)) +
          element(0x28, 0x101, "US", short_value(16)) + element(0x28, 0x102, "US", short_value(15)) +
          element(0x28, 0x103, "US", short_value(1)) + element(0x28, 0x1052, "DS", decimal(w.intercept)) +
-         element(0x28, 0x1053, "DS", decimal(w.slope)) + element(0x7fe0, 0x10, "OW", bytes_of(w.values));
+         element(0x28, 0x1053, "DS", decimal(w.slope)) +
+         (w.frame.empty() ? element(0x7fe0, 0x10, "OW", bytes_of(w.values)) : packed_pixels(w.frame));
   return std::string(128, '\0') + "DICM" + element(2, 0, "UL", length) + meta + set;
 }
 
