@@ -1,5 +1,6 @@
 // Sends damaged files through the import's child and holds it to its promise: read or refused, within ten seconds and a
-// gigabyte, and this program lives. `mutate [COUNT] [SEED] [KIND]`; kinds: stl obj ply 3ds nii dcm (all in turn).
+// gigabyte, and this program lives. `mutate [COUNT] [SEED] [assimp|dcmtk|niftilib] [SECONDS]`: COUNT files for that
+// library, or for each of the three; within SECONDS each, if given. Fails when a promise is broken, or when time was short.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include "scenarios/import/child_process.h"
 #include "scenarios/import/worker.h"
 #include "tests/scenarios/import/image_files.h"
+#include "tests/scenarios/import/packed_dicom.h"
 
 namespace {
 
@@ -30,7 +32,7 @@ constexpr std::chrono::seconds kMost{8};  // of the ten: a busy machine needs th
 constexpr std::size_t kMemory = std::size_t{1} << 30;
 
 struct Seed {
-  std::string ending, bytes;
+  std::string library, ending, bytes;
 };
 
 std::vector<Seed> seeds() {
@@ -48,15 +50,22 @@ std::vector<Seed> seeds() {
   dicom.columns = 16;
   dicom.rows = 12;
   dicom.values = values_of({16, 12, 1}, [](IVec3 v) { return v.x * 100; });
-  return {{"stl", binary_stl(ball)},
-          {"stl", read_text(folder / "m.stl")},
-          {"obj", read_text(folder / "m.obj")},
-          {"ply", ply_file(ball, true)},
-          {"ply", ply_file(core, false)},
-          {"3ds", three_ds_file({ball, core})},
-          {"nii", nifti_file(nifti)},
-          {"nii", nifti_file(turned)},
-          {"dcm", dicom_file(dicom)}};
+  DicomWish rle = dicom, jpeg = dicom;
+  rle.transfer = kRleLossless;
+  rle.frame = rle_frame(dicom.values);
+  jpeg.transfer = kJpegLossless;
+  jpeg.frame = jpeg_lossless_frame(dicom.values, dicom.columns, dicom.rows);
+  return {{"assimp", "stl", binary_stl(ball)},
+          {"assimp", "stl", read_text(folder / "m.stl")},
+          {"assimp", "obj", read_text(folder / "m.obj")},
+          {"assimp", "ply", ply_file(ball, true)},
+          {"assimp", "ply", ply_file(core, false)},
+          {"assimp", "3ds", three_ds_file({ball, core})},
+          {"dcmtk", "dcm", dicom_file(dicom)},
+          {"dcmtk", "dcm", dicom_file(rle)},
+          {"dcmtk", "dcm", dicom_file(jpeg)},
+          {"niftilib", "nii", nifti_file(nifti)},
+          {"niftilib", "nii", nifti_file(turned)}};
 }
 
 /// One to four wounds, more often one: bytes turned, numbers made extreme, pieces cut, doubled or moved; the head is hit more often than its share.
@@ -89,8 +98,8 @@ std::string mutated(std::string bytes, std::mt19937_64& random) {
 struct Tally {
   std::mutex lock;
   std::map<std::string, std::size_t> ends;  // "stl read", "stl corrupt", ...
+  std::size_t files = 0, read = 0, refused = 0, crashed = 0, out_of_time = 0, broken = 0;
   double slowest_s = 0.0;
-  std::size_t broken = 0;
 };
 
 void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally& tally) {
@@ -128,6 +137,10 @@ void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally
   std::filesystem::remove_all(place);
   const std::lock_guard hold(tally.lock);
   ++tally.ends[seed.ending + " " + end];
+  ++tally.files;
+  ++(seen ? tally.read : tally.refused);
+  if (end.find("crashed") != end.npos) ++tally.crashed;
+  if (end.find("time_limit") != end.npos) ++tally.out_of_time;
   tally.slowest_s = std::max(tally.slowest_s, seconds);
   // Two children, each with its time and two seconds for the kill.
   if (seconds > 2.0 * static_cast<double>(kMost.count() + 2)) {
@@ -136,29 +149,49 @@ void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally
   }
 }
 
+/// False when a promise was broken or not all files had their turn.
+bool run(const std::string& library, std::vector<Seed> seeds, std::uint64_t count, std::uint64_t first, double seconds,
+         const TempFolder& folder) {
+  std::erase_if(seeds, [&](const Seed& s) { return s.library != library; });
+  Tally tally;
+  std::atomic<std::uint64_t> next{0};
+  const auto start = Clock::now();
+  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned n = 0; n < std::max(1u, std::thread::hardware_concurrency()); ++n)
+      workers.emplace_back([&] {
+        for (std::uint64_t i; passed() < seconds && (i = next.fetch_add(1)) < count;)
+          one(seeds[i % seeds.size()], first + i, folder, tally);
+      });
+  }
+  const double took = passed();
+  for (const auto& [end, n] : tally.ends) std::printf("%7zu  %s\n", n, end.c_str());
+  rusage children{};
+  getrusage(RUSAGE_CHILDREN, &children);
+  std::printf("%s: %zu of %llu files, %zu read, %zu refused (%zu crashes of the child, %zu at the limit on time); slowest %.2f s; "
+              "%.0f s, %.1f files a second; largest child so far %ld MB resident\n",
+              library.c_str(), tally.files, static_cast<unsigned long long>(count), tally.read, tally.refused, tally.crashed,
+              tally.out_of_time, tally.slowest_s, took, static_cast<double>(tally.files) / took, children.ru_maxrss / 1024);
+  std::fflush(stdout);
+  return tally.broken == 0 && tally.files == count;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (const auto status = import_child_main(argc, argv)) return *status;
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 10000;
   const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  std::vector<Seed> all = seeds();
-  if (argc > 3) std::erase_if(all, [&](const Seed& s) { return s.ending != argv[3]; });
-  if (all.empty() || count == 0) return 2;
+  const std::string wanted = argc > 3 ? argv[3] : "";
+  const double seconds = argc > 4 ? std::atof(argv[4]) : 1e9;
+  const std::array<std::string, 3> libraries = {"assimp", "dcmtk", "niftilib"};
+  if (count == 0 || !(seconds > 0.0) || (!wanted.empty() && std::ranges::find(libraries, wanted) == libraries.end())) return 2;
+  const std::vector<Seed> all = seeds();
   const TempFolder folder;
-  Tally tally;
-  std::atomic<std::uint64_t> next{0};
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned n = 0; n < std::max(1u, std::thread::hardware_concurrency()); ++n)
-      workers.emplace_back([&] {
-        for (std::uint64_t i; (i = next.fetch_add(1)) < count;) one(all[i % all.size()], first + i, folder, tally);
-      });
+  bool good = true;
+  for (const std::string& library : libraries) {
+    if (wanted.empty() || wanted == library) good = run(library, all, count, first, seconds, folder) && good;
   }
-  for (const auto& [end, n] : tally.ends) std::printf("%7zu  %s\n", n, end.c_str());
-  rusage children{};
-  getrusage(RUSAGE_CHILDREN, &children);
-  std::printf("%llu files; slowest %.2f s; largest child %ld MB resident\n", static_cast<unsigned long long>(count), tally.slowest_s,
-              children.ru_maxrss / 1024);
-  return tally.broken == 0 ? 0 : 1;
+  return good ? 0 : 1;
 }
