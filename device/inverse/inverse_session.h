@@ -1,0 +1,93 @@
+/// What to do next with the Inverse3's service: events and time in, a message or a wish out. Pure: no clock, no I/O.
+///
+///   closed ─open─► connecting ─opened─► greeting ─first place─► ready ─┬─ silence, garbage ─► silent ─ a place ─► ready
+///     ▲                │ refused                                       │
+///     └──── pause ◄────┴───────────────── closed, service gone ◄───────┘
+///
+/// The service answers each message with one: after the first, which comes by itself, nothing is told unless asked.
+/// Force is zero in every phase but ready, and rises over `ramp` there.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "device/inverse/inverse_link.h"
+#include "device/inverse/frames.h"
+
+namespace cusp::inverse {
+
+enum class Phase : std::uint8_t { closed, connecting, greeting, ready, silent, pausing };
+
+enum class Trouble : std::uint8_t {
+  none,
+  no_service,    // nobody listens
+  no_device,     // the service has no Inverse3
+  no_answer,     // connected, but it never told a place
+  garbage,       // what it says cannot be read
+  gone,          // the service or the device went away
+};
+/// "no_service": for failures and logs.
+std::string_view key_of(Trouble trouble) noexcept;
+
+struct SessionSettings {
+  std::chrono::milliseconds answer{20};    // silence after a message: zero force from here on
+  std::chrono::milliseconds repeat{100};   // it is asked again after this
+  std::chrono::milliseconds give_up{2000}; // silence: the link is closed and opened anew
+  std::chrono::milliseconds pause{500};    // before it is opened anew
+  std::chrono::milliseconds ramp{500};     // of the force, whenever ready begins
+  std::chrono::milliseconds stale_force{20};  // a force that was not renewed for this long is zero
+  int garbage = 50;                        // messages in a row that cannot be read: closed and opened anew
+};
+
+struct SessionState {
+  Phase phase = Phase::closed;
+  Trouble trouble = Trouble::none;
+  std::string device;              // its id
+  std::string version;             // of the service, where it tells
+  bool left_handed = false;
+  bool has_orientation = false;
+  Reading reading;                 // newest
+  std::uint64_t readings = 0, unread = 0, sent = 0, silences = 0, connections = 0;
+  double force_n = 0;              // length of what was sent last
+};
+
+class Session {
+ public:
+  explicit Session(const SessionSettings& settings = {}, std::string device = {});
+
+  /// What happened, at `now`; `time` alone when nothing did.
+  void advance(const LinkEvent& event, LinkTime now);
+  /// The force to be held from now on, in the device's frame; ignored unless ready.
+  void command(Vec3 force_n, LinkTime now) noexcept;
+
+  enum class Wish : std::uint8_t { none, open, close };
+  /// Taken once.
+  Wish take_wish() noexcept;
+  /// The message that is due, if one is.
+  std::optional<std::string> take_message(LinkTime now);
+  /// When advance() wants to be called again at the latest.
+  LinkTime due() const noexcept;
+  /// A message of zero force to whoever listens, for the end.
+  std::optional<std::string> last_words() const;
+
+  const SessionState& state() const noexcept { return state_; }
+
+ private:
+  void enter(Phase phase, LinkTime now) noexcept;
+  void hear(std::string_view text, LinkTime now);
+  void lose(Trouble trouble, LinkTime now) noexcept;
+  Vec3 ramped(LinkTime now) const noexcept;
+
+  SessionSettings settings_;
+  std::string wanted_;
+  SessionState state_;
+  Wish wish_ = Wish::open;
+  Vec3 force_n_{0.0};
+  LinkTime force_at_{}, since_{}, heard_{}, asked_{};
+  bool owes_answer_ = false, ask_ = false;
+  int garbage_ = 0;
+};
+
+}  // namespace cusp::inverse

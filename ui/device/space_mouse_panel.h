@@ -1,0 +1,40 @@
+/// The SpaceMouse on the device page: what it tells, its rest and dead zone, how fast it turns the view. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "device/hid/space_mouse_reader.h"
+
+namespace cusp {
+
+class Settings;
+
+class SpaceMousePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `reader` and `settings` outlive this; `settings` null: nothing is kept.
+  SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settings, QWidget* parent = nullptr);
+  ~SpaceMousePanel() override;
+
+  /// "SpaceMouse Compact: connected", for a list of devices.
+  QString summary() const;
+
+ public Q_SLOTS:
+  /// Reads what is there now; by itself ten times a second while it is seen.
+  void look();
+
+ Q_SIGNALS:
+  void summary_changed(const QString& summary);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  struct Inner;
+  std::unique_ptr<Inner> inner_;
+};
+
+}  // namespace cusp
