@@ -11,7 +11,6 @@ using falcon::LinkTime;
 using falcon::Phase;
 using falcon::Trouble;
 
-constexpr double kCoarsestMmPerTick = 0.057;  // across the axis at z 0.150; published figures, tests hold them
 constexpr LinkTime kPeriod = std::chrono::milliseconds(1);
 // Tried over ways of 50 to 1000 us with up to 500 us of jitter: 982 samples a second on average, 928 with a pace that
 // never begins anew and repeats at once.
@@ -63,14 +62,20 @@ Result<void, PortFailure> FalconPort::open() {
   last_ = Sample{};
   open_ = true;
   for (;;) {
-    once(link_->now() + kGlance);
+    const bool homing = session_.phase() == Phase::homing;
+    once(link_->now() + (homing ? kPeriod : kGlance));
+    if (homing && link_->now() >= due_) {
+      session_.exchange(link_->now());
+      hand_over();
+      due_ = link_->now() + kPeriod;
+    }
     publish();
     const falcon::SessionState& state = session_.state();
     std::optional<PortFailure> failure;
     const auto fails = [&](PortError code) {
       failure = PortFailure{code, link_->name(), std::string(falcon::key_of(state.trouble))};
     };
-    if (state.phase == Phase::homing || state.phase == Phase::ready) break;
+    if (state.phase == Phase::ready || (state.phase == Phase::homing && !settings_.home_in_open)) break;
     if (state.phase == Phase::needs_image) {
       failure = PortFailure{PortError::bad_file, link_->name(), "needs_image"};
     } else if (state.phase == Phase::failed) {
@@ -213,7 +218,7 @@ DeviceLimits FalconPort::limits() const {
   limits.closed_loop = settings_.closed_loop;
   if (settings_.damping_ns_per_m) limits.damping_ns_per_m = *settings_.damping_ns_per_m / workspace_.scale();
   limits.delay_ms = settings_.delay_ms;
-  limits.encoder_mm = kCoarsestMmPerTick * workspace_.scale();
+  limits.encoder_mm = settings_.encoder_mm.value_or(falcon::kCoarsestMmPerTick) * workspace_.scale();
   return limits;
 }
 

@@ -42,6 +42,8 @@ struct FalconSettings {
   bool closed_loop = true;
   std::optional<double> damping_ns_per_m;  // of the device at the grip; known of no Falcon until it is measured [M]
   std::optional<double> delay_ms;          // from motion to force, there and back; likewise [M]
+  std::optional<double> encoder_mm;        // coarsest step at the grip; published figures where it was not measured
+  bool home_in_open = false;               // open() returns once it is homed, however long the hand takes
 };
 
 /// What a screen may want to know; plain values.
@@ -64,7 +66,8 @@ class FalconPort final : public HapticPort {
 
   /// Until firmware answers: at once where it runs already, some seconds with an upload, up to a minute where nothing
   /// says hello. Homing comes later, in wait(). not_found, no_permission, busy; bad_file "needs_image" when firmware
-  /// has to be loaded and none was given; io with the Trouble's key. `where` is the link's name.
+  /// has to be loaded and none was given; io with the Trouble's key. `where` is the link's name. With home_in_open it
+  /// ends in `ready`, or when the device is lost.
   Result<void, PortFailure> open() override;
   /// Any thread: an open() under way returns io "cancelled".
   void cancel() noexcept { cancelled_.store(true, std::memory_order_release); }

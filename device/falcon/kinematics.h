@@ -27,6 +27,9 @@ struct Geometry {
   double zero_rad = 0.6108652381980153;  // 35 deg at tick 0, said to be approximate: see Calibration::trim_rad
 };
 
+/// Across the axis at z 0.150, the coarsest place: published figures, tests hold them. mm at the grip for one count.
+inline constexpr double kCoarsestMmPerTick = 0.057;
+
 using Jacobian = std::array<Vec3, 3>;  // rows: d(arm i)/d(x, y, z), rad/m
 
 /// The three legs with the grip at one place. Component i belongs to arm i+1 (top, right, left).

@@ -1,0 +1,34 @@
+/// From a record of how something moved under known forces to its mass, damping, friction, weight and delay. Pure; not
+/// of the haptic thread.
+///
+/// Along one axis: m x'' = F(t - delay) - b x' - c sign(x') - w. Multiplied by smooth windows that vanish at both ends
+/// and integrated by parts, so that only places are needed and never a derivative of what an encoder counted; then least
+/// squares over all windows, at the delay that leaves the least. Modulating functions: M. Shinbrot, "On the analysis of
+/// linear and nonlinear systems", Trans. ASME 79 (1957).
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace cusp::falcon {
+
+struct MotionSample {
+  double t_s = 0;      // when the reading was there
+  double x_m = 0;
+  double force_n = 0;  // commanded right after it, and held until the next
+};
+
+struct MotionFit {
+  double mass_kg = 0;
+  double damping_ns_per_m = 0;  // may come out a little below 0 where there is none
+  double friction_n = 0;        // Coulomb's
+  double weight_n = 0;          // constant push against the positive direction
+  double delay_ms = 0;          // from a command to the reading that shows it: there and back
+  double damping_error = 0, friction_error = 0, delay_error_ms = 0;  // one standard deviation, from the residuals
+  int windows = 0;
+};
+
+/// Nothing where there are too few windows in motion, the numbers cannot be told apart, or the mass is not positive.
+std::optional<MotionFit> fit_motion(std::span<const MotionSample> record);
+
+}  // namespace cusp::falcon
