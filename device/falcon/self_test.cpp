@@ -12,7 +12,7 @@ namespace {
 
 // [M], all: soft against a loop of 3 ms of delay, and within what a Falcon may push anywhere.
 constexpr double kSpringNPerM = 200.0, kDamperNsPerM = 5.0, kCarryPerS = 2.0, kMostCarryN = 2.5;
-constexpr double kTravelS = 1.2, kSweepS = 7.0, kReachM = 0.012;
+constexpr double kTravelS = 1.6, kSweepS = 7.0, kReachM = 0.012;
 constexpr std::array<double, 4> kSpeedsMS = {0.05, 0.10, 0.16, 0.22};
 constexpr double kShakeN = 0.8, kChipS = 0.013;
 constexpr double kLeadM = 0.030;  // the spring never runs further ahead: something holds the grip
@@ -57,7 +57,7 @@ std::optional<double> SelfTestResult::encoder_mm() const noexcept {
   return coarsest * kCoarsestMmPerTick;
 }
 
-SelfTest::SelfTest() : Trial(TrialBounds{}) {
+SelfTest::SelfTest() : Trial(TrialBounds{.room_from_s = kTravelS}) {
   for (auto& record : records_) record.reserve(kRoom);
 }
 

@@ -22,7 +22,7 @@ Vec3 Trial::advance(const TrialReading& reading) noexcept {
   if (!began_) {
     began_ = true;
     last_m_ = reading.grip_m;
-    last_s_ = last_fresh_s_ = reading.t_s;
+    last_s_ = last_fresh_s_ = began_s_ = reading.t_s;
   }
   if (reading.fresh) {
     const double dt = reading.t_s - last_fresh_s_;
@@ -35,9 +35,13 @@ Vec3 Trial::advance(const TrialReading& reading) noexcept {
   if (end_ == TrialEnd::none) {
     const double across = std::hypot(reading.grip_m.x, reading.grip_m.y);
     const bool room = across <= bounds_.room_m && reading.grip_m.z >= bounds_.least_z_m && reading.grip_m.z <= bounds_.most_z_m;
+    const bool drawn = reading.t_s - began_s_ >= bounds_.room_from_s || !std::isfinite(across);
     // Written so that what is not a number is out of room, or too fast.
-    if (!room) end_ = TrialEnd::out_of_room;
-    else if (!(glm::length(speed_) <= bounds_.max_m_s)) end_ = TrialEnd::too_fast;
+    if (!room && drawn) {
+      end_ = TrialEnd::out_of_room;
+    } else if (!(glm::length(speed_) <= bounds_.max_m_s)) {
+      end_ = TrialEnd::too_fast;
+    }
   }
   const double dt_s = std::max(0.0, reading.t_s - last_s_);
   last_s_ = reading.t_s;

@@ -35,6 +35,7 @@ struct TrialBounds {
   double rise_n_s = 400.0;                   // no force changes faster, up or down
   double room_m = 0.040;                     // from the middle, across
   double least_z_m = 0.080, most_z_m = 0.170;
+  double room_from_s = 0.0;                  // a grip that nobody held lies at its lowest, and is drawn up first
   double silence_s = 0.020;
 };
 
@@ -69,7 +70,7 @@ class Trial {
  private:
   TrialEnd end_ = TrialEnd::none;
   Vec3 force_n_{0.0}, last_m_{0.0}, speed_{0.0};
-  double last_s_ = 0, last_fresh_s_ = 0;
+  double last_s_ = 0, last_fresh_s_ = 0, began_s_ = 0;
   bool began_ = false;
 };
 

@@ -45,6 +45,10 @@ struct TrialBench {
     link->on_time([this](LinkTime now) { body.live(now); });
     EXPECT_TRUE(port.open());
     for (int i = 0; i < 10000 && wait().status != Sample::Status::fresh; ++i) port.write({});
+    for (int i = 0; i < 1000; ++i) {  // until the ramp is over; a grip with weight lies at its lowest by then
+      port.write({});
+      wait();
+    }
   }
   Sample wait() { return port.wait(std::chrono::steady_clock::time_point(link->now() + 2ms)); }
   /// The workspace stands at scale 1 and yaw 0: the specimen's x, y, z are the device's x, -z, y.

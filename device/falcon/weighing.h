@@ -1,0 +1,39 @@
+/// Finds what the grip and the arms weigh: a soft spring holds the grip at nine places, and what it takes on average to
+/// keep it there is the weight. Nobody touches the grip; the base stands upright. Some 25 s.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "device/falcon/gravity.h"
+#include "device/falcon/trial.h"
+
+namespace cusp::falcon {
+
+class Weighing final : public Trial {
+ public:
+  static constexpr int kPlaces = 9;
+
+  /// `calibration`: of the readings and torque words.
+  Weighing(const Geometry& geometry, const Calibration& calibration) noexcept;
+  double share() const noexcept override;
+  int places_done() const noexcept { return place_; }
+  /// What was held at each place so far; mean place and torque.
+  std::span<const HeldPose> held() const noexcept { return {held_.data(), static_cast<std::size_t>(place_)}; }
+  /// Once it is done; nothing where no weight fits.
+  std::optional<GravityCalibration> result() const noexcept;
+
+ private:
+  Vec3 wanted(const TrialReading& reading, double dt_s) noexcept override;
+
+  Geometry geometry_;
+  Calibration calibration_;
+  std::array<HeldPose, kPlaces> held_{};
+  int place_ = 0;
+  double clock_s_ = 0;
+  int counted_ = 0;
+  Vec3 from_m_{0.0}, sum_m_{0.0}, sum_nm_{0.0};
+  bool began_ = false;
+};
+
+}  // namespace cusp::falcon
