@@ -8,7 +8,7 @@ namespace {
 constexpr std::array<DeviceKind, 4> kKinds = {{
     {.key = "pointer", .device_class = "pointer"},
     {.key = "falcon", .device_class = "falcon"},
-    {.key = "emulated-falcon", .device_class = "emulated-falcon", .offered = false},
+    {.key = "emulated-falcon", .device_class = "emulated-falcon"},
     {.key = "scripted", .device_class = "scripted", .needs_file = true, .offered = false},
 }};
 
@@ -21,6 +21,12 @@ const DeviceKind* device_kind(std::string_view key) noexcept {
     if (kind.key == key) return &kind;
   }
   return nullptr;
+}
+
+std::vector<FoundDevice> with_those_of_no_hardware(std::vector<FoundDevice> hardware) {
+  hardware.push_back({.kind = "emulated-falcon"});
+  hardware.push_back({.kind = "pointer"});
+  return hardware;
 }
 
 }  // namespace cusp

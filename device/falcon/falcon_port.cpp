@@ -28,6 +28,21 @@ falcon::Workspace workspace_of(const falcon::WorkspaceSettings& settings) {
 
 }  // namespace
 
+DeviceLimits limits_of(const FalconSettings& settings) {
+  const double scale = workspace_of(settings.workspace).scale();
+  DeviceLimits limits;
+  limits.name = settings.name;
+  limits.device_class = settings.device_class;
+  limits.max_force_n = settings.max_force_n;
+  limits.max_stiffness_n_per_mm = settings.max_stiffness_n_per_mm / scale;
+  limits.has_own_clock = true;
+  limits.closed_loop = settings.closed_loop;
+  if (settings.damping_ns_per_m) limits.damping_ns_per_m = *settings.damping_ns_per_m / scale;
+  limits.delay_ms = settings.delay_ms;
+  limits.encoder_mm = settings.encoder_mm.value_or(falcon::kCoarsestMmPerTick) * scale;
+  return limits;
+}
+
 FalconPort::FalconPort(std::unique_ptr<falcon::FalconLink> link, const FalconSettings& settings)
     : link_(std::move(link)),
       settings_(settings),
@@ -206,20 +221,6 @@ void FalconPort::write(const Feedback& feedback) noexcept {
   }
   session_.exchange(link_->now());
   hand_over();
-}
-
-DeviceLimits FalconPort::limits() const {
-  DeviceLimits limits;
-  limits.name = settings_.name;
-  limits.device_class = settings_.device_class;
-  limits.max_force_n = settings_.max_force_n;
-  limits.max_stiffness_n_per_mm = settings_.max_stiffness_n_per_mm / workspace_.scale();
-  limits.has_own_clock = true;
-  limits.closed_loop = settings_.closed_loop;
-  if (settings_.damping_ns_per_m) limits.damping_ns_per_m = *settings_.damping_ns_per_m / workspace_.scale();
-  limits.delay_ms = settings_.delay_ms;
-  limits.encoder_mm = settings_.encoder_mm.value_or(falcon::kCoarsestMmPerTick) * workspace_.scale();
-  return limits;
 }
 
 void FalconPort::close() noexcept {

@@ -46,6 +46,10 @@ struct FalconSettings {
   bool home_in_open = false;               // open() returns once it is homed, however long the hand takes
 };
 
+/// What such a driver tells a scene. Stiffness and damping as the specimen's frame sees them: with a scale under 1 more of
+/// both.
+DeviceLimits limits_of(const FalconSettings& settings);
+
 /// What a screen may want to know; plain values.
 struct FalconView {
   falcon::SessionState session{};
@@ -75,8 +79,7 @@ class FalconPort final : public HapticPort {
   /// Returns by `deadline`, and within 20 ms whatever that is. Looks for a lost device twice a second by itself.
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
   void write(const Feedback& feedback) noexcept override;
-  /// Stiffness and damping as the specimen's frame sees them: with a scale under 1 more of both.
-  DeviceLimits limits() const override;
+  DeviceLimits limits() const override { return limits_of(settings_); }
   void close() noexcept override;
 
   /// One other thread: what the last wait() or open() left.

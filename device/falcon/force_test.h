@@ -17,6 +17,7 @@ class ForceTest final : public Trial {
   double share() const noexcept override;
   /// Which way it pushes now; what `share` says of the six.
   ForceWay way() const noexcept;
+  int step() const noexcept override { return static_cast<int>(way()); }
 
  private:
   Vec3 wanted(const TrialReading& reading, double dt_s) noexcept override;

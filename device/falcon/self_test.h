@@ -30,8 +30,8 @@ class SelfTest final : public Trial {
  public:
   SelfTest();
   double share() const noexcept override;
-  /// Axis that is moved now, 0 to 2; -1 on the way there.
-  int axis() const noexcept { return stage_ == Stage::sweep ? axis_ : -1; }
+  /// Axis that is moved now or next, 0 to 2.
+  int step() const noexcept override { return axis_; }
   /// Once it is over. Takes a tenth of a second: not on the haptic thread.
   SelfTestResult result() const;
   /// What it has recorded along an axis.

@@ -53,6 +53,8 @@ class Trial {
   TrialEnd end() const noexcept { return end_; }
   /// How far it is, 0 to 1.
   virtual double share() const noexcept = 0;
+  /// Which of its parts it is at, counted from 0.
+  virtual int step() const noexcept { return 0; }
   /// The force that advance() gave last.
   Vec3 force_n() const noexcept { return force_n_; }
 

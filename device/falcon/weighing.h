@@ -17,7 +17,7 @@ class Weighing final : public Trial {
   /// `calibration`: of the readings and torque words.
   Weighing(const Geometry& geometry, const Calibration& calibration) noexcept;
   double share() const noexcept override;
-  int places_done() const noexcept { return place_; }
+  int step() const noexcept override { return place_; }  // places done
   /// What was held at each place so far; mean place and torque.
   std::span<const HeldPose> held() const noexcept { return {held_.data(), static_cast<std::size_t>(place_)}; }
   /// Once it is done; nothing where no weight fits.
