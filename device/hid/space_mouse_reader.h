@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "device/hid/hid_follower.h"
+#include "device/hid/report_descriptor.h"
 #include "device/hid/space_mouse.h"
 
 namespace cusp::hid {

@@ -1,0 +1,18 @@
+/// Settings of pedal and SpaceMouse as text, to be kept with the station. What cannot be read is taken as the usual.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "device/hid/pedal.h"
+#include "device/hid/space_mouse.h"
+
+namespace cusp::hid {
+
+std::string to_text(const PedalSettings& settings);
+PedalSettings pedal_settings_from(std::string_view text);
+
+std::string to_text(const SpaceMouseSettings& settings);
+SpaceMouseSettings space_mouse_settings_from(std::string_view text);
+
+}  // namespace cusp::hid

@@ -1,0 +1,289 @@
+// Both readers on their threads, over a bus in memory. What is waited for is progress, never time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "device/hid/hid_station.h"
+#include "device/hid/pedalled_port.h"
+#include "device/hid/permissions.h"
+#include "device/hid/settings_text.h"
+#include "tests/device/hid/descriptors.h"
+
+namespace cusp::hid {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::Bytes;
+
+/// What is plugged into this test's computer.
+struct Desk {
+  struct Plugged {
+    HidDevice device;
+    std::deque<Bytes> reports;
+    bool denied = false;
+  };
+  std::mutex mutex;
+  std::vector<std::shared_ptr<Plugged>> devices;
+  std::atomic<int> looks{0};
+
+  std::shared_ptr<Plugged> plug(std::string path, std::uint16_t vendor, std::uint16_t product, Bytes descriptor) {
+    auto plugged = std::make_shared<Plugged>();
+    plugged->device = {std::move(path), vendor, product, 0, "device", "", std::move(descriptor)};
+    const std::lock_guard lock(mutex);
+    devices.push_back(plugged);
+    return plugged;
+  }
+  void unplug(const std::shared_ptr<Plugged>& plugged) {
+    const std::lock_guard lock(mutex);
+    std::erase(devices, plugged);
+  }
+  void say(const std::shared_ptr<Plugged>& plugged, Bytes report) {
+    const std::lock_guard lock(mutex);
+    plugged->reports.push_back(std::move(report));
+  }
+};
+
+class DeskReader final : public HidReader {
+ public:
+  DeskReader(Desk& desk, std::shared_ptr<Desk::Plugged> plugged) : desk_(desk), plugged_(std::move(plugged)) {}
+  HidRead read(std::span<std::uint8_t> into, std::chrono::milliseconds) noexcept override {
+    const std::lock_guard lock(desk_.mutex);
+    ++desk_.looks;
+    if (std::ranges::find(desk_.devices, plugged_) == desk_.devices.end()) return {HidRead::Kind::lost, 0};
+    if (plugged_->reports.empty()) return {};
+    const Bytes report = plugged_->reports.front();
+    plugged_->reports.pop_front();
+    std::ranges::copy(report, into.begin());
+    return {HidRead::Kind::report, report.size()};
+  }
+
+ private:
+  Desk& desk_;
+  std::shared_ptr<Desk::Plugged> plugged_;
+};
+
+class DeskBus final : public HidBus {
+ public:
+  explicit DeskBus(Desk& desk) : desk_(desk) {}
+  std::vector<HidDevice> list() override {
+    const std::lock_guard lock(desk_.mutex);
+    std::vector<HidDevice> out;
+    for (const auto& plugged : desk_.devices) out.push_back(plugged->device);
+    return out;
+  }
+  Result<std::unique_ptr<HidReader>, PortFailure> open(const std::string& path) override {
+    const std::lock_guard lock(desk_.mutex);
+    for (const auto& plugged : desk_.devices) {
+      if (plugged->device.path != path) continue;
+      if (plugged->denied) return fail(PortError::no_permission, path);
+      return std::make_unique<DeskReader>(desk_, plugged);
+    }
+    return fail(PortError::not_found, path);
+  }
+
+ private:
+  Desk& desk_;
+};
+
+std::function<std::unique_ptr<HidBus>()> bus_of(Desk& desk) {
+  return [&desk] { return std::make_unique<DeskBus>(desk); };
+}
+
+template <class Condition>
+bool eventually(Condition&& condition) {
+  for (int i = 0; i < 60'000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(1ms);
+  }
+  return false;
+}
+
+PedalReading latest(const PedalReader& reader) { return reader.latest(std::chrono::steady_clock::now()); }
+
+TEST(PedalReader, follows_a_pedal_and_unplugged_it_is_released_and_found_again) {
+  Desk desk;
+  PedalReader reader(bus_of(desk));
+  reader.start();
+  EXPECT_EQ(latest(reader), PedalReading{});
+  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  EXPECT_EQ(reader.view().controls.size(), 3u);
+  desk.say(pedal, {0x02, 0x00});
+  EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
+  desk.unplug(pedal);
+  EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
+  EXPECT_TRUE(eventually([&] { return !reader.view().connected; }));
+  pedal = desk.plug("/dev/hidraw2", 0x05f3, 0x00ff, testing::vec_descriptor());
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  EXPECT_EQ(latest(reader).pressed, 0);  // nothing is remembered of the time before
+  desk.say(pedal, {0x01, 0x00});
+  EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
+}
+
+TEST(PedalReader, a_value_that_nobody_has_looked_after_is_released) {
+  Desk desk;
+  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
+  PedalReader reader(bus_of(desk));
+  reader.start();
+  desk.say(pedal, {0x01, 0x00});
+  ASSERT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
+  const auto now = std::chrono::steady_clock::now();
+  EXPECT_EQ(reader.latest(now + PedalReader::kStale + 1s).pressed, 0);
+  EXPECT_EQ(reader.latest(now - 1h).pressed, 65535);  // the reader has looked since
+  reader.stop();
+  EXPECT_EQ(latest(reader).pressed, 0);
+}
+
+TEST(PedalReader, one_that_may_not_be_opened_is_said_to_be_denied) {
+  Desk desk;
+  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor())->denied = true;
+  PedalReader reader(bus_of(desk));
+  reader.start();
+  EXPECT_TRUE(eventually([&] { return reader.view().denied; }));
+  EXPECT_FALSE(reader.view().connected);
+}
+
+TEST(PedalReader, a_keyboard_is_offered_and_followed_only_when_chosen) {
+  Desk desk;
+  auto keyboard = desk.plug("/dev/hidraw1", 0x0c45, 0x7403, testing::keyboard_descriptor());
+  PedalReader reader(bus_of(desk));
+  reader.start();
+  ASSERT_TRUE(eventually([&] { return reader.view().devices.size() == 1; }));
+  EXPECT_FALSE(reader.view().connected);
+  PedalSettings settings;
+  settings.vendor = 0x0c45;
+  settings.product = 0x7403;
+  settings.drill = ControlId{usage::kKeyPage, 0x68, 0};
+  reader.set_settings(settings);
+  ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+  desk.say(keyboard, {0, 0, 0x68, 0, 0, 0, 0, 0});
+  EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
+  desk.say(keyboard, {0, 0, 0, 0, 0, 0, 0, 0});
+  EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
+}
+
+TEST(PedalReader, many_goings_and_comings_leave_nothing_pressed) {
+  Desk desk;
+  PedalReader reader(bus_of(desk));
+  reader.start();
+  for (int i = 0; i < 30; ++i) {
+    auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
+    reader.set_settings({});  // looks at once
+    ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
+    for (int n = 0; n < 20; ++n) desk.say(pedal, {static_cast<std::uint8_t>(n % 2 + 1), 0x00});
+    ASSERT_TRUE(eventually([&] { return latest(reader).pressed == 65535; }));
+    desk.unplug(pedal);
+    ASSERT_TRUE(eventually([&] { return !reader.view().connected; }));
+    ASSERT_EQ(latest(reader).pressed, 0);
+  }
+}
+
+TEST(SpaceMouseReader, follows_the_six_axes_of_a_receiver_and_not_its_keyboard) {
+  Desk desk;
+  desk.plug("/dev/hidraw1", 0x256f, 0xc652, testing::keyboard_descriptor());
+  auto mouse = desk.plug("/dev/hidraw2", 0x256f, 0xc652, testing::space_mouse_descriptor());
+  SpaceMouseReader reader(bus_of(desk));
+  reader.start();
+  const auto view = [&] { return reader.view(std::chrono::steady_clock::now()); };
+  ASSERT_TRUE(eventually([&] { return view().connected; }));
+  EXPECT_EQ(view().device->path, "/dev/hidraw2");
+  ASSERT_TRUE(eventually([&] {
+    desk.say(mouse, testing::words(1, {350, 0, 0}));
+    return view().motion.move[0] > 0.9;
+  }));
+  desk.unplug(mouse);
+  EXPECT_TRUE(eventually([&] { return !view().connected; }));
+  EXPECT_TRUE(view().motion.still());
+}
+
+/// A device that says what it is told to.
+class ToldPort final : public HapticPort {
+ public:
+  Sample sample;
+  Result<void, PortFailure> open() override { return {}; }
+  Sample wait(std::chrono::steady_clock::time_point) noexcept override { return sample; }
+  void write(const Feedback&) noexcept override {}
+  DeviceLimits limits() const override {
+    DeviceLimits limits;
+    limits.device_class = "told";
+    return limits;
+  }
+  void close() noexcept override {}
+};
+
+struct ToldPedal final : PedalSource {
+  PedalReading reading;
+  PedalReading latest(std::chrono::steady_clock::time_point) const noexcept override { return reading; }
+};
+
+TEST(PedalledPort, whichever_is_further_down_counts) {
+  ToldPort port;
+  auto pedal = std::make_shared<ToldPedal>();
+  PedalledPort both(port, pedal);
+  port.sample.status = Sample::Status::fresh;
+  EXPECT_EQ(both.wait({}).buttons, 0);
+  pedal->reading = {20000, false};
+  EXPECT_EQ(both.wait({}).pedal, 20000);
+  EXPECT_EQ(both.wait({}).buttons, 1);
+  port.sample.pedal = 65535;
+  port.sample.buttons = 1;
+  EXPECT_EQ(both.wait({}).pedal, 65535);
+  pedal->reading = {0, true};
+  EXPECT_EQ(both.wait({}).buttons, 3);
+  port.sample = {};  // gone: nothing is held down
+  EXPECT_EQ(both.wait({}).buttons, 0);
+  EXPECT_EQ(both.limits().device_class, "told");
+}
+
+TEST(HidSettings, come_back_from_text_as_they_were_and_rubbish_is_the_usual) {
+  PedalSettings pedal;
+  pedal.on = false;
+  pedal.vendor = 0x06a3;
+  pedal.product = 0x0763;
+  pedal.interface_number = 1;
+  pedal.drill = ControlId{1, 0x35, 1};
+  pedal.coolant = ControlId{9, 2, 0};
+  pedal.calibration = *PedalCalibration::from(511, 3, 0.1);
+  EXPECT_EQ(pedal_settings_from(to_text(pedal)), pedal);
+  EXPECT_EQ(pedal_settings_from(to_text(PedalSettings{})), PedalSettings{});
+  for (const char* rubbish : {"", "{", "[]", "7", R"({"vendor":70000,"released":1,"pressed":1,"dead_zone":0.1})",
+                              R"({"drill":{"page":1},"on":"yes","dead_zone":9e99,"vendor":-1})", "\xff\xfe"}) {
+    EXPECT_EQ(pedal_settings_from(rubbish), PedalSettings{}) << rubbish;
+  }
+  SpaceMouseSettings mouse;
+  mouse.rest = {1, -2, 3, -4, 5, -6};
+  mouse.dead_zone = 0.2;
+  mouse.speed = 2.0;
+  mouse.moves = false;
+  EXPECT_EQ(space_mouse_settings_from(to_text(mouse)), mouse);
+  for (const char* rubbish : {"", "null", R"({"dead_zone":0.9,"speed":1e300,"full":0,"rest":[1,2]})"}) {
+    EXPECT_EQ(space_mouse_settings_from(rubbish), SpaceMouseSettings{}) << rubbish;
+  }
+}
+
+TEST(HidPermissions, the_rules_told_are_those_of_the_file_and_sort_before_the_seat) {
+  std::ifstream file(CUSP_SOURCE_DIR "/device/hid/52-cusp-hid.rules");
+  std::ostringstream rules;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with('#')) rules << line << '\n';
+  }
+  EXPECT_EQ(rules.str(), udev_rules());
+  const std::string_view name = udev_rules_path().substr(udev_rules_path().rfind('/') + 1);
+  EXPECT_LT(name, "73-seat-late.rules");
+}
+
+TEST(HidPermissions, the_command_names_a_device_that_the_rules_do_not) {
+  EXPECT_EQ(udev_install_command(0x05f3, 0x00ff).find("\"1234\""), std::string::npos);
+  const std::string other = udev_install_command(0x1234, 0x00ab);
+  EXPECT_NE(other.find(udev_rule_for(0x1234, 0x00ab)), std::string::npos);
+  EXPECT_EQ(other.find('\n'), std::string::npos);
+  EXPECT_NE(udev_rule_for(0x1234, 0x00ab).find("ATTRS{idProduct}==\"00ab\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cusp::hid
