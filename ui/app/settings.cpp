@@ -6,11 +6,11 @@
 
 namespace cusp {
 
-Settings::Settings(const QString& file)
-    : store_(file.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
-                                  QStringLiteral("/Cusp/Cusp.ini")
-                            : file,
-             QSettings::IniFormat) {}
+QString Settings::usual_file() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QStringLiteral("/Cusp/Cusp.ini");
+}
+
+Settings::Settings(const QString& file) : store_(file.isEmpty() ? usual_file() : file, QSettings::IniFormat) {}
 
 ColourScheme Settings::scheme() const {
   const QString text = store_.value("look/theme").toString();

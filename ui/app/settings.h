@@ -15,6 +15,8 @@ class Settings {
  public:
   /// `file` empty: the user's own.
   explicit Settings(const QString& file = {});
+  static QString usual_file();
+  QString file() const { return store_.fileName(); }
 
   ColourScheme scheme() const;
   void set_scheme(ColourScheme scheme);
