@@ -1,0 +1,284 @@
+#include "scenarios/audit/audit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/format/validate.h"
+
+namespace cusp {
+namespace {
+
+/// Findings that an exercise has beyond another's: a coarser voxel may leave a burr unresolved.
+bool adds_findings(const Scenario& before, const Scenario& after) {
+  const auto had = validate(before);
+  for (const Finding& f : validate(after)) {
+    const bool known = std::ranges::any_of(had, [&](const Finding& h) { return h.code == f.code && h.path == f.path; });
+    if (!known) return true;
+  }
+  return false;
+}
+
+/// A person should see the whole specimen and touch what stands about it; band, region and single tissues of a generated
+/// specimen are nothing that scenario.json can say; and no scripted hand turns its handpiece of its own accord.
+bool only_shown(Aspect aspect) noexcept {
+  return aspect == Aspect::band || aspect == Aspect::region || aspect == Aspect::around || aspect == Aspect::tissue ||
+         aspect == Aspect::tilt;
+}
+
+void keep_larger(double& most, double one) noexcept {
+  if (std::abs(one) > std::abs(most)) most = one;
+}
+
+const CriterionGrade* criterion(const Grade& grade, const std::string& id) {
+  for (const CriterionGrade& c : grade.criteria)
+    if (c.id == id) return &c;
+  return nullptr;
+}
+
+/// Runs with a share of the whole that rises from run to run. How many runs a search takes is not known before: each
+/// takes a fixed part of what is left.
+class Progress {
+ public:
+  explicit Progress(const AuditWatch& watch) : watch_(watch) {}
+  AuditWatch next(double part_of_what_is_left) {
+    from_ = to_;
+    to_ = from_ + (1.0 - from_) * part_of_what_is_left;
+    return [this](double share) { return !watch_ || watch_(from_ + (to_ - from_) * share); };
+  }
+
+ private:
+  const AuditWatch& watch_;
+  double from_ = 0, to_ = 0;
+};
+
+class Search {
+ public:
+  Search(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner, const AuditWatch& watch)
+      : settings_(settings), runner_(runner), progress_(watch) {
+    report_.scenario = scenario;
+    report_.tolerance_points = scenario.tolerance_points;
+    report_.hands = settings.hands;
+    report_.leanest = scenario;
+  }
+
+  Result<AuditReport, AuditFailure> run() {
+    if (auto done = measure_choices(); !done) return std::unexpected(done.error());
+    if (auto done = settle_detail(); !done) return std::unexpected(done.error());
+    if (auto done = coarsen(); !done) return std::unexpected(done.error());
+    if (auto done = leave_out(); !done) return std::unexpected(done.error());
+    if (auto done = prove(); !done) return std::unexpected(done.error());
+    return std::move(report_);
+  }
+
+ private:
+  using Done = Result<void, AuditFailure>;
+  using Played = std::vector<std::optional<ModelResult>>;
+
+  Result<Played, AuditFailure> play(const std::vector<Scenario>& scenarios, double part) {
+    AuditRun run;
+    for (const Scenario& s : scenarios) run.models.push_back({s});
+    run.hands = settings_.hands;
+    run.costs = false;
+    return runner_(run, progress_.next(part));
+  }
+
+  Done measure_choices() {
+    AuditRun run;
+    run.hands = settings_.hands;
+    run.models.push_back({report_.scenario});
+    const auto choices = choices_of(report_.scenario);
+    for (const Choice& c : choices) run.models.push_back(with(run.models.front(), c));
+    auto played = runner_(run, progress_.next(0.5));
+    if (!played) return std::unexpected(played.error());
+    if (!played->front()) return fail(AuditError::unplayable, report_.scenario.key);
+    report_.as_set = std::move(*played->front());
+    ground_ = report_.as_set;
+    ground_scenario_ = report_.scenario;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      AuditRow row;
+      row.choice = choices[i];
+      row.result = std::move((*played)[i + 1]);
+      if (!row.result) {
+        row.verdict = Verdict::unplayable;
+      } else {
+        row.change = change_between(report_.as_set, *row.result);
+        for (const ModelGo& go : row.result->goes) {
+          row.force_rms_n = std::max(row.force_rms_n, go.force_rms_n);
+          row.force_most_n = std::max(row.force_most_n, go.force_most_n);
+        }
+        row.verdict = verdict_of(row);
+      }
+      report_.rows.push_back(std::move(row));
+    }
+    return {};
+  }
+
+  Verdict verdict_of(const AuditRow& row) const {
+    if (!row.change.within(report_.tolerance_points)) return Verdict::needed;
+    const bool finer = row.choice.aspect == Aspect::voxel && row.choice.instead < row.choice.as_set;
+    if (only_shown(row.choice.aspect) || finer) return Verdict::shown;
+    const Model model = with({report_.scenario}, row.choice);
+    return adds_findings(report_.scenario, model.scenario) ? Verdict::unresolved : Verdict::not_needed;
+  }
+
+  static Scenario at(Scenario s, double voxel_mm) {
+    s.specimen.voxel_mm = voxel_mm;
+    return s;
+  }
+  std::optional<Scenario> halved(const Scenario& s) const {
+    const auto finer = finer_voxels(s);
+    const double half = s.specimen.voxel_mm / 2;
+    for (const Choice& c : choices_of(s)) {
+      if (c.aspect == Aspect::voxel && c.instead < c.as_set) return at(s, half);
+    }
+    return std::nullopt;
+  }
+
+  /// Where half the voxel's edge grades otherwise, the detail is too coarse: the coarsest finer one that half of it agrees
+  /// with is what everything else is held against.
+  Done settle_detail() {
+    const AuditRow* half = nullptr;
+    for (const AuditRow& row : report_.rows) {
+      if (row.choice.aspect == Aspect::voxel && row.choice.instead < row.choice.as_set) half = &row;
+    }
+    if (!half || !half->result || half->change.within(report_.tolerance_points)) return {};
+    for (const double mm : finer_voxels(report_.scenario)) {
+      const Scenario finer = at(report_.scenario, mm);
+      const auto beside = halved(finer);
+      if (!beside) break;
+      auto played = play({finer, *beside}, 0.15);
+      if (!played) return std::unexpected(played.error());
+      if (!(*played)[0] || !(*played)[1]) continue;
+      const GradeChange change = change_between(*(*played)[0], *(*played)[1]);
+      const bool holds = change.within(report_.tolerance_points);
+      report_.steps.push_back({{Aspect::voxel, {}, report_.scenario.specimen.voxel_mm, mm}, holds, change});
+      if (!holds) continue;
+      ground_ = std::move(*(*played)[0]);
+      ground_scenario_ = report_.leanest = finer;
+      report_.at_half_voxel = change;
+      break;
+    }
+    return {};
+  }
+
+  /// The coarsest voxels that grade as the ground does, and as their own half does.
+  Done coarsen() {
+    if (!(ground_scenario_ == report_.scenario)) return {};  // finer was needed
+    for (const double mm : coarser_voxels(ground_scenario_)) {
+      const Scenario coarser = at(report_.leanest, mm);
+      const auto beside = halved(coarser);
+      if (!beside || adds_findings(report_.scenario, coarser)) continue;
+      auto played = play({coarser, *beside}, 0.15);
+      if (!played) return std::unexpected(played.error());
+      if (!(*played)[0] || !(*played)[1]) continue;
+      AuditStep step{{Aspect::voxel, {}, ground_scenario_.specimen.voxel_mm, mm}, false, change_between(ground_, *(*played)[0])};
+      const GradeChange half = change_between(*(*played)[0], *(*played)[1]);
+      step.taken = step.change.within(report_.tolerance_points) && half.within(report_.tolerance_points);
+      if (!half.within(report_.tolerance_points)) keep_larger(step.change.score, half.score);
+      report_.steps.push_back(step);
+      if (!step.taken) continue;
+      report_.leanest = coarser;
+      report_.at_half_voxel = half;
+      break;
+    }
+    return {};
+  }
+
+  /// The rest one after another, the one that saves most time first.
+  Done leave_out() {
+    std::vector<const AuditRow*> candidates;
+    for (const AuditRow& row : report_.rows) {
+      if (row.verdict == Verdict::not_needed && row.choice.aspect != Aspect::voxel) candidates.push_back(&row);
+    }
+    std::ranges::stable_sort(candidates, {}, [](const AuditRow* row) { return row->result->cost.us_more; });
+    for (const AuditRow* row : candidates) {
+      const Scenario leaner = with({report_.leanest}, row->choice).scenario;
+      if (leaner == report_.leanest) continue;  // went with another
+      auto played = play({leaner}, 0.15);
+      if (!played) return std::unexpected(played.error());
+      if (!(*played)[0]) continue;
+      const GradeChange change = change_between(ground_, *(*played)[0]);
+      report_.steps.push_back({row->choice, change.within(report_.tolerance_points), change});
+      if (!report_.steps.back().taken) continue;
+      report_.leanest = leaner;
+      report_.at_half_voxel.reset();
+    }
+    return {};
+  }
+
+  /// All of it together beside the exercise as it was, and at half its voxels.
+  Done prove() {
+    if (report_.changed()) {
+      AuditRun run;
+      run.models = {{report_.scenario}, {report_.leanest}};
+      run.hands = settings_.hands;
+      auto played = runner_(run, progress_.next(0.5));
+      if (!played) return std::unexpected(played.error());
+      if (!(*played)[0] || !(*played)[1]) return fail(AuditError::unplayable, report_.scenario.key);
+      report_.leanest_change = change_between(*(*played)[0], *(*played)[1]);
+      report_.leanest_result = std::move((*played)[1]);
+    }
+    if (report_.at_half_voxel) return {};
+    const auto beside = halved(report_.leanest);
+    if (!beside) return {};
+    if (!report_.changed()) {
+      for (const AuditRow& row : report_.rows) {
+        if (row.choice.aspect == Aspect::voxel && row.choice.instead < row.choice.as_set && row.result)
+          report_.at_half_voxel = row.change;
+      }
+      return {};
+    }
+    auto played = play({report_.leanest, *beside}, 0.9);
+    if (!played) return std::unexpected(played.error());
+    if ((*played)[0] && (*played)[1]) report_.at_half_voxel = change_between(*(*played)[0], *(*played)[1]);
+    return {};
+  }
+
+  const AuditSettings& settings_;
+  const AuditRunner& runner_;
+  Progress progress_;
+  AuditReport report_;
+  ModelResult ground_;        // what every step is held against
+  Scenario ground_scenario_;  // its exercise: as set, or in the finer detail that it needs
+};
+
+}  // namespace
+
+std::string_view key_of(Verdict verdict) noexcept {
+  switch (verdict) {
+    case Verdict::needed: return "needed";
+    case Verdict::not_needed: return "not_needed";
+    case Verdict::shown: return "shown";
+    case Verdict::unplayable: return "unplayable";
+    case Verdict::unresolved: return "unresolved";
+  }
+  return "needed";
+}
+
+GradeChange change_between(const ModelResult& from, const ModelResult& to) {
+  GradeChange out;
+  for (std::size_t i = 0; i < from.goes.size() && i < to.goes.size(); ++i) {
+    const Grade& a = from.goes[i].grade;
+    const Grade& b = to.goes[i].grade;
+    keep_larger(out.score, b.score - a.score);
+    out.passes_alike = out.passes_alike && a.passed == b.passed && a.critical == b.critical;
+    for (const CriterionGrade& before : a.criteria) {
+      const CriterionGrade* after = criterion(b, before.id);
+      if (!after || after->measure.measured != before.measure.measured) {
+        out.measures_alike = false;
+        continue;
+      }
+      keep_larger(out.points[before.id], after->points - before.points);
+      if (before.measure.measured) keep_larger(out.values[before.id], after->measure.value - before.measure.value);
+    }
+  }
+  out.measures_alike = out.measures_alike && from.goes.size() == to.goes.size();
+  return out;
+}
+
+Result<AuditReport, AuditFailure> audit(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner,
+                                        const AuditWatch& watch) {
+  return Search(scenario, settings, runner, watch).run();
+}
+
+}  // namespace cusp

@@ -1,0 +1,87 @@
+/// What an exercise's model costs and what each part of it changes; then the cheapest model that grades the same within
+/// the exercise's own tolerance. The playing is handed in: this room plans, compares and searches.
+/// Deterministic but for the times, which only decide in which order the search tries. Any thread; minutes.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/audit/hands.h"
+
+namespace cusp {
+
+/// What came of a choice.
+enum class Verdict : std::uint8_t {
+  needed,      // without it a grade changes by more than the tolerance, a pass or a critical event does, or a criterion
+               // can no longer be measured
+  not_needed,
+  shown,       // within the tolerance, but measured only: what a person should see or feel, or what no exercise can say
+  unplayable,  // the exercise cannot be played without it
+  unresolved,  // within the tolerance, but a check of the exercise (scenarios/format/validate.h) warns of it
+};
+std::string_view key_of(Verdict verdict) noexcept;
+
+/// How far two models' grades lie apart over all hands.
+struct GradeChange {
+  double score = 0;                        // the change of the hand that it changes most, with its sign
+  std::map<std::string, double> values;    // by metric: likewise, in its unit
+  std::map<std::string, double> points;    // by metric: likewise
+  bool passes_alike = true;                // every hand passes or fails as before, with the same critical events
+  bool measures_alike = true;              // every criterion that was measured still is
+  bool within(double tolerance_points) const noexcept {
+    return passes_alike && measures_alike && score <= tolerance_points && score >= -tolerance_points;
+  }
+};
+[[nodiscard]] GradeChange change_between(const ModelResult& from, const ModelResult& to);
+
+struct AuditRow {
+  Choice choice;
+  Verdict verdict = Verdict::needed;
+  std::optional<ModelResult> result;       // with the choice made; nullopt: unplayable
+  GradeChange change;                      // of the hands' own goes
+  double force_rms_n = 0, force_most_n = 0;  // the most over the hands
+};
+
+/// One step of the search: what was tried on top of what had been taken, and whether it was taken.
+struct AuditStep {
+  Choice choice;
+  bool taken = false;
+  GradeChange change;  // against the exercise in the detail that it needs
+};
+
+struct AuditReport {
+  Scenario scenario;                 // as it was
+  double tolerance_points = 0;
+  std::vector<AuditHand> hands;
+  ModelResult as_set;
+  std::vector<AuditRow> rows;
+  std::vector<AuditStep> steps;      // a greedy search: what it has taken it keeps, so a better set may exist
+  Scenario leanest;                  // the exercise with what was taken; its version is the old one's
+  std::optional<ModelResult> leanest_result;  // measured in combination, beside as_set; nullopt: nothing was taken
+  GradeChange leanest_change;        // against as_set
+  /// The leanest at half its voxels' edge; nullopt where its specimen has one size only or the half is too small.
+  std::optional<GradeChange> at_half_voxel;
+  bool detail_holds() const noexcept { return !at_half_voxel || at_half_voxel->within(tolerance_points); }
+  bool changed() const { return !(leanest == scenario); }
+};
+
+struct AuditSettings {
+  std::vector<AuditHand> hands = {{"expert", 1}, {"expert", 2}, {"novice", 1}, {"novice", 2}};
+};
+
+/// What is measured of an exercise: each choice halved or left out, in the order of a table.
+[[nodiscard]] std::vector<Choice> choices_of(const Scenario& scenario);
+
+/// Voxel sizes that the search may choose from beside `voxel_mm`: coarser ones up to twice it, coarsest first; finer ones
+/// down to half of it, coarsest first. Empty where the specimen comes in one size.
+[[nodiscard]] std::vector<double> coarser_voxels(const Scenario& scenario);
+[[nodiscard]] std::vector<double> finer_voxels(const Scenario& scenario);
+
+/// `watch` is told shares of the whole.
+[[nodiscard]] Result<AuditReport, AuditFailure> audit(const Scenario& scenario, const AuditSettings& settings,
+                                                      const AuditRunner& runner, const AuditWatch& watch);
+
+}  // namespace cusp

@@ -1,0 +1,114 @@
+#include "scenarios/audit/audit_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace cusp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Choice& choice) {
+  Json out;
+  out["aspect"] = key_of(choice.aspect);
+  if (!choice.subject.empty()) out["subject"] = choice.subject;
+  out["as_set"] = choice.as_set;
+  out["instead"] = choice.instead;
+  return out;
+}
+
+Json json_of(const ModelCost& cost) {
+  Json out;
+  out["us_a_tick"] = cost.us_a_tick;
+  out["us_more"] = cost.us_more;
+  out["instructions_a_tick"] = cost.instructions_a_tick ? Json(*cost.instructions_a_tick) : Json();
+  out["start_s"] = cost.start_s;
+  out["mb"] = static_cast<double>(cost.bytes) / 1e6;
+  return out;
+}
+
+Json json_of(const GradeChange& change, double tolerance) {
+  Json out;
+  out["within_tolerance"] = change.within(tolerance);
+  out["score"] = change.score;
+  out["passes_alike"] = change.passes_alike;
+  out["measures_alike"] = change.measures_alike;
+  Json criteria = Json::object();
+  for (const auto& [metric, points] : change.points) {
+    criteria[metric]["points"] = points;
+    const auto value = change.values.find(metric);
+    criteria[metric]["value"] = value == change.values.end() ? Json() : Json(value->second);
+  }
+  out["criteria"] = std::move(criteria);
+  return out;
+}
+
+Json json_of(const ModelResult& result) {
+  Json out;
+  out["cost"] = json_of(result.cost);
+  Json goes = Json::array();
+  for (const ModelGo& go : result.goes) {
+    Json one;
+    one["hand"] = go.hand.hand;
+    one["seed"] = go.hand.seed;
+    one["score"] = go.grade.score;
+    one["passed"] = go.grade.passed;
+    one["critical"] = go.grade.critical;
+    one["score_same_path"] = go.same_path.score;
+    one["force_rms_n"] = go.force_rms_n;
+    one["force_most_n"] = go.force_most_n;
+    one["seconds"] = go.seconds;
+    one["lost_ticks"] = go.lost;
+    goes.push_back(std::move(one));
+  }
+  out["goes"] = std::move(goes);
+  return out;
+}
+
+}  // namespace
+
+std::string audit_json(const AuditReport& report) {
+  const double tolerance = report.tolerance_points;
+  Json out;
+  out["scenario"] = {{"id", report.scenario.id.text()}, {"version", report.scenario.version}, {"key", report.scenario.key}};
+  out["tolerance_points"] = tolerance;
+  out["as_set"] = json_of(report.as_set);
+  Json rows = Json::array();
+  for (const AuditRow& row : report.rows) {
+    Json one;
+    one["choice"] = json_of(row.choice);
+    one["verdict"] = key_of(row.verdict);
+    if (row.result) {
+      one["force_rms_n"] = row.force_rms_n;
+      one["force_most_n"] = row.force_most_n;
+      one["change"] = json_of(row.change, tolerance);
+      one["result"] = json_of(*row.result);
+    }
+    rows.push_back(std::move(one));
+  }
+  out["choices"] = std::move(rows);
+  Json steps = Json::array();
+  for (const AuditStep& step : report.steps) {
+    Json one;
+    one["choice"] = json_of(step.choice);
+    one["taken"] = step.taken;
+    one["change"] = json_of(step.change, tolerance);
+    steps.push_back(std::move(one));
+  }
+  Json leanest;
+  leanest["search"] = "greedy";
+  leanest["changed"] = report.changed();
+  leanest["voxel_mm"] = report.leanest.specimen.voxel_mm;
+  leanest["around"] = report.leanest.specimen.around;
+  leanest["phenomena"] = report.leanest.phenomena;
+  leanest["steps"] = std::move(steps);
+  if (report.leanest_result) {
+    leanest["change"] = json_of(report.leanest_change, tolerance);
+    leanest["result"] = json_of(*report.leanest_result);
+  }
+  leanest["at_half_voxel"] = report.at_half_voxel ? json_of(*report.at_half_voxel, tolerance) : Json();
+  leanest["detail_holds"] = report.detail_holds();
+  out["leanest"] = std::move(leanest);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace cusp

@@ -1,0 +1,280 @@
+#include "ui/session/audit_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "engine/base/fp_guard.h"
+#include "engine/loop/haptic_loop.h"
+#include "engine/mirror/loose_pieces.h"
+#include "scenarios/grading/grader.h"
+#include "scenarios/hands/faults.h"
+#include "scenarios/hands/hand_port.h"
+#include "scenarios/metrics/measure.h"
+#include "scenarios/specimens.h"
+#include "ui/session/cpu_meter.h"
+#include "ui/session/scene_builder.h"
+
+namespace cusp {
+namespace {
+
+// Costs: one hand's first go, in ticks of 1 ms, in blocks that the models take in turn.
+constexpr std::uint64_t kBlockTicks = 500;
+constexpr std::size_t kBlocks = 40;
+// As play_through: looked at for severed pieces this often.
+constexpr std::uint64_t kTurn = 25;
+constexpr double kSwayS = 4.0;  // [M] a hand that may turn its handpiece does so, from side to side, this often
+
+/// A model as the engine takes it.
+struct Table {
+  Scenario scenario;
+  std::shared_ptr<const Specimen> specimen;
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Reference> reference;
+  double start_s = 0;
+  std::uint64_t bytes = 0;
+};
+
+Run<Table> lay(const Model& model, const std::filesystem::path& folder) {
+  Table out;
+  out.scenario = model.scenario;
+  const double began = thread_cpu_s();
+  auto dense = make_specimen(model.scenario.specimen, folder);
+  if (!dense) return run_fail(RunError::specimen, dense.error());
+  const double grown = thread_cpu_s();
+  *dense = prepared(std::move(*dense), model);
+  const double ready = thread_cpu_s();
+  const std::uint64_t before = heap_bytes();
+  out.specimen = Specimen::build(*dense, reading_of(model.scenario.method));
+  HandPort device(Hand({}, {}, model.scenario));
+  auto scene = build_scene(model.scenario, out.specimen, device.limits());
+  if (!scene) return std::unexpected(scene.error());
+  out.scene = std::move(*scene);
+  {
+    const StepState state(out.scene);
+    const std::uint64_t after = heap_bytes();
+    out.bytes = after > before ? after - before : 0;
+  }
+  // What preparing takes is the audit's, not the exercise's.
+  out.start_s = (grown - began) + (thread_cpu_s() - ready);
+  out.reference = std::make_shared<const Reference>(out.scenario, out.specimen);
+  return out;
+}
+
+/// Between hand and loop: keeps what the device said, and sways the handpiece where the exercise lets it turn.
+class Noting final : public HapticPort {
+ public:
+  Noting(Hand hand, double dt_s, double turn_deg) : hand_(std::move(hand), dt_s), dt_s_(dt_s), turn_deg_(turn_deg) {}
+  Result<void, PortFailure> open() override { return {}; }
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    Sample sample = hand_.wait(deadline);
+    if (turn_deg_ > 0) {
+      const double half = 0.25 * turn_deg_ * (3.141592653589793 / 180.0) *
+                          std::sin(6.283185307179586 * static_cast<double>(samples_.size()) * dt_s_ / kSwayS);
+      sample.orientation = {std::cos(half), std::sin(half), 0.0, 0.0};
+    }
+    if (sample.status != Sample::Status::gone) samples_.push_back(sample);
+    return sample;
+  }
+  void write(const Feedback& feedback) noexcept override { hand_.write(feedback); }
+  DeviceLimits limits() const override { return hand_.limits(); }
+  void close() noexcept override {}
+  std::vector<Sample> take() { return std::move(samples_); }
+
+ private:
+  HandPort hand_;
+  double dt_s_, turn_deg_;
+  std::vector<Sample> samples_;
+};
+
+/// The same path once more, whatever is felt.
+class Led final : public HapticPort {
+ public:
+  explicit Led(const std::vector<Sample>& samples) : samples_(samples) {}
+  Result<void, PortFailure> open() override { return {}; }
+  Sample wait(std::chrono::steady_clock::time_point) noexcept override {
+    return next_ < samples_.size() ? samples_[next_++] : Sample{};
+  }
+  void write(const Feedback&) noexcept override {}
+  DeviceLimits limits() const override { return HandPort(Hand({}, {}, {})).limits(); }
+  void close() noexcept override {}
+
+ private:
+  const std::vector<Sample>& samples_;
+  std::size_t next_ = 0;
+};
+
+struct Go {
+  Grade grade;
+  std::vector<Vec3> force_n;  // before the guard, by tick
+  double seconds = 0;
+  std::uint64_t lost = 0;
+};
+
+/// As play_through plays, without mirror and record. nullopt: told to stop.
+std::optional<Go> play(const Table& table, HapticPort& port, const std::function<bool()>& go_on) {
+  LoopSettings settings;
+  settings.period = std::chrono::microseconds(kAuditTickUs);
+  VirtualLoop loop(port, StepState(table.scene), settings);
+  LooseFinder loose(loop.hand_over());
+  Process process;
+  Go out;
+  for (std::uint64_t tick = 1; loop.run(1) == 1; ++tick) {
+    StepInput input;
+    while (loop.hand_over().inputs.pop(input)) {
+    }
+    const StepOutput& o = loop.state().last();
+    process.add(o);
+    out.force_n.push_back(o.force_raw_n);
+    out.lost += (o.infeasible || o.overflow) ? 1 : 0;
+    if (tick % kTurn == 0) {
+      loose.look(loop.state());
+      if (!go_on()) return std::nullopt;
+    }
+  }
+  DigestMark mark;
+  while (loop.hand_over().marks.pop(mark)) {
+  }
+  out.seconds = process.time_s();
+  out.grade = grade(table.scenario, measure(*table.reference, loop.state().volume(), process));
+  return out;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// What an expert's device said, in ticks of 1 ms, from the first touch on.
+std::vector<StepInput> path_for_costs(const Table& table) {
+  auto hand = hand_by_name("expert", table.scenario, *table.specimen, 1);
+  std::vector<StepInput> out;
+  if (!hand) return out;
+  Noting port(std::move(*hand), 0.001, table.scenario.tool_turn_deg);
+  StepState state(table.scene);
+  StepInput last;
+  while (out.size() < kBlockTicks * kBlocks) {
+    const Sample sample = port.wait({});
+    if (sample.status == Sample::Status::gone) break;
+    last = quantise(sample, 1000, last);
+    const StepOutput o = step(state, last);
+    out.push_back(last);
+    Feedback felt;
+    felt.force_n = o.force_n;
+    felt.proxy_mm = o.proxy_mm;
+    felt.stiffness_n_per_mm = o.stiffness_n_per_mm;
+    felt.in_contact = o.contact;
+    felt.faulted = o.faulted;
+    port.write(felt);
+  }
+  return out;
+}
+
+/// The models take the path in blocks, one after another in turn: whatever slows the machine slows all of a block's.
+void take_costs(const std::vector<std::optional<Table>>& tables, std::vector<std::optional<ModelResult>>& results) {
+  const FpGuard fp;
+  const auto path = path_for_costs(*tables.front());
+  std::vector<std::unique_ptr<StepState>> states;
+  for (const auto& table : tables) states.push_back(table ? std::make_unique<StepState>(table->scene) : nullptr);
+  std::vector<std::vector<double>> us(tables.size()), more(tables.size());
+  std::vector<std::uint64_t> instructions(tables.size(), 0);
+  const InstructionCounter counter;
+  const bool counts = counter.read().has_value();
+  for (std::size_t begin = 0; begin + kBlockTicks <= path.size(); begin += kBlockTicks) {
+    for (std::size_t m = 0; m < states.size(); ++m) {
+      if (!states[m]) continue;
+      const std::uint64_t counted = counter.read().value_or(0);
+      const double at = thread_cpu_s();
+      for (std::size_t i = begin; i < begin + kBlockTicks; ++i) static_cast<void>(step(*states[m], path[i]));
+      us[m].push_back((thread_cpu_s() - at) * 1e6 / static_cast<double>(kBlockTicks));
+      instructions[m] += counter.read().value_or(0) - counted;
+      more[m].push_back(us[m].back() - us.front().back());
+    }
+  }
+  for (std::size_t m = 0; m < states.size(); ++m) {
+    if (!states[m]) continue;
+    ModelCost& cost = results[m]->cost;
+    cost.us_a_tick = median(us[m]);
+    cost.us_more = median(more[m]);
+    if (counts && !us[m].empty())
+      cost.instructions_a_tick = static_cast<double>(instructions[m]) / static_cast<double>(us[m].size() * kBlockTicks);
+    cost.start_s = tables[m]->start_s;
+    cost.bytes = tables[m]->bytes;
+  }
+}
+
+void compare_forces(const std::vector<Vec3>& a, const std::vector<Vec3>& b, ModelGo& go) {
+  double sum = 0;
+  std::size_t touched = 0;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
+    if (a[i] == Vec3(0.0) && b[i] == Vec3(0.0)) continue;
+    const double apart = glm::length(a[i] - b[i]);
+    sum += apart * apart;
+    ++touched;
+    go.force_most_n = std::max(go.force_most_n, apart);
+  }
+  if (touched > 0) go.force_rms_n = std::sqrt(sum / static_cast<double>(touched));
+}
+
+Result<std::vector<std::optional<ModelResult>>, AuditFailure> run_models(const AuditRun& run, const AuditWatch& watch,
+                                                                         const std::filesystem::path& folder) {
+  std::vector<std::optional<Table>> tables;
+  std::vector<std::optional<ModelResult>> results;
+  const auto stopped = [] { return fail(AuditError::cancelled, {}); };
+  // Laying the tables is a tenth, the goes the rest: two for every model and hand, one of them led.
+  const double goes = static_cast<double>(run.models.size() * run.hands.size());
+  for (const Model& model : run.models) {
+    if (watch && !watch(0.1 * static_cast<double>(tables.size()) / static_cast<double>(run.models.size()))) return stopped();
+    auto table = lay(model, folder);
+    if (!table && tables.empty()) return fail(AuditError::unplayable, std::string(key_of(table.error().code)), table.error().where);
+    tables.push_back(table ? std::optional<Table>(std::move(*table)) : std::nullopt);
+    results.push_back(tables.back() ? std::optional<ModelResult>(ModelResult{}) : std::nullopt);
+  }
+  if (run.costs) take_costs(tables, results);
+  double done = 0;
+  const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / goes); };
+  for (const AuditHand& who : run.hands) {
+    std::vector<Sample> path;
+    std::vector<Vec3> force_n;
+    for (std::size_t m = 0; m < tables.size(); ++m, ++done) {
+      if (!tables[m]) continue;
+      const Table& table = *tables[m];
+      auto hand = hand_by_name(who.hand, table.scenario, *table.specimen, who.seed);
+      if (!hand) return fail(AuditError::unplayable, who.hand);
+      Noting port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
+      auto own = play(table, port, go_on);
+      if (!own) return stopped();
+      ModelGo go;
+      go.hand = who;
+      go.seconds = own->seconds;
+      go.lost = own->lost;
+      if (m == 0) {
+        path = port.take();
+        force_n = std::move(own->force_n);
+        go.same_path = own->grade;
+      } else {
+        Led led(path);
+        auto again = play(table, led, go_on);
+        if (!again) return stopped();
+        go.same_path = again->grade;
+        go.lost += again->lost;
+        compare_forces(force_n, again->force_n, go);
+      }
+      go.grade = std::move(own->grade);
+      results[m]->goes.push_back(std::move(go));
+    }
+  }
+  if (watch) static_cast<void>(watch(1.0));
+  return results;
+}
+
+}  // namespace
+
+AuditRunner audit_runner(std::filesystem::path folder) {
+  return [folder = std::move(folder)](const AuditRun& run, const AuditWatch& watch) { return run_models(run, watch, folder); };
+}
+
+}  // namespace cusp

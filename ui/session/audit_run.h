@@ -1,0 +1,17 @@
+/// Plays an audit's models with scripted hands, in virtual time: the loop's ticks, measures and grades of a real go.
+/// Nothing is kept. Thread: the caller's. Up to minutes.
+#pragma once
+
+#include <filesystem>
+
+#include "scenarios/audit/hands.h"
+
+namespace cusp {
+
+/// For one exercise; `folder`: where a volume that it names lies.
+[[nodiscard]] AuditRunner audit_runner(std::filesystem::path folder);
+
+/// How the goes are played; the costs are measured in ticks of 1 ms.
+inline constexpr std::uint32_t kAuditTickUs = 4000;
+
+}  // namespace cusp
