@@ -3682,6 +3682,18 @@
             <source>Material %1</source>
             <translation>Material %1</translation>
         </message>
+    <message>
+        <source>Neighbour&apos;s enamel</source>
+        <translation>Schmelz des Nachbarn</translation>
+    </message>
+    <message>
+        <source>Neighbour&apos;s dentine</source>
+        <translation>Dentin des Nachbarn</translation>
+    </message>
+    <message>
+        <source>Firm decay</source>
+        <translation>Feste Karies</translation>
+    </message>
         <message>
             <source>Target removed</source>
             <translation>Ziel abgetragen</translation>

@@ -16,7 +16,6 @@ constexpr double kSideBlendMm = 3.0;     // of one tooth's mount into the next
 constexpr double kMucosaMm = 0.9;        // over the bone
 constexpr double kPapillaMm = 1.6, kPapillaReachMm = 1.4;
 
-
 constexpr double kFarMm = 4.0;    // no tissue of the gums is further from its tooth
 constexpr double kNeckMm = 1.5;   // below the buccal CEJ
 constexpr double kKnownMm = 0.7;  // so near to its surface a tooth's field is a distance
@@ -97,11 +96,12 @@ AboutTooth distance_about(const ToothBody& tooth, Vec3 origin, IVec3 nodes) {
 }  // namespace
 
 double Gums::Coarse::at(Vec3 p) const noexcept {
-  const Vec3 q = (p - low) / kStepMm;
+  // Beyond the samples that a cubic needs, the last value stands: carried on, it would swing back.
+  const Vec3 q = glm::clamp((p - low) / kStepMm, Vec3(1.0), Vec3(size - 2));
   const IVec3 i = glm::clamp(IVec3(glm::floor(q)), IVec3(1), size - 3);
   double w[3][4];
   for (int a = 0; a < 3; ++a) {
-    const double t = std::clamp(q[a] - i[a], -1.0, 2.0), t2 = t * t, t3 = t2 * t;
+    const double t = q[a] - i[a], t2 = t * t, t3 = t2 * t;
     w[a][0] = 0.5 * (2 * t2 - t3 - t);
     w[a][1] = 0.5 * (3 * t3 - 5 * t2 + 2);
     w[a][2] = 0.5 * (4 * t2 - 3 * t3 + t);

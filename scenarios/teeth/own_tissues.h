@@ -1,4 +1,5 @@
-/// Tissues that only some teeth have, in the codes that a volume may name for itself (from 16 on).
+/// Tissues that only some grown teeth have, in the last of the codes that a volume may name for itself (16 to 31): what an
+/// import numbers begins at the first. scenarios/tissues knows how they feel and look.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,13 @@
 namespace cusp {
 
 /// A neighbour's tissues are told apart from the tooth's own: what is cut of a neighbour is damage.
-inline constexpr Tissue kNeighbourEnamel{16};
-inline constexpr Tissue kNeighbourDentine{17};  // with its cementum; its pulp is left out
-inline constexpr Tissue kFirmCariousDentine{18};
+inline constexpr Tissue kNeighbourEnamel{29};
+inline constexpr Tissue kNeighbourDentine{30};  // with its cementum; its pulp is left out
+inline constexpr Tissue kFirmCariousDentine{31};
 
 inline const std::map<std::uint8_t, std::string>& own_tissue_names() {
   static const std::map<std::uint8_t, std::string> names = {
-      {16, "neighbour enamel"}, {17, "neighbour dentine"}, {18, "firm carious dentine"}};
+      {29, "neighbour enamel"}, {30, "neighbour dentine"}, {31, "firm carious dentine"}};
   return names;
 }
 

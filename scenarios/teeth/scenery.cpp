@@ -10,6 +10,14 @@ constexpr int kSkip = 4;           // cells on a side of what is passed over whe
 constexpr double kSlopeMost = 1.5; // of the fields, away from fissures
 constexpr double kFissureMm = 0.35;
 
+/// Light from around that reaches a place of the surface: how far the field has grown along the normal, near and far.
+std::uint8_t ambient_at(const Body& body, Vec3 at, Vec3 normal) {
+  constexpr double kReach[] = {0.4, 1.0, 2.2};  // mm: a fissure, a fossa, the space between two roots
+  double open = 0.0;
+  for (const double mm : kReach) open += std::clamp(body.outside(at + mm * normal) / mm, 0.0, 1.0) / 3.0;
+  return static_cast<std::uint8_t>(255.0 * open + 0.5);
+}
+
 }  // namespace
 
 SceneryMesh mesh_of(const Body& body, double step) {
@@ -66,7 +74,9 @@ SceneryMesh mesh_of(const Body& body, double step) {
         if (glm::length(p - home) > step) p = home;
         point[node(x, y, z)] = static_cast<std::int32_t>(out.points_mm.size());
         out.points_mm.emplace_back(p);
-        out.normals.emplace_back(glm::normalize(g + Vec3(0, 0, 1e-9)));
+        const Vec3 normal = glm::normalize(g + Vec3(0, 0, 1e-9));
+        out.normals.emplace_back(normal);
+        out.ambient.push_back(ambient_at(body, p, normal));
         out.tissue.push_back(body.skin(p));
       }
     }
@@ -87,7 +97,26 @@ SceneryMesh mesh_of(const Body& body, double step) {
       }
     }
   }
+  out.seen = out.triangles.size();
   return out;
+}
+
+void cover(SceneryMesh& mesh, const Body& by, double margin) {
+  std::vector<std::uint8_t> hidden(mesh.points_mm.size(), 0);
+  for (std::size_t i = 0; i < hidden.size(); ++i) {
+    const Vec3 p(mesh.points_mm[i]);
+    const Vec3 off = glm::max(glm::max(by.low() - p, p - by.high()), Vec3(0.0));
+    hidden[i] = glm::dot(off, off) <= margin * margin && by.outside(p) < margin;
+  }
+  std::vector<std::uint32_t> open, covered;
+  for (std::size_t k = 0; k + 2 < mesh.triangles.size(); k += 3) {
+    const auto corner = [&](std::size_t i) { return mesh.triangles[k + i]; };
+    const bool lost = k >= mesh.seen || (hidden[corner(0)] && hidden[corner(1)] && hidden[corner(2)]);
+    for (std::size_t i = 0; i < 3; ++i) (lost ? covered : open).push_back(corner(i));
+  }
+  mesh.seen = open.size();
+  open.insert(open.end(), covered.begin(), covered.end());
+  mesh.triangles = std::move(open);
 }
 
 void mirror(SceneryMesh& mesh) noexcept {

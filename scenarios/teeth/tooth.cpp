@@ -1,6 +1,7 @@
 #include "scenarios/teeth/tooth.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "scenarios/teeth/arch.h"
 #include "scenarios/teeth/find_landmarks.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double kShapeShare = 0.25;     // of the time, measured at 0.1 mm
 constexpr double kSceneryVoxelMm = 0.2;  // what the grooves of scenery are widened for
+constexpr double kGumStepMm = 0.6;       // of scenery: gums have no finer form than 0.4 mm
+constexpr double kSeamMm = 0.12;         // nearer to the gums of voxels those of the scenery are not drawn
 
 bool stopped(ToothCancel cancel) { return cancel != nullptr && cancel->load(); }
 
@@ -141,6 +144,24 @@ std::vector<int> beyond(int neighbour, bool mesial) {
   return out;
 }
 
+/// The gums of a whole jaw where they are no voxels; what of the teeth stands in them is covered.
+SceneryMesh gums_of(const ToothRequest& request, const Row& row, const std::vector<ToothBody>& rest,
+                    std::vector<SceneryMesh>& meshes) {
+  const Gums::Parts parts{request.gingiva, request.bone};
+  std::vector<ToothBody> near;
+  for (const Standing& s : row.teeth) near.emplace_back(*s.shape, s.place, ToothMaterial::natural);
+  std::vector<const ToothBody*> voxels, all;
+  for (const ToothBody& body : near) voxels.push_back(&body);
+  all = voxels;
+  for (const ToothBody& body : rest) all.push_back(&body);
+  const Gums whole(all, parts);
+  SceneryMesh out = mesh_of(whole, kGumStepMm);
+  out.within = request.bone ? Tissue::bone : Tissue::gingiva;
+  cover(out, Gums(voxels, parts), kSeamMm);
+  in_two_threads(static_cast<int>(meshes.size()), [&](int i) { cover(meshes[static_cast<std::size_t>(i)], whole, -kGumStepMm); });
+  return out;
+}
+
 Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& request, const Row& row, double step_mm,
                                                          ToothCancel cancel) {
   const int fdi = row.teeth.front().fdi;
@@ -168,11 +189,20 @@ Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& req
   }
   std::vector<SceneryMesh> meshes(rest.size());
   const ToothMaterial material = request.typodont ? ToothMaterial::typodont : ToothMaterial::natural;
+  std::vector<ToothBody> bodies;
+  bodies.reserve(rest.size());
+  for (const Standing& s : rest) bodies.emplace_back(*s.shape, s.place, material);
   in_two_threads(static_cast<int>(rest.size()), [&](int i) {
-    const Standing& s = rest[static_cast<std::size_t>(i)];
-    meshes[static_cast<std::size_t>(i)] = mesh_of(ToothBody(*s.shape, s.place, material), step_mm);
+    const auto at = static_cast<std::size_t>(i);
+    meshes[at] = mesh_of(bodies[at], step_mm);
+    meshes[at].within = request.typodont ? Tissue::plastic : Tissue::dentine;
   });
   if (stopped(cancel)) return fail(ToothError::cancelled, "jaw");
+  std::optional<SceneryMesh> gums;
+  if (request.gingiva || request.bone) {
+    gums = gums_of(request, row, bodies, meshes);
+    if (row.mirrored) mirror(*gums);
+  }
   std::vector<Jaw::Standing> out;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (row.mirrored) mirror(meshes[i]);
@@ -183,6 +213,7 @@ Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& req
     const int quadrant = s.fdi / 10, number = s.fdi % 10;
     return quadrant == 1 || quadrant == 4 ? -number : number;
   });
+  if (gums) out.push_back({0, std::move(*gums)});
   return out;
 }
 

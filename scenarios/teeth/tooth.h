@@ -63,14 +63,14 @@ struct Tooth {
                                                      const ToothProgress& progress = {});
 
 /// A whole jaw about a tooth that can be drilled. What the burr can reach (the tooth, its neighbours, gingiva and bone
-/// about them where the request asks) is voxels; the other teeth are surfaces to look at.
+/// about them where the request asks) is voxels; the other teeth, and the gums about those, are surfaces to look at.
 struct Jaw {
   Tooth tooth;
   struct Standing {
-    int fdi = 0;
+    int fdi = 0;       // 0: the gums
     SceneryMesh mesh;  // in the tooth's frame
   };
-  std::vector<Standing> scenery;  // from the patient's right to the left
+  std::vector<Standing> scenery;  // from the patient's right to the left; gums last
 };
 /// As grow_tooth with neighbours; scenery of about `scenery_step_mm`. Pre: 0.1 <= scenery_step_mm <= 1.
 [[nodiscard]] Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm = 0.3,

@@ -17,6 +17,7 @@ using Json = nlohmann::json;
 using Error = TissueTableError;
 
 constexpr std::string_view kUnverified = "M";
+constexpr std::size_t kFirstOwnCode = 16;
 
 /// Walks the file; keeps the first thing that is wrong.
 class TableReader {
@@ -46,6 +47,7 @@ class TableReader {
       out[index_of(*tissue)].colour = colour(one, where);
     }
     if (seen.size() + 1 != kTissueKeys.size()) wrong(Error::missing, "/tissues");
+    grown(out);
     out[index_of(Tissue::empty)].colour = out[index_of(Tissue::enamel)].colour;
     if (failed_) return std::unexpected(*failed_);
     return out;
@@ -134,6 +136,23 @@ class TableReader {
       if (!read) return wrong(Error::bad_value, "/own/colours");
       shade.value = *read;
       out[t].colour = shade;
+    }
+  }
+
+  /// Tissues of grown teeth among the codes that volumes name for themselves.
+  void grown(TissueTable& out) {
+    if (!document_.contains("grown")) return;
+    std::size_t i = 0;
+    for (const Json& one : document_["grown"]) {
+      const std::string where = "/grown/" + std::to_string(i++);
+      const bool coded = one.is_object() && one.contains("code") && one["code"].is_number_unsigned();
+      const std::size_t code = coded ? one["code"].get<std::size_t>() : 0;
+      if (code < kFirstOwnCode || code >= kTissueCodes) {
+        wrong(Error::unknown_tissue, where + "/code");
+        continue;
+      }
+      out[code] = facts(one, where);
+      out[code].colour = colour(one, where);
     }
   }
 

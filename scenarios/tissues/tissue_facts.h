@@ -29,7 +29,7 @@ struct TissueFacts {
 };
 
 /// By tissue code; codes without a name (13 to 15, and 16 to 31, the scenario's own) have figures of "own", their colours
-/// take turns. [empty] is enamel's colour with nothing else.
+/// take turns, but for those of grown teeth (29 to 31, scenarios/teeth/own_tissues.h). [empty] is enamel's colour with nothing else.
 using TissueTable = std::array<TissueFacts, kTissueCodes>;
 
 enum class TissueTableError : std::uint8_t {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "scenarios/teeth/own_tissues.h"
 #include "ui/app/language.h"
 #include "ui/widgets/format.h"
 
@@ -310,6 +311,9 @@ QString tissue_name(Tissue tissue) {
     case Tissue::plastic: return Words::tr("Plastic");
     case Tissue::carious_enamel: return Words::tr("Decayed enamel");
   }
+  if (tissue == kNeighbourEnamel) return Words::tr("Neighbour's enamel");
+  if (tissue == kNeighbourDentine) return Words::tr("Neighbour's dentine");
+  if (tissue == kFirmCariousDentine) return Words::tr("Firm decay");
   return Words::tr("Material %1").arg(static_cast<int>(tissue) - 15);
 }
 

@@ -93,7 +93,7 @@ TEST(Neighbours, HaveTissuesOfTheirOwnAndTheOtherSideIsTheMirrorImage) {
   EXPECT_EQ(right->neighbours[0].fdi, 45);
   EXPECT_EQ(right->neighbours[1].fdi, 47);
   EXPECT_EQ(left->neighbours[0].contact_mm.x, -right->neighbours[0].contact_mm.x);
-  EXPECT_EQ(left->volume.names.at(16), "neighbour enamel");
+  EXPECT_EQ(left->volume.names.at(29), "neighbour enamel");
   const auto alone = grow_tooth({36, 3, 0.3});
   // The tooth itself is what it is alone: not one voxel of it is lost to a neighbour.
   EXPECT_NEAR(double(voxels_of_tissue(left->volume, Tissue::enamel)), double(voxels_of_tissue(alone->volume, Tissue::enamel)), 10.0);
@@ -239,31 +239,52 @@ TEST(Variety, LiftsCuspsAndGrowsCarabellisInHalfOfUpperFirstMolars) {
 }
 
 /// Coarse, for the chain of places; the promise at 0.1 mm is held by cusp-teeth-table --jaw.
-TEST(Jaw, HasSixteenTeethInARowOfWhichThreeAreVoxels) {
-  for (const int fdi : {41}) {
-    const auto jaw = grow_jaw({fdi, 0, 0.4}, 0.6);
-    ASSERT_TRUE(jaw.has_value());
-    std::set<int> all = {fdi};
-    for (const Neighbour& n : jaw->tooth.neighbours) all.insert(n.fdi);
-    for (const Jaw::Standing& s : jaw->scenery) all.insert(s.fdi);
-    EXPECT_EQ(all.size(), 16u);
-    EXPECT_EQ(*all.begin(), 31);
-    EXPECT_EQ(*all.rbegin(), 48);
-    ASSERT_EQ(jaw->scenery.size(), 13u);
-    for (const Jaw::Standing& s : jaw->scenery) {
-      ASSERT_GT(s.mesh.points_mm.size(), 300u) << s.fdi;
-      EXPECT_EQ(s.mesh.triangles.size() % 3, 0u);
-      EXPECT_TRUE(std::ranges::all_of(s.mesh.triangles, [&](std::uint32_t i) { return i < s.mesh.points_mm.size(); }));
-      // Closed and facing outwards: the volume under its triangles is the tooth's, 300 to 1200 mm3, and positive.
-      double volume = 0.0;
-      for (std::size_t k = 0; k < s.mesh.triangles.size(); k += 3) {
-        const auto at = [&](std::size_t i) { return Vec3(s.mesh.points_mm[s.mesh.triangles[k + i]]); };
-        volume += glm::dot(at(0), glm::cross(at(1), at(2))) / 6.0;
-      }
-      EXPECT_GT(volume, 150.0) << s.fdi;
-      EXPECT_LT(volume, 1500.0) << s.fdi;
+TEST(Jaw, HasSixteenTeethInARowOfWhichThreeAreVoxelsAndGumsInOnePiece) {
+  ToothRequest request{41, 0, 0.4};
+  request.gingiva = request.bone = true;
+  const auto jaw = grow_jaw(request, 0.6);
+  ASSERT_TRUE(jaw.has_value());
+  std::set<int> all = {request.fdi};
+  for (const Neighbour& n : jaw->tooth.neighbours) all.insert(n.fdi);
+  for (const Jaw::Standing& s : jaw->scenery) all.insert(s.fdi);
+  EXPECT_EQ(all.size(), 17u);
+  EXPECT_EQ(*all.begin(), 0);  // the gums
+  EXPECT_EQ(*all.rbegin(), 48);
+  ASSERT_EQ(jaw->scenery.size(), 14u);
+  EXPECT_EQ(jaw->scenery.back().fdi, 0);
+  for (const Jaw::Standing& s : jaw->scenery) {
+    ASSERT_GT(s.mesh.points_mm.size(), 300u) << s.fdi;
+    EXPECT_EQ(s.mesh.triangles.size() % 3, 0u);
+    EXPECT_EQ(s.mesh.ambient.size(), s.mesh.points_mm.size());
+    EXPECT_TRUE(std::ranges::all_of(s.mesh.triangles, [&](std::uint32_t i) { return i < s.mesh.points_mm.size(); }));
+    if (s.fdi == 0) continue;
+    // Closed and facing outwards: the volume under its triangles is the tooth's, 300 to 1200 mm3, and positive.
+    double volume = 0.0;
+    for (std::size_t k = 0; k < s.mesh.triangles.size(); k += 3) {
+      const auto at = [&](std::size_t i) { return Vec3(s.mesh.points_mm[s.mesh.triangles[k + i]]); };
+      volume += glm::dot(at(0), glm::cross(at(1), at(2))) / 6.0;
+    }
+    EXPECT_GT(volume, 150.0) << s.fdi;
+    EXPECT_LT(volume, 1500.0) << s.fdi;
+    EXPECT_GT(s.mesh.seen, s.mesh.triangles.size() / 8) << s.fdi;
+    for (std::size_t k = 0; k < s.mesh.seen; k += 3) {
+      ASSERT_GT(double(s.mesh.points_mm[s.mesh.triangles[k]].z), -6.0) << s.fdi;  // no root without its gum
     }
   }
+  const SceneryMesh& gums = jaw->scenery.back().mesh;
+  std::vector<std::uint32_t> root(gums.points_mm.size());
+  for (std::uint32_t i = 0; i < root.size(); ++i) root[i] = i;
+  const auto find = [&](std::uint32_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (std::size_t k = 0; k + 2 < gums.triangles.size(); k += 3) {
+    root[find(gums.triangles[k])] = find(gums.triangles[k + 1]);
+    root[find(gums.triangles[k + 1])] = find(gums.triangles[k + 2]);
+  }
+  std::set<std::uint32_t> pieces;
+  for (std::uint32_t i = 0; i < root.size(); ++i) pieces.insert(find(i));
+  EXPECT_EQ(pieces.size(), 1u);
 }
 
 /// Between the central fossae of the first molars, and the tips of the canines: from voxels and scenery alike, by the

@@ -71,6 +71,18 @@ TEST(TissueFacts, a_scenarios_own_tissues_take_turns_among_the_shades) {
   EXPECT_GT(tissue_facts(static_cast<Tissue>(16)).stiffness_n_per_mm.value, 0.0);
 }
 
+TEST(TissueFacts, a_neighbours_tissues_feel_as_the_tooths_own_and_firm_decay_lies_between_soft_and_sound) {
+  const TissueFacts &enamel = tissue_facts(Tissue::enamel), &beside = tissue_facts(static_cast<Tissue>(29));
+  EXPECT_EQ(beside.stiffness_n_per_mm.value, enamel.stiffness_n_per_mm.value);
+  EXPECT_EQ(beside.speed_mm_s.value, enamel.speed_mm_s.value);
+  EXPECT_NE(beside.colour.value, enamel.colour.value);
+  EXPECT_EQ(tissue_facts(static_cast<Tissue>(30)).speed_mm_s.value, tissue_facts(Tissue::dentine).speed_mm_s.value);
+  const TissueFacts &firm = tissue_facts(static_cast<Tissue>(31)), &soft = tissue_facts(Tissue::carious_dentine);
+  EXPECT_GT(firm.stiffness_n_per_mm.value, soft.stiffness_n_per_mm.value);
+  EXPECT_LT(firm.stiffness_n_per_mm.value, tissue_facts(Tissue::dentine).stiffness_n_per_mm.value);
+  EXPECT_LT(firm.speed_mm_s.value, soft.speed_mm_s.value);
+}
+
 TEST(TissueFacts, what_is_no_json_or_no_object_is_refused) {
   for (const char* text : {"", "{", "[]", "7", "null", "{\"sources\": 1}"}) EXPECT_FALSE(read_tissue_table(text)) << text;
   EXPECT_EQ(read_tissue_table("{").error().code, TissueTableError::bad_json);
