@@ -51,6 +51,7 @@ SectionImage DrillFeed::draw(const StepState& state, const SectionWish& wish) co
   settings.height = wish.height;
   settings.mm_per_px = wish.mm_per_px;
   look_.put_into(settings);
+  settings.scenery = scenery_;
   if (wish.with_burr) {
     settings.burr = scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)];
     settings.pivot_mm = out.proxy_mm;

@@ -26,9 +26,10 @@ struct SectionWish {
 
 class DrillFeed : public Observer {
  public:
-  /// `changed` is called on the mirror's thread when there is something to take.
-  DrillFeed(std::shared_ptr<PatchFeed> patches, TargetLook look, std::function<void()> changed)
-      : patches_(std::move(patches)), look_(std::move(look)), changed_(std::move(changed)) {}
+  /// `changed` is called on the mirror's thread when there is something to take. `scenery` may be null.
+  DrillFeed(std::shared_ptr<PatchFeed> patches, TargetLook look, std::function<void()> changed,
+            std::shared_ptr<const SceneryLook> scenery = nullptr)
+      : patches_(std::move(patches)), look_(std::move(look)), changed_(std::move(changed)), scenery_(std::move(scenery)) {}
 
   void on_tick(const StepInput& input, const StepState& after) override;
   void on_state(const StepState& state, const StateNews& news) override;
@@ -48,6 +49,7 @@ class DrillFeed : public Observer {
   std::shared_ptr<PatchFeed> patches_;
   TargetLook look_;
   std::function<void()> changed_;
+  std::shared_ptr<const SceneryLook> scenery_;
 
   // Mirror's thread only.
   TickTimes changes_;

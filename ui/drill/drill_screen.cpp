@@ -51,6 +51,7 @@ struct Opened {
   std::shared_ptr<DrillFeed> feed;
   std::vector<OverlayLine> lines;
   std::shared_ptr<TargetLook> look;
+  std::shared_ptr<const SceneryLook> scenery;
   Box bounds;
   bool has_pulp = false;
   std::unique_ptr<ExerciseRun> run;
@@ -240,6 +241,8 @@ void DrillScreen::begin(RunPlan plan, const DrillText& text, std::unique_ptr<Hap
   auto shared_port = std::make_shared<std::unique_ptr<HapticPort>>(std::move(port));
   in.worker = std::thread([plan = std::move(plan), shared_port, answer, view]() mutable {
     auto go = std::make_shared<Opened>();
+    // Beside the specimen: a jaw's other teeth take as long as its own.
+    std::jthread beside([&go = *go, source = plan.scenario.specimen] { go.scenery = scenery_of(source); });
     auto specimen = plan.specimen ? Run<std::shared_ptr<const Specimen>>(plan.specimen)
                                   : build_specimen(plan.scenario, plan.scenario_folder);
     if (!specimen) return answer(nullptr, specimen.error());
@@ -254,9 +257,10 @@ void DrillScreen::begin(RunPlan plan, const DrillText& text, std::unique_ptr<Hap
     const Grid& grid = (*specimen)->grid();
     go->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
     for (const ScenarioTissue& t : plan.scenario.tissues) go->has_pulp = go->has_pulp || t.tissue == Tissue::pulp;
+    beside.join();
     go->feed = std::make_shared<DrillFeed>(go->patches, *go->look, [view] {
       if (view) view->feed_changed();
-    });
+    }, go->scenery);
     plan.observers.push_back(go->feed.get());
     if (*shared_port) {
       go->port = std::move(*shared_port);
@@ -300,6 +304,7 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
   in.stage->set_exercise(scenario, *go.look, go.bounds, go.pointer != nullptr, is_tooth);
   ToothView* view = in.stage->view();
   view->set_feed(go.patches);
+  view->set_scenery(go.scenery);
   view->set_lines(go.lines);
   view->set_burr_source([this]() -> std::optional<BurrPose> {
     if (!running() || inner_->working) return inner_->stage->view()->scene().burr;

@@ -25,6 +25,7 @@ namespace {
 constexpr std::array<PresetView, 4> kTurns = {PresetView::working, PresetView::buccal, PresetView::distal,
                                               PresetView::lingual};
 constexpr int kGap = 12;
+constexpr double kLidMm = 24.0, kWideLidMm = 44.0, kLidMmPerPx = 0.05;  // a tooth is 25 mm high, a row of three 34 long
 
 QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name, int number, bool checkable) {
   QPushButton* out = make_button(name, ButtonKind::quiet, icon_name);
@@ -180,6 +181,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   burrs_ = scenario.instruments;
   by_mouse_ = by_mouse;
   is_tooth_ = is_tooth;
+  wide_ = glm::length(glm::dvec2(bounds.high - bounds.low)) > kLidMm;
   const double depth = look.empty() ? 2.0 : look.shape().top_mm() - look.shape().floor_mm();
   const double most = std::ceil(2 * (depth + leeway_.floor_mm) + 0.5) / 2;
   depth_->set_range(0, most, most > 4 ? 1.0 : 0.5);
@@ -221,8 +223,9 @@ void DrillStage::want_sections() {
     SectionWish wish;
     const Vec3 right = view_->camera().right();
     wish.right = glm::normalize(Vec3(right.x, right.y, 0.0));
-    wish.width = wish.height = 480;
-    wish.mm_per_px = 0.05;
+    wish.height = static_cast<int>(kLidMm / kLidMmPerPx);
+    wish.width = static_cast<int>((wide_ ? kWideLidMm : kLidMm) / kLidMmPerPx);
+    wish.mm_per_px = kLidMmPerPx;
     wish.shift_mm = Vec3(0.0, 0.0, -6.0);
     wish.with_burr = false;
     lid = wish;

@@ -75,6 +75,7 @@ class DrillStage : public QWidget {
   CoachLine said_, spoken_;  // shown; last told to a screen reader
   Stop stop_ = Stop::none;
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
+  bool wide_ = false;  // the specimen is more than one tooth
   int preset_ = 0;
 };
 

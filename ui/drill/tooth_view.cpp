@@ -64,7 +64,7 @@ class ToothView::Surface : public QOpenGLWidget {
     doneCurrent();
   }
 
-  bool lines_changed = true, section_changed = true, all_changed = true;
+  bool scenery_changed = true, lines_changed = true, section_changed = true, all_changed = true;
 
  protected:
   void initializeGL() override {
@@ -74,7 +74,7 @@ class ToothView::Surface : public QOpenGLWidget {
       doneCurrent();
     });
     picture_ = ToothPicture::create();
-    lines_changed = section_changed = all_changed = true;
+    scenery_changed = lines_changed = section_changed = all_changed = true;
   }
 
   void paintGL() override {
@@ -97,6 +97,7 @@ class ToothView::Surface : public QOpenGLWidget {
       if (fed.more) QMetaObject::invokeMethod(this, [this] { update(); }, Qt::QueuedConnection);
     }
     all_changed = false;
+    if (std::exchange(scenery_changed, false)) picture_->set_scenery(view_.scenery_.get());
     if (std::exchange(lines_changed, false)) picture_->set_lines(view_.lines_);
     if (std::exchange(section_changed, false) && view_.section_) picture_->set_section(*view_.section_);
     const qreal ratio = devicePixelRatioF();
@@ -196,6 +197,13 @@ void ToothView::frame_ended() {
     stats_->frame(now, changes_, took.count());
   }
   changes_.clear();
+}
+
+void ToothView::set_scenery(std::shared_ptr<const SceneryLook> scenery) {
+  if (scenery == scenery_) return;
+  scenery_ = std::move(scenery);
+  if (surface_ != nullptr) surface_->scenery_changed = true;
+  repaint_soon();
 }
 
 void ToothView::set_lines(std::vector<OverlayLine> lines) {

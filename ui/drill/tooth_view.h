@@ -35,6 +35,8 @@ class ToothView : public QWidget {
   /// Any thread: asks for a frame. Several askings before it make one.
   void feed_changed();
 
+  /// What stands about the tooth, to be looked at; null: nothing.
+  void set_scenery(std::shared_ptr<const SceneryLook> scenery);
   void set_lines(std::vector<OverlayLine> lines);
   void set_colouring(Colouring colouring);
   void set_target_shown(bool on);
@@ -102,6 +104,7 @@ class ToothView : public QWidget {
   Scene3d scene_;
   PatchStore store_;
   std::shared_ptr<PatchFeed> feed_;
+  std::shared_ptr<const SceneryLook> scenery_;
   std::vector<OverlayLine> lines_;
   std::optional<SectionImage> section_;
   FrameStats* stats_ = nullptr;

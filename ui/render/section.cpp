@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/tool/swept.h"
+#include "ui/render/scenery_section.h"
 
 namespace cusp {
 namespace {
@@ -131,6 +132,8 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
   };
   const PlaneField target(out.width, out.height, at_px, settings.target);
   const PlaneField leeway(out.width, out.height, at_px, settings.leeway);
+  std::vector<SceneryPixel> scenery;
+  if (settings.scenery) scenery = scenery_in_section(*settings.scenery, settings);
   const double px_per_mm = 1.0 / settings.mm_per_px;
   const double voxel_px = grid.voxel_mm * px_per_mm;
 
@@ -146,6 +149,12 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       const double d_px = volume.specimen().reading() == Reading::filled ? (0.5 - s) * voxel_px * 2
                                                                          : (0.5 - s) * 2 * kBandVoxels * voxel_px;
       Colour c{0, 0, 0, 0};
+      // Within the box the voxels know better.
+      if (!scenery.empty() && !grid.contains(v)) {
+        const SceneryPixel& beside = scenery[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)];
+        if (beside.tissue != Tissue::empty) c = colours[index_of(beside.tissue) % kTissueCodes];
+        c = over(c, settings.edge, 0.85f * beside.edge);
+      }
       if (d_px < 1.0) {
         c = over(c, tissue_at(volume, colours, p), static_cast<float>(std::clamp(0.5 - d_px, 0.0, 1.0)));
         c = over(c, settings.edge, 0.85f * line(d_px, 0.6));

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "ui/render/colours.h"
 
 namespace cusp {
+
+class SceneryLook;
 
 /// A plane with its picture's axes; right x up points to the viewer.
 struct SectionPlane {
@@ -36,6 +39,7 @@ struct SectionSettings {
   /// Signed distances to the target and to the outer side of its leeway (below 0 inside); empty: none drawn.
   std::function<double(Vec3 mm)> target;
   std::function<double(Vec3 mm)> leeway;
+  std::shared_ptr<const SceneryLook> scenery;  // drawn under the specimen, beyond its box; null: none
   std::optional<Burr> burr;
   Vec3 pivot_mm{0.0};
   Vec3 axis{0.0, 0.0, 1.0};

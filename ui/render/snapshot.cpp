@@ -72,6 +72,7 @@ Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRe
     picture->put(patch);
     store.put(std::move(patch));
   }
+  picture->set_scenery(request.scenery.get());
   Box box = request.look_at;
   if (box.low == box.high) box = store.bounds().value_or(Box{Vec3(-5.0), Vec3(5.0)});
 

@@ -21,6 +21,7 @@ struct PictureRequest {
   /// Signed distance to the target's walls seen along its approach; empty: no lines.
   std::function<double(Vec3 mm)> sideways_mm;
   double leeway_mm = 0.0;
+  std::shared_ptr<const SceneryLook> scenery;  // null: none
   /// Where to look: empty box = the whole specimen from above at a slant.
   Box look_at;
   PresetView view = PresetView::working;

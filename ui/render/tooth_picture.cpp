@@ -76,7 +76,8 @@ class FlatPasses {
 }  // namespace
 
 struct ToothPicture::Inner {
-  MeshBuffers mesh;
+  MeshBuffers mesh, scenery;
+  Box scenery_bounds;
   ToothPass tooth;
   OverlayPass overlay;
   BurrPass burr;
@@ -103,6 +104,13 @@ std::unique_ptr<ToothPicture> ToothPicture::create(std::string* why) {
 
 void ToothPicture::put(const BakedPatch& patch) { inner_->mesh.put(patch); }
 void ToothPicture::clear() { inner_->mesh.clear(); }
+void ToothPicture::set_scenery(const SceneryLook* scenery) {
+  inner_->scenery.clear();
+  inner_->scenery_bounds = {};
+  if (scenery == nullptr) return;
+  inner_->scenery_bounds = scenery->bounds();
+  for (const BakedPatch& patch : scenery->patches()) inner_->scenery.put(patch);
+}
 void ToothPicture::set_lines(const std::vector<OverlayLine>& lines) { inner_->overlay.set(lines); }
 void ToothPicture::set_section(const SectionImage& image) { inner_->flat.set_section(image); }
 
@@ -111,7 +119,9 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
   const Camera& camera = scene.camera;
   const double aspect = static_cast<double>(width_px) / std::max(height_px, 1);
   FrameView view;
-  view.clip_from_world = glm::mat4(camera.clip_from_world(aspect, kReachMm));
+  const Vec3 furthest = glm::max(glm::abs(in.scenery_bounds.low - camera.centre_mm()), glm::abs(in.scenery_bounds.high - camera.centre_mm()));
+  const bool bare = in.scenery_bounds == Box{};
+  view.clip_from_world = glm::mat4(camera.clip_from_world(aspect, bare ? kReachMm : std::max(kReachMm, glm::length(furthest))));
   view.eye = glm::vec3(camera.eye_mm());
   // The lamp moves with the eye, as a dentist's does: upper left before, a weaker one at the right.
   const Vec3 back = -camera.forward();
@@ -144,7 +154,10 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
     clip = glm::vec4(glm::vec3(n), static_cast<float>(-glm::dot(n, scene.cutaway->centre_mm)));
     glEnable(GL_CLIP_DISTANCE0);
   }
-  const MeshBuffers::Drawn drawn = in.tooth.draw(in.mesh, view, scene, clip);
+  MeshBuffers::Drawn drawn = in.tooth.draw(in.mesh, view, scene, clip);
+  const MeshBuffers::Drawn about = in.tooth.draw(in.scenery, view, scene, clip);  // last: much of it lies behind
+  drawn.triangles += about.triangles;
+  drawn.bricks += about.bricks;
   if (scene.cutaway) {
     glDisable(GL_CLIP_DISTANCE0);
     in.flat.lid(view);

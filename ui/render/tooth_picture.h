@@ -13,6 +13,7 @@
 #include "ui/render/colours.h"
 #include "ui/render/overlay_line.h"
 #include "ui/render/patch_store.h"
+#include "ui/render/scenery_look.h"
 #include "ui/render/section.h"
 
 namespace cusp {
@@ -53,6 +54,8 @@ class ToothPicture {
   /// Uploads a patch, replacing that of the same brick.
   void put(const BakedPatch& patch);
   void clear();
+  /// What stands about the specimen; null: nothing.
+  void set_scenery(const SceneryLook* scenery);
   /// Lines at the surface (target, leeway, handles' guides).
   void set_lines(const std::vector<OverlayLine>& lines);
   /// Picture that closes the cutaway; drawn on its plane.

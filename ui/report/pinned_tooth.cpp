@@ -1,8 +1,11 @@
 #include "ui/report/pinned_tooth.h"
 
 #include <QBoxLayout>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QPainter>
+#include <QPointer>
+#include <QThreadPool>
 #include <algorithm>
 
 #include "ui/drill/tooth_view.h"
@@ -52,6 +55,14 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
     const TargetLook look(scenario.target, scenario.leeway);
     view_->show_volume(*volume_, look.feed());
     turn_back();
+    // Growing the rest of a jaw takes seconds; the tooth is shown meanwhile.
+    QThreadPool::globalInstance()->start([view = QPointer(view_), source = scenario.specimen] {
+      auto scenery = scenery_of(source);
+      if (!scenery) return;
+      QMetaObject::invokeMethod(qApp, [view, scenery] {
+        if (view) view->set_scenery(scenery);
+      }, Qt::QueuedConnection);
+    });
   }
   connect(view_, &ToothView::camera_changed, this, &PinnedTooth::place_pin);
 }

@@ -124,6 +124,7 @@ QImage draw_report_tooth(const RunResult& result, int side_px) {
   request.deviation = look.deviation();
   request.leeway_mm = result.scenario.leeway.side_mm;
   request.view = PresetView::occlusal;
+  request.scenery = scenery_of(result.scenario.specimen);
   const auto picture = draw_tooth(*result.volume, request);
   if (!picture) return {};
   const QImage view(picture->rgba.data(), picture->width, picture->height, picture->width * 4, QImage::Format_RGBX8888);

@@ -41,6 +41,8 @@ QImage draw(const Scenario& scenario, const std::filesystem::path& folder, Pictu
     picture->put(patch);
     patches.put(std::move(patch));
   }
+  const auto scenery = scenery_of(scenario.specimen);
+  picture->set_scenery(scenery.get());
   const Box box = patches.bounds().value_or(Box{Vec3(-5.0), Vec3(5.0)});
   Scene3d scene;
   scene.camera = Camera::about(0.5 * (box.low + box.high), (card ? 0.40 : 0.46) * glm::length(box.high - box.low));

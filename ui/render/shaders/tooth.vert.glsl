@@ -66,10 +66,10 @@ void main() {
   float to_eye = max(dot(normal, normalize(eye - position)), 0.0);
   light *= mix(edge_colour, vec3(1.0), smoothstep(0.0, 0.55, to_eye));
 
-  // Only enamel left whole shines; a burr leaves it matt.
+  // Only enamel left whole shines, a neighbour's too; a burr leaves it matt.
 #ifdef BY_DEVIATION
   gloss = 0.25 * open;
 #else
-  gloss = (kind.x == 1u ? 1.0 : 0.45) * (1.0 - 0.7 * cut) * open;
+  gloss = (kind.x == 1u || kind.x == 29u ? 1.0 : 0.45) * (1.0 - 0.7 * cut) * open;
 #endif
 }

@@ -1,0 +1,107 @@
+#include "ui/render/scenery_look.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "scenarios/specimens.h"
+
+namespace cusp {
+namespace {
+
+constexpr float kPieceMm = 4.0f;  // on a side: a side of a crown, so that the far one can be skipped
+
+/// One piece of a mesh, numbered anew.
+BakedPatch piece(const SceneryMesh& mesh, const std::vector<std::size_t>& triangles, int number) {
+  BakedPatch out;
+  out.brick = number;
+  std::map<std::uint32_t, std::uint16_t> place;
+  Vec3f sum(0.0f);
+  for (const std::size_t t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t i = mesh.triangles[t + k];
+      const auto [it, fresh] = place.try_emplace(i, static_cast<std::uint16_t>(out.vertices.size()));
+      if (fresh) {
+        PackedVertex v{};
+        for (int a = 0; a < 3; ++a) {
+          v.position_mm[a] = mesh.points_mm[i][a];
+          v.normal[a] = static_cast<std::int16_t>(std::lround(std::clamp(mesh.normals[i][a], -1.0f, 1.0f) * 32767.0f));
+        }
+        v.tissue = static_cast<std::uint8_t>(mesh.tissue[i]);
+        v.ambient = mesh.ambient[i];
+        if (out.vertices.empty()) out.low_mm = out.high_mm = mesh.points_mm[i];
+        out.low_mm = glm::min(out.low_mm, mesh.points_mm[i]);
+        out.high_mm = glm::max(out.high_mm, mesh.points_mm[i]);
+        sum += mesh.normals[i];
+        out.vertices.push_back(v);
+      }
+      out.indices.push_back(it->second);
+    }
+  }
+  const float length = glm::length(sum);
+  if (length > 1e-6f) {
+    out.cone_axis = sum / length;
+    out.cone_cos = 1.0f;
+    for (const auto& [i, at] : place) out.cone_cos = std::min(out.cone_cos, glm::dot(out.cone_axis, mesh.normals[i]));
+  }
+  return out;
+}
+
+/// By place, and by the way that they face: a piece that faces away as a whole is skipped.
+using Key = std::array<int, 4>;
+Key key_of(const SceneryMesh& mesh, std::size_t triangle) {
+  Vec3f middle(0.0f), normal(0.0f);
+  for (std::size_t k = 0; k < 3; ++k) {
+    middle += mesh.points_mm[mesh.triangles[triangle + k]] / 3.0f;
+    normal += mesh.normals[mesh.triangles[triangle + k]];
+  }
+  int way = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (std::abs(normal[axis]) > std::abs(normal[way])) way = axis;
+  const auto cell = [&](int axis) { return static_cast<int>(std::floor(middle[axis] / kPieceMm)); };
+  return {cell(0), cell(1), cell(2), 2 * way + (normal[way] < 0 ? 1 : 0)};
+}
+
+}  // namespace
+
+SceneryLook::SceneryLook(std::vector<SceneryMesh> meshes) : meshes_(std::move(meshes)) {
+  bool first = true;
+  for (const SceneryMesh& mesh : meshes_) {
+    Box box{Vec3(0.0), Vec3(0.0)};
+    if (!mesh.points_mm.empty()) box = {Vec3(mesh.points_mm.front()), Vec3(mesh.points_mm.front())};
+    for (const glm::vec3& p : mesh.points_mm) box = {glm::min(box.low, Vec3(p)), glm::max(box.high, Vec3(p))};
+    bounds_ = first ? box : Box{glm::min(bounds_.low, box.low), glm::max(bounds_.high, box.high)};
+    first = false;
+    boxes_.push_back(box);
+    std::map<Key, std::vector<std::size_t>> pieces;
+    for (std::size_t t = 0; t + 2 < mesh.seen; t += 3) pieces[key_of(mesh, t)].push_back(t);
+    for (const auto& [key, triangles] : pieces) patches_.push_back(piece(mesh, triangles, static_cast<int>(patches_.size())));
+  }
+}
+
+std::size_t SceneryLook::bytes() const noexcept {
+  std::size_t out = 0;
+  for (const SceneryMesh& mesh : meshes_) out += mesh.bytes();
+  for (const BakedPatch& patch : patches_) out += patch.bytes();
+  return out;
+}
+
+std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source) {
+  static std::mutex mutex;  // held while growing: a second asker of the same waits for it
+  static SpecimenSource last;
+  static std::shared_ptr<const SceneryLook> kept;
+  if (std::ranges::find(source.around, "jaw") == source.around.end()) return nullptr;
+  const std::lock_guard lock(mutex);
+  if (kept && last == source) return kept;
+  auto standing = make_scenery(source);
+  if (!standing || standing->empty()) return nullptr;
+  std::vector<SceneryMesh> meshes;
+  for (Jaw::Standing& one : *standing) meshes.push_back(std::move(one.mesh));
+  kept = std::make_shared<const SceneryLook>(std::move(meshes));
+  last = source;
+  return kept;
+}
+
+}  // namespace cusp

@@ -1,0 +1,37 @@
+/// What stands about a specimen to be looked at and never drilled, such as the other teeth of a jaw: baked once, drawn
+/// beside the specimen's own mesh, and cut in sections. Plain values; any thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scenarios/format/scenario.h"
+#include "scenarios/teeth/scenery.h"
+#include "ui/render/patch_feed.h"
+
+namespace cusp {
+
+class SceneryLook {
+ public:
+  explicit SceneryLook(std::vector<SceneryMesh> meshes);
+
+  /// What lies open, in pieces of some millimetres that a frame may skip. `brick` counts them.
+  const std::vector<BakedPatch>& patches() const noexcept { return patches_; }
+  const std::vector<SceneryMesh>& meshes() const noexcept { return meshes_; }
+  /// Of the meshes, as many.
+  const std::vector<Box>& boxes() const noexcept { return boxes_; }
+  const Box& bounds() const noexcept { return bounds_; }
+  std::size_t bytes() const noexcept;
+
+ private:
+  std::vector<SceneryMesh> meshes_;
+  std::vector<Box> boxes_;
+  std::vector<BakedPatch> patches_;
+  Box bounds_;
+};
+
+/// The scenery that a specimen asks for; null where it asks for none, or where none can be grown. Seconds the first time;
+/// the last one asked for is kept, so that drilling, report and picture share it.
+std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source);
+
+}  // namespace cusp
