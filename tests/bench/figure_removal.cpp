@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "tests/bench/figures.h"
 #include "tests/bench/looks.h"
@@ -185,8 +187,9 @@ Picture removal_table(const Report& removal) {
                mean = every("shape", Method::surface, &Row::deviation_um_mean),
                most = every("shape", Method::surface, &Row::deviation_um_max),
                excess = every("slide", Method::surface, &Row::excess_um_max),
-               ridge = every("ridge", Method::surface, &Row::ridge_um);
-  const Line lines[] = {
+               ridge = every("ridge", Method::surface, &Row::ridge_um),
+               stroke = every("volume", Method::surface, &Row::error_percent);
+  std::vector<Line> lines = {
       {"drilling speed, every pair of voxel, tick, direction, tissue, push and burr", "1 %", speed, percent(speed),
        percent(elsewhere) + (std::isnan(axes) ? "" : "; along the axes at 1 ms and full push " + percent(axes))},
       {"half in one tissue, half in another: harmonic mean", "2 %", mixed, percent(mixed), "\u2013"},
@@ -197,14 +200,21 @@ Picture removal_table(const Report& removal) {
       {"a ridge between two cuts, after 40 passes over it", "5 \u00b5m", ridge, um(ridge), "\u2013"},
       {"a cutting tick with the largest burr, p99", "250 \u00b5s", cost(Method::surface),
        fmt::format("{:.0f} \u00b5s", cost(Method::surface)), fmt::format("{:.0f} \u00b5s", cost(Method::occupancy))}};
+  std::set<std::string> burrs;
+  for (const Row& row : removal.rows)
+    if (row.measure == "shape") burrs.insert(row.burr);
+  // Tables from before strokes were weighed have no such rows.
+  if (!std::isnan(stroke))
+    lines.insert(lines.begin() + 3, {"volume of one stroke, with every shape of burr", "0.5 %", stroke, percent(stroke), "\u2013"});
   std::string out = "| the worst of | wanted | surface proxy (Cusp) | occupancy proxy (the paper) |\n|---|---|---|---|\n";
   for (const Line& line : lines) {
     if (std::isnan(line.value)) return fail(ChartError::missing_rows, "removal: " + line.what);
     out += fmt::format("| {} | {} | {} | {} |\n", line.what, line.goal, line.text, line.occupancy);
   }
   return out + fmt::format("\n{}, commit {:.10}: round burrs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 to 0.2 mm; burrs under three voxels "
-                           "of radius are left out.\n",
-                           removal.machine, removal.commit);
+                           "of radius are left out.{}\n",
+                           removal.machine, removal.commit,
+                           std::isnan(stroke) ? "" : fmt::format(" Shapes and volumes of strokes: {} burrs.", burrs.size()));
 }
 
 }  // namespace cusp::bench

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <iterator>
+#include <map>
 
 #include "engine/removal/wear.h"
 #include "engine/tool/swept.h"
+#include "scenarios/burrs/burr_catalogue.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/pin.h"
 #include "tests/bench/program.h"
@@ -145,22 +148,76 @@ Row way_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Way
   return row;
 }
 
-void add_shapes(const std::vector<double>& voxels, std::vector<Row>& rows) {
-  for (const double voxel : voxels)
-    for (const Cutter& cutter : removal_cutters()) {
-      if (cutter.sideways) continue;  // a way leads every burr down and aside at once
-      for (const Way way : {Way::straight, Way::curved, Way::tilted})
-        for (const double speed : {1.0, 50.0, 200.0}) {
-          Row& row = rows.emplace_back(way_row("shape", cutter, voxel, way));
-          row.speed_mm_s = speed;
-          const ShapeLeft left =
-              lead_along(cutter, voxel, way, points_of(way, speed, 1.0, cutter.burr.radius_mm), 1.0, 1);
-          row.deviation_um_mean = left.mean_um;
-          row.deviation_um_max = left.most_um;
-          row.removed_mm3 = left.removed_mm3;
-          row.samples = left.points;
-        }
+/// One stroke of a known way: the surface that is left, and the volume that is gone.
+Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Way way, double speed_mm_s) {
+  Row row = way_row(measure, cutter, voxel_mm, way);
+  row.speed_mm_s = speed_mm_s;
+  const std::vector<Vec3> points = points_of(way, cutter, speed_mm_s, 1.0);
+  const ShapeLeft left = lead_along(cutter, voxel_mm, way, points, 1.0, 1);
+  row.removed_mm3 = left.removed_mm3;
+  if (measure == "shape") {
+    row.deviation_um_mean = left.mean_um;
+    row.deviation_um_max = left.most_um;
+    row.place = fmt::format("{:.2f} {:.2f} {:.2f}", left.worst_mm.x, left.worst_mm.y, left.worst_mm.z);
+    row.samples = left.points;
+    row.skipped = left.edges;
+  } else {
+    row.exact_mm3 = taken_on_mm3(cutter, way, points);
+    row.error_percent = 100.0 * (row.removed_mm3 / row.exact_mm3 - 1.0);
+  }
+  return row;
+}
+
+/// A row for each cutter; one whose head and neck another one before it has gets that one's figures.
+template <class RowOf>
+void each_head(bool every, std::vector<Row>& rows, RowOf&& row_of_head) {
+  const std::vector<Cutter> cutters = shape_cutters(every);
+  for (std::size_t i = 0; i < cutters.size(); ++i) {
+    std::size_t first = 0;
+    const auto alike = [](const Burr& a, const Burr& b) {
+      return a.head == b.head && a.radius_mm == b.radius_mm && a.neck_radius_mm == b.neck_radius_mm &&
+             a.neck_length_mm == b.neck_length_mm;
+    };
+    while (!alike(cutters[first].burr, cutters[i].burr)) ++first;
+    if (first == i) {
+      for (Row& row : row_of_head(cutters[i])) rows.push_back(std::move(row));
+      continue;
     }
+    const std::size_t so_far = rows.size();
+    for (std::size_t k = 0; k < so_far; ++k) {
+      if (rows[k].burr != cutters[first].name) continue;
+      Row same = rows[k];
+      same.burr = cutters[i].name;
+      rows.push_back(std::move(same));
+    }
+  }
+}
+
+void add_shapes(const Options& options, std::vector<Row>& out) {
+  std::vector<Row> rows;
+  for (const double voxel : chosen(options.voxels_mm, {kPaperVoxelMm}))
+    each_head(options.full, rows, [&](const Cutter& cutter) {
+      std::vector<Row> own;
+      for (const Way way : {Way::straight, Way::curved, Way::tilted})
+        for (const double speed : chosen(options.speeds_mm_s, {1.0, 50.0, 200.0}))
+          own.push_back(stroke_row("shape", cutter, voxel, way, speed));
+      return own;
+    });
+  std::ranges::move(rows, std::back_inserter(out));
+}
+
+/// Upright strokes by closed forms, the others by the exact profile's swept volume.
+void add_volumes(const Options& options, std::vector<Row>& out) {
+  std::vector<Row> rows;
+  for (const double voxel : chosen(options.voxels_mm, {kPaperVoxelMm}))
+    each_head(options.full, rows, [&](const Cutter& cutter) {
+      std::vector<Row> own;
+      for (const Way way : {Way::drilled, Way::sideways, Way::straight, Way::curved, Way::tilted})
+        for (const double speed : chosen(options.speeds_mm_s, {50.0}))
+          own.push_back(stroke_row("volume", cutter, voxel, way, speed));
+      return own;
+    });
+  std::ranges::move(rows, std::back_inserter(out));
 }
 
 void add_orders(std::vector<Row>& rows) {
@@ -178,7 +235,7 @@ void add_orders(std::vector<Row>& rows) {
       row.speed_mm_s = kSpeed;
       row.variant = led.parts == 1 ? "whole" : "halves";
       row.removed_mm3 = lead_along(cutter, kPaperVoxelMm, way,
-                                   points_of(way, kSpeed, led.tick_ms, cutter.burr.radius_mm, kCornerMm), led.tick_ms,
+                                   points_of(way, cutter, kSpeed, led.tick_ms, kCornerMm), led.tick_ms,
                                    led.parts)
                             .removed_mm3;
       if (whole == 0.0) whole = row.removed_mm3;
@@ -276,6 +333,23 @@ std::vector<Cutter> removal_cutters() {
           fissure_cutter(1.0, true)};
 }
 
+std::vector<Cutter> shape_cutters(bool every) {
+  std::vector<Cutter> out;
+  if (!every)
+    for (const Cutter& cutter : removal_cutters())
+      if (cutter.burr.head.ball()) out.push_back(cutter);
+  std::map<std::string_view, std::vector<const CatalogueBurr*>> by_shape;
+  for (const CatalogueBurr& entry : burr_catalogue())
+    if (every || !entry.burr.head.ball()) by_shape[entry.shape].push_back(&entry);
+  for (const auto& [shape, entries] : by_shape)
+    for (std::size_t i = every ? 0 : entries.size() / 2; i < entries.size(); ++i) {
+      const Burr& burr = entries[i]->burr;
+      out.push_back({fmt::format("{} {} {:.1f}", burr.name, shape, 2.0 * burr.radius_mm), burr});
+      if (!every) break;
+    }
+  return out;
+}
+
 std::vector<DrillRun> speed_runs(const Options& options, Method method) {
   const std::vector<double> voxels = chosen(options.voxels_mm, options.full ? std::vector{kFullVoxelMm} : kVoxelsMm);
   const std::vector<double> ticks = chosen(options.ticks_ms, kTicksMs), alphas = chosen(options.alphas, kAlphas);
@@ -334,10 +408,11 @@ std::vector<Row> removal_rows(const Options& options) {
     if (wants("mixed") && banded && !options.full) add_mixed(method, rows);
     if (wants("tick") && !options.full) add_costs(options, method, rows);
   }
+  if (surface && wants("shape")) add_shapes(options, rows);
+  if (surface && wants("volume")) add_volumes(options, rows);
   if (options.full) return rows;
   if (wants("density") && asked(methods, key_of(Method::occupancy))) add_densities(rows);
   if (!surface) return rows;
-  if (wants("shape")) add_shapes(chosen(options.voxels_mm, {kPaperVoxelMm}), rows);
   if (wants("order")) add_orders(rows);
   if (wants("slide")) add_slides(options.seed, rows);
   if (wants("ridge")) add_ridges(rows);

@@ -2,7 +2,8 @@
 /// direction, read off the surface that is left. What --measure names:
 /// speed: drilling speed over voxel, tick, direction, tissue, alpha and burr: all pairs, or --full the whole product for
 /// one burr and voxel; depth: through three materials, as the paper's figure 15; hand: the same with a hand's push; mixed: half in one tissue, half in another; density: eq. (6);
-/// shape, order: what known strokes leave, in parts and other ticks; slide, ridge: cutting while sliding; tick: cost.
+/// shape, volume, order: what known strokes leave, with a burr of every shape in the catalogue (--full: with every burr), in
+/// parts and other ticks; slide, ridge: cutting while sliding; tick: cost.
 #pragma once
 
 #include <array>
@@ -14,8 +15,8 @@
 
 namespace cusp::bench {
 
-inline constexpr std::array<std::string_view, 10> kMeasures = {"speed", "hand",  "mixed", "density", "depth",
-                                                               "shape", "order", "slide", "ridge",   "tick"};
+inline constexpr std::array<std::string_view, 11> kMeasures = {
+    "speed", "hand", "mixed", "density", "depth", "shape", "volume", "order", "slide", "ridge", "tick"};
 
 /// The paper's materials, "respectively dentin, bone and enamel", with their speeds in mm/s.
 struct RemovalTissue {
@@ -38,6 +39,10 @@ std::vector<std::string> direction_names();
 /// Burrs whose speed is measured: 0.5, 1.0 and 2.3 mm round ones, led tip first, and a fissure of 1.0 mm, tip first and
 /// sideways.
 std::vector<Cutter> removal_cutters();
+
+/// The burrs whose shape and volume are looked at: the round ones of `speed`, and of every other shape in the catalogue
+/// one of middling size; or all of the catalogue. Their names hold the shape's key.
+std::vector<Cutter> shape_cutters(bool every);
 
 /// The runs of `speed`, before they are run: every pair of factors, or the full product.
 std::vector<DrillRun> speed_runs(const Options& options, Method method);

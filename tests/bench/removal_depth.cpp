@@ -5,6 +5,7 @@
 #include "tests/bench/motions.h"
 #include "tests/bench/removal.h"
 #include "tests/bench/tasks.h"
+#include "tests/engine/volume/carved.h"
 
 namespace cusp::bench {
 
@@ -20,21 +21,13 @@ std::shared_ptr<Scene> layered_scene(Method method) {
   constexpr int kPadding = 4, kVoxels = 128;
   constexpr int n = kVoxels + 2 * kPadding;
   const Grid grid{IVec3(n), kVoxelMm, {-0.5 * (n - 1) * kVoxelMm, -0.5 * (n - 1) * kVoxelMm, (0.5 - kVoxels - kPadding) * kVoxelMm}};
-  VoxelVolume dense(grid);
-  IVec3 v;
-  for (v.z = 0; v.z < n; ++v.z)
-    for (v.y = 0; v.y < n; ++v.y)
-      for (v.x = 0; v.x < n; ++v.x) {
-        const Vec3 p = grid.centre_mm(v);
-        const double d = std::max({std::fabs(p.x) - 5.0, std::fabs(p.y) - 5.0, p.z, -10.0 - p.z});
-        const std::size_t i = grid.index(v);
-        dense.s[i] = solid_from_distance(d / kVoxelMm);
-        const auto layer = static_cast<std::size_t>(std::clamp(-p.z / kLayerMm, 0.0, 2.999));
-        if (dense.s[i] > 0) dense.tissue[i] = kRemovalMaterials[layer].tissue;
-      }
+  const auto cube = [](Vec3 p) { return std::max({std::fabs(p.x) - 5.0, std::fabs(p.y) - 5.0, p.z, -10.0 - p.z}); };
+  const auto tissue = [](Vec3 p) {
+    return kRemovalMaterials[static_cast<std::size_t>(std::clamp(-p.z / kLayerMm, 0.0, 2.999))].tissue;
+  };
   auto scene = std::make_shared<Scene>();
   scene->method = method;
-  scene->specimen = Specimen::build(dense, reading_of(method));
+  scene->specimen = carved::specimen(grid, reading_of(method), cube, tissue);
   Burr burr;
   burr.name = "bench";
   burr.radius_mm = kDepthBurrMm;

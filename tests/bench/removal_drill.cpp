@@ -12,6 +12,7 @@
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/rows.h"
+#include "tests/engine/volume/carved.h"
 
 namespace cusp::bench {
 
@@ -139,19 +140,10 @@ std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
   const int n = 2 * static_cast<int>(std::ceil(around / run.voxel_mm + kBandVoxels + kPaddingVoxels)) + 1;
   // Off the grid's own planes by parts of a voxel.
   const Grid grid{IVec3(n), run.voxel_mm, Vec3(-0.5 * (n - 1) * run.voxel_mm) + Vec3(0.137, -0.211, 0.173) * run.voxel_mm};
-  VoxelVolume dense(grid);
-  IVec3 v;
-  for (v.z = 0; v.z < n; ++v.z)
-    for (v.y = 0; v.y < n; ++v.y)
-      for (v.x = 0; v.x < n; ++v.x) {
-        const Vec3 p = grid.centre_mm(v);
-        const std::size_t i = grid.index(v);
-        dense.s[i] = solid_from_distance(half_ball(p, in, Vec3(0.0), around) / run.voxel_mm);
-        if (dense.s[i] > 0) dense.tissue[i] = run.tissue(p);
-      }
   auto scene = std::make_shared<Scene>();
   scene->method = run.method;
-  scene->specimen = Specimen::build(dense, reading_of(run.method));
+  scene->specimen = carved::specimen(
+      grid, reading_of(run.method), [&](Vec3 p) { return half_ball(p, in, Vec3(0.0), around); }, run.tissue);
   scene->burrs = {run.cutter.burr};
   scene->tool_axis = axis_of(run);
   for (std::size_t t = 0; t < kTissueCodes; ++t) scene->tissues[t] = {1.0, run.speed_mm_s[t]};

@@ -8,18 +8,29 @@
 #include "engine/volume/surface_cells.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
+#include "tests/bench/swept_burr.h"
+#include "tests/engine/volume/carved.h"
 
 namespace cusp::bench {
 
 namespace {
 
-constexpr double kHalfMm = 2.6;          // of the block, across; half as deep
+constexpr double kHalfMm = 2.6;          // of a ball's block, across; half as deep
+constexpr double kRoundMm = 0.6;         // of tissue about another burr's way
 constexpr double kEdgeVoxels = 3.0;      // nearer to the face than this a cell sees the mouth's edge
 constexpr double kWayMm = 2.4;
+constexpr double kAsideMm = 0.2;         // of an oblique way, a millimetre
+constexpr double kTurnMm = 1.2;          // radius of a curved one
+constexpr double kSidewaysMm = 1.5;
 constexpr double kBeginMm = 0.02;        // of the burr behind the face, where a way begins
-constexpr double kBelow = 0.5;           // radii of the pivot behind the face, where it ends
+constexpr double kBelow = 0.5;           // radii of a ball's pivot behind the face, where it ends
+constexpr double kSlimNeck = 0.1;        // radii
+constexpr double kFallMm = 0.5;          // that a way goes down with another burr
+constexpr double kInMm = 0.05;           // a tick, on the way in along the axis
 constexpr double kEdgeCosine = 0.9;      // normals a voxel and a half apart that differ by more: an edge lies between
-constexpr int kPlungeTicks = 3;          // to there, straight down
+constexpr int kPlungeTicks = 3;          // a ball's, straight down to where its way begins
+
+bool upright(Way way) { return way == Way::drilled || way == Way::sideways; }
 
 Frame way_frame() { return Frame::of(kWayUp, {1.0, 0.51, 0.0}, Vec3(0.0)); }
 
@@ -28,34 +39,82 @@ Vec3 way_axis(Way way) {
   return way == Way::tilted ? unit(f.direction({0.3, 0.45, 0.84})) : f.z;
 }
 
-/// Where a way leads, `s` mm from its beginning: down until the pivot is half a radius behind the face, so that a ball's
-/// top, and with it the neck, stays out.
-Vec3 place_on(Way way, double s, double radius) {
+/// How a burr goes in, by its head and axis: lengths along the face's normal.
+struct Depths {
+  double low = 0.0;   // of the head's lowest place below the pivot
+  double sunk = 0.0;  // of that place behind the face, at the way's end
+  double fall = 0.0;  // of which the way itself goes down
+};
+Depths depths_of(const Cutter& cutter, Way way) {
+  const Burr& burr = cutter.burr;
+  if (burr.head.ball()) {
+    // Leaning, a neck of some width would touch the mouth.
+    const bool slim = way != Way::tilted || burr.neck_radius_mm < kSlimNeck * burr.radius_mm;
+    const double sunk = (slim ? 1.0 + kBelow : 1.0) * burr.radius_mm;
+    return {burr.radius_mm, sunk, upright(way) ? 0.0 : sunk - kBeginMm};
+  }
   const Frame f = way_frame();
-  constexpr double kTurnMm = 1.2, kAside = 0.2;
-  const double fall = ((1.0 + kBelow) * radius - kBeginMm) / kWayMm;
-  const double along = s / std::sqrt(1.0 + fall * fall + (way == Way::curved ? 0.0 : kAside * kAside));
-  const double z = radius - kBeginMm - fall * along;
+  const Vec3 axis = way_axis(way);
+  const double low = -glm::dot(head_furthest(burr, axis, -f.z), f.z);
+  // The lowest place of the head's upper end: it stays out, and with it the neck.
+  const double cosine = glm::dot(axis, f.z);
+  const double rim = burr.head.piece(burr.head.size() - 1).from.rho;
+  const double top = burr.head.high() * cosine - rim * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double sunk = std::min(low + top - kHeadOutMm, kDeepestMm);
+  return {low, sunk, upright(way) ? 0.0 : std::min(kFallMm, 0.5 * sunk)};
+}
+
+double length_of(Way way) { return way == Way::drilled ? 0.0 : way == Way::sideways ? kSidewaysMm : kWayMm; }
+
+/// Where a way leads, `s` mm from its beginning.
+Vec3 place_on(Way way, double s, const Depths& depths) {
+  const Frame f = way_frame();
+  const double fall = depths.fall / kWayMm;
+  const double begin = depths.low - (depths.sunk - depths.fall);
+  if (upright(way)) return f.to_world({s - 0.5 * length_of(way), 0.0, begin});
+  const double along = s / std::sqrt(1.0 + fall * fall + (way == Way::curved ? 0.0 : kAsideMm * kAsideMm));
+  const double z = begin - fall * along;
   const double a = along / kTurnMm;
-  if (way == Way::curved)
-    return f.to_world({kTurnMm * std::sin(a), kTurnMm * (std::cos(a) - 1.0) + 0.6, z});
-  return f.to_world({along - 1.2, kAside * (along - 1.0), z});
+  if (way == Way::curved) return f.to_world({kTurnMm * std::sin(a), kTurnMm * (std::cos(a) - 1.0) + 0.6, z});
+  return f.to_world({along - 1.2, kAsideMm * (along - 1.0), z});
+}
+
+/// Device points, a millisecond apart, that lead a burr to where its way begins; the first is clear of the face.
+std::vector<Vec3> way_in(const Cutter& cutter, Way way, Vec3 to) {
+  const Vec3 axis = way_axis(way);
+  if (cutter.burr.head.ball() && !upright(way)) return {to + way_frame().z * (2.0 * kBeginMm), to, to, to};
+  const Depths depths = depths_of(cutter, way);
+  const double deep = (depths.sunk - depths.fall) / glm::dot(axis, way_frame().z) + 2.0 * kBeginMm;
+  const int ticks = static_cast<int>(deep / kInMm) + 1;
+  std::vector<Vec3> out;
+  for (int k = 0; k <= ticks; ++k)
+    out.push_back(input_at(to + axis * (deep * (1.0 - static_cast<double>(k) / ticks))).position_mm());
+  return out;
+}
+
+/// All places of the pivot, in order, none twice.
+std::vector<Vec3> places_of(const Cutter& cutter, Way way, const std::vector<Vec3>& points) {
+  std::vector<Vec3> out = way_in(cutter, way, points.front());
+  out.insert(out.end(), points.begin(), points.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
 }
 
 }  // namespace
 
-std::vector<Vec3> points_of(Way way, double speed_mm_s, double tick_ms, double radius_mm, double corner_mm) {
+std::vector<Vec3> points_of(Way way, const Cutter& cutter, double speed_mm_s, double tick_ms, double corner_mm) {
   const double each = speed_mm_s * tick_ms * 1e-3;
+  const Depths depths = depths_of(cutter, way);
   std::vector<Vec3> out;
-  const auto count = static_cast<int>(kWayMm / each + 1e-6);
+  const auto count = static_cast<int>(length_of(way) / each + 1e-6);
   for (int i = 0; i <= count; ++i) {
     const double s = i * each;
     if (corner_mm > 0.0) {
       const double low = std::floor(s / corner_mm + 1e-9) * corner_mm;
-      const Vec3 a = place_on(way, low, radius_mm), b = place_on(way, low + corner_mm, radius_mm);
+      const Vec3 a = place_on(way, low, depths), b = place_on(way, low + corner_mm, depths);
       out.push_back(a + (b - a) * ((s - low) / corner_mm));
     } else {
-      out.push_back(place_on(way, s, radius_mm));
+      out.push_back(place_on(way, s, depths));
     }
     out.back() = input_at(out.back()).position_mm();
   }
@@ -64,24 +123,42 @@ std::vector<Vec3> points_of(Way way, double speed_mm_s, double tick_ms, double r
 
 std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double voxel_mm, Way way) {
   const Frame f = way_frame();
-  const int n = 2 * static_cast<int>(std::ceil(1.25 * kHalfMm / voxel_mm)) + 9;
-  const Grid grid{IVec3(n, n, (n * 3) / 4), voxel_mm, Vec3(-0.5 * (n - 1) * voxel_mm, -0.5 * (n - 1) * voxel_mm, -0.55 * (n - 1) * voxel_mm)};
-  VoxelVolume dense(grid);
-  IVec3 v;
-  for (v.z = 0; v.z < grid.size.z; ++v.z)
-    for (v.y = 0; v.y < grid.size.y; ++v.y)
-      for (v.x = 0; v.x < grid.size.x; ++v.x) {
-        const Vec3 p = f.to_local(grid.centre_mm(v));
-        const Vec3 beyond = glm::abs(p - Vec3(0.0, 0.0, -0.5 * kHalfMm)) - Vec3(kHalfMm, kHalfMm, 0.5 * kHalfMm);
-        const Vec3 outside = glm::max(beyond, Vec3(0.0));
-        const double d = length(outside) + std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0);
-        const std::size_t i = grid.index(v);
-        dense.s[i] = solid_from_distance(d / voxel_mm);
-        if (dense.s[i] > 0) dense.tissue[i] = Tissue::dentine;
-      }
+  // In the face's own axes, behind it.
+  Vec3 low(-kHalfMm), high(kHalfMm, kHalfMm, 0.0);
+  Grid grid;
+  if (cutter.burr.head.ball()) {
+    const int n = 2 * static_cast<int>(std::ceil(1.25 * kHalfMm / voxel_mm)) + 9;
+    grid = {IVec3(n, n, (n * 3) / 4), voxel_mm,
+            Vec3(-0.5 * (n - 1) * voxel_mm, -0.5 * (n - 1) * voxel_mm, -0.55 * (n - 1) * voxel_mm)};
+  } else {
+    low = Vec3(1e300);
+    high = Vec3(-1e300);
+    const double reach = head_reach(cutter.burr) + kRoundMm, across = cutter.burr.radius_mm + kRoundMm;
+    for (const Vec3& p : places_of(cutter, way, points_of(way, cutter, 50.0, 1.0))) {
+      // An upright head is as wide as it is; a leaning one reaches out by its length.
+      const Vec3 about(way == Way::tilted ? Vec3(reach) : Vec3(across));
+      low = glm::min(low, f.to_local(p) - about);
+      high = glm::max(high, f.to_local(p) + about);
+    }
+    low.z = -depths_of(cutter, way).sunk - kRoundMm;
+    high.z = 0.0;
+    Vec3 first(1e300), last(-1e300);
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 corner = f.to_world({i & 1 ? low.x : high.x, i & 2 ? low.y : high.y, i & 4 ? low.z : high.z});
+      first = glm::min(first, corner);
+      last = glm::max(last, corner);
+    }
+    const double room = (kBandVoxels + Specimen::kRoomVoxels) * voxel_mm;
+    grid = {IVec3(glm::ceil((last - first + 2.0 * room) / voxel_mm)) + 1, voxel_mm, first - room};
+  }
+  const Vec3 middle = 0.5 * (low + high), half = 0.5 * (high - low);
+  const auto distance = [&](Vec3 at) {
+    const Vec3 beyond = glm::abs(f.to_local(at) - middle) - half;
+    return length(glm::max(beyond, Vec3(0.0))) + std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0);
+  };
   auto scene = std::make_shared<Scene>();
   scene->method = method;
-  scene->specimen = Specimen::build(dense, reading_of(method));
+  scene->specimen = carved::specimen(grid, reading_of(method), distance, [](Vec3) { return Tissue::dentine; });
   scene->burrs = {cutter.burr};
   scene->tool_axis = way_axis(way);
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1e5};
@@ -96,9 +173,11 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
   const auto tick_us = static_cast<std::uint32_t>(tick_ms * 1000.0 + 0.5);
   const std::size_t part = (points.size() + static_cast<std::size_t>(halves) - 1) / static_cast<std::size_t>(halves);
   const Frame f = way_frame();
-  const Vec3 above = points.front() + f.z * (2.0 * kBeginMm);
-  step(state, input_at(above, false));
-  for (int k = 0; k < kPlungeTicks; ++k) step(state, input_at(points.front(), true));
+  bool clear = true;
+  for (const Vec3& p : way_in(cutter, way, points.front())) {
+    step(state, input_at(p, !clear));
+    clear = false;
+  }
   for (std::size_t i = 0; i < points.size(); ++i) {
     // At a half's end the button is up for a tick, where the burr stands.
     if (i > 0 && i % part == 0) step(state, input_at(points[i - 1], false));
@@ -111,24 +190,7 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
   ShapeLeft out;
   const Volume& volume = state.volume();
   out.removed_mm3 = removed_solid(volume).total_mm3();
-  const Vec3 axis = state.scene().tool_axis;
-  // Straight stretches as one: then it is quick.
-  std::vector<Vec3> corners{above, points.front()};
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const Vec3 a = unit(points[i] - corners.back()), b = points[i + 1] - corners.back();
-    if (length(b - a * glm::dot(a, b)) > 5e-6) corners.push_back(points[i]);
-  }
-  corners.push_back(points.back());
-  const auto swept = [&](Vec3 p, Vec3& normal) {
-    double d = 1e300;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-      const Passing passing = passing_head(cutter.burr, axis, corners[i - 1], corners[i], p, d);
-      if (passing.distance_mm >= d) continue;
-      d = passing.distance_mm;
-      normal = passing.gradient;
-    }
-    return d;
-  };
+  const SweptBurr swept(cutter.burr, state.scene().tool_axis, places_of(cutter, way, points));
   double sum = 0.0;
   for (const std::int32_t brick : volume.cut_bricks()) {
     const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
@@ -137,24 +199,36 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
       if (!surface_point(volume, corner + IVec3(o & 7, o >> 3 & 7, o >> 6), p) || !p.cut) continue;
       if (f.to_local(p.point_mm).z > -kEdgeVoxels * voxel_mm) continue;
       Vec3 normal(0.0);
-      const double d = swept(p.point_mm, normal);
+      const double d = swept.distance_mm(p.point_mm, normal);
       if (!cutter.burr.head.ball()) {
         bool edge = false;
         for (int k = 0; k < 6 && !edge; ++k) {
           Vec3 beside = p.point_mm, other(0.0);
           beside[k % 3] += (k < 3 ? 1.5 : -1.5) * voxel_mm;
-          swept(beside, other);
+          swept.distance_mm(beside, other);
           edge = glm::dot(normal, other) < kEdgeCosine;
         }
-        if (edge) continue;
+        if (edge) {
+          ++out.edges;
+          continue;
+        }
       }
       sum += std::fabs(d) * 1e3;
-      out.most_um = std::max(out.most_um, std::fabs(d) * 1e3);
+      if (std::fabs(d) * 1e3 > out.most_um) {
+        out.most_um = std::fabs(d) * 1e3;
+        out.worst_mm = f.to_local(p.point_mm);
+      }
       ++out.points;
     }
   }
   if (out.points > 0) out.mean_um = sum / static_cast<double>(out.points);
   return out;
+}
+
+double taken_on_mm3(const Cutter& cutter, Way way, const std::vector<Vec3>& points) {
+  if (upright(way))
+    return upright_mm3(cutter.burr, depths_of(cutter, way).sunk, length_of(way));
+  return SweptBurr(cutter.burr, way_axis(way), places_of(cutter, way, points)).volume_mm3(way_frame());
 }
 
 }  // namespace cusp::bench

@@ -8,14 +8,24 @@
 
 namespace cusp::bench {
 
-/// Ways by name: straight and curved ones go obliquely into a face; tilted is straight with a leaning burr.
-enum class Way : std::uint8_t { straight, curved, tilted };
+/// Ways by name: straight and curved ones go obliquely into a face; tilted is straight with a leaning burr. A burr that is
+/// no ball is first led in along its axis, so deep that its head reaches out by kHeadOutMm, kDeepestMm at most, less what
+/// the way itself goes down. drilled is that alone, sideways goes on across the axis: upright, as closed forms have it.
+enum class Way : std::uint8_t { straight, curved, tilted, drilled, sideways };
 constexpr std::string_view key_of(Way w) {
-  return w == Way::straight ? "straight" : w == Way::curved ? "curved" : "tilted";
+  switch (w) {
+    case Way::straight: return "straight";
+    case Way::curved: return "curved";
+    case Way::tilted: return "tilted";
+    case Way::drilled: return "drilled";
+    case Way::sideways: return "sideways";
+  }
+  return "straight";
 }
+inline constexpr double kHeadOutMm = 0.1, kDeepestMm = 6.0;
 
 /// Device points of a way, a tick apart; corners == 0, or only every so many ticks a corner and straight between.
-std::vector<Vec3> points_of(Way way, double speed_mm_s, double tick_ms, double radius_mm, double corner_mm = 0.0);
+std::vector<Vec3> points_of(Way way, const Cutter& cutter, double speed_mm_s, double tick_ms, double corner_mm = 0.0);
 
 /// A block that gives way at once, 1 N/mm; its face is the plane through the origin across kWayUp.
 inline const Vec3 kWayUp{0.10540925533894598, 0.17249182691827525, 0.9793563823};
@@ -23,12 +33,15 @@ std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double vo
 
 struct ShapeLeft {
   double mean_um = 0.0, most_um = 0.0;  // of the surface that is left off the swept burr's, away from edges
-  std::int64_t points = 0;
+  Vec3 worst_mm{0.0};                   // where it is furthest off; z out of the face
+  std::int64_t points = 0, edges = 0;   // that were compared; that were not, for an edge is near
   double removed_mm3 = 0.0;
 };
 /// Leads the burr along it (halves > 1: with the button up in between) and reads what is left.
 ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::vector<Vec3>& points, double tick_ms,
                      int halves);
+/// What the burr takes on that way: closed forms for drilled and sideways, else the swept burr's (swept_burr.h).
+double taken_on_mm3(const Cutter& cutter, Way way, const std::vector<Vec3>& points);
 
 /// Sliding while cutting: a noisy hand on a circle.
 struct SlideExcess {

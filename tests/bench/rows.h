@@ -29,7 +29,7 @@ struct Row {
   std::string variant;             // of a cut: single, crossing; of a channel: straight, oblique, slot
   std::string motion;              // press, slide
   std::string task;                // rate: displacement, exploration, perforation
-  std::string measure;             // removal: speed, hand, mixed, density, depth, shape, order, slide, ridge, tick
+  std::string measure;             // removal: speed, hand, mixed, density, depth, shape, volume, order, slide, ridge, tick
   std::string burr;                // removal: its name, with the diameter
   std::string tissue;              // removal
   std::string direction;           // removal: +x-y, or the way that the burr is led
@@ -44,8 +44,10 @@ struct Row {
   double time_s = kAbsent;         // removal: of a moment of the paper's perforation, and
   double depth_mm = kAbsent;       // how deep the burr's tip is by then
   double removed_mm3 = kAbsent;    // removal
+  double exact_mm3 = kAbsent;      // removal: what the exact burr takes on the same way
   double deviation_um_mean = kAbsent;  // removal: of the surface that is left from the swept burr's
   double deviation_um_max = kAbsent;
+  std::string place;               // removal: of deviation_um_max, mm: x along the way, z out of the face
   double excess_um_p99 = kAbsent;  // removal: how much further the surface went back in a tick than wear allows
   double excess_um_max = kAbsent;
   double ridge_um = kAbsent;       // removal: how far an edge between cuts stands below the exact one
@@ -139,8 +141,10 @@ void for_each_field(R& row, Visit&& visit) {
   visit("time_s", row.time_s);
   visit("depth_mm", row.depth_mm);
   visit("removed_mm3", row.removed_mm3);
+  visit("exact_mm3", row.exact_mm3);
   visit("deviation_um_mean", row.deviation_um_mean);
   visit("deviation_um_max", row.deviation_um_max);
+  visit("place", row.place);
   visit("excess_um_p99", row.excess_um_p99);
   visit("excess_um_max", row.excess_um_max);
   visit("ridge_um", row.ridge_um);
