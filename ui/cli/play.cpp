@@ -7,8 +7,10 @@
 #include "device/scripted/csv_port.h"
 #include "scenarios/hands/faults.h"
 #include "scenarios/hands/hand_port.h"
+#include "ui/app/device_settings.h"
 #include "ui/cli/account.h"
 #include "ui/cli/load_scenario.h"
+#include "ui/cli/play_live.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -23,12 +25,20 @@ struct PlayOptions {
   std::string scenario, script = "expert", out, db;
   std::uint64_t seed = 1;
   bool progress = false;
+  std::string device;
+  double seconds = 0, silence_every_s = 0;
   AccountOption account;
   JsonOption json;
 };
 
 volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int) { interrupted = 1; }
+
+/// "falcon:FT000001": the kind, and which of several; with what this station knows of it.
+DeviceChoice device_of(const std::string& text) {
+  const auto colon = text.find(':');
+  return DeviceSettings().choice_of(text.substr(0, colon), colon == std::string::npos ? std::string() : text.substr(colon + 1));
+}
 
 int play(const PlayOptions& o) {
   auto loaded = load_scenario(o.scenario);
@@ -46,7 +56,14 @@ int play(const PlayOptions& o) {
 
   PlaySettings settings;
   std::unique_ptr<HapticPort> port;
-  if (auto hand = hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+  const bool live = !o.device.empty();
+  const DeviceChoice device = device_of(o.device);
+  if (live) {
+    if (!can_play_live(device)) return wrong_usage(CliWords::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
+    if (device.kind == "emulated-falcon" && !hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+      return wrong_usage(CliWords::tr("An emulated Falcon needs a hand by name: expert, novice and so on."));
+    }
+  } else if (auto hand = hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
     port = std::make_unique<HandPort>(std::move(*hand));
     plan.hand = o.script;
   } else {
@@ -76,11 +93,17 @@ int play(const PlayOptions& o) {
     if (o.progress) std::fprintf(stderr, "%.3f\n", static_cast<double>(elapsed_us) * 1e-6);
     return interrupted == 0;
   };
-  auto result = play_through(std::move(plan), *port, settings);
+  LiveFigures figures;
+  const LiveOptions options{.script = o.script, .seed = o.seed, .seconds = o.seconds, .silence_every_s = o.silence_every_s,
+                            .progress = o.progress};
+  auto result = live ? play_live(std::move(plan), device, options, [] { return interrupted != 0; }, figures)
+                     : play_through(std::move(plan), *port, settings);
   if (!result) return failed(tell(result.error()));
 
   if (auto written = write_report_files(folder, *result, **store, *account); !written) return failed(written.error());
-  if (!o.json.write(nlohmann::ordered_json::parse(report_text(*result, **store, *account)))) return kFailed;
+  auto json = nlohmann::ordered_json::parse(report_text(*result, **store, *account));
+  if (live) json["live"] = to_json(figures);
+  if (!o.json.write(json)) return kFailed;
   if (!o.json.on_stdout()) say(result->session.text());
   return kDone;
 }
@@ -101,6 +124,16 @@ void add_play(CLI::App& program, Job& job) {
       ->capture_default_str();
   verb->add_option("--seed", o->seed, help(CliWords::tr("Of the hand's tremor")))->capture_default_str();
   verb->add_flag("--progress", o->progress, help(CliWords::tr("Print each second of the session to stderr as it is played")));
+  verb->add_option("--device", o->device,
+                   help(CliWords::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "
+                                     "(led by the scripted hand)")))
+      ->type_name("DEVICE");
+  verb->add_option("--seconds", o->seconds, help(CliWords::tr("With --device: end after so many seconds of the session; the "
+                                                              "scripted hand begins anew meanwhile")))
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--silence-every", o->silence_every_s,
+                   help(CliWords::tr("With the emulated Falcon: it answers nothing for 50 ms every so many seconds")))
+      ->check(CLI::PositiveNumber);
   verb->add_option("--db", o->db, help(CliWords::tr("Database; made when it is not there. Without it: cusp.db in DIR")))
       ->type_name("DB");
   verb->add_option("--out", o->out, help(CliWords::tr("Folder for the report")))->type_name("DIR")->required();

@@ -61,7 +61,7 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   GuardSettings guard;
   guard.limit_n = device.max_force_n;
   // A mouse and a script have no motor: a late tick cannot push a hand, and a busy desktop's stalls are no faults then.
-  if (device.device_class == "pointer") guard.late_ms = 250.0;
+  if (device.device_class == "pointer" || device.device_class == "emulated-falcon") guard.late_ms = 250.0;
   if (device.device_class == "scripted") guard.late_ms = 1000.0;
   if (!device.closed_loop) {
     // A trace's rows lie as far apart as they lie; and where the hand gives force, there is no energy to feed.

@@ -1,0 +1,203 @@
+#include "ui/cli/play_live.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "engine/step/step.h"
+#include "scenarios/hands/faults.h"
+#include "scenarios/shapes/outline.h"
+
+namespace cusp {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kLook = std::chrono::milliseconds(50);
+constexpr double kTravelMmS = 30.0;
+constexpr double kSilenceS = 0.050;
+constexpr double kStartAboveMm = 1.5;
+constexpr std::size_t kMostHands = 64;
+
+/// Scripted hands one after the other, as the hand of an emulated Falcon. Made before the go; the haptic thread neither
+/// allocates nor waits in it.
+class HandsInTurn {
+ public:
+  explicit HandsInTurn(std::vector<Hand> hands) : hands_(std::move(hands)), at_mm_(hands_.front().start_mm()) {}
+
+  EmulatedHandPose next(const Feedback& felt, double dt_s) noexcept {
+    const double dt = std::clamp(dt_s, 1e-6, 0.004);
+    clock_s_ += dt;
+    if (travels_) {
+      // Up first, then across to where the next begins.
+      const Vec3 start = hands_[now_].start_mm();
+      const Vec3 to = at_mm_.z < start.z - 1e-6 ? Vec3(at_mm_.x, at_mm_.y, start.z) : start;
+      const Vec3 way = to - at_mm_;
+      const double length = glm::length(way), step = kTravelMmS * dt;
+      at_mm_ = length > step ? at_mm_ + way * (step / length) : to;
+      travels_ = at_mm_ != start;
+      felt_.device_mm = felt_.proxy_mm = at_mm_;
+      return {at_mm_, false, 0};
+    }
+    if (hands_[now_].done()) {
+      if (now_ + 1 == hands_.size()) {
+        done_.store(true, std::memory_order_release);
+      } else {
+        ++now_;
+        travels_ = true;
+      }
+      return {at_mm_, false, 0};
+    }
+    felt_.proxy_mm = felt.proxy_mm;
+    felt_.force_n = felt.force_n;
+    felt_.contact = felt.in_contact;
+    felt_.stiffness_n_per_mm = felt.in_contact ? felt.stiffness_n_per_mm : 0.0;
+    felt_.faulted = felt.faulted;
+    felt_.device_mm = at_mm_;
+    const Sample sample = hands_[now_].next(felt_, dt);
+    at_mm_ = sample.position_mm;
+    if ((sample.buttons & StepInput::kCoolant) != 0) coolant_.store(true, std::memory_order_relaxed);
+    return {at_mm_, (sample.buttons & 1) != 0, sample.burr};
+  }
+  double clock_s() const noexcept { return clock_s_; }
+  bool done() const noexcept { return done_.load(std::memory_order_acquire); }
+  bool wants_coolant() const noexcept { return coolant_.load(std::memory_order_relaxed); }
+  Vec3 start_mm() const noexcept { return hands_.front().start_mm(); }
+
+ private:
+  std::vector<Hand> hands_;
+  std::size_t now_ = 0;
+  Vec3 at_mm_;
+  StepOutput felt_;
+  bool travels_ = false;
+  double clock_s_ = 0;
+  std::atomic<bool> done_{false}, coolant_{false};
+};
+
+/// Above the middle of what is to be cut, clear of all tissue.
+Vec3 start_above(const Specimen& specimen, const Scenario& scenario) {
+  const Grid& grid = specimen.grid();
+  const Vec3 top = grid.centre_mm(grid.size);
+  Vec3 at = 0.5 * (grid.origin_mm + top);
+  if (const TargetShape shape(scenario.target); !shape.empty()) {
+    at.x = 0.5 * (shape.low().x + shape.high().x);
+    at.y = 0.5 * (shape.low().y + shape.high().y);
+  }
+  at.z = top.z + scenario.instruments.front().radius_mm + kStartAboveMm;
+  return at;
+}
+
+void tell_phase(const FalconView& view, falcon::Phase& told) {
+  if (view.session.phase == told) return;
+  told = view.session.phase;
+  std::fprintf(stderr, "falcon %s\n", std::string(falcon::key_of(told)).c_str());
+}
+
+}  // namespace
+
+bool can_play_live(const DeviceChoice& choice) noexcept {
+  return choice.kind == "falcon" || choice.kind == "emulated-falcon";
+}
+
+nlohmann::ordered_json to_json(const LiveFigures& f) {
+  return {{"wall_s", f.wall_s},
+          {"ticks", f.loop.ticks},
+          {"tick_cpu_us",
+           {{"p50", f.loop.tick_p50_us}, {"p99", f.loop.tick_p99_us}, {"p999", f.loop.tick_p999_us}, {"max", f.loop.tick_max_us}}},
+          {"tick_cpu_max_at_s", f.tick_max_at_s},
+          {"exchange_p99_us", f.loop.exchange_p99_us},
+          {"realtime", f.grant.fifo},
+          {"holds", f.holds},
+          {"silences", f.silences},
+          {"answers", f.answers},
+          {"lost_answers", f.lost_answers}};
+}
+
+Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOptions& options,
+                         const std::function<bool()>& stop, LiveFigures& figures) {
+  Vec3 start_mm = start_above(*plan.specimen, plan.scenario);
+  std::shared_ptr<HandsInTurn> hands;
+  RunDevice device;
+  EmulatedHand lead;
+  if (choice.kind == "emulated-falcon") {
+    std::vector<Hand> made;
+    for (std::size_t i = 0; i < (options.seconds > 0 ? kMostHands : 1); ++i) {
+      auto hand = hand_by_name(options.script, plan.scenario, *plan.specimen, options.seed + i);
+      if (!hand) return run_fail(RunError::device, Failure<PortError>{PortError::bad_file, options.script, "hand"});
+      made.push_back(std::move(*hand));
+    }
+    hands = std::make_shared<HandsInTurn>(std::move(made));
+    start_mm = hands->start_mm();
+    // The emulated device falls mute from its own thread: the hand's calls are where it can be reached.
+    lead = [hands, &device, every = options.silence_every_s](const Feedback& felt, double dt_s) noexcept {
+      const EmulatedHandPose pose = hands->next(felt, dt_s);
+      if (every > 0) {
+        const double s = hands->clock_s();
+        device.emulated->falcon().fall_mute(s >= every && s - every * static_cast<double>(static_cast<long>(s / every)) < kSilenceS);
+      }
+      return pose;
+    };
+    plan.hand = options.script;
+  }
+  auto made = make_run_device(choice, start_mm, plan.scenario.instruments.size(), std::move(lead));
+  if (!made) return run_fail(RunError::device, made.error());
+  device = std::move(*made);
+
+  auto starting = std::async(std::launch::async, [&plan, &device] { return ExerciseRun::start(std::move(plan), *device.port); });
+  falcon::Phase told = falcon::Phase::unplugged;
+  while (starting.wait_for(kLook) != std::future_status::ready) {
+    if (device.falcon == nullptr) continue;
+    if (options.progress) tell_phase(device.falcon->view(), told);
+    if (stop()) device.falcon->cancel();
+  }
+  auto started = starting.get();
+  if (!started) return std::unexpected(started.error());
+  ExerciseRun& run = **started;
+
+  const auto began = std::chrono::steady_clock::now();
+  bool was_held = false, coolant = false;
+  double said_s = 0;
+  for (;;) {
+    std::this_thread::sleep_for(kLook);
+    const LiveView view = run.view();
+    if (options.progress && view.seconds >= said_s + 1.0) {
+      said_s = view.seconds;
+      std::fprintf(stderr, "%.3f\n", view.seconds);
+    }
+    if (view.loop.tick_max_us > figures.loop.tick_max_us) {
+      figures.loop.tick_max_us = view.loop.tick_max_us;
+      figures.tick_max_at_s = view.seconds;
+      if (options.progress) std::fprintf(stderr, "tick %.0f us\n", view.loop.tick_max_us);
+    }
+    if (hands && hands->wants_coolant() && !coolant) run.set_coolant(coolant = true);
+    const bool held = view.phase == LoopPhase::held;
+    if (held && !was_held) {
+      ++figures.holds;
+      if (options.progress) std::fprintf(stderr, "held\n");
+    }
+    was_held = held;
+    // Nobody is there to press a button: it goes on as soon as the device has come back.
+    if (held && view.device == Sample::Status::fresh) run.resume();
+    if (stop() || view.phase == LoopPhase::ended) break;
+    if (options.seconds > 0 && view.seconds >= options.seconds) break;
+    if (hands && hands->done()) break;
+  }
+  figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  const LiveView last = run.view();
+  figures.loop = last.loop;
+  figures.grant = last.grant;
+  auto result = run.finish();
+  if (const FalconView* falcon = device.view()) {
+    figures.silences = falcon->session.silences;
+    figures.lost_answers = falcon->session.lost;
+    figures.answers = falcon->session.replies;
+  }
+  return result;
+}
+
+}  // namespace cusp
