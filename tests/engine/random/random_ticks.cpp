@@ -5,6 +5,7 @@
 //
 // 200,000 ticks of each method; with CUSP_RANDOM_FULL=1 ten million of the surface proxy and a million of each other.
 // Every 20,000 ticks begin anew, with a seed of their own: a failure names it, and CUSP_RANDOM_SEED=N runs it alone.
+// In pieces, and on from where they were stopped: README.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "tests/bench/random.h"
+#include "tests/engine/random/random_pieces.h"
 #include "tests/engine/step/scenes.h"
 
 namespace cusp {
@@ -25,7 +27,6 @@ using bench::Random;
 
 constexpr int kVoxels = 64;
 constexpr double kVoxelMm = 0.1;
-constexpr int kTicksOfASeed = 20'000;
 
 /// Tooth-like: dentine under enamel with a bay, a slot narrower than any burr, and a wall of two voxels.
 double tooth(Vec3 p) {
@@ -175,11 +176,6 @@ class RemovalWatch {
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-struct Counts {
-  std::uint64_t ticks = 0, contacts = 0, faults = 0, cutting = 0, cut_bricks = 0, infeasible = 0, deferred = 0;
-  std::uint64_t stalled = 0, overheated = 0;
-};
-
 /// A foot without sense: pedal from up to down, coolant now and then.
 class Foot {
  public:
@@ -235,16 +231,29 @@ class RandomTicks : public testing::TestWithParam<Method> {};
 TEST_P(RandomTicks, forces_stay_finite_and_limited_and_removal_only_removes) {
   const bool full = std::getenv("CUSP_RANDOM_FULL") != nullptr;
   const char* one = std::getenv("CUSP_RANDOM_SEED");
+  const char* piece = std::getenv("CUSP_RANDOM_PIECE");
+  const char* folder = std::getenv("CUSP_RANDOM_DONE");
   const std::uint64_t ticks = !full ? 200'000 : GetParam() == Method::surface ? 10'000'000 : 1'000'000;
-  const std::shared_ptr<const Scene> scenes[2] = {scene_for(GetParam(), tooth), scene_for(GetParam(), slab)};
-  Counts counts;
-  const std::uint64_t first = one ? std::strtoull(one, nullptr, 10) : 1;
-  const std::uint64_t seeds = one ? 1 : ticks / kTicksOfASeed;
-  for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
-    run_seed(scenes[seed % 2], seed, kTicksOfASeed, counts);
-    if (HasFatalFailure()) return;
+  Seeds seeds{1, ticks / kTicksOfASeed};
+  if (one != nullptr) seeds.first = seeds.last = std::strtoull(one, nullptr, 10);
+  if (piece != nullptr) {
+    const auto asked = piece_of(seeds, piece);
+    ASSERT_TRUE(asked) << "CUSP_RANDOM_PIECE=" << piece << " is no piece: 3/8 is the third of eight";
+    seeds = *asked;
   }
-  std::cout << key_of(GetParam()) << ": " << counts.ticks << " ticks, " << counts.contacts << " in contact, "
+  const std::shared_ptr<const Scene> scenes[2] = {scene_for(GetParam(), tooth), scene_for(GetParam(), slab)};
+  Done done(folder == nullptr ? "" : folder, key_of(GetParam()));
+  for (std::uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
+    if (done.has(seed)) continue;
+    Counts own;
+    run_seed(scenes[seed % 2], seed, kTicksOfASeed, own);
+    if (HasFatalFailure()) return;
+    done.add(seed, own);
+  }
+  if (seeds.count() == 0) return;  // more pieces than seeds
+  const Counts counts = done.sum(seeds);
+  EXPECT_EQ(counts.ticks, seeds.count() * kTicksOfASeed);
+  std::cout << key_of(GetParam()) << ", seeds " << seeds.first << " to " << seeds.last << ": " << counts.ticks << " ticks, " << counts.contacts << " in contact, "
             << counts.cutting << " cutting, " << counts.faults << " faulted, " << counts.infeasible << " infeasible, "
             << counts.deferred << " deferred, " << counts.cut_bricks << " bricks cut" << std::endl;
   // A hand that never touched, cut or erred would prove nothing.

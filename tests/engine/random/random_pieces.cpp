@@ -1,0 +1,91 @@
+#include "tests/engine/random/random_pieces.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "engine/step/scene.h"
+
+namespace cusp::test {
+
+namespace {
+
+template <class Visit>
+void each(auto& counts, Visit&& visit) {
+  for (auto* member : {&counts.ticks, &counts.contacts, &counts.faults, &counts.cutting, &counts.cut_bricks,
+                       &counts.infeasible, &counts.deferred, &counts.stalled, &counts.overheated})
+    visit(*member);
+}
+
+}  // namespace
+
+Counts& Counts::operator+=(const Counts& other) {
+  ticks += other.ticks;
+  contacts += other.contacts;
+  faults += other.faults;
+  cutting += other.cutting;
+  cut_bricks += other.cut_bricks;
+  infeasible += other.infeasible;
+  deferred += other.deferred;
+  stalled += other.stalled;
+  overheated += other.overheated;
+  return *this;
+}
+
+std::optional<Seeds> piece_of(Seeds all, std::string_view piece) {
+  std::uint64_t which = 0, pieces = 0;
+  const char* end = piece.data() + piece.size();
+  const auto [slash, bad] = std::from_chars(piece.data(), end, which);
+  if (bad != std::errc{} || slash == end || *slash != '/') return std::nullopt;
+  const auto [rest, worse] = std::from_chars(slash + 1, end, pieces);
+  if (worse != std::errc{} || rest != end || which < 1 || which > pieces || pieces > 1'000'000) return std::nullopt;
+  return Seeds{all.first + all.count() * (which - 1) / pieces, all.first + all.count() * which / pieces - 1};
+}
+
+Done::Done(const std::string& folder, std::string_view method) {
+  if (folder.empty()) return;
+  std::filesystem::create_directories(folder);
+  path_ = folder + "/" + std::string(method) + ".txt";
+  std::ifstream in(path_);
+  std::string line;
+  while (std::getline(in, line)) {
+    std::istringstream words(line);
+    Line one{};
+    int engine = 0;
+    words >> engine >> one.seed;
+    each(one.counts, [&](std::uint64_t& n) { words >> n; });
+    // A line that a stopped program has left half lacks its full stop.
+    std::string stop;
+    if (words >> stop && stop == "." && engine == kEngineVersion && !has(one.seed)) lines_.push_back(one);
+  }
+}
+
+bool Done::has(std::uint64_t seed) const {
+  return std::ranges::any_of(lines_, [seed](const Line& line) { return line.seed == seed; });
+}
+
+void Done::add(std::uint64_t seed, const Counts& counts) {
+  if (!has(seed)) lines_.push_back({seed, counts});
+  if (path_.empty()) return;
+  std::string line = std::to_string(kEngineVersion) + ' ' + std::to_string(seed);
+  each(counts, [&](const std::uint64_t& n) { line += ' ' + std::to_string(n); });
+  // One write, at the end of the file: of several programs no line ends within another's. The break before it ends a line
+  // that was left half.
+  std::ofstream(path_, std::ios::app) << ('\n' + line + " .\n") << std::flush;
+}
+
+Counts Done::sum(Seeds of) const {
+  Counts out;
+  for (const Line& line : lines_)
+    if (line.seed >= of.first && line.seed <= of.last) out += line.counts;
+  return out;
+}
+
+std::uint64_t Done::count(Seeds of) const {
+  return static_cast<std::uint64_t>(std::ranges::count_if(
+      lines_, [of](const Line& line) { return line.seed >= of.first && line.seed <= of.last; }));
+}
+
+}  // namespace cusp::test

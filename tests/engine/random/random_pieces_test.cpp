@@ -1,0 +1,54 @@
+#include "tests/engine/random/random_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace cusp::test {
+namespace {
+
+TEST(RandomPieces, hold_each_seed_once) {
+  const Seeds all{1, 50};
+  for (const int pieces : {1, 3, 8, 50, 70}) {
+    std::uint64_t next = 1;
+    for (int p = 1; p <= pieces; ++p) {
+      const auto piece = piece_of(all, std::to_string(p) + "/" + std::to_string(pieces));
+      ASSERT_TRUE(piece);
+      EXPECT_EQ(piece->first, next);
+      next += piece->count();
+    }
+    EXPECT_EQ(next, 51u) << pieces;
+  }
+  for (const char* none : {"", "3", "0/4", "5/4", "a/b", "1/4x", "-1/4", "1/0"}) EXPECT_FALSE(piece_of(all, none)) << none;
+}
+
+TEST(RandomPieces, that_are_done_are_remembered_and_half_a_line_is_not) {
+  const auto folder = (std::filesystem::path(testing::TempDir()) / "cusp_random_pieces").string();
+  std::filesystem::remove_all(folder);
+  Counts counts;
+  counts.ticks = kTicksOfASeed;
+  counts.contacts = 7;
+  counts.overheated = 3;
+  Done first(folder, "surface");
+  first.add(4, counts);
+  std::ofstream(folder + "/surface.txt", std::ios::app) << "4 5 20000 1";  // stopped in the middle
+  Done second(folder, "surface");
+  EXPECT_TRUE(second.has(4));
+  EXPECT_FALSE(second.has(5));
+  second.add(5, counts);
+  second.add(9, counts);
+  const Done third(folder, "surface");
+  EXPECT_EQ(third.count({1, 8}), 2u);
+  EXPECT_EQ(third.sum({1, 9}).ticks, 3u * kTicksOfASeed);
+  EXPECT_EQ(third.sum({4, 4}).contacts, 7u);
+  EXPECT_EQ(third.sum({4, 4}).overheated, 3u);
+  EXPECT_EQ(Done(folder, "ray").count({1, 9}), 0u);
+  // Of another engine: not done.
+  std::ofstream(folder + "/surface.txt") << "0 4 20000 1 1 1 1 1 1 1 1 .\n";
+  EXPECT_EQ(Done(folder, "surface").count({1, 9}), 0u);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace cusp::test
