@@ -1,9 +1,10 @@
 /// Haply's Inverse3 through the maker's own service on this computer, as a device of the haptic loop. A thread of its
-/// own talks to the service; the loop takes the newest reading and leaves a force. What was learnt from public clients
-/// and never tried on a real device is marked [M].
+/// own talks to the service; the loop takes the newest reading and leaves a force. Of a wireless handle's buttons a
+/// cuts, b holds the burr while the hand moves, c takes the next burr [M]. What was learnt from public clients and never
+/// tried on a real device is marked [M].
 #pragma once
 
-#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -17,11 +18,12 @@ struct InverseSettings {
   inverse::ServiceAddress service{};
   std::string device;          // its id; empty: the first that the service tells
   inverse::SessionSettings session{};
-  Vec3 centre_m{0.0, -0.11, 0.16};  // of the device's reach, in its own frame [M]
-  Vec3 origin_mm{0.0};         // where the centre comes to lie in the specimen
+  Vec3 origin_mm{0.0};         // place in the specimen where the hand is when the device is opened
+  double yaw_rad = 0.0;        // by which the device is turned about its upright; x right, y away, z up at 0 [M]
   double scale = 0.5;          // mm in the specimen for a mm of the hand, 0.05 to 1
   double max_force_n = 2.0;    // what public clients let through [M]
   double max_stiffness_n_per_mm = 1.0;  // [M]
+  std::uint16_t burrs = 1;     // how many the scene has
 };
 
 /// What a screen may want to know; plain values.

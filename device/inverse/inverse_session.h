@@ -32,6 +32,7 @@ enum class Trouble : std::uint8_t {
 std::string_view key_of(Trouble trouble) noexcept;
 
 struct SessionSettings {
+  std::chrono::microseconds pace{1000};    // between two messages at the least
   std::chrono::milliseconds answer{20};    // silence after a message: zero force from here on
   std::chrono::milliseconds repeat{100};   // it is asked again after this
   std::chrono::milliseconds give_up{2000}; // silence: the link is closed and opened anew
@@ -64,7 +65,7 @@ class Session {
 
   enum class Wish : std::uint8_t { none, open, close };
   /// Taken once.
-  Wish take_wish() noexcept;
+  Wish take_wish(LinkTime now) noexcept;
   /// The message that is due, if one is.
   std::optional<std::string> take_message(LinkTime now);
   /// When advance() wants to be called again at the latest.
@@ -84,6 +85,7 @@ class Session {
   std::string wanted_;
   SessionState state_;
   Wish wish_ = Wish::open;
+  bool others_ = false;  // it told of devices, and of none that is wanted
   Vec3 force_n_{0.0};
   LinkTime force_at_{}, since_{}, heard_{}, asked_{};
   bool owes_answer_ = false, ask_ = false;

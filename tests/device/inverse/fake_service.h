@@ -1,0 +1,54 @@
+/// The maker's service in miniature: a WebSocket on loopback that tells its devices first and then answers each message
+/// with one, as public clients have it. What it does wrong is asked for.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/base/vec.h"
+
+namespace cusp::testing {
+
+class FakeService {
+ public:
+  enum class Way : int { answers, silent, garbage, binary, huge, hangs_up, no_device, not_a_websocket };
+
+  FakeService();
+  ~FakeService();
+  FakeService(const FakeService&) = delete;
+  FakeService& operator=(const FakeService&) = delete;
+
+  std::uint16_t port() const noexcept { return port_; }
+  void set_way(Way way) noexcept { way_ = static_cast<int>(way); }
+  /// Where the hand is, and how the handle is turned (none: there is no handle).
+  void set_hand(Vec3 position_m) noexcept;
+  void set_handle(bool there, Quat orientation = Quat(1, 0, 0, 0), bool a = false, bool b = false, bool c = false) noexcept;
+
+  std::uint64_t messages() const noexcept { return messages_; }
+  std::uint64_t connections() const noexcept { return connections_; }
+  /// Of the newest message that could be read.
+  Vec3 force_n() const;
+  double most_force_n() const;
+
+ private:
+  struct Inner;
+  std::string told(bool first) const;
+  void hear(const std::string& text);
+
+  std::uint16_t port_ = 0;
+  std::atomic<int> way_{0};
+  std::atomic<std::uint64_t> messages_{0}, connections_{0};
+  mutable std::mutex mutex_;
+  Vec3 hand_{0.0, 0.0, 0.1}, force_{0.0};
+  double most_force_ = 0;
+  bool handle_ = false, a_ = false, b_ = false, c_ = false;
+  Quat turned_{1, 0, 0, 0};
+  std::unique_ptr<Inner> inner_;
+};
+
+}  // namespace cusp::testing

@@ -1,0 +1,194 @@
+// The whole port over a real WebSocket to a service in miniature. What is waited for is progress, never time.
+#include "device/inverse/inverse_port.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "tests/device/inverse/fake_service.h"
+
+namespace cusp {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::FakeService;
+
+InverseSettings settings_for(const FakeService& service) {
+  InverseSettings settings;
+  settings.service.port = service.port();
+  settings.scale = 1.0;
+  settings.origin_mm = {1, 2, 3};
+  // A loaded test machine must not be taken for a silent service.
+  settings.session.answer = 2s;
+  settings.session.stale_force = 2s;
+  settings.session.give_up = 10s;
+  settings.session.ramp = 20ms;
+  settings.session.pause = 20ms;
+  return settings;
+}
+
+Sample tick(InversePort& port, Vec3 force_n = Vec3(0.0)) {
+  const Sample sample = port.wait(std::chrono::steady_clock::now() + 20ms);
+  port.write({.force_n = force_n});
+  return sample;
+}
+
+template <class Condition>
+bool eventually(InversePort& port, Condition&& condition, Vec3 force_n = Vec3(0.0)) {
+  for (int i = 0; i < 3000; ++i) {
+    if (condition(tick(port, force_n))) return true;
+  }
+  return false;
+}
+
+bool close_to(Vec3 a, Vec3 b) { return glm::length(a - b) < 1e-6; }
+
+TEST(InversePort, follows_the_hand_and_gives_it_force) {
+  FakeService service;
+  service.set_hand({0.05, -0.1, 0.2});
+  auto port = make_inverse_port(settings_for(service));
+  ASSERT_TRUE(port->open());
+  // Where the hand is when it is opened is the origin.
+  ASSERT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::fresh && close_to(s.position_mm, {1, 2, 3}); }));
+  service.set_hand({0.052, -0.097, 0.196});
+  EXPECT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {3, 5, -1}); }));
+  EXPECT_TRUE(eventually(*port, [&](const Sample&) { return close_to(service.force_n(), {0.5, -0.25, 1}); }, {0.5, -0.25, 1}));
+  // Too much is cut in length and keeps its direction: 6, 8 N become 1.2, 1.6.
+  EXPECT_TRUE(eventually(*port, [&](const Sample&) { return close_to(service.force_n(), {1.2, 1.6, 0}); }, {6, 8, 0}));
+  EXPECT_LE(service.most_force_n(), 2.0 + 1e-9);
+  EXPECT_EQ(port->limits().device_class, "inverse3");
+  EXPECT_EQ(port->limits().rotation_axes, 0);
+  port->close();
+  EXPECT_TRUE(close_to(service.force_n(), {0, 0, 0}));  // its last words
+  EXPECT_EQ(tick(*port).status, Sample::Status::gone);
+}
+
+TEST(InversePort, two_thousand_exchanges_come_in_order_and_none_is_lost) {
+  FakeService service;
+  auto port = make_inverse_port(settings_for(service));
+  ASSERT_TRUE(port->open());
+  int fresh = 0;
+  for (int i = 0; i < 6000 && fresh < 2000; ++i) fresh += tick(*port, {0.1, 0, 0}).status == Sample::Status::fresh;
+  EXPECT_EQ(fresh, 2000);
+  const auto state = port->view().session;
+  EXPECT_EQ(state.unread, 0u);
+  EXPECT_EQ(state.connections, 1u);
+  EXPECT_GE(state.sent + 2, state.readings);
+}
+
+TEST(InversePort, a_device_turned_on_its_stand_is_turned_back) {
+  FakeService service;
+  InverseSettings settings = settings_for(service);
+  settings.yaw_rad = std::numbers::pi / 2;  // its x is the specimen's y
+  settings.origin_mm = Vec3(0.0);
+  service.set_hand({0, 0, 0.1});
+  auto port = make_inverse_port(settings);
+  ASSERT_TRUE(port->open());
+  ASSERT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::fresh; }));
+  service.set_hand({0.004, 0, 0.1});
+  EXPECT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {0, 4, 0}); }));
+  // Power in is power out: a force along the way stays along it.
+  EXPECT_TRUE(eventually(*port, [&](const Sample&) { return close_to(service.force_n(), {1, 0, 0}); }, {0, 1, 0}));
+}
+
+TEST(InversePort, the_handle_turns_the_burr_from_where_it_rested_and_its_buttons_count) {
+  FakeService service;
+  const Quat rest = glm::angleAxis(0.3, Vec3(0, 1, 0));
+  service.set_handle(true, rest);
+  InverseSettings settings = settings_for(service);
+  settings.burrs = 2;
+  auto port = make_inverse_port(settings);
+  ASSERT_TRUE(port->open());
+  EXPECT_EQ(port->limits().rotation_axes, 3);
+  ASSERT_TRUE(eventually(*port, [](const Sample& s) {
+    return s.status == Sample::Status::fresh && std::abs(s.orientation.w - 1.0) < 1e-9;
+  }));
+  const Quat turn = glm::angleAxis(0.5, Vec3(1, 0, 0));
+  service.set_handle(true, turn * rest, true);
+  EXPECT_TRUE(eventually(*port, [&](const Sample& s) {
+    return s.buttons == 1 && s.pedal == 65535 && std::abs(glm::dot(s.orientation, turn)) > 1 - 1e-9;
+  }));
+  service.set_handle(true, turn * rest, false, false, true);
+  EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.burr == 1; }));
+}
+
+TEST(InversePort, the_clutch_holds_the_burr_and_gives_no_force) {
+  FakeService service;
+  service.set_handle(true);
+  service.set_hand({0, 0, 0.1});
+  auto port = make_inverse_port(settings_for(service));
+  ASSERT_TRUE(port->open());
+  ASSERT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {1, 2, 3}); }));
+  service.set_handle(true, Quat(1, 0, 0, 0), false, true);
+  ASSERT_TRUE(eventually(*port, [&](const Sample&) { return service.force_n() == Vec3(0.0) && service.messages() > 100; }, {1, 0, 0}));
+  service.set_hand({0.03, 0, 0.1});
+  const auto before = port->view().session.readings;
+  ASSERT_TRUE(eventually(*port, [&](const Sample& s) {
+    EXPECT_TRUE(close_to(s.position_mm, {1, 2, 3}));
+    return port->view().session.readings > before + 100;
+  }));
+  service.set_handle(true);
+  ASSERT_TRUE(eventually(*port, [&](const Sample&) { return close_to(service.force_n(), {1, 0, 0}); }, {1, 0, 0}));
+  service.set_hand({0.031, 0, 0.1});
+  EXPECT_TRUE(eventually(*port, [](const Sample& s) { return close_to(s.position_mm, {2, 2, 3}); }));
+}
+
+TEST(InversePort, says_why_it_cannot_be_opened) {
+  std::uint16_t nobody = 0;
+  {
+    FakeService gone;
+    nobody = gone.port();
+  }
+  InverseSettings settings;
+  settings.service.port = nobody;
+  auto lonely = make_inverse_port(settings);
+  const auto refused = lonely->open();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, PortError::not_found);
+  EXPECT_EQ(refused.error().where, "service");
+
+  FakeService service;
+  service.set_way(FakeService::Way::no_device);
+  const auto without = make_inverse_port(settings_for(service))->open();
+  ASSERT_FALSE(without);
+  EXPECT_EQ(without.error().code, PortError::not_found);
+  EXPECT_EQ(without.error().where, "device");
+
+  service.set_way(FakeService::Way::not_a_websocket);
+  EXPECT_EQ(make_inverse_port(settings_for(service))->open().error().where, "service");
+}
+
+TEST(InversePort, silence_garbage_and_a_service_that_goes_are_loss_and_it_is_found_again) {
+  for (const auto way : {FakeService::Way::silent, FakeService::Way::garbage, FakeService::Way::binary,
+                         FakeService::Way::huge, FakeService::Way::hangs_up, FakeService::Way::no_device}) {
+    FakeService service;
+    InverseSettings settings = settings_for(service);
+    settings.session.answer = 50ms;
+    settings.session.repeat = 60ms;
+    settings.session.give_up = 300ms;
+    auto port = make_inverse_port(settings);
+    ASSERT_TRUE(port->open());
+    ASSERT_TRUE(eventually(*port, [&](const Sample&) { return glm::length(service.force_n()) > 0.9; }, {1, 0, 0}));
+    service.set_way(way);
+    ASSERT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::gone && s.buttons == 0; }, {1, 0, 0}))
+        << static_cast<int>(way);
+    service.set_way(FakeService::Way::answers);
+    EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::fresh; })) << static_cast<int>(way);
+  }
+}
+
+TEST(InversePort, opened_again_it_begins_anew) {
+  FakeService service;
+  service.set_hand({0, 0, 0.1});
+  auto port = make_inverse_port(settings_for(service));
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(port->open());
+    service.set_hand({0.001 * i, 0, 0.1});
+    EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::fresh; }));
+    port->close();
+  }
+  EXPECT_EQ(service.connections(), 3u);
+}
+
+}  // namespace
+}  // namespace cusp
