@@ -2359,6 +2359,141 @@
         </message>
     </context>
     <context>
+        <name>cusp::PedalPanel</name>
+        <message>
+            <source>Foot pedal</source>
+            <translation>Fußpedal</translation>
+        </message>
+        <message>
+            <source>The pedal drives the handpiece</source>
+            <translation>Das Pedal treibt das Handstück an</translation>
+        </message>
+        <message>
+            <source>Which pedal</source>
+            <translation>Welches Pedal</translation>
+        </message>
+        <message>
+            <source>This pedal plays keyboard: what it types goes to the window as well. With its maker&apos;s program, set it to a key from F13 to F24.</source>
+            <translation>Dieses Pedal spielt Tastatur: Was es tippt, geht auch ans Fenster. Stellen Sie es mit dem Programm des Herstellers auf eine Taste von F13 bis F24.</translation>
+        </message>
+        <message>
+            <source>Pressed</source>
+            <translation>Gedrückt</translation>
+        </message>
+        <message>
+            <source>Calibrate</source>
+            <translation>Kalibrieren</translation>
+        </message>
+        <message>
+            <source>Drills</source>
+            <translation>Bohrt</translation>
+        </message>
+        <message>
+            <source>None</source>
+            <translation>Keiner</translation>
+        </message>
+        <message>
+            <source>No switch for the coolant</source>
+            <translation>Kein Schalter für die Kühlung</translation>
+        </message>
+        <message>
+            <source>Choose</source>
+            <translation>Wählen</translation>
+        </message>
+        <message>
+            <source>Choose the switch for the coolant</source>
+            <translation>Schalter für die Kühlung wählen</translation>
+        </message>
+        <message>
+            <source>Coolant</source>
+            <translation>Kühlung</translation>
+        </message>
+        <message>
+            <source>Dead zone at both ends</source>
+            <translation>Totbereich an beiden Enden</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>Take it over</source>
+            <translation>Übernehmen</translation>
+        </message>
+        <message>
+            <source>Press the pedal once, let go of it, and take the foot off.</source>
+            <translation>Treten Sie das Pedal einmal, lassen Sie es los und nehmen Sie den Fuß weg.</translation>
+        </message>
+        <message>
+            <source>Press the pedal all the way down.</source>
+            <translation>Treten Sie das Pedal ganz durch.</translation>
+        </message>
+        <message>
+            <source>Press the switch that runs the coolant.</source>
+            <translation>Treten Sie den Schalter, der die Kühlung laufen lässt.</translation>
+        </message>
+        <message>
+            <source>connected</source>
+            <translation>verbunden</translation>
+        </message>
+        <message>
+            <source>no permission</source>
+            <translation>keine Berechtigung</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>nicht verbunden</translation>
+        </message>
+        <message>
+            <source>The first foot pedal that is found</source>
+            <translation>Das erste Fußpedal, das gefunden wird</translation>
+        </message>
+        <message>
+            <source>Nothing yet: calibrate it</source>
+            <translation>Noch nichts: bitte kalibrieren</translation>
+        </message>
+        <message>
+            <source>Any switch of it</source>
+            <translation>Jeder seiner Schalter</translation>
+        </message>
+        <message>
+            <source>The pedal is not connected any more.</source>
+            <translation>Das Pedal ist nicht mehr verbunden.</translation>
+        </message>
+        <message>
+            <source>It is: %1</source>
+            <translation>Es ist: %1</translation>
+        </message>
+        <message>
+            <source>Nothing has moved yet.</source>
+            <translation>Noch hat sich nichts bewegt.</translation>
+        </message>
+        <message>
+            <source>No foot pedal is connected</source>
+            <translation>Kein Fußpedal ist verbunden</translation>
+        </message>
+        <message>
+            <source>%1: no permission</source>
+            <translation>%1: keine Berechtigung</translation>
+        </message>
+        <message>
+            <source>%1: not connected</source>
+            <translation>%1: nicht verbunden</translation>
+        </message>
+        <message>
+            <source>%1: connected</source>
+            <translation>%1: verbunden</translation>
+        </message>
+        <message>
+            <source>%1: connected, not used</source>
+            <translation>%1: verbunden, nicht benutzt</translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::PeopleModel</name>
         <message>
             <source>PIN or password</source>
@@ -3019,6 +3154,25 @@
         <message>
             <source>%1 cannot be written. The go and its grade are kept.</source>
             <translation>%1 kann nicht geschrieben werden. Durchgang und Bewertung sind aufbewahrt.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::RightsRow</name>
+        <message>
+            <source>This user may not open it. Paste this line into a terminal once, then plug it in again:</source>
+            <translation>Dieses Benutzerkonto darf es nicht öffnen. Fügen Sie diese Zeile einmal in ein Terminal ein und stecken Sie es dann neu an:</translation>
+        </message>
+        <message>
+            <source>Line for the terminal</source>
+            <translation>Zeile für das Terminal</translation>
+        </message>
+        <message>
+            <source>Copy</source>
+            <translation>Kopieren</translation>
+        </message>
+        <message>
+            <source>Copied</source>
+            <translation>Kopiert</translation>
         </message>
     </context>
     <context>
@@ -4239,6 +4393,105 @@
         </message>
     </context>
     <context>
+        <name>cusp::SpaceMousePanel</name>
+        <message>
+            <source>The SpaceMouse leads the view of the tooth</source>
+            <translation>Die SpaceMouse führt die Ansicht des Zahns</translation>
+        </message>
+        <message>
+            <source>Its left button brings the first view back, its right one puts in the mirror or takes it out.</source>
+            <translation>Ihre linke Taste bringt die erste Ansicht zurück, ihre rechte setzt den Spiegel ein oder nimmt ihn heraus.</translation>
+        </message>
+        <message>
+            <source>Right</source>
+            <translation>Rechts</translation>
+        </message>
+        <message>
+            <source>Up</source>
+            <translation>Hoch</translation>
+        </message>
+        <message>
+            <source>Nearer</source>
+            <translation>Näher</translation>
+        </message>
+        <message>
+            <source>Tilt</source>
+            <translation>Neigen</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>Drehen</translation>
+        </message>
+        <message>
+            <source>Roll</source>
+            <translation>Rollen</translation>
+        </message>
+        <message>
+            <source>Turn the view</source>
+            <translation>Ansicht drehen</translation>
+        </message>
+        <message>
+            <source>Move and zoom</source>
+            <translation>Verschieben und zoomen</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Tempo</translation>
+        </message>
+        <message>
+            <source>Dead zone</source>
+            <translation>Totbereich</translation>
+        </message>
+        <message>
+            <source>Hand is off: take this as rest</source>
+            <translation>Hand ist weg: dies als Ruhelage nehmen</translation>
+        </message>
+        <message>
+            <source>Taken over</source>
+            <translation>Übernommen</translation>
+        </message>
+        <message>
+            <source>Take the hand off first</source>
+            <translation>Nehmen Sie zuerst die Hand weg</translation>
+        </message>
+        <message>
+            <source>connected</source>
+            <translation>verbunden</translation>
+        </message>
+        <message>
+            <source>no permission</source>
+            <translation>keine Berechtigung</translation>
+        </message>
+        <message>
+            <source>not connected</source>
+            <translation>nicht verbunden</translation>
+        </message>
+        <message>
+            <source>Battery %1</source>
+            <translation>Akku %1</translation>
+        </message>
+        <message>
+            <source>No SpaceMouse is connected</source>
+            <translation>Keine SpaceMouse ist verbunden</translation>
+        </message>
+        <message>
+            <source>%1: no permission</source>
+            <translation>%1: keine Berechtigung</translation>
+        </message>
+        <message>
+            <source>%1: not connected</source>
+            <translation>%1: nicht verbunden</translation>
+        </message>
+        <message>
+            <source>%1: connected</source>
+            <translation>%1: verbunden</translation>
+        </message>
+        <message>
+            <source>%1: connected, not used</source>
+            <translation>%1: verbunden, nicht benutzt</translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::SpecimenForm</name>
         <message>
             <source>%1, upper right</source>
@@ -4882,6 +5135,45 @@ Ihr bester davor</translation>
             <source>%1, %2, %3</source>
             <extracomment>Number of a burr, its shape, its diameter.</extracomment>
             <translation>%1, %2, %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>PedalWords</name>
+        <message>
+            <source>space bar</source>
+            <translation>Leertaste</translation>
+        </message>
+        <message>
+            <source>Rudder</source>
+            <translation>Seitenruder</translation>
+        </message>
+        <message>
+            <source>Throttle</source>
+            <translation>Schubhebel</translation>
+        </message>
+        <message>
+            <source>Accelerator</source>
+            <translation>Gaspedal</translation>
+        </message>
+        <message>
+            <source>Brake</source>
+            <translation>Bremse</translation>
+        </message>
+        <message>
+            <source>Clutch</source>
+            <translation>Kupplung</translation>
+        </message>
+        <message>
+            <source>Axis %1</source>
+            <translation>Achse %1</translation>
+        </message>
+        <message>
+            <source>Switch %1</source>
+            <translation>Schalter %1</translation>
+        </message>
+        <message>
+            <source>Key %1</source>
+            <translation>Taste %1</translation>
         </message>
     </context>
 </TS>

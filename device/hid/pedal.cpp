@@ -100,11 +100,12 @@ void PedalState::release() noexcept {
 std::vector<Control> PedalState::controls() const {
   std::vector<Control> out;
   for (const Held& held : held_) {
-    out.push_back({held.id, held.kind, held.field.least, held.field.most, held.value.value_or(held.field.least)});
+    out.push_back({held.id, held.kind, held.field.least, held.field.most, held.value.value_or(held.field.least),
+                   held.value.has_value()});
   }
   for (std::size_t i = 0; i < key_count_; ++i) {
     const bool button = keys_[i].id.page == usage::kButtonPage;
-    out.push_back({keys_[i].id, button ? ControlKind::button : ControlKind::key, 0, 1, 1});
+    out.push_back({keys_[i].id, button ? ControlKind::button : ControlKind::key, 0, 1, 1, true});
   }
   return out;
 }

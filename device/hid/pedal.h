@@ -25,7 +25,8 @@ struct Control {
   ControlId id;
   ControlKind kind = ControlKind::button;
   std::int32_t least = 0, most = 1;
-  std::int32_t value = 0;  // newest; of an axis that has said nothing yet: none, see PedalState::value()
+  std::int32_t value = 0;  // newest; the least of one that has not spoken
+  bool spoken = false;     // its value was told: an axis that has not moved yet may stand anywhere
   friend bool operator==(const Control&, const Control&) = default;
 };
 

@@ -1,0 +1,23 @@
+#include "ui/device/hid_settings.h"
+
+#include "ui/app/settings.h"
+
+namespace cusp {
+
+HidSettings::HidSettings(const QString& file)
+    : store_(file.isEmpty() ? Settings::usual_file() : file, QSettings::IniFormat) {}
+
+hid::PedalSettings HidSettings::pedal() const {
+  return hid::pedal_settings_from(store_.value("hid/pedal").toString().toStdString());
+}
+void HidSettings::set_pedal(const hid::PedalSettings& settings) {
+  store_.setValue("hid/pedal", QString::fromStdString(hid::to_text(settings)));
+}
+hid::SpaceMouseSettings HidSettings::space_mouse() const {
+  return hid::space_mouse_settings_from(store_.value("hid/space_mouse").toString().toStdString());
+}
+void HidSettings::set_space_mouse(const hid::SpaceMouseSettings& settings) {
+  store_.setValue("hid/space_mouse", QString::fromStdString(hid::to_text(settings)));
+}
+
+}  // namespace cusp

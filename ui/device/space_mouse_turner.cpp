@@ -1,0 +1,75 @@
+#include "ui/device/space_mouse_turner.h"
+
+#include <QMetaMethod>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/drill/tooth_view.h"
+
+namespace cusp {
+
+namespace {
+
+constexpr int kLookMs = 16;            // as often as the device speaks
+constexpr int kIdleMs = 100;           // while it is not there, or nobody sees the view
+constexpr double kLongestS = 0.1;      // after a stall the view goes on, it does not leap
+constexpr double kTurnRadS = std::numbers::pi / 2;
+constexpr double kMoveShareS = 0.5;    // of the view's shorter side
+constexpr double kSidePx = 1000.0;     // moves are told in shares: any length will do
+constexpr std::uint32_t kLeft = 1, kRight = 2;
+
+}  // namespace
+
+Camera led(const Camera& camera, const hid::SpaceMouseMotion& motion, double speed, double dt_s) {
+  Camera out = camera;
+  const double s = speed * dt_s;
+  // What the hand does to the cap, the tooth does: pushed right, it goes right; pulled to the user, it comes nearer.
+  out.orbit(-motion.turn[1] * kTurnRadS * s, motion.turn[0] * kTurnRadS * s);
+  out.pan(motion.move[0] * kMoveShareS * kSidePx * s, -motion.move[1] * kMoveShareS * kSidePx * s, kSidePx);
+  if (motion.move[2] != 0.0) out.zoom(std::exp(motion.move[2] * s));
+  return out;
+}
+
+SpaceMouseTurner::SpaceMouseTurner(ToothView& view, hid::SpaceMouseReader& reader)
+    : QObject(&view), view_(view), reader_(reader) {
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &SpaceMouseTurner::look);
+  timer_.start(kIdleMs);
+}
+
+void SpaceMouseTurner::look() {
+  const auto now = std::chrono::steady_clock::now();
+  const bool seen = view_.isVisible() && view_.window()->isActiveWindow();
+  const hid::SpaceMouseView told = seen ? reader_.view(now) : hid::SpaceMouseView{};
+  if (!told.connected) {
+    if (timer_.interval() != kIdleMs) timer_.setInterval(kIdleMs);
+    before_ = now;
+    buttons_ = 0;
+    return;
+  }
+  if (timer_.interval() != kLookMs) timer_.setInterval(kLookMs);
+  const double dt_s = std::min(std::chrono::duration<double>(now - before_).count(), kLongestS);
+  before_ = now;
+  const std::uint32_t pressed = told.motion.buttons & ~buttons_;
+  buttons_ = told.motion.buttons;
+  if ((pressed & kRight) != 0) {
+    if (isSignalConnected(QMetaMethod::fromSignal(&SpaceMouseTurner::mirror_asked))) {
+      Q_EMIT mirror_asked();
+    } else {
+      Camera camera = view_.camera();
+      camera.set_mirrored(!camera.mirrored());
+      view_.set_camera(camera);
+    }
+  }
+  if ((pressed & kLeft) != 0 && first_) {
+    Camera back = *first_;
+    back.set_mirrored(view_.camera().mirrored());
+    view_.set_camera(back);
+  }
+  if (told.motion.still()) return;
+  if (!first_) first_ = view_.camera();
+  view_.set_camera(led(view_.camera(), told.motion, reader_.settings().speed, dt_s));
+}
+
+}  // namespace cusp
