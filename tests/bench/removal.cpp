@@ -343,7 +343,9 @@ std::vector<Cutter> shape_cutters(bool every) {
     if (every || !entry.burr.head.ball()) by_shape[entry.shape].push_back(&entry);
   for (const auto& [shape, entries] : by_shape)
     for (std::size_t i = every ? 0 : entries.size() / 2; i < entries.size(); ++i) {
-      const Burr& burr = entries[i]->burr;
+      Burr burr = entries[i]->burr;
+      // Leaning, the neck of a ball would touch the mouth.
+      if (burr.head.ball()) burr.neck_radius_mm = burr.shank_radius_mm = kThinNeckMm;
       out.push_back({fmt::format("{} {} {:.1f}", burr.name, shape, 2.0 * burr.radius_mm), burr});
       if (!every) break;
     }

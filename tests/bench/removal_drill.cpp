@@ -25,7 +25,6 @@ constexpr double kApproachMm = 0.02;     // a tick
 constexpr double kPaddingVoxels = 4.0;   // empty, on every side of the grid
 constexpr double kAroundVoxels = 4.0;    // tissue beyond what the burr reaches, and
 constexpr double kAroundMm = 0.2;
-constexpr double kThinNeckMm = 0.02;
 constexpr double kSideShare = 0.9;       // of the radius that a burr goes in sideways, at most: the neck stays outside
 constexpr int kLeastLayers = 10;         // voxels that a stroke through voxels goes, at least
 

@@ -18,6 +18,8 @@ struct Cutter {
   bool sideways = false;
   double flank_mm = 0.0;  // of a straight fissure: the head's length; 0: a ball
 };
+/// Of a neck that is to stay out of the way.
+inline constexpr double kThinNeckMm = 0.02;
 /// A ball of this diameter, led tip first.
 Cutter round_cutter(double diameter_mm);
 

@@ -24,11 +24,10 @@ constexpr double kTurnMm = 1.2;          // radius of a curved one
 constexpr double kSidewaysMm = 1.5;
 constexpr double kBeginMm = 0.02;        // of the burr behind the face, where a way begins
 constexpr double kBelow = 0.5;           // radii of a ball's pivot behind the face, where it ends
-constexpr double kSlimNeck = 0.1;        // radii
 constexpr double kFallMm = 0.5;          // that a way goes down with another burr
 constexpr double kInMm = 0.05;           // a tick, on the way in along the axis
 constexpr double kEdgeCosine = 0.9;      // normals a voxel and a half apart that differ by more: an edge lies between
-constexpr int kPlungeTicks = 3;          // a ball's, straight down to where its way begins
+constexpr double kOnSkinVoxels = 0.05;
 
 bool upright(Way way) { return way == Way::drilled || way == Way::sideways; }
 
@@ -48,9 +47,7 @@ struct Depths {
 Depths depths_of(const Cutter& cutter, Way way) {
   const Burr& burr = cutter.burr;
   if (burr.head.ball()) {
-    // Leaning, a neck of some width would touch the mouth.
-    const bool slim = way != Way::tilted || burr.neck_radius_mm < kSlimNeck * burr.radius_mm;
-    const double sunk = (slim ? 1.0 + kBelow : 1.0) * burr.radius_mm;
+    const double sunk = (1.0 + kBelow) * burr.radius_mm;
     return {burr.radius_mm, sunk, upright(way) ? 0.0 : sunk - kBeginMm};
   }
   const Frame f = way_frame();
@@ -79,15 +76,16 @@ Vec3 place_on(Way way, double s, const Depths& depths) {
   return f.to_world({along - 1.2, kAsideMm * (along - 1.0), z});
 }
 
-/// Device points, a millisecond apart, that lead a burr to where its way begins; the first is clear of the face.
+/// Device points, a millisecond apart, that lead a burr to just before where its way begins; the first is clear of the face.
+/// None is there twice: a burr that stands still presses on nothing, and its stroke is over.
 std::vector<Vec3> way_in(const Cutter& cutter, Way way, Vec3 to) {
   const Vec3 axis = way_axis(way);
-  if (cutter.burr.head.ball() && !upright(way)) return {to + way_frame().z * (2.0 * kBeginMm), to, to, to};
+  if (cutter.burr.head.ball() && !upright(way)) return {to + way_frame().z * (2.0 * kBeginMm)};
   const Depths depths = depths_of(cutter, way);
   const double deep = (depths.sunk - depths.fall) / glm::dot(axis, way_frame().z) + 2.0 * kBeginMm;
   const int ticks = static_cast<int>(deep / kInMm) + 1;
   std::vector<Vec3> out;
-  for (int k = 0; k <= ticks; ++k)
+  for (int k = 0; k < ticks; ++k)
     out.push_back(input_at(to + axis * (deep * (1.0 - static_cast<double>(k) / ticks))).position_mm());
   return out;
 }
@@ -205,8 +203,8 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
         for (int k = 0; k < 6 && !edge; ++k) {
           Vec3 beside = p.point_mm, other(0.0);
           beside[k % 3] += (k < 3 ? 1.5 : -1.5) * voxel_mm;
-          swept.distance_mm(beside, other);
-          edge = glm::dot(normal, other) < kEdgeCosine;
+          // On the tissue's side: within the hole a wall that a rim has left has no normal.
+          edge = swept.distance_mm(beside, other) > -kOnSkinVoxels * voxel_mm && glm::dot(normal, other) < kEdgeCosine;
         }
         if (edge) {
           ++out.edges;
