@@ -13,7 +13,16 @@ using Clock = std::chrono::steady_clock;
 std::uint64_t ns_between(Clock::time_point from, Clock::time_point to) noexcept {
   return to > from ? static_cast<std::uint64_t>(std::chrono::nanoseconds(to - from).count()) : 0;
 }
-constexpr std::uint8_t kFifo = 1, kLocked = 2;
+
+// A grant in one word, so that a screen never sees half of it: level, refusal, locked, priority, a byte each.
+std::uint32_t packed(const RealtimeGrant& grant) noexcept {
+  return static_cast<std::uint32_t>(grant.level) | static_cast<std::uint32_t>(grant.refusal) << 8 |
+         (grant.memory_locked ? 1u << 16 : 0u) | static_cast<std::uint32_t>(grant.priority & 0xFF) << 24;
+}
+RealtimeGrant unpacked(std::uint32_t word) noexcept {
+  return {static_cast<RealtimeLevel>(word & 0xFF), static_cast<RealtimeRefusal>(word >> 8 & 0xFF),
+          static_cast<int>(word >> 24), (word >> 16 & 1) != 0};
+}
 }  // namespace
 
 HapticLoop::HapticLoop(HapticPort& port, StepState state, const LoopSettings& settings)
@@ -21,6 +30,7 @@ HapticLoop::HapticLoop(HapticPort& port, StepState state, const LoopSettings& se
       settings_(settings),
       hand_over_(settings.ring_inputs),
       ticker_(std::move(state), hand_over_),
+      grant_(packed({})),
       own_clock_(port.limits().has_own_clock) {}
 
 HapticLoop::~HapticLoop() { stop(); }
@@ -34,19 +44,13 @@ void HapticLoop::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-RealtimeGrant HapticLoop::grant() const noexcept {
-  const std::uint8_t bits = grant_.load(std::memory_order_acquire);
-  return {(bits & kFifo) != 0, (bits & kLocked) != 0};
-}
+RealtimeGrant HapticLoop::grant() const noexcept { return unpacked(grant_.load(std::memory_order_acquire)); }
 
 void HapticLoop::run() noexcept {
   name_this_thread("cusp-haptic");
   const FpGuard fp;
-  if (settings_.ask_realtime) {
-    const RealtimeGrant grant = ask_for_realtime();
-    grant_.store(static_cast<std::uint8_t>((grant.fifo ? kFifo : 0) | (grant.memory_locked ? kLocked : 0)),
-                 std::memory_order_release);
-  }
+  prefault_stack();
+  if (settings_.ask_realtime) grant_.store(packed(ask_for_realtime()), std::memory_order_release);
   const Clock::time_point start = Clock::now();
   Clock::time_point deadline = start;
   std::uint64_t last_us = 0;

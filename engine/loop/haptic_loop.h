@@ -59,7 +59,7 @@ class HapticLoop {
   LoopStats stats_;
   Watchdog watchdog_;
   std::atomic<bool> stop_{false};
-  std::atomic<std::uint8_t> grant_{0};
+  std::atomic<std::uint32_t> grant_;
   bool own_clock_;
   std::thread thread_;
 };

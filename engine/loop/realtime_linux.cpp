@@ -1,20 +1,60 @@
+#include "engine/loop/realtime.h"
+
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <time.h>
 
-#include "engine/loop/realtime.h"
+#include <cstddef>
+
+#include "engine/loop/rtkit.h"
 
 namespace cusp {
 
+namespace {
+
+class SystemWays final : public RealtimeWays {
+ public:
+  int own_limit() noexcept override {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_RTPRIO, &limit) != 0) return 0;
+    return limit.rlim_cur == RLIM_INFINITY ? kFifoPriority : static_cast<int>(limit.rlim_cur);
+  }
+  bool take_fifo(int priority) noexcept override {
+    sched_param parameters{};
+    parameters.sched_priority = priority;
+    // A child that this thread might start does not inherit it.
+    return sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameters) == 0;
+  }
+  Service ask_service(int& priority) noexcept override {
+    switch (ask_rtkit(priority)) {
+      case RtkitAnswer::granted: return Service::granted;
+      case RtkitAnswer::refused: return Service::refused;
+      case RtkitAnswer::absent: return Service::absent;
+    }
+    return Service::absent;
+  }
+  bool lock_memory() noexcept override {
+    // Only pages that are there already: locking future ones would let a large specimen fail under a low limit.
+    return mlockall(MCL_CURRENT) == 0;
+  }
+  void sharpen_sleep() noexcept override { prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL); }
+};
+
+}  // namespace
+
 RealtimeGrant ask_for_realtime() noexcept {
-  RealtimeGrant grant;
-  sched_param parameters{};
-  parameters.sched_priority = 50;  // above every ordinary program, below the kernel's own interrupt threads' default
-  grant.fifo = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
-  // Only pages that are there already: locking future ones would let a large specimen fail under a low limit.
-  if (grant.fifo) grant.memory_locked = mlockall(MCL_CURRENT) == 0;
-  return grant;
+  SystemWays ways;
+  return ask_by(ways);
+}
+
+[[gnu::noinline]] void prefault_stack() noexcept {
+  constexpr std::size_t kBytes = 256 * 1024, kPage = 4096;
+  volatile std::byte stack[kBytes];
+  for (std::size_t at = 0; at < kBytes; at += kPage) stack[at] = std::byte{1};
+  static_cast<void>(stack[0]);
 }
 
 void name_this_thread(const char* name) noexcept { pthread_setname_np(pthread_self(), name); }

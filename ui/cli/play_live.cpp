@@ -111,7 +111,7 @@ nlohmann::ordered_json to_json(const LiveFigures& f) {
            {{"p50", f.loop.tick_p50_us}, {"p99", f.loop.tick_p99_us}, {"p999", f.loop.tick_p999_us}, {"max", f.loop.tick_max_us}}},
           {"tick_cpu_max_at_s", f.tick_max_at_s},
           {"exchange_p99_us", f.loop.exchange_p99_us},
-          {"realtime", f.grant.fifo},
+          {"realtime", f.grant.realtime()},
           {"holds", f.holds},
           {"silences", f.silences},
           {"answers", f.answers},
