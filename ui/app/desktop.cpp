@@ -8,6 +8,7 @@
 #include <QStackedWidget>
 #include <QStandardPaths>
 
+#include "device/hid/hid_station.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
 #include "ui/app/go_anywhere.h"
@@ -15,6 +16,7 @@
 #include "ui/app/language.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/shell.h"
+#include "ui/device/space_mouse_turner.h"
 #include "ui/drill/tooth_view.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
@@ -214,6 +216,12 @@ void Desktop::push(QWidget* fresh) {
   stack_->addWidget(fresh);
   stack_->setCurrentWidget(fresh);
   fresh->setFocus();
+  lead_views(fresh);
+}
+
+void Desktop::lead_views(QWidget* page) {
+  if (!hid_) return;
+  for (ToothView* view : page->findChildren<ToothView*>()) new SpaceMouseTurner(*view, hid_->space_mouse());
 }
 
 void Desktop::back() {

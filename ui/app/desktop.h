@@ -18,6 +18,9 @@ class QStackedWidget;
 
 namespace cusp {
 
+namespace hid {
+class HidStation;
+}
 struct EditorStart;
 class PictureShelf;
 class Shell;
@@ -30,6 +33,10 @@ class Desktop : public QMainWindow {
  public:
   Desktop(Settings& settings, Ports ports, std::filesystem::path database, QWidget* parent = nullptr);
   ~Desktop() override;
+
+  /// Pedal and SpaceMouse of this station; outlives the desktop. Before start(); without it there are none.
+  void use_hid(hid::HidStation& station) { hid_ = &station; }
+  hid::HidStation* hid() const { return hid_; }
 
   /// Opens the records and shows sign-in, or says why they cannot be opened.
   void start();
@@ -74,6 +81,8 @@ class Desktop : public QMainWindow {
   void tell_failure(const Told& told);
   void go_anywhere();
 
+  void lead_views(QWidget* page);
+
   Settings& settings_;
   Ports ports_;
   std::filesystem::path database_;
@@ -83,6 +92,7 @@ class Desktop : public QMainWindow {
   QStackedWidget* stack_;
   Shell* shell_ = nullptr;
   SignIn* sign_in_ = nullptr;
+  hid::HidStation* hid_ = nullptr;
 };
 
 }  // namespace cusp

@@ -1,8 +1,11 @@
 // The desktop's way into a go and out of it.
 
 #include <QApplication>
+#include <QKeyEvent>
 
+#include "device/hid/hid_station.h"
 #include "ui/app/desktop.h"
+#include "ui/device/space_mouse_turner.h"
 #include "ui/drill/drill_screen.h"
 
 namespace cusp {
@@ -21,6 +24,7 @@ void Desktop::drill(const Exercise& exercise) {
   } else {
     plan.kind = SessionKind::try_it;
   }
+  if (hid_) plan.pedal = hid_->pedal_source();
   auto* screen = new DrillScreen;
   screen->keep_sound_in(&settings_);
   connect(screen, &DrillScreen::left, this, &Desktop::back);
@@ -33,6 +37,12 @@ void Desktop::drill(const Exercise& exercise) {
     show_result(std::move(result), exercise);
   });
   push(screen);
+  for (SpaceMouseTurner* turner : screen->findChildren<SpaceMouseTurner*>()) {
+    connect(turner, &SpaceMouseTurner::mirror_asked, screen, [screen] {
+      QKeyEvent mirror(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier);  // so that the tool bar shows it too
+      QApplication::sendEvent(screen, &mirror);
+    });
+  }
   screen->begin(std::move(plan), text);
 }
 

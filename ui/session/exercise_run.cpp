@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "device/hid/pedalled_port.h"
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/loose_pieces.h"
 #include "ui/session/run_follower.h"
@@ -16,11 +17,13 @@ constexpr std::uint32_t kShowUs = 10'000;
 }  // namespace
 
 struct ExerciseRun::Inner {
-  Inner(RunPlan p, RunSetup s, HapticPort& device_port) : plan(std::move(p)), setup(std::move(s)), port(device_port) {}
+  Inner(RunPlan p, RunSetup s, HapticPort& device_port)
+      : plan(std::move(p)), setup(std::move(s)), port(device_port), with_pedal(device_port, plan.pedal) {}
 
   RunPlan plan;
   RunSetup setup;
   HapticPort& port;
+  PedalledPort with_pedal;  // what the loop reads
   std::unique_ptr<Recorder> recorder;
   std::unique_ptr<HapticLoop> loop;
   std::unique_ptr<Mirror> mirror;
@@ -69,7 +72,7 @@ Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& p
   }
   run.follower = std::make_unique<RunFollower>(run.setup.reference, *run.setup.mirror_start, run.recorder.get(),
                                                run.setup.process, [&run] { run.loop->pause(); });
-  run.loop = std::make_unique<HapticLoop>(port, std::move(*run.setup.loop_start));
+  run.loop = std::make_unique<HapticLoop>(run.with_pedal, std::move(*run.setup.loop_start));
   run.mirror = std::make_unique<Mirror>(std::move(*run.setup.mirror_start), run.loop->hand_over(),
                                         MirrorSettings{.show_every_us = kShowUs});
   run.setup.loop_start.reset();

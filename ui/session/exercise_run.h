@@ -11,6 +11,7 @@
 
 #include "engine/base/haptic_port.h"
 #include "engine/base/ids.h"
+#include "engine/base/pedal_source.h"
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/grading/grade.h"
@@ -34,6 +35,7 @@ struct RunPlan {
   SessionId go_on;                           // an interrupted session to go on with; nil: a new one
   std::shared_ptr<const Specimen> specimen;  // build_specimen()'s, to save the time; may be null
   std::vector<Observer*> observers;          // outlive the run
+  std::shared_ptr<const PedalSource> pedal;  // a foot pedal beside the device; may be null
 };
 
 /// What a go came to; also what an old session opens as (replay.h).
