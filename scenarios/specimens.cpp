@@ -1,9 +1,11 @@
 #include "scenarios/specimens.h"
 
 #include <algorithm>
+#include <set>
 
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/tooth.h"
 
 namespace cusp {
@@ -53,6 +55,28 @@ ToothRequest tooth_request(const SpecimenSource& source) {
     out.lesions.push_back({kind, lesion.site, lesion.radius_mm, lesion.depth_mm, lesion.softness});
   }
   return out;
+}
+
+std::vector<Tissue> tissues_of(const SpecimenSource& source) {
+  if (source.generator != "tooth") return {};
+  const ToothRequest request = tooth_request(source);
+  std::set<Tissue> out;
+  if (request.typodont) {
+    out.insert(Tissue::plastic);
+  } else {
+    out = {Tissue::enamel, Tissue::dentine, Tissue::cementum, Tissue::pulp};
+    if (request.neighbours) out.insert({kNeighbourEnamel, kNeighbourDentine});
+    for (const Lesion& lesion : request.lesions) {
+      const bool root = lesion.kind == Lesion::Kind::root;
+      if (!root) out.insert(Tissue::carious_enamel);
+      if (!root && lesion.depth_mm <= 0.0) continue;
+      if (lesion.softness > 0.0) out.insert(Tissue::carious_dentine);
+      if (lesion.softness < 1.0) out.insert(kFirmCariousDentine);
+    }
+  }
+  if (request.gingiva) out.insert(Tissue::gingiva);
+  if (request.bone) out.insert({Tissue::bone, Tissue::ligament});
+  return {out.begin(), out.end()};
 }
 
 Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source) {

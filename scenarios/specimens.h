@@ -20,6 +20,9 @@ namespace cusp {
 /// What a "tooth" source asks of the generator.
 [[nodiscard]] ToothRequest tooth_request(const SpecimenSource& source);
 
+/// The tissues that a "tooth" source will hold, by code; empty for any other source.
+[[nodiscard]] std::vector<Tissue> tissues_of(const SpecimenSource& source);
+
 /// The rest of the jaw of a source that asks for it, to look at: no voxels. Empty for any other source. Seconds; not for
 /// the haptic thread.
 [[nodiscard]] Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source);

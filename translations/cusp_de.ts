@@ -1421,22 +1421,6 @@
             <translation>Zahn ändern</translation>
         </message>
         <message>
-            <source>Title, English</source>
-            <translation>Titel, Englisch</translation>
-        </message>
-        <message>
-            <source>Title, German</source>
-            <translation>Titel, Deutsch</translation>
-        </message>
-        <message>
-            <source>Briefing, English</source>
-            <translation>Aufgabe, Englisch</translation>
-        </message>
-        <message>
-            <source>Briefing, German</source>
-            <translation>Aufgabe, Deutsch</translation>
-        </message>
-        <message>
             <source>Shape</source>
             <translation>Form</translation>
         </message>
@@ -4581,7 +4565,11 @@
             <source>Volumes (*.nrrd)</source>
             <translation>Volumen (*.nrrd)</translation>
         </message>
-    </context>
+        <message>
+        <source>Another number grows another tooth of its kind; 0 is the average</source>
+        <translation>Eine andere Zahl lässt einen anderen Zahn dieser Art wachsen; 0 ist der Durchschnitt</translation>
+    </message>
+</context>
     <context>
         <name>cusp::StartPage</name>
         <message>
@@ -5137,6 +5125,152 @@ Ihr bester davor</translation>
             <translation>%1, %2, %3</translation>
         </message>
     </context>
+<context>
+    <name>cusp::WordsForm</name>
+    <message>
+        <source>Title, English</source>
+        <translation>Titel, Englisch</translation>
+    </message>
+    <message>
+        <source>Title, German</source>
+        <translation>Titel, Deutsch</translation>
+    </message>
+    <message>
+        <source>Briefing, English</source>
+        <translation>Aufgabe, Englisch</translation>
+    </message>
+    <message>
+        <source>Briefing, German</source>
+        <translation>Aufgabe, Deutsch</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ToothForm</name>
+    <message>
+        <source>Central pit</source>
+        <translation>Zentrale Grube</translation>
+    </message>
+    <message>
+        <source>Mesial pit</source>
+        <translation>Mesiale Grube</translation>
+    </message>
+    <message>
+        <source>Distal pit</source>
+        <translation>Distale Grube</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>Mesial</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>Distal</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>Bukkal</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>Lingual</translation>
+    </message>
+    <message>
+        <source>Plastic, as a training model</source>
+        <translation>Kunststoff, wie ein Übungsmodell</translation>
+    </message>
+    <message>
+        <source>Round the tooth</source>
+        <translation>Um den Zahn</translation>
+    </message>
+    <message>
+        <source>Neighbouring teeth</source>
+        <translation>Nachbarzähne</translation>
+    </message>
+    <message>
+        <source>Gums</source>
+        <translation>Zahnfleisch</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>The rest of the jaw</source>
+        <translation>Der übrige Kiefer</translation>
+    </message>
+    <message>
+        <source>To look at: only the tooth, its neighbours and what lies about them can be drilled</source>
+        <translation>Zum Ansehen: Gebohrt werden nur der Zahn, seine Nachbarn und was um sie liegt</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>Karies</translation>
+    </message>
+    <message>
+        <source>Add decay</source>
+        <translation>Karies hinzufügen</translation>
+    </message>
+    <message>
+        <source>How decay spreads, and how gums and bone lie, is general knowledge, not verified.</source>
+        <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>In a fissure</source>
+        <translation>In einer Fissur</translation>
+    </message>
+    <message>
+        <source>Between teeth</source>
+        <translation>Zwischen Zähnen</translation>
+    </message>
+    <message>
+        <source>On the root</source>
+        <translation>An der Wurzel</translation>
+    </message>
+    <message>
+        <source>Kind of decay %1</source>
+        <translation>Art der Karies %1</translation>
+    </message>
+    <message>
+        <source>Place of decay %1</source>
+        <translation>Ort der Karies %1</translation>
+    </message>
+    <message>
+        <source>Remove decay %1</source>
+        <translation>Karies %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Width of decay %1</source>
+        <translation>Breite der Karies %1</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Depth of decay %1</source>
+        <translation>Tiefe der Karies %1</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Softness of decay %1</source>
+        <translation>Weichheit der Karies %1</translation>
+    </message>
+    <message>
+        <source>How far from its middle to its rim decay is soft; the rest is firm</source>
+        <translation>Wie weit die Karies von der Mitte zum Rand weich ist; der Rest ist fest</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Depth in dentine</source>
+        <translation>Tiefe im Dentin</translation>
+    </message>
+</context>
     <context>
         <name>PedalWords</name>
         <message>

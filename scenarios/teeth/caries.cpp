@@ -6,6 +6,7 @@
 #include "scenarios/teeth/landmarks.h"
 #include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/shape.h"
+#include "scenarios/teeth/tables.h"
 
 namespace cusp {
 namespace {
@@ -32,7 +33,7 @@ std::optional<Vec3> fissure_site(const std::string& name, const ToothLandmarks& 
   for (const SurfacePlace& pit : marks.pits) {
     if (pit.name == name) return pit.at_mm;
   }
-  if (name == "central") return marks.central;
+  if (name == "central" && !marks.fissures.empty()) return marks.central;
   const SurfaceLine* line = marks.fissure(name);
   if (line == nullptr || line->points_mm.empty()) return std::nullopt;
   return line->points_mm[line->points_mm.size() / 2];
@@ -47,6 +48,19 @@ std::optional<Vec3> side_way(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::string> lesion_sites(int fdi, Lesion::Kind kind) {
+  const auto choice = table_for(fdi);
+  if (!choice) return {};
+  if (kind == Lesion::Kind::proximal) return {"mesial", "distal"};
+  if (kind == Lesion::Kind::root) return {"mesial", "distal", "buccal", "lingual"};
+  std::vector<std::string> out;
+  if (!choice->table->grooves.empty()) out.push_back("central");
+  for (const PitTable& pit : choice->table->pits) {
+    if (pit.name != "central") out.push_back(pit.name);
+  }
+  return out;
+}
 
 std::optional<PlacedLesion> PlacedLesion::place(const Lesion& lesion, const ToothShape& shape, const ToothLandmarks& marks) {
   PlacedLesion out(lesion, shape);

@@ -31,6 +31,10 @@ struct Lesion {
   friend bool operator==(const Lesion&, const Lesion&) = default;
 };
 
+/// Where that tooth can be decayed so: pits, or sides; empty where it cannot (a front tooth has no fissure), and for a
+/// number that is no tooth's.
+std::vector<std::string> lesion_sites(int fdi, Lesion::Kind kind);
+
 /// Decay keeps this far from the pulp, whatever its depth [M]: exposing it is for the burr.
 inline constexpr double kLesionFromPulpMm = 0.5;
 

@@ -7,7 +7,6 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "scenarios/shapes/outline.h"
-#include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/commands.h"
 
 namespace cusp {
@@ -30,18 +29,6 @@ void bounds(const Target& target, Vec3& low, Vec3& high) {
       low = glm::min(low, p);
       high = glm::max(high, p);
     }
-  }
-}
-
-/// What was meant stays what is meant: a field that its shape does not use stands at its default.
-void clean(SpecimenSource& source) {
-  if (!source.generator.empty()) source.volume.clear();
-  if (source.generator != "tooth") {
-    source.fdi = 0;
-    source.seed = 0;
-    source.typodont = false;
-    source.around.clear();
-    source.lesions.clear();
   }
 }
 
@@ -179,23 +166,6 @@ bool EditorModel::set_briefing(const std::string& language, const QString& text)
     } else {
       s.briefing[language] = text.toStdString();
     }
-  });
-}
-
-bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues) {
-  end_gesture();
-  return edit(tr("Tooth"), u"specimen"_qs, [&](Scenario& s) {
-    s.specimen = source;
-    clean(s.specimen);
-    s.tissues = tissues;
-    const auto there = [&](Tissue t) {
-      return std::ranges::any_of(tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
-    };
-    std::erase_if(s.protected_tissues, [&](Tissue t) { return !there(t); });
-    for (const ScenarioTissue& t : tissues) {
-      if (tissue_facts(t.tissue).critical.value && !has(s.protected_tissues, t.tissue)) s.protected_tissues.push_back(t.tissue);
-    }
-    if (!there(Tissue::pulp)) std::erase(s.rubric.critical, "pulp_exposure");
   });
 }
 

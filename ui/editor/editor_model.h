@@ -38,6 +38,9 @@ class EditorModel : public QObject {
   bool set_briefing(const std::string& language, const QString& text);
   /// Other tissues come with another specimen; critical ones (scenarios/tissues) stay protected where there are any.
   bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
+  /// A grown tooth otherwise: its decay, what stands about it, its seed. Tissues that it has more begin with the usual
+  /// figures, those that it keeps keep theirs. `field` as in set_target.
+  bool set_tooth(const SpecimenSource& source, const QString& field);
   bool set_target(const Target& target, const QString& field);          // handles: everything of the target at once
   bool set_shape(const std::string& shape);                             // keeps place, size and depth
   /// Bands of depth criteria move with the depth, so that meeting the target still earns the points.

@@ -15,6 +15,7 @@
 #include "ui/app/sentences.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/specimen_grower.h"
+#include "ui/editor/tooth_form.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -83,16 +84,27 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   }
   shrinks(*tooth_);
   rows->addWidget(labelled(tr("Tooth"), tooth_));
-  // Neither box edits by itself: the tooth changes as a whole, when it is used.
-  const auto keep = [](double) { return true; };
-  seed_ = new NumberBox(model_, tr("Variation"), {}, 0, kMostSeed, 1, 0, keep);
+  seed_ = new NumberBox(model_, tr("Variation"), {}, 0, kMostSeed, 1, 0, [this](double seed) {
+    if (!tooth_stands()) return true;  // it is part of what is used as a whole
+    SpecimenSource source = model_.scenario().specimen;
+    source.seed = static_cast<std::uint64_t>(seed);
+    return model_.set_tooth(source, u"seed"_qs);
+  });
+  seed_->setToolTip(tr("Another number grows another tooth of its kind; 0 is the average"));
   seed_->setSpecialValueText(tr("average"));
   add_row(rows, tr("Variation"), seed_);
   column->addWidget(tooth_rows_);
   grown_rows_ = group(&rows);
-  voxel_ = new NumberBox(model_, tr("Fineness"), u"mm"_qs, kMinToothVoxelMm, kMaxToothVoxelMm, 0.01, 3, keep);
+  voxel_ = new NumberBox(model_, tr("Fineness"), u"mm"_qs, kMinToothVoxelMm, kMaxToothVoxelMm, 0.01, 3, [this](double mm) {
+    if (!tooth_stands()) return true;
+    SpecimenSource source = model_.scenario().specimen;
+    source.voxel_mm = mm;
+    return model_.set_tooth(source, u"voxel"_qs);
+  });
   add_row(rows, tr("Fineness"), voxel_);
   column->addWidget(grown_rows_);
+  details_ = new ToothForm(model_);
+  column->addWidget(details_);
   file_rows_ = group(&rows);
   file_ = make_label({}, TextRole::body, false, "text2");
   file_->setWordWrap(true);
@@ -109,6 +121,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   column->addLayout(buttons);
   column->addStretch();
   connect(kind_, &QComboBox::currentIndexChanged, this, &SpecimenForm::fit);
+  connect(tooth_, &QComboBox::activated, this, &SpecimenForm::change_tooth);
   connect(use_, &QPushButton::clicked, this, &SpecimenForm::use);
   connect(choose, &QPushButton::clicked, this, &SpecimenForm::pick);
   connect(leave, &QPushButton::clicked, this, &SpecimenForm::done);
@@ -132,7 +145,22 @@ void SpecimenForm::fit() {
   tooth_rows_->setVisible(kind == u"tooth");
   grown_rows_->setVisible(kind == u"tooth" || kind == u"block" || kind == u"layered-block");
   file_rows_->setVisible(kind.isEmpty());
-  use_->setVisible(!kind.isEmpty());
+  details_->setVisible(tooth_stands());
+  use_->setVisible(!kind.isEmpty() && !tooth_stands());
+}
+
+bool SpecimenForm::tooth_stands() const {
+  return model_.scenario().specimen.generator == "tooth" && kind_->currentData().toString() == u"tooth";
+}
+
+void SpecimenForm::change_tooth() {
+  if (!tooth_stands()) return;
+  SpecimenSource source = model_.scenario().specimen;
+  source.fdi = tooth_->currentData().toInt();
+  keep_possible_lesions(source);
+  model_.end_gesture();
+  model_.set_tooth(source, u"fdi"_qs);
+  model_.end_gesture();
 }
 
 void SpecimenForm::use() {
@@ -143,12 +171,7 @@ void SpecimenForm::use() {
     // Always the paper's grid: its own exercise states the size.
     source.voxel_mm = 10.0 / 128.0;
   } else if (source.generator == "tooth") {
-    source = model_.scenario().specimen;  // with what its file says of decay and of what stands about it
-    source.generator = "tooth";
-    source.voxel_mm = voxel_->value();
-    const int fdi = tooth_->currentData().toInt();
-    if (fdi != source.fdi) source.lesions.clear();  // another tooth has other places
-    source.fdi = fdi;
+    source.fdi = tooth_->currentData().toInt();
     source.seed = static_cast<std::uint64_t>(seed_->value());
   }
   if (!model_.set_specimen(source, usual_tissues(source.generator))) {

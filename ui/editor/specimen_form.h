@@ -1,4 +1,5 @@
-/// Which tooth or block an exercise is drilled on: a grown one by number, seed and fineness, or a volume file.
+/// Which tooth or block an exercise is drilled on: a grown one by number, seed and fineness, or a volume file. Where the
+/// exercise has a tooth already, number, seed and fineness change it at once; another kind is chosen as a whole.
 #pragma once
 
 #include <QWidget>
@@ -14,6 +15,7 @@ namespace cusp {
 
 class Band;
 class NumberBox;
+class ToothForm;
 
 class SpecimenForm : public QWidget {
   Q_OBJECT
@@ -29,6 +31,8 @@ class SpecimenForm : public QWidget {
   void follow_model();
   void fit();
   void use();
+  bool tooth_stands() const;
+  void change_tooth();
   void pick();
 
   EditorModel& model_;
@@ -36,6 +40,7 @@ class SpecimenForm : public QWidget {
   QComboBox *kind_, *tooth_;
   NumberBox *seed_, *voxel_;
   QWidget *tooth_rows_, *grown_rows_, *file_rows_;
+  ToothForm* details_;
   QLabel* file_;
   QPushButton* use_;
   Band* band_;

@@ -12,6 +12,8 @@
 namespace cusp {
 namespace {
 
+constexpr double kPreviewMm = 0.25, kPreviewedBelowMm = 0.2;  // an eighth of the voxels, or less
+
 using Grown = Result<std::shared_ptr<const GrownSpecimen>, ImportFailure>;
 
 /// Voxels of a tissue with a neighbour of another.
@@ -88,6 +90,13 @@ void SpecimenGrower::grow(const SpecimenSource& source, Method method, const std
           },
           Qt::QueuedConnection);
     };
+    if (source.generator == "tooth" && source.voxel_mm < kPreviewedBelowMm) {
+      SpecimenSource coarse = source;
+      coarse.voxel_mm = kPreviewMm;
+      if (const auto seen = grow_now(coarse, method, folder, job->cancel, {})) {
+        tell([seen](SpecimenGrower& grower) { Q_EMIT grower.previewed(*seen); });
+      }
+    }
     const auto made = grow_now(source, method, folder, job->cancel, [&](double share) {
       tell([share](SpecimenGrower& grower) { Q_EMIT grower.progressed(share); });
     });

@@ -37,6 +37,8 @@ class SpecimenGrower : public QObject {
 
  Q_SIGNALS:
   void progressed(double share);
+  /// A fine tooth as coarse voxels, to be looked at while it grows.
+  void previewed(std::shared_ptr<const cusp::GrownSpecimen> specimen);
   void grown(std::shared_ptr<const cusp::GrownSpecimen> specimen);
   void failed(cusp::ImportFailure failure);
 

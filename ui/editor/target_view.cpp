@@ -190,19 +190,41 @@ void TargetView::set_centre(QWidget* widget) {
 }
 
 void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
-  const bool fresh = grown != nullptr;
+  const bool there = grown != nullptr;
+  // The hand that turned the tooth keeps its view while decay or neighbours come and go.
+  const auto same = [](const SpecimenSource& a, const SpecimenSource& b) {
+    return a.generator == b.generator && a.fdi == b.fdi && a.volume == b.volume && a.around.empty() == b.around.empty();
+  };
+  const bool turn = there && (!looked_at_ || !same(*looked_at_, grown->source));
   grown_ = std::move(grown);
-  if (!fresh) {
+  if (!there) {
     view_->set_lines({});
+    view_->set_scenery(nullptr);
     place_all();
     return;
   }
-  look_at_target();
+  looked_at_ = grown_->source;
+  if (turn) look_at_target();
+  show_scenery();
   shown_ = model_.scenario().target;
   shown_leeway_ = model_.scenario().leeway;
   mesh_wanted_ = true;
   run_next();
   place_all();
+}
+
+void TargetView::show_scenery() {
+  const SpecimenSource& source = grown_->source;
+  if (std::ranges::find(source.around, "jaw") == source.around.end()) return view_->set_scenery(nullptr);
+  QThreadPool::globalInstance()->start([source, self = QPointer<TargetView>(this)] {
+    auto scenery = scenery_of(source);
+    QMetaObject::invokeMethod(
+        qApp,
+        [self, source, scenery] {
+          if (self && self->grown_ && self->grown_->source == source) self->view_->set_scenery(scenery);
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 void TargetView::look_at_target() {

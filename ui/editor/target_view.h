@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/editor/editor_model.h"
@@ -45,6 +46,7 @@ class TargetView : public QWidget {
   void place_all();
   void place_tag(QLabel* tag, QPoint at);
   void look_at_target();
+  void show_scenery();
   void run_next();
   void apply(const TargetHandle& handle, const Target& from, Vec3 to_mm);
   /// Place on the reference plane under a widget position.
@@ -59,6 +61,7 @@ class TargetView : public QWidget {
   std::vector<HandleKnob*> knobs_;
   std::vector<TargetHandle> handles_;
   std::shared_ptr<const GrownSpecimen> grown_;
+  std::optional<SpecimenSource> looked_at_;
   Target shown_;
   Leeway shown_leeway_;
   QTimer rest_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scenarios/blocks/blocks.h"
+#include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "tests/scenarios/import/mesh_files.h"
 
@@ -44,6 +45,21 @@ TEST(MakeSpecimen, AToothComesFromItsGenerator) {
   ASSERT_TRUE(tooth) << key_of(tooth.error().code) << tooth.error().where;
   EXPECT_TRUE(std::ranges::find(tooth->tissue, Tissue::enamel) != tooth->tissue.end());
   EXPECT_TRUE(std::ranges::find(tooth->tissue, Tissue::pulp) != tooth->tissue.end());
+}
+
+TEST(TissuesOf, AreThoseThatTheGrownToothHolds) {
+  SpecimenSource natural = generator("tooth", 0.25, 36);
+  natural.around = {"neighbours", "gingiva", "bone"};
+  natural.lesions = {{"fissure", "central", 0.9, 1.2, 0.6}, {"proximal", "mesial", 1.1, 1.0, 0.6}};
+  SpecimenSource plastic = generator("tooth", 0.3, 14);
+  plastic.typodont = true;
+  plastic.around = {"neighbours"};
+  for (const SpecimenSource& source : {natural, plastic}) {
+    const auto grown = make_specimen(source, {});
+    ASSERT_TRUE(grown);
+    EXPECT_EQ(tissues_of(source), facts_of(*grown).tissues) << source.fdi;
+  }
+  EXPECT_TRUE(tissues_of(generator("block")).empty());
 }
 
 TEST(MakeSpecimen, AVolumeIsReadBesideTheScenario) {

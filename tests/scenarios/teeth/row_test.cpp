@@ -213,6 +213,24 @@ TEST(Caries, AtAPlaceThatTheToothLacksIsRefused) {
   }
 }
 
+TEST(Caries, HasPlacesWhereTheToothHasThem) {
+  EXPECT_EQ(lesion_sites(36, Lesion::Kind::fissure), (std::vector<std::string>{"central", "mesial", "distal"}));
+  EXPECT_TRUE(lesion_sites(11, Lesion::Kind::fissure).empty());
+  EXPECT_EQ(lesion_sites(11, Lesion::Kind::proximal).size(), 2u);
+  EXPECT_TRUE(lesion_sites(19, Lesion::Kind::root).empty());
+  // Each place that is offered can be decayed; a front tooth is not decayed in a fissure that it has not.
+  for (const int fdi : {14, 48}) {
+    for (const std::string& site : lesion_sites(fdi, Lesion::Kind::fissure)) {
+      ToothRequest request{fdi, 0, 0.4};
+      request.lesions = {{Lesion::Kind::fissure, site, 0.8, 1.0, 0.7}};
+      EXPECT_TRUE(grow_tooth(request).has_value()) << fdi << ' ' << site;
+    }
+  }
+  ToothRequest front{11, 0, 0.4};
+  front.lesions = {{Lesion::Kind::fissure, "central", 0.8, 1.0, 0.7}};
+  EXPECT_FALSE(grow_tooth(front).has_value());
+}
+
 TEST(Typodont, IsTheSameFormInPlastic) {
   ToothRequest request{14, 0, 0.25};
   const auto natural = grow_tooth(request);

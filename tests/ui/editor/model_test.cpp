@@ -49,6 +49,18 @@ const std::vector<Edit>& every_edit() {
          s.voxel_mm = 0.1;
          return m.set_specimen(s, load_builtin("channel-1")->tissues);
        }},
+      {"decay",
+       [](EditorModel& m) {
+         SpecimenSource s = m.scenario().specimen;
+         s.lesions.push_back({"proximal", "mesial", 1.0, 1.2, 0.6});
+         return m.set_tooth(s, QStringLiteral("lesions"));
+       }},
+      {"neighbours",
+       [](EditorModel& m) {
+         SpecimenSource s = m.scenario().specimen;
+         s.around = {"neighbours", "gingiva"};
+         return m.set_tooth(s, QStringLiteral("around"));
+       }},
       {"shape box", [](EditorModel& m) { return m.set_shape("box"); }},
       {"shape channel", [](EditorModel& m) { return m.set_shape("channel"); }},
       {"depth", [](EditorModel& m) { return m.set_depth_mm(2.1); }},
@@ -251,6 +263,49 @@ TEST(editor_model, another_tooth_is_grown_anew_and_the_old_facts_are_forgotten) 
   EXPECT_FALSE(model.facts().has_value());
   model.stack().undo();
   EXPECT_EQ(told, 2);
+}
+
+TEST(editor_model, decay_and_neighbours_bring_their_tissues_and_leave_the_figures_of_the_others) {
+  EditorModel model(class_one());
+  ASSERT_TRUE(model.set_tissue_figures(0, 2.5, 0.6));
+  SpecimenSource tooth = model.scenario().specimen;
+  tooth.lesions = {{"fissure", "central", 0.8, 1.0, 0.7}};
+  tooth.around = {"neighbours"};
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("around")));
+  const auto figures = [&](Tissue tissue) {
+    const auto& all = model.scenario().tissues;
+    const auto it = std::ranges::find(all, tissue, &ScenarioTissue::tissue);
+    return it == all.end() ? ScenarioTissue{Tissue::empty, 0, 0} : *it;
+  };
+  EXPECT_DOUBLE_EQ(figures(Tissue::enamel).stiffness_n_per_mm, 2.5);
+  EXPECT_DOUBLE_EQ(figures(Tissue::carious_dentine).speed_mm_s, tissue_facts(Tissue::carious_dentine).speed_mm_s.value);
+  EXPECT_EQ(figures(static_cast<Tissue>(29)).tissue, static_cast<Tissue>(29));
+  tooth.typodont = true;
+  tooth.lesions.clear();
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("plastic")));
+  ASSERT_EQ(model.scenario().tissues.size(), 1u);
+  EXPECT_EQ(model.scenario().tissues[0].tissue, Tissue::plastic);
+  EXPECT_TRUE(model.scenario().protected_tissues.empty());
+  model.stack().undo();
+  EXPECT_DOUBLE_EQ(figures(Tissue::enamel).stiffness_n_per_mm, 2.5);
+}
+
+TEST(editor_model, turning_a_lesions_number_is_one_step_and_two_lesions_are_two) {
+  EditorModel model(class_one());
+  SpecimenSource tooth = model.scenario().specimen;
+  tooth.lesions = {{"fissure", "central", 0.8, 1.0, 0.7}, {"root", "buccal", 0.8, 1.0, 0.7}};
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("lesions")));
+  model.end_gesture();
+  for (const double depth : {1.1, 1.2, 1.3}) {
+    tooth.lesions[0].depth_mm = depth;
+    ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("lesion/0/depth")));
+  }
+  tooth.lesions[1].depth_mm = 2.0;
+  ASSERT_TRUE(model.set_tooth(tooth, QStringLiteral("lesion/1/depth")));
+  EXPECT_EQ(model.stack().count(), 3);
+  tooth.lesions[1].softness = 1.5;  // what a file may not hold
+  EXPECT_FALSE(model.set_tooth(tooth, QStringLiteral("lesion/1/soft")));
+  EXPECT_EQ(model.stack().count(), 3);
 }
 
 TEST(editor_model, a_block_has_no_pulp_to_protect_or_to_open) {

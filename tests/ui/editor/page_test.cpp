@@ -228,6 +228,44 @@ TEST_F(EditorPages, a_burr_of_another_shape_comes_from_the_catalogue_and_keeps_i
   EXPECT_FALSE(page->model().set_burr_radius_mm(page->model().scenario().instruments.size() - 1, 0.6));
 }
 
+TEST_F(EditorPages, decay_neighbours_and_gums_are_set_at_the_tooth_seen_at_once_and_undone) {
+  EditorStart start = coarse();
+  start.published = *load_builtin("class-1-36");
+  start.published->specimen.voxel_mm = 0.4;
+  start.draft = *start.published;
+  start.draft.version = 2;
+  EditorPage page(records.store(), teacher.actor(), ports, start);
+  page.resize(1280, 800);
+  QSignalSpy ready(&page, &EditorPage::ready);
+  page.show();
+  ASSERT_TRUE(page.grown() || ready.wait(kGrowsWithinMs));
+  const auto source = [&]() -> const SpecimenSource& { return page.model().scenario().specimen; };
+  named<QPushButton>(page, "Add decay")->click();
+  ASSERT_EQ(source().lesions.size(), 1u);
+  EXPECT_EQ(source().lesions[0].site, "central");
+  auto* width = named<QDoubleSpinBox>(page, "Width of decay 1");
+  ASSERT_NE(width, nullptr);
+  width->setValue(2.0);
+  EXPECT_DOUBLE_EQ(source().lesions[0].radius_mm, 1.0);
+  named<QDoubleSpinBox>(page, "Softness of decay 1")->setValue(60);
+  EXPECT_DOUBLE_EQ(source().lesions[0].softness, 0.6);
+  for (QCheckBox* box : page.findChildren<QCheckBox*>()) {
+    if (box->text() == QStringLiteral("Gums")) box->setChecked(true);
+    if (box->text() == QStringLiteral("The rest of the jaw")) box->setChecked(true);
+  }
+  EXPECT_EQ(source().around, (std::vector<std::string>{"neighbours", "gingiva", "jaw"}));
+  EXPECT_FALSE(page.grown());
+  ASSERT_TRUE(ready.wait(kGrowsWithinMs));
+  EXPECT_EQ(page.grown()->source, source());
+  EXPECT_FALSE(has_error(page.model().findings()));
+  const auto& there = page.grown()->facts.tissues;
+  EXPECT_NE(std::ranges::find(there, Tissue::carious_dentine), there.end());
+  EXPECT_NE(std::ranges::find(there, Tissue::gingiva), there.end());
+  page.model().stack().setIndex(0);
+  EXPECT_TRUE(page.model().unchanged());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return named<QDoubleSpinBox>(page, "Width of decay 1") == nullptr; }));
+}
+
 TEST_F(EditorPages, no_form_is_wider_than_its_panel) {
   const auto page = open();
   int forms = 0;

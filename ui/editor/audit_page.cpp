@@ -1,0 +1,206 @@
+#include "ui/editor/audit_page.h"
+
+#include <QBoxLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "ui/app/audit_words.h"
+#include "ui/widgets/busy.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kSide = 16;  // px at 100 %, as the other forms
+
+QLabel* figure(const QString& text, const QString& name) {
+  QLabel* out = make_label(text);
+  out->setAlignment(Qt::AlignTrailing | Qt::AlignTop);
+  out->setAccessibleName(name);
+  return out;
+}
+
+/// With its sign: what it takes more or less.
+QString signed_number(double value, int decimals) {
+  const QString text = format_number(value, decimals);
+  return value > 0 && text != format_number(0, decimals) ? u'+' + text : text;
+}
+
+const char* ink_of(Verdict verdict) { return verdict == Verdict::not_needed ? "look" : "text2"; }
+
+}  // namespace
+
+AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::string& folder)> runner_of, QWidget* parent)
+    : QWidget(parent), model_(model), runner_of_(std::move(runner_of)), job_(new AuditJob(this)) {
+  setAccessibleName(tr("Audit"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(px(kSide), px(12), px(kSide), px(16));
+  column->setSpacing(px(8));
+  column->addWidget(make_label(tr("What this exercise costs"), TextRole::section, true));
+  about_ = make_label(tr("Scripted hands play it with each choice left out or halved. That takes some minutes; you can go on "
+                         "working meanwhile."),
+                      TextRole::caption, false, "text2");
+  about_->setWordWrap(true);
+  column->addWidget(about_);
+  measure_ = make_button(tr("Measure"), ButtonKind::standard, u"chart"_qs);
+  auto* row = new QHBoxLayout;
+  row->addWidget(measure_);
+  row->addStretch();
+  column->addLayout(row);
+  busy_place_ = new QVBoxLayout;
+  column->addLayout(busy_place_);
+  aside_ = make_label({}, TextRole::caption, false, "text2");
+  aside_->setWordWrap(true);
+  column->addWidget(aside_);
+  table_place_ = new QVBoxLayout;
+  column->addLayout(table_place_);
+  legend_ = make_label(tr("µs: of each update of 1 ms, more or less than now. Score: the largest change of a go."), TextRole::caption,
+                       false, "text2");
+  legend_->setWordWrap(true);
+  column->addWidget(legend_);
+  leanest_title_ = make_label(tr("Leanest that marks the same"), TextRole::section, true);
+  column->addWidget(leanest_title_);
+  leanest_ = make_label({});
+  leanest_->setWordWrap(true);
+  column->addWidget(leanest_);
+  use_ = make_button(tr("Use the leanest"), ButtonKind::standard);
+  auto* under = new QHBoxLayout;
+  under->addWidget(use_);
+  under->addStretch();
+  column->addLayout(under);
+  column->addStretch();
+  connect(measure_, &QPushButton::clicked, this, &AuditPage::measure);
+  connect(use_, &QPushButton::clicked, this, &AuditPage::use_leanest);
+  connect(&model_, &EditorModel::changed, this, &AuditPage::follow_model);
+  connect(job_, &AuditJob::progressed, this, [this](double share) {
+    if (busy_) busy_->set_progress(share, QLocale().toString(qRound(100 * share)) + QChar(0x00A0) + u'%');
+  });
+  connect(job_, &AuditJob::done, this, [this](const std::shared_ptr<const AuditReport>& report) {
+    stop();
+    report_ = report;
+    show_report();
+    announce(this, leanest_->text());
+  });
+  connect(job_, &AuditJob::failed, this, [this](const AuditFailure& failure) {
+    stop();
+    report_.reset();
+    show_report();
+    const Told told = tell(failure);
+    aside_->setText(told.line());
+    aside_->show();
+    announce(this, aside_->text());
+  });
+  show_report();
+}
+
+AuditPage::~AuditPage() = default;
+
+void AuditPage::measure() {
+  stop();
+  measured_ = model_.scenario();
+  measure_->setEnabled(false);
+  busy_ = new Busy;
+  busy_place_->addWidget(busy_);
+  busy_->start(tr("Measuring"), true);
+  connect(busy_, &Busy::cancelled, this, [this] {
+    job_->cancel();
+    stop();
+  });
+  job_->start(measured_, {}, runner_of_(model_.folder()));
+}
+
+/// No more of the run is shown; what was measured before stays.
+void AuditPage::stop() {
+  if (busy_) {
+    busy_->hide();
+    busy_->deleteLater();
+    busy_ = nullptr;
+  }
+  follow_model();
+}
+
+void AuditPage::use_leanest() {
+  if (!report_ || !report_->changed()) return;
+  const Scenario& leaner = report_->leanest;
+  model_.end_gesture();
+  model_.stack().beginMacro(tr("Leanest model"));
+  model_.set_specimen(leaner.specimen, model_.scenario().tissues);
+  for (const std::string& key : report_->scenario.phenomena) {
+    if (std::ranges::find(leaner.phenomena, key) != leaner.phenomena.end()) continue;
+    if (key.starts_with("spindle-")) {
+      model_.set_handpiece({});
+    } else {
+      model_.set_phenomenon(key, false);
+    }
+  }
+  model_.stack().endMacro();
+  model_.end_gesture();
+}
+
+void AuditPage::follow_model() {
+  measure_->setEnabled(!job_->running());
+  const bool same = report_ && model_.scenario() == measured_;
+  use_->setEnabled(same && report_->changed());
+  if (!report_) return;
+  const int goes = static_cast<int>(report_->hands.size());
+  aside_->setText(same ? tr("Each choice was left out or halved once, with %n scripted go(es) each.", nullptr, goes)
+                       : tr("The exercise was changed since this was measured."));
+}
+
+void AuditPage::show_report() {
+  delete table_;
+  table_ = nullptr;
+  const bool there = report_ != nullptr;
+  for (QWidget* part : std::initializer_list<QWidget*>{aside_, legend_, leanest_title_, leanest_, use_}) part->setVisible(there);
+  follow_model();
+  if (!there) return;
+  leanest_->setText(leanest_sentence(*report_));
+  use_->setVisible(report_->changed());
+  table_ = new QWidget;
+  auto* grid = new QGridLayout(table_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(px(10));
+  grid->setVerticalSpacing(px(4));
+  grid->setColumnStretch(0, 1);
+  const QString heads[] = {tr("Choice"), tr("µs"), tr("MB"), tr("Score")};
+  for (int i = 0; i < 4; ++i) {
+    QLabel* head = make_label(heads[i], TextRole::caption, true, "text2");
+    if (i > 0) head->setAlignment(Qt::AlignTrailing);
+    grid->addWidget(head, 0, i);
+  }
+  int at = 1;
+  const auto line = [&](const QString& name, const QString& verdict, const char* ink, const QString& us, const QString& mb,
+                        const QString& score) {
+    grid->addWidget(make_rule(), at++, 0, 1, 4);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(0);
+    QLabel* title = make_label(name);
+    title->setWordWrap(true);
+    words->addWidget(title);
+    words->addWidget(make_label(verdict, TextRole::caption, false, ink));
+    grid->addLayout(words, at, 0);
+    grid->addWidget(figure(us, tr("%1: microseconds").arg(name)), at, 1);
+    grid->addWidget(figure(mb, tr("%1: megabytes").arg(name)), at, 2);
+    grid->addWidget(figure(score, tr("%1: change of the score").arg(name)), at, 3);
+    ++at;
+  };
+  const auto mb = [](const ModelResult& r) { return static_cast<double>(r.cost.bytes) / 1e6; };
+  const ModelResult& now = report_->as_set;
+  line(tr("As it is set"), tr("for comparison"), "text2", format_number(now.cost.us_a_tick, 0), format_number(mb(now), 0), {});
+  for (const AuditRow& row : report_->rows) {
+    const QString name = choice_name(row.choice), verdict = verdict_name(row.verdict);
+    if (!row.result) {
+      line(name, verdict, ink_of(row.verdict), {}, {}, {});
+      continue;
+    }
+    line(name, verdict, ink_of(row.verdict), signed_number(row.result->cost.us_more, 0), signed_number(mb(*row.result) - mb(now), 0),
+         row.change.measures_alike ? signed_number(row.change.score, 1) : tr("needed"));
+  }
+  table_place_->addWidget(table_);
+}
+
+}  // namespace cusp

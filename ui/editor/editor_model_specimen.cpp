@@ -1,0 +1,65 @@
+// What the editor's model does to the specimen of an exercise, and to the tissues that come with it.
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/specimens.h"
+#include "scenarios/tissues/tissue_facts.h"
+#include "ui/editor/editor_model.h"
+#include "ui/editor/specimen_grower.h"
+#include "ui/widgets/format.h"
+
+namespace cusp {
+namespace {
+
+/// What was meant stays what is meant: a field that its shape does not use stands at its default.
+void clean(SpecimenSource& source) {
+  if (!source.generator.empty()) source.volume.clear();
+  if (source.generator != "tooth") {
+    source.fdi = 0;
+    source.seed = 0;
+    source.typodont = false;
+    source.around.clear();
+    source.lesions.clear();
+  }
+}
+
+/// Critical tissues stay protected where there are any, and nothing else is.
+void guard(Scenario& s) {
+  const auto there = [&s](Tissue t) {
+    return std::ranges::any_of(s.tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
+  };
+  std::erase_if(s.protected_tissues, [&](Tissue t) { return !there(t); });
+  for (const ScenarioTissue& t : s.tissues) {
+    const bool guarded = std::ranges::find(s.protected_tissues, t.tissue) != s.protected_tissues.end();
+    if (tissue_facts(t.tissue).critical.value && !guarded) s.protected_tissues.push_back(t.tissue);
+  }
+  if (!there(Tissue::pulp)) std::erase(s.rubric.critical, "pulp_exposure");
+}
+
+}  // namespace
+
+bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues) {
+  end_gesture();
+  return edit(tr("Tooth"), u"specimen"_qs, [&](Scenario& s) {
+    s.specimen = source;
+    clean(s.specimen);
+    s.tissues = tissues;
+    guard(s);
+  });
+}
+
+bool EditorModel::set_tooth(const SpecimenSource& source, const QString& field) {
+  return edit(tr("Tooth"), u"tooth/"_qs + field, [&](Scenario& s) {
+    s.specimen = source;
+    clean(s.specimen);
+    std::vector<ScenarioTissue> tissues = usual_tissues(tissues_of(s.specimen));
+    for (ScenarioTissue& t : tissues) {
+      const auto kept = std::ranges::find(s.tissues, t.tissue, &ScenarioTissue::tissue);
+      if (kept != s.tissues.end()) t = *kept;
+    }
+    s.tissues = std::move(tissues);
+    guard(s);
+  });
+}
+
+}  // namespace cusp

@@ -1,0 +1,211 @@
+// What stands where on the editor's page, and which of its functions each part calls.
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QToolButton>
+
+#include "ui/editor/burrs_form.h"
+#include "ui/editor/editor_page.h"
+#include "ui/editor/editor_page_parts.h"
+#include "ui/editor/points_form.h"
+#include "ui/editor/shape_form.h"
+#include "ui/editor/specimen_form.h"
+#include "ui/editor/tissues_form.h"
+#include "ui/editor/words_form.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kTopBar = 48, kLeft = 248, kRight = 304, kChecks = 80;  // px at 100 %
+
+QWidget* scrolling(QWidget* form) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidget(form);
+  form->setProperty("kind", u"page_surface"_qs);
+  form->setAttribute(Qt::WA_StyledBackground);
+  return area;
+}
+
+}  // namespace
+
+QWidget* EditorPage::make_top_bar() {
+  auto* bar = new QFrame;
+  bar->setProperty("kind", u"bar_top"_qs);
+  bar->setFixedHeight(px(kTopBar));
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(px(12), 0, px(12), 0);
+  row->setSpacing(px(8));
+  QPushButton* back = make_button(tr("Library"), ButtonKind::quiet, u"chevron_left"_qs, QKeySequence(Qt::ALT | Qt::Key_Left));
+  back->setToolTip(tr("Keeps the draft and goes back (Alt+Left)"));
+  connect(back, &QPushButton::clicked, this, &EditorPage::leave);
+  row->addWidget(back);
+  QFrame* rule = make_rule(Qt::Vertical);
+  rule->setFixedHeight(px(30));
+  row->addWidget(rule);
+  title_ = new QLineEdit;
+  title_->setAccessibleName(tr("Title of the exercise"));
+  title_->setToolTip(tr("Title, in the language of the screen; the others stand under Words"));
+  title_->setFont(font_of(TextRole::section, true));
+  title_->setMinimumWidth(px(200));
+  title_->setMaximumWidth(px(340));
+  row->addWidget(title_, 1);
+  connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
+    // English is always there: an emptied one keeps its last letter until another is typed.
+    model_->set_title(screen_language(), text.trimmed());
+  });
+  connect(title_, &QLineEdit::editingFinished, this, [this] {
+    model_->end_gesture();
+    show_title();
+  });
+  version_ = new Chip;
+  row->addWidget(version_);
+  row->addStretch();
+  undo_ = make_icon_button(u"undo"_qs, tr("Undo"), QKeySequence::Undo);
+  redo_ = make_icon_button(u"redo"_qs, tr("Redo"), QKeySequence(Qt::CTRL | Qt::Key_Y));
+  row->addWidget(undo_);
+  row->addWidget(redo_);
+  row->addSpacing(px(8));
+  connect(undo_, &QToolButton::clicked, this, [this] {
+    undo_->setFocus();  // a field that is being typed in shows what there is again
+    model_->stack().undo();
+  });
+  connect(redo_, &QToolButton::clicked, this, [this] {
+    redo_->setFocus();
+    model_->stack().redo();
+  });
+  try_ = make_button(tr("Try out"), ButtonKind::standard, u"hand"_qs, QKeySequence(Qt::Key_F5));
+  row->addWidget(try_);
+  QLabel* cap = make_key_cap(u"F5"_qs);
+  cap->setFixedHeight(px(18));
+  row->addWidget(cap, 0, Qt::AlignVCenter);
+  publish_ = make_button(tr("Publish"), ButtonKind::primary);
+  row->addWidget(publish_);
+  connect(try_, &QPushButton::clicked, this, &EditorPage::try_out);
+  connect(publish_, &QPushButton::clicked, this, &EditorPage::publish_version);
+  return bar;
+}
+
+QWidget* EditorPage::make_left() {
+  left_ = new QStackedWidget;
+  left_->setFixedWidth(px(kLeft));
+  auto* side = new QFrame;
+  side->setProperty("kind", u"bar_side"_qs);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(px(12), px(12), px(12), px(12));
+  column->setSpacing(px(8));
+  column->addWidget(make_label(tr("Target"), TextRole::section, true));
+  shapes_ = new QButtonGroup(this);
+  for (int i = 0; i < static_cast<int>(std::size(kShapes)); ++i) {
+    const QString name = shape_name(kShapes[i].key);
+    auto* button = new QPushButton(icon(QString::fromLatin1(kShapes[i].icon)), u"  "_qs + name);
+    button->setIconSize(QSize(px(20), px(20)));
+    button->setProperty("kind", u"nav"_qs);
+    button->setCheckable(true);
+    button->setAutoDefault(false);
+    button->setAccessibleName(name);
+    shapes_->addButton(button, i);
+    column->addWidget(button);
+  }
+  connect(shapes_, &QButtonGroup::idToggled, this, [this](int id, bool on) {
+    if (on) model_->set_shape(kShapes[id].key);
+  });
+  column->addSpacing(px(8));
+  column->addWidget(make_rule());
+  column->addSpacing(px(8));
+  column->addWidget(make_label(tr("In this exercise"), TextRole::section, true));
+  contents_ = new QVBoxLayout;
+  contents_->setSpacing(px(8));
+  column->addLayout(contents_);
+  column->addStretch();
+  on_top_ = make_button(tr("Put the target on the tooth"), ButtonKind::standard, u"target"_qs);
+  on_top_->setToolTip(tr("Moves the target to the middle of the tooth, at its surface"));
+  column->addWidget(on_top_);
+  connect(on_top_, &QPushButton::clicked, this, &EditorPage::put_target_on_top);
+  column->addWidget(make_rule());
+  column->addWidget(make_label(tr("Tooth"), TextRole::section, true));
+  auto* row = new QHBoxLayout;
+  tooth_ = make_label({});
+  tooth_->setWordWrap(true);
+  row->addWidget(tooth_, 1);
+  change_ = make_button(tr("Change"), ButtonKind::standard);
+  change_->setAccessibleName(tr("Change the tooth"));
+  row->addWidget(change_);
+  column->addLayout(row);
+  connect(change_, &QPushButton::clicked, this, [this] { show_tooth_form(true); });
+  left_->addWidget(side);
+  auto* form = new SpecimenForm(*model_, ports_);
+  auto* frame = new QFrame;
+  frame->setProperty("kind", u"bar_side"_qs);
+  auto* inside = new QVBoxLayout(frame);
+  inside->setContentsMargins(0, 0, 1, 0);
+  inside->addWidget(scrolling(form));
+  left_->addWidget(frame);
+  connect(form, &SpecimenForm::done, this, [this] { show_tooth_form(false); });
+  return left_;
+}
+
+QWidget* EditorPage::make_right() {
+  auto* panel = new QFrame;
+  panel->setProperty("kind", u"panel_right"_qs);
+  panel->setFixedWidth(px(kRight));
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(1, 0, 0, 0);
+  tabs_ = new QTabWidget;
+  tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setProperty("tight", true);  // five words in 304 px
+  tabs_->addTab(scrolling(new ShapeForm(*model_)), tr("Shape"));
+  tabs_->addTab(scrolling(new PointsForm(*model_)), tr("Points"));
+  tabs_->addTab(scrolling(new BurrsForm(*model_)), tr("Burrs"));
+  tabs_->addTab(scrolling(new TissuesForm(*model_)), tr("Tissues"));
+  tabs_->addTab(scrolling(new WordsForm(*model_)), tr("Words"));
+  column->addWidget(tabs_);
+  return panel;
+}
+
+QWidget* EditorPage::make_checks() {
+  auto* bar = new QFrame;
+  bar->setProperty("kind", u"bar_bottom"_qs);
+  bar->setFixedHeight(px(kChecks));
+  bar->setAccessibleName(tr("Checks"));
+  auto* column = new QVBoxLayout(bar);
+  column->setContentsMargins(px(16), px(8), px(16), px(8));
+  column->setSpacing(px(2));
+  auto* head = new QHBoxLayout;
+  head->setSpacing(px(8));
+  check_sign_ = new QLabel;
+  head->addWidget(check_sign_);
+  check_title_ = make_label({}, TextRole::body, true);
+  head->addWidget(check_title_);
+  check_aside_ = make_label({}, TextRole::body, false, "text2");
+  head->addWidget(check_aside_);
+  head->addStretch();
+  checks_chip_ = new Chip;
+  head->addWidget(checks_chip_);
+  column->addLayout(head);
+  auto* row = new QHBoxLayout;
+  check_ = make_label({});
+  check_->setWordWrap(true);
+  check_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(check_, 1);
+  show_ = make_button(tr("Show"), ButtonKind::standard, u"target"_qs);
+  show_->setAccessibleName(tr("Show where"));
+  row->addWidget(show_);
+  column->addLayout(row);
+  connect(show_, &QPushButton::clicked, this, &EditorPage::show_first_check);
+  return bar;
+}
+
+}  // namespace cusp

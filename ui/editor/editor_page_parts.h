@@ -1,0 +1,22 @@
+/// What the two files of the editor's page share.
+#pragma once
+
+#include <string>
+
+#include "ui/app/language.h"
+
+namespace cusp {
+
+/// Of the tabs at the right.
+enum EditorTab { kShapeTab, kPointsTab, kBurrsTab, kTissuesTab, kWordsTab };
+
+struct ShapeChoice {
+  const char* key;
+  const char* icon;
+};
+inline constexpr ShapeChoice kShapes[] = {{"outline", "fissures"}, {"channel", "channel"}, {"box", "box"}};
+
+/// Code of the language whose title stands at the top.
+inline std::string screen_language() { return current_language() == u"de" ? "de" : "en"; }
+
+}  // namespace cusp

@@ -1,0 +1,255 @@
+#include "ui/editor/tooth_form.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <functional>
+
+#include "scenarios/format/keys.h"
+#include "scenarios/teeth/caries.h"
+#include "ui/editor/form_parts.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr std::size_t kMostLesions = 4;  // more than a tooth that is still drilled has
+constexpr double kLeastSizeMm = 0.4, kMostSizeMm = 5.0, kMostDepthMm = 4.0;
+
+Lesion::Kind kind_of(const std::string& key) {
+  return key == "proximal" ? Lesion::Kind::proximal : key == "root" ? Lesion::Kind::root : Lesion::Kind::fissure;
+}
+
+QString site_name(const std::string& kind, const std::string& site) {
+  if (kind == "fissure") {
+    if (site == "central") return ToothForm::tr("Central pit");
+    if (site == "mesial") return ToothForm::tr("Mesial pit");
+    if (site == "distal") return ToothForm::tr("Distal pit");
+  } else {
+    if (site == "mesial") return ToothForm::tr("Mesial");
+    if (site == "distal") return ToothForm::tr("Distal");
+    if (site == "buccal") return ToothForm::tr("Buccal");
+    if (site == "lingual") return ToothForm::tr("Lingual");
+  }
+  return QString::fromStdString(site);
+}
+
+bool stands_round(const SpecimenSource& source, std::string_view key) {
+  return std::ranges::find(source.around, key) != source.around.end();
+}
+
+/// Keys in the order of the format, so that the same choice is the same exercise.
+void put_around(SpecimenSource& source, std::string_view key, bool on) {
+  std::erase(source.around, key);
+  if (on) source.around.emplace_back(key);
+  std::ranges::sort(source.around, {}, [](const std::string& k) { return std::ranges::find(kAroundKeys, k) - kAroundKeys.begin(); });
+}
+
+}  // namespace
+
+void keep_possible_lesions(SpecimenSource& source) {
+  std::erase_if(source.lesions, [&](const LesionSource& lesion) {
+    const auto sites = lesion_sites(source.fdi, kind_of(lesion.kind));
+    return std::ranges::find(sites, lesion.site) == sites.end();
+  });
+}
+
+ToothForm::ToothForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(6));
+  const auto box = [&](QBoxLayout* to, const QString& text) {
+    auto* out = new QCheckBox(text);
+    to->addWidget(out);
+    return out;
+  };
+  plastic_ = box(column, tr("Plastic, as a training model"));
+  connect(plastic_, &QCheckBox::toggled, this, [this](bool on) {
+    edit_at_once(u"plastic"_qs, [on](SpecimenSource& s) {
+      s.typodont = on;
+      if (on) s.lesions.clear();
+    });
+  });
+  column->addSpacing(px(4));
+  add_section(column, tr("Round the tooth"));
+  neighbours_ = box(column, tr("Neighbouring teeth"));
+  gums_ = box(column, tr("Gums"));
+  bone_ = box(column, tr("Bone"));
+  jaw_ = box(column, tr("The rest of the jaw"));
+  jaw_->setToolTip(tr("To look at: only the tooth, its neighbours and what lies about them can be drilled"));
+  const std::pair<QCheckBox*, const char*> around[] = {{neighbours_, "neighbours"}, {gums_, "gingiva"}, {bone_, "bone"}, {jaw_, "jaw"}};
+  for (const auto& [check, key] : around) connect(check, &QCheckBox::toggled, this, [this, key](bool on) { set_around(key, on); });
+  column->addSpacing(px(4));
+  decay_ = new QWidget;
+  auto* inside = new QVBoxLayout(decay_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(px(6));
+  add_section(inside, tr("Decay"));
+  list_ = new QVBoxLayout;
+  list_->setSpacing(px(6));
+  inside->addLayout(list_);
+  add_ = make_button(tr("Add decay"), ButtonKind::standard, u"plus"_qs);
+  inside->addWidget(add_, 0, Qt::AlignLeft);
+  column->addWidget(decay_);
+  QLabel* note = make_label(tr("How decay spreads, and how gums and bone lie, is general knowledge, not verified."), TextRole::caption,
+                            false, "text2");
+  note->setWordWrap(true);
+  column->addWidget(note);
+  connect(add_, &QPushButton::clicked, this, &ToothForm::add_lesion);
+  connect(&model_, &EditorModel::changed, this, &ToothForm::follow_model);
+  follow_model();
+}
+
+bool ToothForm::edit(const QString& field, const std::function<void(SpecimenSource&)>& change) {
+  SpecimenSource source = model_.scenario().specimen;
+  if (source.generator != "tooth") return false;
+  change(source);
+  return model_.set_tooth(source, field);
+}
+
+void ToothForm::edit_at_once(const QString& field, const std::function<void(SpecimenSource&)>& change) {
+  model_.end_gesture();
+  edit(field, change);
+  model_.end_gesture();
+}
+
+void ToothForm::set_around(const char* key, bool on) {
+  edit_at_once(u"around"_qs, [&](SpecimenSource& s) {
+    put_around(s, key, on);
+    // A jaw stands beyond the neighbours.
+    if (on && std::string_view(key) == "jaw") put_around(s, "neighbours", true);
+    if (!on && std::string_view(key) == "neighbours") put_around(s, "jaw", false);
+  });
+}
+
+void ToothForm::add_lesion() {
+  edit_at_once(u"lesions"_qs, [](SpecimenSource& s) {
+    // The first place that is still sound.
+    for (const std::string_view kind : kLesionKeys) {
+      for (const std::string& site : lesion_sites(s.fdi, kind_of(std::string(kind)))) {
+        const bool taken = std::ranges::any_of(s.lesions, [&](const LesionSource& l) { return l.kind == kind && l.site == site; });
+        if (taken) continue;
+        LesionSource fresh;
+        fresh.kind = kind;
+        fresh.site = site;
+        s.lesions.push_back(fresh);
+        return;
+      }
+    }
+  });
+}
+
+void ToothForm::fill_sites(QComboBox& box, const LesionSource& lesion) const {
+  box.clear();
+  for (const std::string& site : lesion_sites(model_.scenario().specimen.fdi, kind_of(lesion.kind))) {
+    box.addItem(site_name(lesion.kind, site), QString::fromStdString(site));
+  }
+  // A fissure by another name, as a file may have it.
+  const QString own = QString::fromStdString(lesion.site);
+  if (box.findData(own) < 0) box.addItem(site_name(lesion.kind, lesion.site), own);
+}
+
+ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
+  LesionRow row{};
+  auto* card = new QWidget;
+  auto* column = new QVBoxLayout(card);
+  column->setContentsMargins(0, 0, 0, px(6));
+  column->setSpacing(px(4));
+  const QString field = u"lesion/%1/"_qs.arg(index);
+  const int number = static_cast<int>(index) + 1;
+  const auto change = [this, index](const QString& what, const std::function<void(LesionSource&)>& act, bool rests) {
+    const auto on_source = [&](SpecimenSource& s) {
+      if (index < s.lesions.size()) act(s.lesions[index]);
+    };
+    if (rests) edit_at_once(what, on_source);
+    return rests || edit(what, on_source);
+  };
+  auto* head = new QHBoxLayout;
+  head->setSpacing(px(4));
+  row.kind = new QComboBox;
+  for (const std::string_view key : kLesionKeys) {
+    if (lesion_sites(model_.scenario().specimen.fdi, kind_of(std::string(key))).empty()) continue;
+    const QString name = key == "fissure" ? tr("In a fissure") : key == "proximal" ? tr("Between teeth") : tr("On the root");
+    row.kind->addItem(name, QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size())));
+  }
+  row.site = new QComboBox;
+  for (QComboBox* box : {row.kind, row.site}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(6);
+  }
+  row.kind->setAccessibleName(tr("Kind of decay %1").arg(number));
+  row.site->setAccessibleName(tr("Place of decay %1").arg(number));
+  head->addWidget(row.kind, 1);
+  QToolButton* remove = make_icon_button(u"minus"_qs, tr("Remove decay %1").arg(number));
+  head->addWidget(remove);
+  column->addLayout(head);
+  column->addWidget(row.site);
+  connect(row.kind, &QComboBox::activated, this, [this, change, field, box = row.kind](int) {
+    const std::string kind = box->currentData().toString().toStdString();
+    const auto sites = lesion_sites(model_.scenario().specimen.fdi, kind_of(kind));
+    change(field + u"kind"_qs, [&](LesionSource& l) {
+      l.kind = kind;
+      if (std::ranges::find(sites, l.site) == sites.end() && !sites.empty()) l.site = sites.front();
+    }, true);
+  });
+  connect(row.site, &QComboBox::activated, this, [change, field, box = row.site](int) {
+    change(field + u"site"_qs, [&](LesionSource& l) { l.site = box->currentData().toString().toStdString(); }, true);
+  });
+  connect(remove, &QToolButton::clicked, this, [this, index] {
+    edit_at_once(u"lesions"_qs, [index](SpecimenSource& s) {
+      if (index < s.lesions.size()) s.lesions.erase(s.lesions.begin() + static_cast<std::ptrdiff_t>(index));
+    });
+  });
+  // A person thinks of how wide decay is; the file has half of it.
+  row.size = new NumberBox(model_, tr("Width of decay %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostSizeMm, 0.1, 1,
+                           [=](double mm) { return change(field + u"size"_qs, [mm](LesionSource& l) { l.radius_mm = mm / 2; }, false); });
+  add_row(column, tr("Width"), row.size);
+  row.depth = new NumberBox(model_, tr("Depth of decay %1").arg(number), u"mm"_qs, 0, kMostDepthMm, 0.1, 1,
+                            [=](double mm) { return change(field + u"depth"_qs, [mm](LesionSource& l) { l.depth_mm = mm; }, false); });
+  row.depth_label = add_row(column, tr("Depth"), row.depth);
+  row.softness = new NumberBox(model_, tr("Softness of decay %1").arg(number), u"%"_qs, 0, 100, 5, 0,
+                               [=](double share) { return change(field + u"soft"_qs, [share](LesionSource& l) { l.softness = share / 100; }, false); });
+  row.softness->setToolTip(tr("How far from its middle to its rim decay is soft; the rest is firm"));
+  add_row(column, tr("Soft"), row.softness);
+  list_->addWidget(card);
+  return row;
+}
+
+void ToothForm::follow_model() {
+  const SpecimenSource& s = model_.scenario().specimen;
+  const QSignalBlocker q1(plastic_), q2(neighbours_), q3(gums_), q4(bone_), q5(jaw_);
+  plastic_->setChecked(s.typodont);
+  neighbours_->setChecked(stands_round(s, "neighbours") || stands_round(s, "jaw"));
+  gums_->setChecked(stands_round(s, "gingiva"));
+  bone_->setChecked(stands_round(s, "bone"));
+  jaw_->setChecked(stands_round(s, "jaw"));
+  decay_->setVisible(!s.typodont);
+  add_->setEnabled(s.lesions.size() < kMostLesions);
+  while (rows_.size() > s.lesions.size()) {
+    // A row may be the sender of what is being followed.
+    QLayoutItem* last = list_->takeAt(list_->count() - 1);
+    last->widget()->hide();
+    last->widget()->deleteLater();
+    delete last;
+    rows_.pop_back();
+  }
+  while (rows_.size() < s.lesions.size()) rows_.push_back(make_row(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const LesionSource& l = s.lesions[i];
+    LesionRow& row = rows_[i];
+    fill_sites(*row.site, l);
+    row.kind->setCurrentIndex(row.kind->findData(QString::fromStdString(l.kind)));
+    row.site->setCurrentIndex(row.site->findData(QString::fromStdString(l.site)));
+    row.size->show_value(2 * l.radius_mm);
+    row.depth->show_value(l.depth_mm);
+    row.softness->show_value(100 * l.softness);
+    row.depth_label->setText(l.kind == "root" ? tr("Depth") : tr("Depth in dentine"));
+  }
+}
+
+}  // namespace cusp

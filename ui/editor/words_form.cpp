@@ -1,0 +1,67 @@
+#include "ui/editor/words_form.h"
+
+#include <QBoxLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QSignalBlocker>
+
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr const char* kLanguages[] = {"en", "de"};
+
+}  // namespace
+
+void show_text(QLineEdit& edit, const LocalText& texts, const std::string& language) {
+  const auto it = texts.find(language);
+  const QString text = it == texts.end() ? QString() : QString::fromStdString(it->second);
+  // A space just typed at the end is not taken away from under the cursor.
+  if (edit.text().trimmed() != text) edit.setText(text);
+}
+
+WordsForm::WordsForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(px(16), px(12), px(16), px(16));
+  column->setSpacing(px(8));
+  const QString titles[] = {tr("Title, English"), tr("Title, German")};
+  const QString briefings[] = {tr("Briefing, English"), tr("Briefing, German")};
+  for (int i = 0; i < 2; ++i) {
+    titles_[i] = new QLineEdit;
+    briefings_[i] = new QPlainTextEdit;
+    briefings_[i]->setTabChangesFocus(true);
+    briefings_[i]->setFixedHeight(px(140));
+    column->addWidget(labelled(titles[i], titles_[i]));
+    column->addWidget(labelled(briefings[i], briefings_[i]));
+    const std::string code = kLanguages[i];
+    connect(titles_[i], &QLineEdit::textEdited, this,
+            [this, code](const QString& text) { model_.set_title(code, text.trimmed()); });
+    connect(titles_[i], &QLineEdit::editingFinished, this, [this] {
+      model_.end_gesture();
+      follow_model();
+    });
+    connect(briefings_[i], &QPlainTextEdit::textChanged, this, [this, code, edit = briefings_[i]] {
+      model_.set_briefing(code, edit->toPlainText().trimmed());
+    });
+  }
+  column->addStretch();
+  connect(&model_, &EditorModel::changed, this, &WordsForm::follow_model);
+  follow_model();
+}
+
+void WordsForm::follow_model() {
+  const Scenario& s = model_.scenario();
+  for (int i = 0; i < 2; ++i) {
+    show_text(*titles_[i], s.title, kLanguages[i]);
+    const auto it = s.briefing.find(kLanguages[i]);
+    const QString text = it == s.briefing.end() ? QString() : QString::fromStdString(it->second);
+    if (briefings_[i]->toPlainText().trimmed() != text && !briefings_[i]->hasFocus()) {
+      const QSignalBlocker quiet(briefings_[i]);
+      briefings_[i]->setPlainText(text);
+    }
+  }
+}
+
+}  // namespace cusp
