@@ -1,0 +1,71 @@
+// What is wanted, and what it earns: the target and the rubric.
+
+#include "scenarios/format/keys.h"
+#include "scenarios/format/read_sections.h"
+
+namespace cusp::format_reader {
+namespace {
+
+constexpr Range kBand{-1e6, 1e6};
+
+Bands read_bands(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  Bands out;
+  out.fail_lo = object.need("fail_lo").number(kBand);
+  out.acc_lo = object.need("acc_lo").number(kBand);
+  out.ideal_lo = object.need("ideal_lo").number(kBand);
+  out.ideal_hi = object.need("ideal_hi").number(kBand);
+  out.acc_hi = object.need("acc_hi").number(kBand);
+  out.fail_hi = object.need("fail_hi").number(kBand);
+  object.nothing_else();
+  return out;
+}
+
+}  // namespace
+
+Target read_target(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  Target out;
+  out.shape = object.need("shape").word(FormatError::unknown_shape, one_of(kShapeKeys));
+  object.need("paths").list(1, 64, [&](const Value& path) {
+    auto& points = out.paths.emplace_back();
+    path.list(1, 1000, [&](const Value& point) { points.push_back(point.point()); });
+  });
+  out.width_mm = object.need("width_mm").number({0, 100, true});
+  out.depth_mm = object.need("depth_mm").number({0, 100, true});
+  out.top_mm = object.need("top_mm").number(kCoordinate);
+  out.corner_radius_mm = object.need("corner_radius_mm").number({0, 10});
+  object.maybe("box_size_mm", [&](const Value& v) { out.box_size_mm = v.point(); });
+  object.nothing_else();
+  return out;
+}
+
+Rubric read_rubric(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  Rubric out;
+  out.pass = object.need("pass").number({0, 100});
+  object.need("criteria").list(0, 64, [&](const Value& item) {
+    Object one(item.node(), item.where(), item.problems());
+    Criterion criterion;
+    const Value metric = one.need("metric");
+    criterion.metric = metric.word(FormatError::unknown_metric, [](std::string_view key) {
+      return metric_from_key(key) ? std::optional<std::string>(key) : std::nullopt;
+    });
+    for (const Criterion& other : out.criteria) {
+      if (other.metric == criterion.metric) metric.refuse(FormatError::duplicate_value, criterion.metric);
+    }
+    criterion.weight = one.need("weight").number({0, 1000});
+    criterion.bands = read_bands(one.need("bands"));
+    one.nothing_else();
+    out.criteria.push_back(std::move(criterion));
+  });
+  object.maybe("critical", [&](const Value& list) {
+    list.list(0, 16, [&](const Value& item) {
+      out.critical.push_back(item.word(FormatError::unknown_critical, one_of(kCriticalKeys)));
+    });
+  });
+  object.nothing_else();
+  return out;
+}
+
+}  // namespace cusp::format_reader

@@ -1,0 +1,15 @@
+/// The parts of a scenario.json, each as its values. Inside of the reader.
+#pragma once
+
+#include "scenarios/format/json_values.h"
+
+namespace cusp::format_reader {
+
+Tissue read_tissue(const Value& value);
+SpecimenSource read_specimen(const Value& value);
+ScenarioTissue read_scenario_tissue(const Value& value);
+Burr read_burr(const Value& value);
+Target read_target(const Value& value);
+Rubric read_rubric(const Value& value);
+
+}  // namespace cusp::format_reader

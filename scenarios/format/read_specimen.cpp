@@ -1,0 +1,81 @@
+// What is drilled: the specimen and its tissues.
+
+#include "scenarios/format/keys.h"
+#include "scenarios/format/read_sections.h"
+#include "scenarios/tissues/tissue_facts.h"
+
+namespace cusp::format_reader {
+namespace {
+
+/// A file name beside scenario.json: no folder, no drive, nothing hidden.
+bool is_plain_file_name(std::string_view name) {
+  return !name.empty() && name.front() != '.' && name.find_first_of("/\\:") == std::string_view::npos &&
+         std::ranges::all_of(name, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
+}
+
+LesionSource read_lesion(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  LesionSource out;
+  out.kind = object.need("kind").word(FormatError::unknown_generator, one_of(kLesionKeys));
+  out.site = object.need("site").text(1, 64);
+  out.radius_mm = object.need("radius_mm").number({0.2, 4});
+  out.depth_mm = object.need("depth_mm").number({0, 5});
+  out.softness = object.need("softness").number({0, 1});
+  object.nothing_else();
+  return out;
+}
+
+}  // namespace
+
+Tissue read_tissue(const Value& value) {
+  const Tissue tissue = value.word(FormatError::unknown_tissue, scenario_tissue_from_key);
+  if (tissue == Tissue::empty && value.node().is_string() && value.node() == "empty")
+    value.refuse(FormatError::unknown_tissue, "empty");
+  return tissue;
+}
+
+SpecimenSource read_specimen(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  SpecimenSource out;
+  if (object.has("volume")) {
+    const Value name = object.need("volume");
+    out.volume = name.text(1, 255);
+    if (name.node().is_string() && !is_plain_file_name(out.volume)) name.refuse(FormatError::bad_file_name, out.volume);
+  } else {
+    out.generator = object.need("generator").word(FormatError::unknown_generator, one_of(kGeneratorKeys));
+  }
+  if (out.generator == "tooth") {
+    const Value fdi = object.need("fdi");
+    out.fdi = fdi.integer({11, 48});
+    if (out.fdi != 0 && !is_fdi(out.fdi)) fdi.refuse(FormatError::out_of_range, "FDI");
+    object.maybe("seed", [&](const Value& v) { out.seed = v.seed(); });
+    object.maybe("typodont", [&](const Value& v) { out.typodont = v.yes(); });
+    object.maybe("around", [&](const Value& list) {
+      list.list(0, kAroundKeys.size(), [&](const Value& v) {
+        out.around.push_back(v.word(FormatError::unknown_generator, one_of(kAroundKeys)));
+      });
+    });
+    object.maybe("lesions", [&](const Value& list) {
+      list.list(0, 16, [&](const Value& v) { out.lesions.push_back(read_lesion(v)); });
+    });
+  }
+  object.maybe("voxel_mm", [&](const Value& v) { out.voxel_mm = v.number({0.04, 1}); });
+  object.nothing_else();
+  return out;
+}
+
+ScenarioTissue read_scenario_tissue(const Value& value) {
+  Object object(value.node(), value.where(), value.problems());
+  ScenarioTissue out;
+  out.tissue = read_tissue(object.need("tissue"));
+  // What is left out is the tissue's usual figure; written back, both stand there.
+  const TissueFacts& usual = tissue_facts(out.tissue);
+  out.stiffness_n_per_mm = usual.stiffness_n_per_mm.value;
+  out.speed_mm_s = usual.speed_mm_s.value;
+  object.maybe("stiffness_n_per_mm", [&](const Value& v) { out.stiffness_n_per_mm = v.number({0, 20, true}); });
+  object.maybe("speed_mm_s", [&](const Value& v) { out.speed_mm_s = v.number({0, 100}); });
+  object.nothing_else();
+  return out;
+}
+
+}  // namespace cusp::format_reader
