@@ -102,10 +102,6 @@ class Search {
         row.verdict = Verdict::unplayable;
       } else {
         row.change = change_between(report_.as_set, *row.result);
-        for (const ModelGo& go : row.result->goes) {
-          row.force_rms_n = std::max(row.force_rms_n, go.force_rms_n);
-          row.force_most_n = std::max(row.force_most_n, go.force_most_n);
-        }
         row.verdict = verdict_of(row);
       }
       report_.rows.push_back(std::move(row));
@@ -154,6 +150,7 @@ class Search {
       report_.steps.push_back({{Aspect::voxel, {}, report_.scenario.specimen.voxel_mm, mm}, holds, change});
       if (!holds) continue;
       ground_ = std::move(*(*played)[0]);
+      report_.leanest_result = ground_;
       ground_scenario_ = report_.leanest = finer;
       report_.at_half_voxel = change;
       break;
@@ -178,6 +175,7 @@ class Search {
       report_.steps.push_back(step);
       if (!step.taken) continue;
       report_.leanest = coarser;
+      report_.leanest_result = std::move(*(*played)[0]);
       report_.at_half_voxel = half;
       break;
     }
@@ -201,24 +199,32 @@ class Search {
       report_.steps.push_back({row->choice, change.within(report_.tolerance_points), change});
       if (!report_.steps.back().taken) continue;
       report_.leanest = leaner;
+      report_.leanest_result = std::move(*(*played)[0]);
       report_.at_half_voxel.reset();
     }
     return {};
   }
 
-  /// All of it together beside the exercise as it was, and at half its voxels.
+  /// All of it together at half its voxels, and what it costs beside the exercise as it was.
   Done prove() {
-    if (report_.changed()) {
-      AuditRun run;
-      run.models = {{report_.scenario}, {report_.leanest}};
-      run.hands = settings_.hands;
-      auto played = runner_(run, progress_.next(0.5));
-      if (!played) return std::unexpected(played.error());
-      if (!(*played)[0] || !(*played)[1]) return fail(AuditError::unplayable, report_.scenario.key);
-      report_.leanest_change = change_between(*(*played)[0], *(*played)[1]);
-      report_.leanest_result = std::move((*played)[1]);
+    if (!report_.at_half_voxel) {
+      if (auto done = prove_detail(); !done) return done;
     }
-    if (report_.at_half_voxel) return {};
+    if (!report_.changed()) return {};
+    AuditRun run;
+    run.models = {{report_.scenario}, {report_.leanest}};
+    auto costs = runner_(run, progress_.next(0.9));
+    if (!costs) return std::unexpected(costs.error());
+    report_.leanest_change = change_between(report_.as_set, *report_.leanest_result);
+    if (!(*costs)[1]) return {};
+    ModelResult& leanest = *report_.leanest_result;
+    leanest.cost = (*costs)[1]->cost;
+    leanest.force_rms_n = (*costs)[1]->force_rms_n;
+    leanest.force_most_n = (*costs)[1]->force_most_n;
+    return {};
+  }
+
+  Done prove_detail() {
     const auto beside = halved(report_.leanest);
     if (!beside) return {};
     if (!report_.changed()) {
@@ -228,9 +234,9 @@ class Search {
       }
       return {};
     }
-    auto played = play({report_.leanest, *beside}, 0.9);
+    auto played = play({*beside}, 0.6);
     if (!played) return std::unexpected(played.error());
-    if ((*played)[0] && (*played)[1]) report_.at_half_voxel = change_between(*(*played)[0], *(*played)[1]);
+    if ((*played)[0]) report_.at_half_voxel = change_between(*report_.leanest_result, *(*played)[0]);
     return {};
   }
 

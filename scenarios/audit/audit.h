@@ -41,8 +41,7 @@ struct AuditRow {
   Choice choice;
   Verdict verdict = Verdict::needed;
   std::optional<ModelResult> result;       // with the choice made; nullopt: unplayable
-  GradeChange change;                      // of the hands' own goes
-  double force_rms_n = 0, force_most_n = 0;  // the most over the hands
+  GradeChange change;
 };
 
 /// One step of the search: what was tried on top of what had been taken, and whether it was taken.

@@ -45,6 +45,8 @@ Json json_of(const GradeChange& change, double tolerance) {
 Json json_of(const ModelResult& result) {
   Json out;
   out["cost"] = json_of(result.cost);
+  out["force_rms_n"] = result.force_rms_n;
+  out["force_most_n"] = result.force_most_n;
   Json goes = Json::array();
   for (const ModelGo& go : result.goes) {
     Json one;
@@ -53,9 +55,6 @@ Json json_of(const ModelResult& result) {
     one["score"] = go.grade.score;
     one["passed"] = go.grade.passed;
     one["critical"] = go.grade.critical;
-    one["score_same_path"] = go.same_path.score;
-    one["force_rms_n"] = go.force_rms_n;
-    one["force_most_n"] = go.force_most_n;
     one["seconds"] = go.seconds;
     one["lost_ticks"] = go.lost;
     goes.push_back(std::move(one));
@@ -78,8 +77,6 @@ std::string audit_json(const AuditReport& report) {
     one["choice"] = json_of(row.choice);
     one["verdict"] = key_of(row.verdict);
     if (row.result) {
-      one["force_rms_n"] = row.force_rms_n;
-      one["force_most_n"] = row.force_most_n;
       one["change"] = json_of(row.change, tolerance);
       one["result"] = json_of(*row.result);
     }

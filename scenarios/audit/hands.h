@@ -22,26 +22,26 @@ struct AuditHand {
 
 /// What a model takes. CPU time is the thread's own.
 struct ModelCost {
-  double us_a_tick = 0;                        // median over blocks of ticks at 1 kHz
+  double us_a_tick = 0;                        // median over blocks of ticks of 1 ms, from the first touch on
   double us_more = 0;                          // than the first model of the same run: median over the pairs of blocks
   std::optional<double> instructions_a_tick;   // nullopt: this machine does not count them
   double start_s = 0;                          // growing, building, reserving: CPU time
   std::uint64_t bytes = 0;                     // of the heap, specimen and one state
 };
 
-/// One hand's go at a model, and the first model's go of that hand led through this model once more.
+/// One hand's go at a model that it feels.
 struct ModelGo {
   AuditHand hand;
-  Grade grade;                // the hand felt this model
-  Grade same_path;            // the device went where it went in the first model
-  double force_rms_n = 0;     // difference of the forces on that same path, over the ticks where either touches
-  double force_most_n = 0;
-  double seconds = 0;         // of the exercise, by its own clock
-  std::uint64_t lost = 0;     // ticks that ran out of room or found no pose: tests want none
+  Grade grade;
+  double seconds = 0;      // of the exercise, by its own clock
+  std::uint64_t lost = 0;  // ticks that ran out of room or found no pose: tests want none
 };
 
 struct ModelResult {
-  ModelCost cost;
+  ModelCost cost;             // with costs alone
+  /// Likewise: how the forces differ from the first model's, before the guard, when the device goes where an expert's went
+  /// in the first; over the ticks where either touches.
+  double force_rms_n = 0, force_most_n = 0;
   std::vector<ModelGo> goes;  // in the order of the hands
 };
 

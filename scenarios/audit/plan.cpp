@@ -12,7 +12,7 @@ namespace cusp {
 namespace {
 
 /// Edges that a person would write, mm.
-constexpr std::array kEdges = {0.04, 0.05, 0.06, 0.07, 0.08, 0.09, 0.1, 0.11, 0.12, 0.125, 0.13, 0.15, 0.16, 0.18, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5};
+constexpr std::array kEdges = {0.04, 0.05, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5};
 constexpr double kSame = 1e-9;
 
 struct Sizes {

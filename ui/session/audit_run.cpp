@@ -1,7 +1,6 @@
 #include "ui/session/audit_run.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -19,9 +18,9 @@
 namespace cusp {
 namespace {
 
-// Costs: one hand's first go, in ticks of 1 ms, in blocks that the models take in turn.
+// Costs: what an expert does first, in ticks of 1 ms, in blocks that the models take in turn.
 constexpr std::uint64_t kBlockTicks = 500;
-constexpr std::size_t kBlocks = 40;
+constexpr std::size_t kBlocks = 24;
 // As play_through: looked at for severed pieces this often.
 constexpr std::uint64_t kTurn = 25;
 constexpr double kSwayS = 4.0;  // [M] a hand that may turn its handpiece does so, from side to side, this often
@@ -62,52 +61,31 @@ Run<Table> lay(const Model& model, const std::filesystem::path& folder) {
   return out;
 }
 
-/// Between hand and loop: keeps what the device said, and sways the handpiece where the exercise lets it turn.
-class Noting final : public HapticPort {
+/// A hand that sways its handpiece where the exercise lets it turn.
+class Swaying final : public HapticPort {
  public:
-  Noting(Hand hand, double dt_s, double turn_deg) : hand_(std::move(hand), dt_s), dt_s_(dt_s), turn_deg_(turn_deg) {}
+  Swaying(Hand hand, double dt_s, double turn_deg) : hand_(std::move(hand), dt_s), dt_s_(dt_s), turn_deg_(turn_deg) {}
   Result<void, PortFailure> open() override { return {}; }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
     Sample sample = hand_.wait(deadline);
     if (turn_deg_ > 0) {
-      const double half = 0.25 * turn_deg_ * (3.141592653589793 / 180.0) *
-                          std::sin(6.283185307179586 * static_cast<double>(samples_.size()) * dt_s_ / kSwayS);
+      const double half = 0.25 * turn_deg_ * (3.141592653589793 / 180.0) * std::sin(6.283185307179586 * clock_s_ / kSwayS);
       sample.orientation = {std::cos(half), std::sin(half), 0.0, 0.0};
     }
-    if (sample.status != Sample::Status::gone) samples_.push_back(sample);
+    clock_s_ += dt_s_;
     return sample;
   }
   void write(const Feedback& feedback) noexcept override { hand_.write(feedback); }
   DeviceLimits limits() const override { return hand_.limits(); }
   void close() noexcept override {}
-  std::vector<Sample> take() { return std::move(samples_); }
 
  private:
   HandPort hand_;
-  double dt_s_, turn_deg_;
-  std::vector<Sample> samples_;
-};
-
-/// The same path once more, whatever is felt.
-class Led final : public HapticPort {
- public:
-  explicit Led(const std::vector<Sample>& samples) : samples_(samples) {}
-  Result<void, PortFailure> open() override { return {}; }
-  Sample wait(std::chrono::steady_clock::time_point) noexcept override {
-    return next_ < samples_.size() ? samples_[next_++] : Sample{};
-  }
-  void write(const Feedback&) noexcept override {}
-  DeviceLimits limits() const override { return HandPort(Hand({}, {}, {})).limits(); }
-  void close() noexcept override {}
-
- private:
-  const std::vector<Sample>& samples_;
-  std::size_t next_ = 0;
+  double dt_s_, turn_deg_, clock_s_ = 0;
 };
 
 struct Go {
   Grade grade;
-  std::vector<Vec3> force_n;  // before the guard, by tick
   double seconds = 0;
   std::uint64_t lost = 0;
 };
@@ -126,7 +104,6 @@ std::optional<Go> play(const Table& table, HapticPort& port, const std::function
     }
     const StepOutput& o = loop.state().last();
     process.add(o);
-    out.force_n.push_back(o.force_raw_n);
     out.lost += (o.infeasible || o.overflow) ? 1 : 0;
     if (tick % kTurn == 0) {
       loose.look(loop.state());
@@ -148,20 +125,27 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// What an expert's device said, in ticks of 1 ms, from the first touch on.
-std::vector<StepInput> path_for_costs(const Table& table) {
+/// What an expert's device said, in ticks of 1 ms: up to the first touch, and so many ticks from there on.
+struct Path {
+  std::vector<StepInput> inputs;
+  std::size_t touched_at = 0;
+};
+Path path_for_costs(const Table& table) {
   auto hand = hand_by_name("expert", table.scenario, *table.specimen, 1);
-  std::vector<StepInput> out;
+  Path out;
   if (!hand) return out;
-  Noting port(std::move(*hand), 0.001, table.scenario.tool_turn_deg);
+  Swaying port(std::move(*hand), 0.001, table.scenario.tool_turn_deg);
   StepState state(table.scene);
   StepInput last;
-  while (out.size() < kBlockTicks * kBlocks) {
+  bool touched = false;
+  while (!touched || out.inputs.size() < out.touched_at + kBlockTicks * kBlocks) {
     const Sample sample = port.wait({});
     if (sample.status == Sample::Status::gone) break;
     last = quantise(sample, 1000, last);
     const StepOutput o = step(state, last);
-    out.push_back(last);
+    if (!touched) out.touched_at = out.inputs.size();
+    touched = touched || o.contact;
+    out.inputs.push_back(last);
     Feedback felt;
     felt.force_n = o.force_n;
     felt.proxy_mm = o.proxy_mm;
@@ -176,47 +160,56 @@ std::vector<StepInput> path_for_costs(const Table& table) {
 /// The models take the path in blocks, one after another in turn: whatever slows the machine slows all of a block's.
 void take_costs(const std::vector<std::optional<Table>>& tables, std::vector<std::optional<ModelResult>>& results) {
   const FpGuard fp;
-  const auto path = path_for_costs(*tables.front());
-  std::vector<std::unique_ptr<StepState>> states;
-  for (const auto& table : tables) states.push_back(table ? std::make_unique<StepState>(table->scene) : nullptr);
-  std::vector<std::vector<double>> us(tables.size()), more(tables.size());
-  std::vector<std::uint64_t> instructions(tables.size(), 0);
+  const Path path = path_for_costs(*tables.front());
+  struct Lane {
+    StepState state;
+    std::vector<double> us, more;
+    std::uint64_t instructions = 0;
+    double square_n2 = 0;
+    std::size_t touched = 0;
+  };
+  std::vector<std::optional<Lane>> lanes;
+  for (const auto& table : tables) {
+    lanes.emplace_back();
+    if (!table) continue;
+    lanes.back().emplace(Lane{StepState(table->scene), {}, {}, 0, 0, 0});
+    for (std::size_t i = 0; i < path.touched_at; ++i) static_cast<void>(step(lanes.back()->state, path.inputs[i]));
+  }
   const InstructionCounter counter;
   const bool counts = counter.read().has_value();
-  for (std::size_t begin = 0; begin + kBlockTicks <= path.size(); begin += kBlockTicks) {
-    for (std::size_t m = 0; m < states.size(); ++m) {
-      if (!states[m]) continue;
+  std::vector<Vec3> felt(kBlockTicks), first(kBlockTicks);
+  for (std::size_t begin = path.touched_at; begin + kBlockTicks <= path.inputs.size(); begin += kBlockTicks) {
+    for (std::size_t m = 0; m < lanes.size(); ++m) {
+      if (!lanes[m]) continue;
+      Lane& lane = *lanes[m];
       const std::uint64_t counted = counter.read().value_or(0);
       const double at = thread_cpu_s();
-      for (std::size_t i = begin; i < begin + kBlockTicks; ++i) static_cast<void>(step(*states[m], path[i]));
-      us[m].push_back((thread_cpu_s() - at) * 1e6 / static_cast<double>(kBlockTicks));
-      instructions[m] += counter.read().value_or(0) - counted;
-      more[m].push_back(us[m].back() - us.front().back());
+      for (std::size_t i = 0; i < kBlockTicks; ++i) felt[i] = step(lane.state, path.inputs[begin + i]).force_raw_n;
+      lane.us.push_back((thread_cpu_s() - at) * 1e6 / static_cast<double>(kBlockTicks));
+      lane.instructions += counter.read().value_or(0) - counted;
+      lane.more.push_back(lane.us.back() - lanes.front()->us.back());
+      if (m == 0) first = felt;
+      for (std::size_t i = 0; i < kBlockTicks; ++i) {
+        if (first[i] == Vec3(0.0) && felt[i] == Vec3(0.0)) continue;
+        const double apart = glm::length(felt[i] - first[i]);
+        lane.square_n2 += apart * apart;
+        ++lane.touched;
+        results[m]->force_most_n = std::max(results[m]->force_most_n, apart);
+      }
     }
   }
-  for (std::size_t m = 0; m < states.size(); ++m) {
-    if (!states[m]) continue;
+  for (std::size_t m = 0; m < lanes.size(); ++m) {
+    if (!lanes[m]) continue;
+    const Lane& lane = *lanes[m];
     ModelCost& cost = results[m]->cost;
-    cost.us_a_tick = median(us[m]);
-    cost.us_more = median(more[m]);
-    if (counts && !us[m].empty())
-      cost.instructions_a_tick = static_cast<double>(instructions[m]) / static_cast<double>(us[m].size() * kBlockTicks);
+    cost.us_a_tick = median(lane.us);
+    cost.us_more = median(lane.more);
+    if (counts && !lane.us.empty())
+      cost.instructions_a_tick = static_cast<double>(lane.instructions) / static_cast<double>(lane.us.size() * kBlockTicks);
+    if (lane.touched > 0) results[m]->force_rms_n = std::sqrt(lane.square_n2 / static_cast<double>(lane.touched));
     cost.start_s = tables[m]->start_s;
     cost.bytes = tables[m]->bytes;
   }
-}
-
-void compare_forces(const std::vector<Vec3>& a, const std::vector<Vec3>& b, ModelGo& go) {
-  double sum = 0;
-  std::size_t touched = 0;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
-    if (a[i] == Vec3(0.0) && b[i] == Vec3(0.0)) continue;
-    const double apart = glm::length(a[i] - b[i]);
-    sum += apart * apart;
-    ++touched;
-    go.force_most_n = std::max(go.force_most_n, apart);
-  }
-  if (touched > 0) go.force_rms_n = std::sqrt(sum / static_cast<double>(touched));
 }
 
 Result<std::vector<std::optional<ModelResult>>, AuditFailure> run_models(const AuditRun& run, const AuditWatch& watch,
@@ -224,7 +217,7 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> run_models(const A
   std::vector<std::optional<Table>> tables;
   std::vector<std::optional<ModelResult>> results;
   const auto stopped = [] { return fail(AuditError::cancelled, {}); };
-  // Laying the tables is a tenth, the goes the rest: two for every model and hand, one of them led.
+  // Laying the tables is taken for a tenth, the goes for the rest.
   const double goes = static_cast<double>(run.models.size() * run.hands.size());
   for (const Model& model : run.models) {
     if (watch && !watch(0.1 * static_cast<double>(tables.size()) / static_cast<double>(run.models.size()))) return stopped();
@@ -237,32 +230,18 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> run_models(const A
   double done = 0;
   const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / goes); };
   for (const AuditHand& who : run.hands) {
-    std::vector<Sample> path;
-    std::vector<Vec3> force_n;
     for (std::size_t m = 0; m < tables.size(); ++m, ++done) {
       if (!tables[m]) continue;
       const Table& table = *tables[m];
       auto hand = hand_by_name(who.hand, table.scenario, *table.specimen, who.seed);
       if (!hand) return fail(AuditError::unplayable, who.hand);
-      Noting port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
+      Swaying port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
       auto own = play(table, port, go_on);
       if (!own) return stopped();
       ModelGo go;
       go.hand = who;
       go.seconds = own->seconds;
       go.lost = own->lost;
-      if (m == 0) {
-        path = port.take();
-        force_n = std::move(own->force_n);
-        go.same_path = own->grade;
-      } else {
-        Led led(path);
-        auto again = play(table, led, go_on);
-        if (!again) return stopped();
-        go.same_path = again->grade;
-        go.lost += again->lost;
-        compare_forces(force_n, again->force_n, go);
-      }
       go.grade = std::move(own->grade);
       results[m]->goes.push_back(std::move(go));
     }

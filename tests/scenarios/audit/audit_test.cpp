@@ -1,0 +1,232 @@
+// The plan and the search, with a runner that says what each model scores.
+
+#include "scenarios/audit/audit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/audit/audit_json.h"
+#include "scenarios/library/library.h"
+
+namespace cusp {
+namespace {
+
+using Scores = std::function<std::optional<double>(const Model&, const AuditHand&)>;
+
+/// Costs that a reader can reckon: 10 µs, 5 for each phenomenon, and bytes by the voxels' number.
+ModelResult result_of(const Model& model, const std::vector<AuditHand>& hands, const Scores& scores) {
+  ModelResult out;
+  out.cost.us_a_tick = 10.0 + 5.0 * static_cast<double>(model.scenario.phenomena.size());
+  out.cost.us_more = out.cost.us_a_tick;
+  out.cost.bytes = static_cast<std::uint64_t>(1e4 / std::pow(model.scenario.specimen.voxel_mm, 3));
+  for (const AuditHand& hand : hands) {
+    ModelGo go;
+    go.hand = hand;
+    go.grade.score = *scores(model, hand);
+    go.grade.passed = go.grade.score >= 70;
+    CriterionGrade c;
+    c.id = "target_removed";
+    c.measure = {"target_removed", true, go.grade.score, 0, "%", {}};
+    c.points = go.grade.score / 2;
+    go.grade.criteria = {c};
+    out.goes.push_back(std::move(go));
+  }
+  return out;
+}
+
+struct Played {
+  int runs = 0;
+  std::size_t models = 0;
+};
+
+AuditRunner runner_of(const Scores& scores, Played& played) {
+  return [scores, &played](const AuditRun& run, const AuditWatch& watch) -> Result<std::vector<std::optional<ModelResult>>, AuditFailure> {
+    ++played.runs;
+    std::vector<std::optional<ModelResult>> out;
+    for (std::size_t i = 0; i < run.models.size(); ++i) {
+      if (watch && !watch(static_cast<double>(i) / static_cast<double>(run.models.size()))) return fail(AuditError::cancelled, {});
+      ++played.models;
+      const bool playable = std::ranges::all_of(run.hands, [&](const AuditHand& h) { return scores(run.models[i], h).has_value(); });
+      out.push_back(playable ? std::optional(result_of(run.models[i], run.hands, scores)) : std::nullopt);
+    }
+    return out;
+  };
+}
+
+Scenario block() { return *load_builtin("channel-1"); }  // 0.1 mm, smallest burr 0.5 mm, tolerance 2 points
+
+Scenario wet() {
+  Scenario s = block();
+  s.phenomena = {"spindle-turbine", "vibration", "heat"};
+  return s;
+}
+
+Result<AuditReport, AuditFailure> run(const Scenario& s, const Scores& scores, Played* played = nullptr) {
+  Played own;
+  return audit(s, {}, runner_of(scores, played ? *played : own), {});
+}
+
+const AuditRow* row(const AuditReport& report, Aspect aspect, double instead = 0) {
+  for (const AuditRow& r : report.rows)
+    if (r.choice.aspect == aspect && (r.choice.instead == instead || aspect != Aspect::voxel)) return &r;
+  return nullptr;
+}
+
+TEST(Plan, HasARowForEachChoiceOfAnExercise) {
+  Scenario s = *load_builtin("class-1-36");
+  s.specimen.around = {"neighbours", "gingiva"};
+  s.phenomena = {"friction", "spindle-turbine", "vibration", "sound", "heat"};
+  s.tool_turn_deg = 30;
+  std::vector<std::string> keys;
+  for (const Choice& c : choices_of(s)) keys.push_back(std::string(key_of(c.aspect)) + (c.subject.empty() ? "" : ":" + c.subject));
+  // Sound is of no account to the step: nothing to be measured.
+  EXPECT_EQ(keys, (std::vector<std::string>{"voxel", "voxel", "band", "region", "around:neighbours", "around:gingiva", "tissue:enamel",
+                                            "tissue:dentine", "tissue:cementum", "tissue:pulp", "friction", "spindle:spindle-turbine",
+                                            "vibration", "heat", "tilt"}));
+}
+
+TEST(Plan, ASpecimenOfOneSizeHasNoVoxelsToChoose) {
+  const Scenario s = *load_builtin("paper-block");
+  for (const Choice& c : choices_of(s)) EXPECT_NE(c.aspect, Aspect::voxel);
+  EXPECT_TRUE(coarser_voxels(s).empty());
+  EXPECT_TRUE(finer_voxels(s).empty());
+}
+
+TEST(Plan, VoxelSizesStayWithinTwiceAndHalfAndWithinTheGenerator) {
+  EXPECT_EQ(coarser_voxels(block()), (std::vector<double>{0.2, 0.15, 0.125}));
+  EXPECT_EQ(finer_voxels(block()), (std::vector<double>{0.08, 0.06, 0.05}));
+  Scenario fine = block();
+  fine.specimen.voxel_mm = 0.04;  // the finest that a block has
+  EXPECT_TRUE(finer_voxels(fine).empty());
+}
+
+TEST(Search, KeepsWhatChangesAScoreAndLeavesOutWhatDoesNot) {
+  const auto report = run(wet(), [](const Model& m, const AuditHand& hand) {
+    const auto& p = m.scenario.phenomena;
+    const bool heat = std::ranges::find(p, "heat") != p.end(), vibration = std::ranges::find(p, "vibration") != p.end();
+    return std::optional(95.0 - (heat ? 0.0 : 3.0) - (vibration ? 0.0 : hand.seed == 2 ? 1.9 : 0.0));
+  });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(row(*report, Aspect::heat)->verdict, Verdict::needed);
+  EXPECT_DOUBLE_EQ(row(*report, Aspect::heat)->change.score, -3.0);
+  EXPECT_EQ(row(*report, Aspect::vibration)->verdict, Verdict::not_needed);
+  EXPECT_NEAR(row(*report, Aspect::vibration)->change.score, -1.9, 1e-9) << "the hand that it changes most";
+  // Without the spindle its vibration is gone too, and that alone is within the tolerance.
+  EXPECT_EQ(report->leanest.phenomena, std::vector<std::string>{"heat"});
+  ASSERT_TRUE(report->leanest_result);
+  EXPECT_DOUBLE_EQ(report->leanest_result->cost.us_a_tick, 15.0);
+  EXPECT_TRUE(report->changed());
+  EXPECT_EQ(report->leanest.version, report->scenario.version);
+}
+
+/// Each alone is within 2 points; both together are not: the second is tried on top of the first and given back.
+TEST(Search, MeasuresWhatItTakesInCombination) {
+  Scenario s = block();
+  s.phenomena = {"friction", "heat"};
+  const auto report = run(s, [](const Model& m, const AuditHand&) { return std::optional(90.0 - 1.5 * static_cast<double>(2 - m.scenario.phenomena.size())); });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(row(*report, Aspect::friction)->verdict, Verdict::not_needed);
+  EXPECT_EQ(row(*report, Aspect::heat)->verdict, Verdict::not_needed);
+  EXPECT_EQ(report->leanest.phenomena.size(), 1u);
+  EXPECT_EQ(std::ranges::count_if(report->steps, [](const AuditStep& t) { return t.choice.aspect != Aspect::voxel && !t.taken; }), 1);
+}
+
+TEST(Search, TakesTheCoarsestVoxelsThatStillResolveTheBurrsAndGradeTheSame) {
+  const auto report = run(block(), [](const Model&, const AuditHand&) { return std::optional(90.0); });
+  ASSERT_TRUE(report);
+  // 0.2 mm would leave the 0.5 mm burr with 2.5 voxels of radius (validate: three at least).
+  EXPECT_EQ(row(*report, Aspect::voxel, 0.2)->verdict, Verdict::unresolved);
+  EXPECT_DOUBLE_EQ(report->leanest.specimen.voxel_mm, 0.15);
+  ASSERT_TRUE(report->at_half_voxel);
+  EXPECT_TRUE(report->detail_holds());
+}
+
+/// 40 points for each millimetre of the voxel: at 0.1 the half differs by 2.0, at 0.125 by 2.5.
+TEST(Search, ACoarserVoxelMustAlsoAgreeWithItsOwnHalf) {
+  const auto report = run(block(), [](const Model& m, const AuditHand&) { return std::optional(60.0 - 40.0 * m.scenario.specimen.voxel_mm); });
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->changed());
+  EXPECT_TRUE(report->detail_holds());
+}
+
+/// 60 points for each millimetre: half of 0.1 differs by 3.0, of 0.08 by 2.4, of 0.06 (no half of it within the generator's
+/// sizes) nothing is known.
+TEST(Search, GoesFinerWhereHalfTheVoxelGradesOtherwise) {
+  const auto report = run(block(), [](const Model& m, const AuditHand&) { return std::optional(60.0 - 45.0 * m.scenario.specimen.voxel_mm); });
+  ASSERT_TRUE(report);
+  EXPECT_DOUBLE_EQ(report->leanest.specimen.voxel_mm, 0.08);  // 45 * 0.05 = 2.25, 45 * 0.04 = 1.8
+  EXPECT_TRUE(report->detail_holds());
+  const auto steep = run(block(), [](const Model& m, const AuditHand&) { return std::optional(60.0 - 60.0 * m.scenario.specimen.voxel_mm); });
+  ASSERT_TRUE(steep);
+  EXPECT_FALSE(steep->changed()) << "no size was found, so the exercise stays";
+  EXPECT_FALSE(steep->detail_holds());
+}
+
+TEST(Search, APassThatBecomesAFailIsNeverWithinTheTolerance) {
+  const auto report = run(wet(), [](const Model& m, const AuditHand&) { return std::optional(m.scenario.phenomena.size() == 3 ? 70.5 : 69.5); });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(row(*report, Aspect::heat)->verdict, Verdict::needed);
+  EXPECT_EQ(report->leanest.phenomena, wet().phenomena);
+}
+
+TEST(Search, WhatCannotBePlayedIsSaidAndKept) {
+  const auto report = run(wet(), [](const Model& m, const AuditHand&) {
+    return m.near_target_only ? std::nullopt : std::optional(90.0);
+  });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(row(*report, Aspect::region)->verdict, Verdict::unplayable);
+  const auto none = run(wet(), [](const Model&, const AuditHand&) { return std::optional<double>(); });
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, AuditError::unplayable);
+}
+
+TEST(Search, StopsWhenItIsToldAndRisesUntilThen) {
+  Played played;
+  double last = 0;
+  int asked = 0;
+  const auto report = audit(wet(), {}, runner_of([](const Model&, const AuditHand&) { return std::optional(90.0); }, played), [&](double share) {
+    EXPECT_GE(share, last);
+    EXPECT_LE(share, 1.0);
+    last = share;
+    return ++asked < 4;
+  });
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, AuditError::cancelled);
+  EXPECT_EQ(played.runs, 1);
+}
+
+TEST(Search, TheSameExerciseGivesTheSameReport) {
+  const Scores scores = [](const Model& m, const AuditHand& h) { return std::optional(90.0 - static_cast<double>(h.seed) - 5 * m.scenario.specimen.voxel_mm); };
+  EXPECT_EQ(audit_json(*run(wet(), scores)), audit_json(*run(wet(), scores)));
+}
+
+TEST(Json, HasEveryChoiceWithItsVerdict) {
+  const auto report = run(wet(), [](const Model&, const AuditHand&) { return std::optional(90.0); });
+  const auto json = nlohmann::json::parse(audit_json(*report));
+  EXPECT_EQ(json["choices"].size(), choices_of(wet()).size());
+  EXPECT_EQ(json["leanest"]["search"], "greedy");
+  EXPECT_EQ(json["tolerance_points"], 2.0);
+  EXPECT_TRUE(json["as_set"]["cost"]["instructions_a_tick"].is_null());  // the runner counted none
+  EXPECT_EQ(json["choices"][0]["choice"]["aspect"], "voxel");
+  EXPECT_EQ(json["choices"][0]["verdict"], "unresolved");
+}
+
+TEST(Change, ACriterionThatIsNoLongerMeasuredIsNoSmallChange) {
+  ModelResult a, b;
+  ModelGo go;
+  CriterionGrade c;
+  c.id = "remaining_over_pulp";
+  go.grade.criteria = {c};
+  a.goes = {go};
+  go.grade.criteria[0].measure.measured = false;
+  b.goes = {go};
+  EXPECT_FALSE(change_between(a, b).within(100));
+  EXPECT_TRUE(change_between(a, a).within(0));
+}
+
+}  // namespace
+}  // namespace cusp

@@ -1,0 +1,113 @@
+// The goes themselves, on a coarse block that takes a moment.
+
+#include "ui/session/audit_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenarios/audit/audit.h"
+#include "scenarios/library/library.h"
+#include "ui/session/cpu_meter.h"
+
+namespace cusp {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kHeapIsCounted = false;  // its own heap, which mallinfo2 knows nothing of
+#else
+constexpr bool kHeapIsCounted = true;
+#endif
+
+/// A short groove for a burr of 0.7 mm in plastic of 0.2 mm voxels.
+Scenario small() {
+  Scenario s = *load_builtin("line-1");
+  s.specimen.voxel_mm = 0.2;
+  const double floor = s.target.paths[0][0].z;
+  s.target.paths = {{Vec3(-0.4, 0, floor + 1.2), Vec3(0.4, 0, floor + 1.2)}};
+  s.target.depth_mm -= 1.2;
+  return s;
+}
+
+TEST(AuditRun, TheSameModelGradesTheSameAndFeelsTheSame) {
+  AuditRun run;
+  run.models = {{small()}, {small()}};
+  run.hands = {{"expert", 1}};
+  double last = 0;
+  const auto results = audit_runner({})(run, [&](double share) {
+    EXPECT_GE(share, last);
+    last = share;
+    return true;
+  });
+  ASSERT_TRUE(results);
+  ASSERT_TRUE((*results)[0] && (*results)[1]);
+  const ModelResult &a = *(*results)[0], &b = *(*results)[1];
+  EXPECT_EQ(a.goes.at(0).grade.score, b.goes.at(0).grade.score);
+  EXPECT_EQ(a.goes.at(0).seconds, b.goes.at(0).seconds);
+  EXPECT_EQ(b.force_rms_n, 0.0);
+  EXPECT_EQ(b.force_most_n, 0.0);
+  EXPECT_GT(a.goes[0].grade.score, 50.0);
+  EXPECT_EQ(a.goes[0].lost, 0u);
+  if (kHeapIsCounted) {
+    EXPECT_GT(a.cost.bytes, 1'000'000u);
+  }
+  EXPECT_GT(a.cost.us_a_tick, 0.0);
+  EXPECT_EQ(a.cost.us_more, 0.0) << "against itself";
+  EXPECT_DOUBLE_EQ(last, 1.0);
+}
+
+TEST(AuditRun, FrictionIsFeltOnTheSamePath) {
+  Scenario rough = small();
+  rough.phenomena = {"friction"};
+  AuditRun run;
+  run.models = {{rough}, with({rough}, {Aspect::friction, {}, 1, 0})};
+  run.hands = {{"expert", 1}};
+  const auto results = audit_runner({})(run, {});
+  ASSERT_TRUE(results);
+  EXPECT_GT((*results)[1]->force_rms_n, 0.01);
+  EXPECT_GE((*results)[1]->force_most_n, (*results)[1]->force_rms_n);
+}
+
+TEST(AuditRun, StopsInTheMiddleOfAGo) {
+  AuditRun run;
+  run.models = {{small()}};
+  run.hands = {{"expert", 1}};
+  run.costs = false;
+  int asked = 0;
+  const auto results = audit_runner({})(run, [&](double) { return ++asked < 10; });
+  ASSERT_FALSE(results);
+  EXPECT_EQ(results.error().code, AuditError::cancelled);
+  EXPECT_EQ(asked, 10);
+}
+
+TEST(AuditRun, AnExerciseThatCannotBePlayedIsRefused) {
+  Scenario s = small();
+  s.instruments.clear();
+  AuditRun run;
+  run.models = {{s}};
+  run.hands = {{"expert", 1}};
+  const auto results = audit_runner({})(run, {});
+  ASSERT_FALSE(results);
+  EXPECT_EQ(results.error().code, AuditError::unplayable);
+}
+
+TEST(CpuMeter, CountsWhatTheThreadAndTheHeapTake) {
+  const double before = thread_cpu_s();
+  volatile double sum = 0;
+  const InstructionCounter counter;
+  const auto first = counter.read();
+  while (thread_cpu_s() - before < 0.001) sum = sum + 1;
+  EXPECT_GT(thread_cpu_s(), before);
+  if (first) {  // where the machine counts
+    EXPECT_GT(*counter.read(), *first);
+  }
+  const std::uint64_t heap = heap_bytes();
+  const std::vector<char> room(10'000'000, 'x');
+  if (kHeapIsCounted) {
+    EXPECT_GE(heap_bytes(), heap + 10'000'000);
+  }
+  EXPECT_EQ(room.back(), 'x');
+}
+
+}  // namespace
+}  // namespace cusp
