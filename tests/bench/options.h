@@ -29,6 +29,8 @@ struct Options {
   std::vector<double> speeds_mm_s;
   std::vector<double> burr_radii_mm;
   std::vector<double> voxels_mm;
+  double seconds = 10.0;          // latency: of each row
+  std::vector<std::string> loads; // latency: off, on
   double budget_s = 1.0;          // wall clock a row; the number of presses and ticks follows from it
   std::uint64_t seed = 1;         // of every random choice: the same seed, the same inputs
   std::string json;               // file, "-" for stdout, empty for a table

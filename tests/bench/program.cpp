@@ -7,6 +7,7 @@
 
 #include "tests/bench/accuracy.h"
 #include "tests/bench/chart.h"
+#include "tests/bench/latency.h"
 #include "tests/bench/names.h"
 #include "tests/bench/options.h"
 #include "tests/bench/rate.h"
@@ -32,6 +33,7 @@ constexpr Verb kVerbs[] = {
     {"stability", "where every method, its guard on and off, becomes unstable, falls through, jams or kicks",
      run_stability, false},
     {"removal", "how fast and how exactly every method cuts, and what a cutting tick costs", run_removal, false},
+    {"latency", "how late ticks begin and how long they take in real time, with and without drawing", run_latency, false},
     {"chart", "all of it, or what --from names, as the tables and pictures of tests/bench/results", run_chart, true},
 };
 
@@ -77,6 +79,9 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")
       ->check(CLI::Range(0.01, 1.0));
   app.add_option("--budget-s", options.budget_s, "wall clock a row, 1 unless given")->check(CLI::Range(0.001, 3600.0));
+  app.add_option("--seconds", options.seconds, "latency: of each row, 10 unless given")->check(CLI::Range(0.1, 3600.0));
+  app.add_option("--load", options.loads, "latency: off or on (repeatable)")
+      ->check(CLI::IsMember(std::vector<std::string>{"off", "on"}));
   app.add_option("--seed", options.seed, "of every random choice, 1 unless given");
   app.add_option("--json", options.json, "write rows as JSON to a file, or to stdout for -");
   if (!writes_folder) return;
