@@ -2126,6 +2126,121 @@
         </message>
     </context>
     <context>
+        <name>cusp::InversePanel</name>
+        <message>
+            <source>It is reached through its maker&apos;s own service on this computer, which you install. Not yet tried with a real device: its directions, forces and rate are not verified.</source>
+            <translation>Es wird über den Dienst seines Herstellers auf diesem Computer erreicht, den Sie installieren. Noch nicht mit einem echten Gerät erprobt: Richtungen, Kräfte und Rate sind nicht überprüft.</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Ort</translation>
+        </message>
+        <message>
+            <source>Answers a second</source>
+            <translation>Antworten pro Sekunde</translation>
+        </message>
+        <message>
+            <source>Handle</source>
+            <translation>Griff</translation>
+        </message>
+        <message>
+            <source>As it comes</source>
+            <translation>Wie es kommt</translation>
+        </message>
+        <message>
+            <source>A quarter to the left</source>
+            <translation>Ein Viertel nach links</translation>
+        </message>
+        <message>
+            <source>Half round</source>
+            <translation>Halb herum</translation>
+        </message>
+        <message>
+            <source>A quarter to the right</source>
+            <translation>Ein Viertel nach rechts</translation>
+        </message>
+        <message>
+            <source>It stands turned</source>
+            <translation>Es steht gedreht</translation>
+        </message>
+        <message>
+            <source>Of the hand&apos;s way</source>
+            <translation>Vom Weg der Hand</translation>
+        </message>
+        <message>
+            <source>Port of the service</source>
+            <translation>Port des Dienstes</translation>
+        </message>
+        <message>
+            <source>Look for it</source>
+            <translation>Suchen</translation>
+        </message>
+        <message>
+            <source>Let it go</source>
+            <translation>Freigeben</translation>
+        </message>
+        <message>
+            <source>not asked</source>
+            <translation>nicht gefragt</translation>
+        </message>
+        <message>
+            <source>Start its service, switch the device on, and look for it.</source>
+            <translation>Starten Sie seinen Dienst, schalten Sie das Gerät ein und suchen Sie es.</translation>
+        </message>
+        <message>
+            <source>asking</source>
+            <translation>fragt</translation>
+        </message>
+        <message>
+            <source>Asking the service.</source>
+            <translation>Der Dienst wird gefragt.</translation>
+        </message>
+        <message>
+            <source>not found</source>
+            <translation>nicht gefunden</translation>
+        </message>
+        <message>
+            <source>No service answers at port %1. Start the maker&apos;s service and look again.</source>
+            <translation>An Port %1 antwortet kein Dienst. Starten Sie den Dienst des Herstellers und suchen Sie noch einmal.</translation>
+        </message>
+        <message>
+            <source>The service answers, but it knows of no Inverse3. Check its cable and power, and look again.</source>
+            <translation>Der Dienst antwortet, kennt aber kein Inverse3. Prüfen Sie Kabel und Strom und suchen Sie noch einmal.</translation>
+        </message>
+        <message>
+            <source>Something answers at port %1, but not as an Inverse3&apos;s service does.</source>
+            <translation>An Port %1 antwortet etwas, aber nicht wie der Dienst eines Inverse3.</translation>
+        </message>
+        <message>
+            <source>answers</source>
+            <translation>antwortet</translation>
+        </message>
+        <message>
+            <source>silent</source>
+            <translation>stumm</translation>
+        </message>
+        <message>
+            <source>Move it: the place below follows the hand.</source>
+            <translation>Bewegen Sie es: Der Ort unten folgt der Hand.</translation>
+        </message>
+        <message>
+            <source>It does not answer any more. It is looked for by itself; there is no force meanwhile.</source>
+            <translation>Es antwortet nicht mehr. Es wird von selbst gesucht; bis dahin gibt es keine Kraft.</translation>
+        </message>
+        <message>
+            <source>None: the burr keeps its axis</source>
+            <translation>Keiner: Der Bohrer behält seine Achse</translation>
+        </message>
+        <message>
+            <source>Tells how it is turned</source>
+            <translation>Sagt, wie er gedreht ist</translation>
+        </message>
+        <message>
+            <source>Pressed: %1</source>
+            <translation>Gedrückt: %1</translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::LibraryModel</name>
         <message>
             <source>Draft</source>

@@ -1,16 +1,20 @@
 /// The Haply Inverse3 on the device page: whether its service answers, what it tells, and how it lies in the hand's
-/// space. Thread: GUI; the service is asked on a thread of its own.
+/// space. Thread: GUI; the service is asked on a thread of its own, and only when the user asks for it.
 #pragma once
 
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "device/inverse/inverse_port.h"
 
 namespace cusp {
 
 class Settings;
+
+/// What this station knows of its Inverse3; `file` as Settings::file(). For whoever makes the port of a go, too.
+InverseSettings kept_inverse(const QString& file);
 
 class InversePanel : public QWidget {
   Q_OBJECT
@@ -21,20 +25,25 @@ class InversePanel : public QWidget {
   explicit InversePanel(Settings* settings, MakePort make_port = make_inverse_port, QWidget* parent = nullptr);
   ~InversePanel() override;
 
+  /// "Haply Inverse3: answers", for a list of devices.
   QString summary() const;
   /// What a go is to be made with.
   InverseSettings chosen() const;
-  /// Lets go of the device, so that a go may have it; looks again when the panel is seen next.
+  /// Asks the service. Answers show by themselves.
+  void connect_to_it();
+  /// Lets go of the device, so that a go may have it.
   void let_go();
 
  Q_SIGNALS:
   void summary_changed(const QString& summary);
 
  protected:
-  void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void look();
+  void opened(const std::optional<PortFailure>& failure);
+
   struct Inner;
   std::unique_ptr<Inner> inner_;
 };

@@ -1,0 +1,102 @@
+// The panel over a service in miniature: it asks only when it is told to, and says what became of it.
+#include "ui/device/inverse_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <numbers>
+
+#include "tests/device/inverse/fake_service.h"
+#include "ui/app/settings.h"
+
+namespace cusp {
+namespace {
+
+using testing::FakeService;
+
+class InversePanelTest : public ::testing::Test {
+ protected:
+  template <class Condition>
+  bool eventually(Condition&& condition) {
+    for (int i = 0; i < 2000; ++i) {
+      if (condition()) return true;
+      QTest::qWait(10);
+    }
+    return false;
+  }
+  static bool shows(QWidget& panel, const QString& text) {
+    for (QLabel* label : panel.findChildren<QLabel*>()) {
+      if (label->text().contains(text) && label->isVisibleTo(&panel)) return true;
+    }
+    return false;
+  }
+  QTemporaryDir folder;
+  Settings settings{folder.filePath("Cusp.ini")};
+};
+
+TEST_F(InversePanelTest, follows_the_hand_once_it_was_asked_for) {
+  FakeService service;
+  service.set_hand({0.0125, 0, 0.1});
+  InversePanel panel(&settings);
+  panel.show();
+  panel.findChildren<QSpinBox*>().last()->setValue(service.port());
+  EXPECT_EQ(service.connections(), 0u);
+  EXPECT_TRUE(panel.summary().contains("not asked"));
+  panel.connect_to_it();
+  ASSERT_TRUE(eventually([&] { return panel.summary().contains("answers"); }));
+  EXPECT_TRUE(eventually([&] { return shows(panel, "12.5"); }));
+  EXPECT_TRUE(shows(panel, "keeps its axis"));
+  service.set_handle(true, Quat(1, 0, 0, 0), true, false, true);
+  EXPECT_TRUE(eventually([&] { return shows(panel, "A, C"); }));
+  service.set_way(FakeService::Way::silent);
+  EXPECT_TRUE(eventually([&] { return panel.summary().contains("silent"); }));
+  EXPECT_EQ(service.most_force_n(), 0.0);  // it only looks
+  panel.let_go();
+  EXPECT_TRUE(panel.summary().contains("not asked"));
+}
+
+TEST_F(InversePanelTest, says_what_is_missing) {
+  FakeService service;
+  service.set_way(FakeService::Way::no_device);
+  InversePanel panel(&settings);
+  panel.show();
+  panel.findChildren<QSpinBox*>().last()->setValue(service.port());
+  panel.connect_to_it();
+  EXPECT_TRUE(eventually([&] { return shows(panel, "knows of no Inverse3"); }));
+  std::uint16_t nobody = 0;
+  {
+    FakeService gone;
+    nobody = gone.port();
+  }
+  panel.findChildren<QSpinBox*>().last()->setValue(nobody);
+  panel.connect_to_it();
+  EXPECT_TRUE(eventually([&] { return shows(panel, "No service answers"); }));
+}
+
+TEST_F(InversePanelTest, how_it_stands_is_kept_and_rubbish_is_the_usual) {
+  InversePanel panel(&settings);
+  panel.findChild<QComboBox*>()->setCurrentIndex(3);
+  panel.findChildren<QSpinBox*>().first()->setValue(80);
+  const InverseSettings kept = kept_inverse(settings.file());
+  EXPECT_DOUBLE_EQ(kept.yaw_rad, 1.5 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(kept.scale, 0.8);
+  EXPECT_EQ(kept.service.port, 10001);
+  {
+    QSettings store(settings.file(), QSettings::IniFormat);
+    store.setValue("inverse/port", 70000);
+    store.setValue("inverse/turned_deg", 17);
+    store.setValue("inverse/scale_percent", "much");
+  }
+  const InverseSettings usual = kept_inverse(settings.file());
+  EXPECT_EQ(usual.service.port, 10001);
+  EXPECT_EQ(usual.yaw_rad, 0.0);
+  EXPECT_GE(usual.scale, 0.05);
+}
+
+}  // namespace
+}  // namespace cusp

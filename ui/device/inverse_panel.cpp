@@ -1,0 +1,284 @@
+#include "ui/device/inverse_panel.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "ui/app/settings.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kLookMs = 100;
+constexpr int kLeastPercent = 5, kMostPercent = 100;  // of the hand's way: InverseSettings::scale
+constexpr int kQuarterDeg = 90;
+
+double radians(int degrees) { return degrees * std::numbers::pi / 180.0; }
+
+QString millimetres(double m) { return format({m * 1000.0, {}, QStringLiteral("mm"), 1}); }
+
+}  // namespace
+
+InverseSettings kept_inverse(const QString& file) {
+  const QSettings store(file.isEmpty() ? Settings::usual_file() : file, QSettings::IniFormat);
+  InverseSettings out;
+  const int port = store.value("inverse/port", out.service.port).toInt();
+  if (port > 0 && port <= 65535) out.service.port = static_cast<std::uint16_t>(port);
+  const int turned = store.value("inverse/turned_deg", 0).toInt();
+  if (turned % kQuarterDeg == 0 && turned >= 0 && turned < 360) out.yaw_rad = radians(turned);
+  const int percent = store.value("inverse/scale_percent", static_cast<int>(std::lround(100 * out.scale))).toInt();
+  out.scale = std::clamp(percent, kLeastPercent, kMostPercent) / 100.0;
+  return out;
+}
+
+struct InversePanel::Inner {
+  enum class State { away, asking, answers, refused };
+
+  std::optional<QString> file;
+  MakePort make;
+  InverseSettings settings;
+  std::unique_ptr<InversePort> port;
+  std::thread worker;
+  State state = State::away;
+  PortFailure failure{PortError::not_found, {}};
+  QTimer timer;
+  QString said;
+
+  Chip* chip;
+  QLabel *told, *place, *rate, *handle;
+  QPushButton *ask, *free;
+  QComboBox* turned;
+  QSpinBox *scale, *service;
+  QWidget* values;
+
+  void keep() {
+    if (!file) return;
+    QSettings store(*file, QSettings::IniFormat);
+    store.setValue("inverse/port", settings.service.port);
+    store.setValue("inverse/turned_deg", static_cast<int>(std::lround(settings.yaw_rad * 180.0 / std::numbers::pi)));
+    store.setValue("inverse/scale_percent", static_cast<int>(std::lround(100 * settings.scale)));
+  }
+};
+
+InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* parent)
+    : QWidget(parent), inner_(std::make_unique<Inner>()) {
+  Inner& in = *inner_;
+  in.make = std::move(make_port);
+  if (settings) {
+    in.file = settings->file();
+    in.settings = kept_inverse(*in.file);
+  }
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* card = new Card(QStringLiteral("Haply Inverse3"));
+  outer->addWidget(card);
+  auto* column = card->body();
+  column->setSpacing(px(12));
+  in.chip = new Chip;
+  card->head()->addWidget(in.chip);
+  auto* about = make_label(tr("It is reached through its maker's own service on this computer, which you install. Not yet tried with "
+                              "a real device: its directions, forces and rate are not verified."),
+                           TextRole::caption, false, "text2");
+  about->setWordWrap(true);
+  column->addWidget(about);
+  in.told = make_label({});
+  in.told->setWordWrap(true);
+  column->addWidget(in.told);
+
+  in.values = new QWidget;
+  auto* grid = new QGridLayout(in.values);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(px(12));
+  grid->setVerticalSpacing(px(4));
+  grid->setColumnStretch(1, 1);
+  const auto row = [grid](int at, const QString& name, QLabel** value) {
+    grid->addWidget(make_label(name, TextRole::body, false, "text2"), at, 0);
+    *value = make_label({});
+    (*value)->setAccessibleDescription(name);
+    grid->addWidget(*value, at, 1);
+  };
+  row(0, tr("Place"), &in.place);
+  row(1, tr("Answers a second"), &in.rate);
+  row(2, tr("Handle"), &in.handle);
+  column->addWidget(in.values);
+  in.values->hide();
+
+  auto* fields = new QHBoxLayout;
+  fields->setSpacing(px(12));
+  in.turned = new QComboBox;
+  in.turned->addItem(tr("As it comes"));
+  in.turned->addItem(tr("A quarter to the left"));
+  in.turned->addItem(tr("Half round"));
+  in.turned->addItem(tr("A quarter to the right"));
+  in.turned->setCurrentIndex(static_cast<int>(std::lround(in.settings.yaw_rad / (std::numbers::pi / 2))) % 4);
+  fields->addWidget(labelled(tr("It stands turned"), in.turned), 1);
+  in.scale = new QSpinBox;
+  in.scale->setRange(kLeastPercent, kMostPercent);
+  in.scale->setSuffix(QStringLiteral("\u00A0%"));
+  in.scale->setValue(static_cast<int>(std::lround(100 * in.settings.scale)));
+  fields->addWidget(labelled(tr("Of the hand's way"), in.scale));
+  in.service = new QSpinBox;
+  in.service->setRange(1, 65535);
+  in.service->setValue(in.settings.service.port);
+  fields->addWidget(labelled(tr("Port of the service"), in.service));
+  column->addLayout(fields);
+
+  auto* acts = new QHBoxLayout;
+  acts->setSpacing(px(8));
+  in.ask = make_button(tr("Look for it"), ButtonKind::standard, QStringLiteral("search"));
+  in.free = make_button(tr("Let it go"), ButtonKind::quiet);
+  acts->addWidget(in.ask);
+  acts->addWidget(in.free);
+  acts->addStretch(1);
+  column->addLayout(acts);
+
+  connect(in.ask, &QPushButton::clicked, this, &InversePanel::connect_to_it);
+  connect(in.free, &QPushButton::clicked, this, &InversePanel::let_go);
+  connect(in.turned, &QComboBox::currentIndexChanged, this, [this](int index) {
+    inner_->settings.yaw_rad = radians(index * kQuarterDeg);
+    inner_->keep();
+  });
+  connect(in.scale, &QSpinBox::valueChanged, this, [this](int value) {
+    inner_->settings.scale = value / 100.0;
+    inner_->keep();
+  });
+  connect(in.service, &QSpinBox::valueChanged, this, [this](int value) {
+    inner_->settings.service.port = static_cast<std::uint16_t>(value);
+    inner_->keep();
+  });
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &InversePanel::look);
+  look();
+}
+
+InversePanel::~InversePanel() {
+  let_go();
+  QCoreApplication::removePostedEvents(this, QEvent::MetaCall);
+}
+
+InverseSettings InversePanel::chosen() const { return inner_->settings; }
+
+void InversePanel::connect_to_it() {
+  Inner& in = *inner_;
+  if (in.state == Inner::State::asking) return;
+  let_go();
+  in.state = Inner::State::asking;
+  in.port = in.make(in.settings);
+  look();
+  in.worker = std::thread([this, port = in.port.get()] {
+    const auto result = port->open();
+    std::optional<PortFailure> failure;
+    if (!result) failure = result.error();
+    QMetaObject::invokeMethod(this, [this, failure] { opened(failure); }, Qt::QueuedConnection);
+  });
+}
+
+void InversePanel::opened(const std::optional<PortFailure>& failure) {
+  Inner& in = *inner_;
+  if (in.worker.joinable()) in.worker.join();
+  if (in.state != Inner::State::asking) return;
+  if (failure) {
+    in.failure = *failure;
+    in.port.reset();
+    in.state = Inner::State::refused;
+  } else {
+    in.state = Inner::State::answers;
+    in.timer.start();
+  }
+  look();
+  announce(this, in.told->text());
+}
+
+void InversePanel::let_go() {
+  Inner& in = *inner_;
+  if (in.worker.joinable()) in.worker.join();  // at most the three seconds of open()
+  in.timer.stop();
+  in.port.reset();
+  in.state = Inner::State::away;
+  look();
+}
+
+void InversePanel::look() {
+  Inner& in = *inner_;
+  using State = Inner::State;
+  QString told;
+  bool values = false;
+  switch (in.state) {
+    case State::away:
+      in.chip->set(tr("not asked"), Chip::Kind::plain);
+      told = tr("Start its service, switch the device on, and look for it.");
+      break;
+    case State::asking:
+      in.chip->set(tr("asking"), Chip::Kind::plain);
+      told = tr("Asking the service.");
+      break;
+    case State::refused:
+      in.chip->set(tr("not found"), Chip::Kind::look);
+      if (in.failure.code == PortError::not_found && in.failure.where == "service") {
+        told = tr("No service answers at port %1. Start the maker's service and look again.")
+                   .arg(QString::number(in.settings.service.port));
+      } else if (in.failure.code == PortError::not_found) {
+        told = tr("The service answers, but it knows of no Inverse3. Check its cable and power, and look again.");
+      } else {
+        told = tr("Something answers at port %1, but not as an Inverse3's service does.")
+                   .arg(QString::number(in.settings.service.port));
+      }
+      break;
+    case State::answers: {
+      const InverseView view = in.port->view();
+      const auto& s = view.session;
+      const bool ready = s.phase == inverse::Phase::ready;
+      values = true;
+      in.chip->set(ready ? tr("answers") : tr("silent"), ready ? Chip::Kind::good : Chip::Kind::look);
+      told = ready ? tr("Move it: the place below follows the hand.")
+                   : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
+      const Vec3 at = s.reading.position_m;
+      in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres(at.x), millimetres(at.y), millimetres(at.z)));
+      in.rate->setText(view.updates_per_s > 0 ? format_number(view.updates_per_s, 0) : QStringLiteral("–"));
+      QStringList down;
+      if (s.reading.a) down << QStringLiteral("A");
+      if (s.reading.b) down << QStringLiteral("B");
+      if (s.reading.c) down << QStringLiteral("C");
+      in.handle->setText(!s.has_orientation ? tr("None: the burr keeps its axis")
+                         : down.isEmpty()   ? tr("Tells how it is turned")
+                                            : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
+      break;
+    }
+  }
+  if (in.told->text() != told) in.told->setText(told);
+  in.values->setVisible(values);
+  in.ask->setEnabled(in.state == State::away || in.state == State::refused);
+  in.free->setVisible(in.state == State::answers);
+  const bool still = in.state != State::asking && in.state != State::answers;
+  for (QWidget* field : {static_cast<QWidget*>(in.turned), static_cast<QWidget*>(in.scale), static_cast<QWidget*>(in.service)})
+    field->setEnabled(still);
+  if (const QString now = summary(); now != in.said) {
+    in.said = now;
+    Q_EMIT summary_changed(now);
+  }
+}
+
+QString InversePanel::summary() const { return QStringLiteral("Haply Inverse3: %1").arg(inner_->chip->text()); }
+
+void InversePanel::hideEvent(QHideEvent* event) {
+  if (inner_->state == Inner::State::answers) let_go();
+  QWidget::hideEvent(event);
+}
+
+}  // namespace cusp
