@@ -139,10 +139,11 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   in.dead_zone->setRange(0, static_cast<int>(100 * hid::PedalCalibration::kMostDeadZone));
   in.dead_zone->setSuffix(QStringLiteral("\u00A0%"));
   in.dead_row = labelled(tr("Dead zone at both ends"), in.dead_zone);
+  in.dead_row->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   column->addWidget(in.dead_row);
 
   auto* box = new QFrame;
-  set_kind(box, "band");
+  set_kind(box, "band_info");
   in.lesson_box = box;
   auto* steps = new QVBoxLayout(box);
   steps->setContentsMargins(px(12), px(12), px(12), px(12));
@@ -269,7 +270,8 @@ void PedalPanel::look() {
   int index = 0;
   for (std::size_t i = 0; i < in.offered.size(); ++i) {
     if (in.settings.vendor != 0 && in.offered[i].vendor == in.settings.vendor &&
-        in.offered[i].product == in.settings.product && in.offered[i].interface_number == in.settings.interface_number)
+        in.offered[i].product == in.settings.product && index == 0 &&
+        (in.settings.interface_number < 0 || in.offered[i].interface_number == in.settings.interface_number))
       index = static_cast<int>(i) + 1;
   }
   if (!in.device->view()->isVisible() && in.device->currentIndex() != index) in.device->setCurrentIndex(index);

@@ -124,6 +124,7 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   in.speed->setRange(20, 300);
   in.speed->setPageStep(20);
   in.speed->setAccessibleName(tr("Speed"));
+  in.speed->setMinimumHeight(px(20));
   in.speed_text = make_label({}, TextRole::body);
   in.speed_text->setMinimumWidth(QFontMetrics(font_of(TextRole::body)).horizontalAdvance(percent(3)) + px(4));
   auto* speed_row = new QWidget;
