@@ -25,7 +25,7 @@ struct Options {
   std::vector<std::string> directions;  // removal
   std::vector<double> ticks_ms;         // removal
   std::vector<double> alphas;           // removal
-  bool full = false;                    // removal: every combination for one burr, instead of all pairs
+  bool full = false;                    // removal: every combination, every burr; stability: k_max on every device
   std::vector<double> speeds_mm_s;
   std::vector<double> burr_radii_mm;
   std::vector<double> voxels_mm;

@@ -73,7 +73,8 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
       ->check(CLI::IsMember(direction_names()));
   app.add_option("--tick-ms", options.ticks_ms, "removal: lengths of a tick (repeatable)")->check(CLI::Range(0.1, 50.0));
   app.add_option("--alpha", options.alphas, "removal: wear coefficients (repeatable)")->check(CLI::Range(0.01, 1.0));
-  app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round burr at 0.1 mm, not all pairs");
+  app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round burr at 0.1 mm, not all pairs; every burr of the "
+               "catalogue. stability: k_max on every device, grip, friction and delay, and nothing else");
   app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));
   app.add_option("--burr-radius-mm", options.burr_radii_mm, "burr radii (repeatable)")->check(CLI::Range(0.05, 5.0));
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")

@@ -77,9 +77,12 @@ struct Row {
   std::int64_t runs = -1;             // stability: approaches, presses or ways, of which samples are the ticks
   double k_max_n_per_mm = kAbsent;    // stability: see the laboratory's measures.h for this and all that follow
   double k_exact_n_per_mm = kAbsent;  // k_max of the exact proxy on the same shape, with the same hand and device
+  double k_exact_out_n_per_mm = kAbsent;  // of the exact proxy all 0.1 um further out: how fine k_max itself is
   double energy_mj = kAbsent;
   double energy_exact_mj = kAbsent;
   double late_mj = kAbsent;   // force times travel in the milliseconds that went without an answer
+  double energy_left_mj = kAbsent;        // energy_mj, of each episode less its own force times travel in such milliseconds
+  double energy_exact_left_mj = kAbsent;  // the same of the exact proxy
   double cycle_um = kAbsent;  // where the hand rests; with k_max, at the first stiffness that fails
   double cycle_hz = kAbsent;
   double cycle_exact_um = kAbsent;  // of the exact proxy in the same loop
@@ -174,9 +177,12 @@ void for_each_field(R& row, Visit&& visit) {
   visit("runs", row.runs);
   visit("k_max_n_per_mm", row.k_max_n_per_mm);
   visit("k_exact_n_per_mm", row.k_exact_n_per_mm);
+  visit("k_exact_out_n_per_mm", row.k_exact_out_n_per_mm);
   visit("energy_mj", row.energy_mj);
   visit("energy_exact_mj", row.energy_exact_mj);
   visit("late_mj", row.late_mj);
+  visit("energy_left_mj", row.energy_left_mj);
+  visit("energy_exact_left_mj", row.energy_exact_left_mj);
   visit("cycle_um", row.cycle_um);
   visit("cycle_hz", row.cycle_hz);
   visit("cycle_exact_um", row.cycle_exact_um);

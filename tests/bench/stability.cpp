@@ -26,12 +26,14 @@ constexpr Device kDevices[] = {{0.1, 0.5}, {0.1, 2.0}, {0.1, 5.0}, {0.25, 0.5}, 
 
 /// True when another device, friction or delay than the usual one was asked for.
 bool asks_for_a_device(const Options& options) {
-  return !options.devices.empty() || !options.frictions_n.empty() || !options.delays_ms.empty();
+  return options.full || !options.devices.empty() || !options.frictions_n.empty() || !options.delays_ms.empty();
 }
 
 /// These grips, where asked for, on the usual device or those asked for.
 std::vector<Setting> settings_of(const std::vector<std::string_view>& grips, const Options& options) {
   const Setting usual = usual_setting();
+  const auto of = [&options](double one, std::vector<double> all) { return options.full ? all : std::vector{one}; };
+  const std::vector<double> frictions = of(usual.friction_n, {0.0, 0.1}), delays = of(usual.delay_ms, {0.0, 1.0, 3.0});
   std::vector<Setting> out;
   for (const std::string_view grip : grips) {
     if (!asked(options.grips, grip)) continue;
@@ -41,11 +43,10 @@ std::vector<Setting> settings_of(const std::vector<std::string_view>& grips, con
     }
     for (const Device& device : kDevices) {
       const std::string name = device_name(device.mass_kg, device.damping_ns_per_m);
-      if (options.devices.empty() ? name != device_name(usual.mass_kg, usual.damping_ns_per_m)
-                                  : !asked(options.devices, name))
-        continue;
-      for (const double friction : chosen(options.frictions_n, {usual.friction_n}))
-        for (const double delay : chosen(options.delays_ms, {usual.delay_ms}))
+      const bool is_usual = name == device_name(usual.mass_kg, usual.damping_ns_per_m);
+      if (options.devices.empty() ? !is_usual && !options.full : !asked(options.devices, name)) continue;
+      for (const double friction : chosen(options.frictions_n, frictions))
+        for (const double delay : chosen(options.delays_ms, delays))
           out.push_back({device.mass_kg, device.damping_ns_per_m, friction, delay, grip});
     }
   }
@@ -72,21 +73,61 @@ KMaxCase k_max_case(const CaseRun& what) {
   return out;
 }
 
+/// How far out the exact proxy is put to see how fine k_max itself is.
+constexpr double kOutMm = 1e-4;
+
 /// k_max of the exact proxy, which no method, guard or voxel changes: found once.
-const KMax& exact_k_max(const CaseRun& what) {
-  using Key = std::tuple<std::string, double, double, double, double, double, std::string>;
+const KMax& exact_k_max(const CaseRun& what, double out_mm = 0.0) {
+  using Key = std::tuple<std::string, double, double, double, double, double, std::string, double>;
   static std::map<Key, KMax> known;
   const Setting& s = what.setting;
   const Key key{what.key,     what.burr_radius_mm, s.mass_kg,          s.damping_ns_per_m,
-                s.friction_n, s.delay_ms,          std::string(s.grip)};
+                s.friction_n, s.delay_ms,          std::string(s.grip), out_mm};
   auto found = known.find(key);
   if (found == known.end()) {
     KMaxCase exact = k_max_case(what);
     exact.method.reset();
     exact.guard = false;
+    exact.out_mm = out_mm;
     found = known.emplace(key, find_k_max(exact)).first;
   }
   return found->second;
+}
+
+/// k_max over the exact proxy's, by place, method and guard; beside it the exact proxy's over its own, 0.1 um further out.
+void print_ratios(const std::vector<Row>& rows) {
+  struct Ratios {
+    std::vector<double> own, itself;
+    int exact_none = 0;  // cells in which the exact proxy is stable at no stiffness
+    double fed_mj = 0.0, energy_mj = 0.0;
+  };
+  std::map<std::tuple<std::string, std::string, std::string>, Ratios> all;
+  for (const Row& r : rows) {
+    if (std::isnan(r.k_max_n_per_mm)) continue;
+    Ratios& of = all[{r.case_name, r.method, r.guard}];
+    if (!(r.k_exact_n_per_mm > 0.0)) {
+      ++of.exact_none;
+      continue;
+    }
+    of.own.push_back(r.k_max_n_per_mm / r.k_exact_n_per_mm);
+    of.itself.push_back(r.k_exact_out_n_per_mm / r.k_exact_n_per_mm);
+    of.fed_mj = std::fmax(of.fed_mj, r.energy_mj - r.energy_exact_mj);
+    of.energy_mj = std::fmax(of.energy_mj, r.energy_mj);
+  }
+  if (all.empty()) return;
+  fmt::print("\nk_max over the exact proxy's; and the exact proxy's, all 0.1 um further out, over its own\n");
+  fmt::print("{:<9}{:<17}{:<6}{:>6}{:>6}{:>8}{:>8}{:>8}{:>7}   {:>8}{:>8}{:>8}{:>7}{:>12}{:>9}\n", "case", "method", "guard",
+             "cells", "none", "min", "median", "max", ">15 %", "min", "median", "max", ">15 %", "mJ beyond", "mJ");
+  for (auto& [key, of] : all) {
+    fmt::print("{:<9}{:<17}{:<6}{:>6}{:>6}", std::get<0>(key), std::get<1>(key), std::get<2>(key), of.own.size(), of.exact_none);
+    for (std::vector<double>* ratios : {&of.own, &of.itself}) {
+      if (ratios->empty()) break;
+      std::ranges::sort(*ratios);
+      const auto off = std::ranges::count_if(*ratios, [](double r) { return std::fabs(r - 1.0) > 0.15; });
+      fmt::print("{:>8.3f}{:>8.3f}{:>8.3f}{:>7}   ", ratios->front(), (*ratios)[ratios->size() / 2], ratios->back(), off);
+    }
+    fmt::print("{:>9.5f}{:>9.4f}\n", of.fed_mj, of.energy_mj);
+  }
 }
 
 void print(const std::vector<Row>& rows) {
@@ -106,8 +147,11 @@ void print(const std::vector<Row>& rows) {
     if (!std::isnan(r.vibration_mn)) fmt::print("  vibration {} mN", number(r.vibration_mn));
     if (!std::isnan(r.zero_ms))
       fmt::print("  zero after {} ms, back after {} to {}", number(r.zero_ms), number(r.back_ms), number(r.back_share));
+    if (!std::isnan(r.energy_left_mj))
+      fmt::print("  {:.3f} mJ, exact {:.3f}, less force times late travel", r.energy_left_mj, r.energy_exact_left_mj);
     fmt::print("\n");
   }
+  print_ratios(rows);
 }
 
 /// What the picture of damping shows: the surface proxy on a face, without a guard and without delay.
@@ -156,6 +200,7 @@ Row press_row(const CaseRun& what) {
   row.cycle_um = found.cycle_um;
   row.cycle_hz = found.cycle_hz;
   row.k_exact_n_per_mm = exact_k_max(what).k_max_n_per_mm;
+  row.k_exact_out_n_per_mm = exact_k_max(what, kOutMm).k_max_n_per_mm;
   // At half of what it may be.
   const double half = 0.5 * std::min(found.k_max_n_per_mm, row.k_exact_n_per_mm);
   row.runs = own.seeds;
@@ -211,9 +256,10 @@ std::vector<Row> stability_rows(const Options& options) {
     // Hundreds of points about the burr in its pit; one burr for the rest.
     for (const double radius : chosen(options.burr_radii_mm, {name.key == "pit" ? 0.5 : 0.25})) {
       what.burr_radius_mm = radius;
-      each(name.key, settings_of(options.grips.empty() ? soft : every, options), voxels_of(name.key, options),
+      each(name.key, settings_of(options.grips.empty() && !options.full ? soft : every, options), voxels_of(name.key, options),
            press_row);
     }
+  if (options.full) return rows;
   if (options.grips.empty() && !asks_for_a_device(options)) sweep_damping(what, options, rows);
   for (const double radius : chosen(options.burr_radii_mm, {0.25})) {
     what.burr_radius_mm = radius;

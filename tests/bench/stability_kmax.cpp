@@ -126,7 +126,7 @@ PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare)
     any = true;
     if (!state) {
       touched = touched || there.contact;
-      return (there.pose_mm - device) * k;
+      return there.contact ? (there.pose_mm - press.into * what.out_mm - device) * k : Vec3(0.0);
     }
     touched = touched || answer.contact;
     const Vec3 force = what.guard ? answer.force_n : answer.force_raw_n * k;

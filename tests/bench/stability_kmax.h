@@ -43,6 +43,7 @@ struct KMaxCase {
   lab::TransportSettings transport;  // its seed is the run's
   lab::Grip grip = lab::kNoGrip;
   int seeds = 5;  // 1 to this
+  double out_mm = 0.0;  // of the exact proxy: all of it so much further out, against the push
 };
 
 /// One run at one stiffness.

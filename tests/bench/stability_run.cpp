@@ -24,6 +24,11 @@ StepInput input_of(const lab::Reading& reading) {
   return input;
 }
 
+/// Force times travel of a millisecond without an answer.
+double late_mj_of(const lab::LoopTick& tick) {
+  return tick.answers == 0 ? length(tick.held_n) * length(tick.to_mm - tick.from_mm) : 0.0;
+}
+
 double larger(double a, double b) { return std::isnan(a) ? b : std::max(a, b); }
 
 /// The hand's way and its rest: calls tick(ms) for each millisecond, after telling the plant what the hand intends.
@@ -92,7 +97,7 @@ int stuck_for_ms(const lab::StuckWatch& watch) { return stuck_for_ms(watch.stuck
 void Tally::begin() {
   run_.clear();
   stuck_ = {};
-  energy_ = exact_energy_ = {};
+  energy_ = exact_energy_ = left_ = exact_left_ = {};
   through_ = was_stuck_ = false;
   run_late_mj_ = 0.0;
 }
@@ -153,7 +158,13 @@ void Tally::gave(const StepOutput& out) { force_max_n_ = std::max(force_max_n_, 
 
 void Tally::loop(const lab::LoopTick& tick) {
   energy_.add(tick);
-  if (tick.answers == 0) run_late_mj_ += length(tick.held_n) * length(tick.to_mm - tick.from_mm);
+  left_.add(tick.held_any, tick.energy_mj - late_mj_of(tick));
+  run_late_mj_ += late_mj_of(tick);
+}
+
+void Tally::exact_loop(const lab::LoopTick& tick) {
+  exact_energy_.add(tick);
+  exact_left_.add(tick.held_any, tick.energy_mj - late_mj_of(tick));
 }
 
 void Tally::rest(const lab::Steadiness& steady) {
@@ -176,6 +187,8 @@ void Tally::end() {
   stuck_runs_ += was_stuck_ ? 1 : 0;
   late_mj_ = std::max(late_mj_, run_late_mj_);
   if (energy_.episodes() > 0) energy_mj_ = larger(energy_mj_, energy_.most_mj());
+  if (left_.episodes() > 0) left_mj_ = larger(left_mj_, left_.most_mj());
+  if (exact_left_.episodes() > 0) exact_left_mj_ = larger(exact_left_mj_, exact_left_.most_mj());
   if (exact_energy_.episodes() > 0) exact_energy_mj_ = larger(exact_energy_mj_, exact_energy_.most_mj());
 }
 
@@ -184,7 +197,11 @@ void Tally::fill(Row& row) {
   row.runs = runs_;
   row.energy_mj = energy_mj_;
   row.energy_exact_mj = exact_energy_mj_;
-  if (late_mj_ > 0.0) row.late_mj = late_mj_;
+  if (late_mj_ > 0.0) {
+    row.late_mj = late_mj_;
+    row.energy_left_mj = left_mj_;
+    row.energy_exact_left_mj = exact_left_mj_;
+  }
   row.cycle_um = cycle_um_;
   row.cycle_hz = cycle_hz_;
   row.cycle_exact_um = exact_cycle_um_;

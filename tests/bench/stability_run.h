@@ -60,7 +60,7 @@ class Tally {
   /// A swap, a re-arm: the next rise is none.
   void interrupt();
   void loop(const lab::LoopTick& tick);
-  void exact_loop(const lab::LoopTick& tick) { exact_energy_.add(tick); }
+  void exact_loop(const lab::LoopTick& tick);
   void rest(const lab::Steadiness& steady);
   void exact_rest(const lab::Steadiness& steady);
   /// The run is over.
@@ -81,12 +81,12 @@ class Tally {
   lab::ForceSteps steps_;
   lab::StuckWatch stuck_;
   lab::Penetration penetration_;
-  lab::ContactEnergy energy_, exact_energy_;
+  lab::ContactEnergy energy_, exact_energy_, left_, exact_left_;
   std::vector<double> step_mn_;
   std::int64_t ticks_ = 0, runs_ = 0, passed_ = 0, stuck_runs_ = 0;
   int stuck_ms_ = 0;
   double force_max_n_ = 0.0, run_late_mj_ = 0.0, late_mj_ = 0.0;
-  double energy_mj_ = kAbsent, exact_energy_mj_ = kAbsent, cycle_um_ = kAbsent, cycle_hz_ = kAbsent,
+  double energy_mj_ = kAbsent, exact_energy_mj_ = kAbsent, left_mj_ = kAbsent, exact_left_mj_ = kAbsent, cycle_um_ = kAbsent, cycle_hz_ = kAbsent,
          exact_cycle_um_ = kAbsent;
   bool through_ = false, was_stuck_ = false;
 };

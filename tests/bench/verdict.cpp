@@ -21,7 +21,7 @@ std::vector<Breaks> breaks_of(const Row& row) {
   const bool press = std::ranges::any_of(kPressCases, [&row](const CaseName& c) { return c.key == row.case_name; });
   is(Breaks::rings, (!press && row.cycle_um > kMostCycleUm && row.cycle_um > 2.0 * row.cycle_exact_um) ||
                         row.vibration_mn > kMostVibrationMn);
-  is(Breaks::feeds, row.energy_mj > row.energy_exact_mj + kMostFedMj + (std::isnan(row.late_mj) ? 0.0 : row.late_mj));
+  is(Breaks::feeds, (std::isnan(row.energy_left_mj) ? row.energy_mj : row.energy_left_mj) > row.energy_exact_mj + kMostFedMj);
   const bool fault = std::ranges::any_of(kFaultCases, [&row](const CaseName& c) { return c.key == row.case_name; });
   const bool exchange = row.case_name == "specimen-exchange" || row.case_name == "burr-exchange";
   is(Breaks::stays_on,
