@@ -5,10 +5,11 @@
 namespace cusp {
 namespace {
 
-constexpr std::array<DeviceKind, 4> kKinds = {{
+constexpr std::array<DeviceKind, 5> kKinds = {{
     {.key = "pointer", .device_class = "pointer"},
     {.key = "falcon", .device_class = "falcon"},
     {.key = "emulated-falcon", .device_class = "emulated-falcon"},
+    {.key = "inverse3", .device_class = "inverse3"},
     {.key = "scripted", .device_class = "scripted", .needs_file = true, .offered = false},
 }};
 

@@ -35,7 +35,8 @@ struct FoundDevice {
 class DeviceWatch {
  public:
   virtual ~DeviceWatch() = default;
-  /// Falcons in order of their sockets, then the emulated one, then mouse and keys.
+  /// Falcons in order of their sockets, an Inverse3 where its service listens, then the emulated Falcon, then mouse and
+  /// keys.
   virtual std::vector<FoundDevice> list() = 0;
   /// Whether one came or went since the last call (true the first time). Does not wait.
   virtual bool changed() noexcept = 0;

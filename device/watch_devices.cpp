@@ -1,7 +1,9 @@
+#include <chrono>
 #include <utility>
 
 #include "device/catalogue.h"
 #include "device/falcon/transport_libusb.h"
+#include "device/inverse/service_probe.h"
 
 namespace cusp {
 namespace {
@@ -18,15 +20,31 @@ class Watch final : public DeviceWatch {
         out.push_back({.kind = "falcon", .name = one.name, .port = one.port, .denied = one.denied});
       }
     }
+    listed_service_ = service();
+    if (listed_service_) out.push_back({.kind = "inverse3"});
     return with_those_of_no_hardware(std::move(out));
   }
   bool changed() noexcept override {
-    if (falcons_) return falcons_->changed();
-    return !std::exchange(asked_, true);
+    const bool other = service() != listed_service_;
+    if (falcons_) return falcons_->changed() || other;
+    return !std::exchange(asked_, true) || other;
   }
 
  private:
+  /// Whether the Inverse3's service listens, asked every few seconds: on loopback the answer is there at once.
+  bool service() noexcept {
+    const auto now = std::chrono::steady_clock::now();
+    if (!probed_ || now - probed_at_ > std::chrono::seconds(3)) {
+      probed_ = true;
+      probed_at_ = now;
+      listens_ = inverse::service_listens({});
+    }
+    return listens_;
+  }
+
   std::unique_ptr<falcon::FalconWatch> falcons_;
+  bool listens_ = false, listed_service_ = false, probed_ = false;
+  std::chrono::steady_clock::time_point probed_at_{};
   bool asked_ = false;
 };
 

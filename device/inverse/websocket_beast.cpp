@@ -9,6 +9,7 @@
 #include <deque>
 
 #include "device/inverse/inverse_port.h"
+#include "device/inverse/service_probe.h"
 
 namespace cusp {
 
@@ -135,6 +136,18 @@ class BeastLink final : public inverse::InverseLink {
 };
 
 }  // namespace
+
+bool inverse::service_listens(const ServiceAddress& address) noexcept {
+  try {
+    asio::io_context context;
+    tcp::socket socket(context);
+    boost::system::error_code error;
+    socket.connect({asio::ip::address_v4::loopback(), address.port}, error);
+    return !error;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
 
 std::unique_ptr<InversePort> make_inverse_port(const InverseSettings& settings) {
   return std::make_unique<InversePort>(std::make_unique<BeastLink>(settings.service), settings);

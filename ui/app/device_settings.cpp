@@ -1,7 +1,9 @@
 #include "ui/app/device_settings.h"
 
 #include <QUrl>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "device/catalogue.h"
 #include "ui/app/settings.h"
@@ -30,12 +32,31 @@ DeviceChoice DeviceSettings::choice() const {
 DeviceChoice DeviceSettings::choice_of(const std::string& kind, const std::string& name) const {
   DeviceChoice out{.kind = kind, .name = name, .firmware = firmware(), .profile = {}};
   if (kind == "falcon") out.profile = profile(name);
+  if (kind == "inverse3") out.inverse = inverse();
   return out;
 }
 
 void DeviceSettings::choose(const std::string& kind, const std::string& name) {
   store_.setValue("device/kind", QString::fromStdString(kind));
   store_.setValue("device/name", QString::fromStdString(name));
+}
+
+InverseSettings DeviceSettings::inverse() const {
+  InverseSettings out;
+  const int port = store_.value("inverse/port", out.service.port).toInt();
+  if (port > 0 && port <= 65535) out.service.port = static_cast<std::uint16_t>(port);
+  const int turned = store_.value("inverse/turned_deg", 0).toInt();
+  if (turned % 90 == 0 && turned >= 0 && turned < 360) out.yaw_rad = turned * std::numbers::pi / 180.0;
+  bool ok = false;
+  const int percent = store_.value("inverse/scale_percent").toInt(&ok);
+  if (ok) out.scale = std::clamp(percent, 5, 100) / 100.0;
+  return out;
+}
+
+void DeviceSettings::set_inverse(const InverseSettings& settings) {
+  store_.setValue("inverse/port", settings.service.port);
+  store_.setValue("inverse/turned_deg", static_cast<int>(std::lround(settings.yaw_rad * 180.0 / std::numbers::pi)));
+  store_.setValue("inverse/scale_percent", static_cast<int>(std::lround(100 * settings.scale)));
 }
 
 FirmwareChoice DeviceSettings::firmware() const {

@@ -22,6 +22,9 @@ class DeviceSettings {
   /// With what is known of this one.
   DeviceChoice choice_of(const std::string& kind, const std::string& name) const;
 
+  InverseSettings inverse() const;
+  void set_inverse(const InverseSettings& settings);
+
   FirmwareChoice firmware() const;
   void set_firmware(const FirmwareChoice& firmware);
 

@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTimer>
@@ -16,6 +15,7 @@
 #include <numbers>
 #include <thread>
 
+#include "ui/app/device_settings.h"
 #include "ui/app/settings.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
@@ -35,22 +35,10 @@ QString millimetres(double m) { return format({m * 1000.0, {}, QStringLiteral("m
 
 }  // namespace
 
-InverseSettings kept_inverse(const QString& file) {
-  const QSettings store(file.isEmpty() ? Settings::usual_file() : file, QSettings::IniFormat);
-  InverseSettings out;
-  const int port = store.value("inverse/port", out.service.port).toInt();
-  if (port > 0 && port <= 65535) out.service.port = static_cast<std::uint16_t>(port);
-  const int turned = store.value("inverse/turned_deg", 0).toInt();
-  if (turned % kQuarterDeg == 0 && turned >= 0 && turned < 360) out.yaw_rad = radians(turned);
-  const int percent = store.value("inverse/scale_percent", static_cast<int>(std::lround(100 * out.scale))).toInt();
-  out.scale = std::clamp(percent, kLeastPercent, kMostPercent) / 100.0;
-  return out;
-}
-
 struct InversePanel::Inner {
   enum class State { away, asking, answers, refused };
 
-  std::optional<QString> file;
+  std::optional<DeviceSettings> kept;
   MakePort make;
   InverseSettings settings;
   std::unique_ptr<InversePort> port;
@@ -68,11 +56,7 @@ struct InversePanel::Inner {
   QWidget* values;
 
   void keep() {
-    if (!file) return;
-    QSettings store(*file, QSettings::IniFormat);
-    store.setValue("inverse/port", settings.service.port);
-    store.setValue("inverse/turned_deg", static_cast<int>(std::lround(settings.yaw_rad * 180.0 / std::numbers::pi)));
-    store.setValue("inverse/scale_percent", static_cast<int>(std::lround(100 * settings.scale)));
+    if (kept) kept->set_inverse(settings);
   }
 };
 
@@ -81,14 +65,19 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   Inner& in = *inner_;
   in.make = std::move(make_port);
   if (settings) {
-    in.file = settings->file();
-    in.settings = kept_inverse(*in.file);
+    in.kept.emplace(settings->file());
+    in.settings = in.kept->inverse();
   }
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* card = new Card(QStringLiteral("Haply Inverse3"));
-  outer->addWidget(card);
-  auto* column = card->body();
+  // In a card of the page it is that card's; alone it brings one.
+  auto* card = qobject_cast<Card*>(parent);
+  QVBoxLayout* column = outer;
+  if (!card || !card->head()) {
+    card = new Card(QStringLiteral("Haply Inverse3"));
+    outer->addWidget(card);
+    column = card->body();
+  }
   column->setSpacing(px(12));
   in.chip = new Chip;
   card->head()->addWidget(in.chip);

@@ -1,5 +1,6 @@
 /// The Haply Inverse3 on the device page: whether its service answers, what it tells, and how it lies in the hand's
-/// space. Thread: GUI; the service is asked on a thread of its own, and only when the user asks for it.
+/// space. It stands in the card that it is put into, or brings one. Thread: GUI; the service is asked on a thread of its
+/// own, and only when the user asks for it.
 #pragma once
 
 #include <QWidget>
@@ -12,9 +13,6 @@
 namespace cusp {
 
 class Settings;
-
-/// What this station knows of its Inverse3; `file` as Settings::file(). For whoever makes the port of a go, too.
-InverseSettings kept_inverse(const QString& file);
 
 class InversePanel : public QWidget {
   Q_OBJECT

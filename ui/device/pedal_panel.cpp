@@ -82,9 +82,14 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   in.settings = reader.settings();
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* card = new Card(tr("Foot pedal"));
-  outer->addWidget(card);
-  auto* column = card->body();
+  // In a card of the page it is that card's; alone it brings one.
+  auto* card = qobject_cast<Card*>(parent);
+  QVBoxLayout* column = outer;
+  if (!card || !card->head()) {
+    card = new Card(tr("Foot pedal"));
+    outer->addWidget(card);
+    column = card->body();
+  }
   column->setSpacing(px(12));
   in.state = new Chip;
   card->head()->addWidget(in.state);

@@ -1,4 +1,5 @@
-/// The foot pedal on the device page: which one, how far it is down, and its calibration step by step. Thread: GUI.
+/// The foot pedal on the device page: which one, how far it is down, and its calibration step by step. It stands in the
+/// card that it is put into, or brings one. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -71,9 +71,14 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   in.settings = reader.settings();
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* card = new Card(QStringLiteral("SpaceMouse"));
-  outer->addWidget(card);
-  auto* column = card->body();
+  // In a card of the page it is that card's; alone it brings one.
+  auto* card = qobject_cast<Card*>(parent);
+  QVBoxLayout* column = outer;
+  if (!card || !card->head()) {
+    card = new Card(QStringLiteral("SpaceMouse"));
+    outer->addWidget(card);
+    column = card->body();
+  }
   column->setSpacing(px(12));
   in.state = new Chip;
   card->head()->addWidget(in.state);

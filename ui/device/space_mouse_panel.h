@@ -1,4 +1,5 @@
-/// The SpaceMouse on the device page: what it tells, its rest and dead zone, how fast it turns the view. Thread: GUI.
+/// The SpaceMouse on the device page: what it tells, its rest and dead zone, how fast it turns the view. It stands in
+/// the card that it is put into, or brings one. Thread: GUI.
 #pragma once
 
 #include <QWidget>

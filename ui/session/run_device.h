@@ -9,6 +9,7 @@
 
 #include "device/falcon/emulated_falcon_port.h"
 #include "device/falcon/profile.h"
+#include "device/inverse/inverse_port.h"
 #include "device/pointer/pointer_hand.h"
 #include "engine/base/haptic_port.h"
 
@@ -26,6 +27,7 @@ struct DeviceChoice {
   std::string name;              // which of several Falcons; empty: the first
   FirmwareChoice firmware;
   FalconProfile profile;         // of that Falcon
+  InverseSettings inverse{};     // of the Inverse3; place and burrs are the go's
 };
 
 /// A port for one go, and what a screen may look at meanwhile. Its parts live as long as the port.

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <thread>
 
+#include "device/inverse/service_probe.h"
 #include "tests/device/inverse/fake_service.h"
 
 namespace cusp {
@@ -175,6 +177,16 @@ TEST(InversePort, silence_garbage_and_a_service_that_goes_are_loss_and_it_is_fou
     service.set_way(FakeService::Way::answers);
     EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.status == Sample::Status::fresh; })) << static_cast<int>(way);
   }
+}
+
+TEST(InversePort, a_service_is_found_by_whether_it_listens) {
+  std::uint16_t port = 0;
+  {
+    FakeService service;
+    port = service.port();
+    EXPECT_TRUE(inverse::service_listens({port}));
+  }
+  EXPECT_FALSE(inverse::service_listens({port}));
 }
 
 TEST(InversePort, opened_again_it_begins_anew) {

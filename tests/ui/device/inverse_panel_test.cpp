@@ -7,11 +7,13 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <numbers>
 
 #include "tests/device/inverse/fake_service.h"
+#include "ui/app/device_settings.h"
 #include "ui/app/settings.h"
 
 namespace cusp {
@@ -78,11 +80,32 @@ TEST_F(InversePanelTest, says_what_is_missing) {
   EXPECT_TRUE(eventually([&] { return shows(panel, "No service answers"); }));
 }
 
+TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {
+  FakeService service;
+  DeviceSettings kept(settings.file());
+  kept.choose("inverse3", "");
+  InverseSettings stands = kept.inverse();
+  stands.service.port = service.port();
+  kept.set_inverse(stands);
+  auto device = make_run_device(kept.choice(), {1, 2, 3}, 2);
+  ASSERT_TRUE(device);
+  EXPECT_FALSE(device->hand);
+  ASSERT_TRUE(device->port->open());
+  EXPECT_EQ(device->port->limits().device_class, "inverse3");
+  Sample sample;
+  for (int i = 0; i < 1000 && sample.status != Sample::Status::fresh; ++i) {
+    sample = device->port->wait(std::chrono::steady_clock::now() + std::chrono::milliseconds(20));
+    device->port->write({});
+  }
+  EXPECT_LT(glm::length(sample.position_mm - Vec3(1, 2, 3)), 1e-9);  // where the go begins
+  device->port->close();
+}
+
 TEST_F(InversePanelTest, how_it_stands_is_kept_and_rubbish_is_the_usual) {
   InversePanel panel(&settings);
   panel.findChild<QComboBox*>()->setCurrentIndex(3);
   panel.findChildren<QSpinBox*>().first()->setValue(80);
-  const InverseSettings kept = kept_inverse(settings.file());
+  const InverseSettings kept = DeviceSettings(settings.file()).inverse();
   EXPECT_DOUBLE_EQ(kept.yaw_rad, 1.5 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(kept.scale, 0.8);
   EXPECT_EQ(kept.service.port, 10001);
@@ -92,10 +115,10 @@ TEST_F(InversePanelTest, how_it_stands_is_kept_and_rubbish_is_the_usual) {
     store.setValue("inverse/turned_deg", 17);
     store.setValue("inverse/scale_percent", "much");
   }
-  const InverseSettings usual = kept_inverse(settings.file());
+  const InverseSettings usual = DeviceSettings(settings.file()).inverse();
   EXPECT_EQ(usual.service.port, 10001);
   EXPECT_EQ(usual.yaw_rad, 0.0);
-  EXPECT_GE(usual.scale, 0.05);
+  EXPECT_EQ(usual.scale, 0.5);
 }
 
 }  // namespace
