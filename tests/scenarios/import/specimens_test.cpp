@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "scenarios/blocks/blocks.h"
+#include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "tests/scenarios/import/mesh_files.h"
@@ -60,6 +63,19 @@ TEST(TissuesOf, AreThoseThatTheGrownToothHolds) {
     EXPECT_EQ(tissues_of(source), facts_of(*grown).tissues) << source.fdi;
   }
   EXPECT_TRUE(tissues_of(generator("block")).empty());
+}
+
+TEST(FullLowerJaw, IsAnExerciseThatDescribesEveryTissueThatItHolds) {
+  std::ifstream file(CUSP_SOURCE_DIR "/scenarios/teeth/full-lower-jaw-36/scenario.json");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const auto scenario = read_scenario(text);
+  ASSERT_TRUE(scenario) << scenario.error().where;
+  EXPECT_EQ(scenario->specimen.around, (std::vector<std::string>{"neighbours", "gingiva", "bone", "jaw"}));
+  std::vector<Tissue> described;
+  for (const ScenarioTissue& t : scenario->tissues) described.push_back(t.tissue);
+  std::ranges::sort(described);
+  EXPECT_EQ(described, tissues_of(scenario->specimen));
+  EXPECT_FALSE(has_error(validate_text(text)));
 }
 
 TEST(MakeSpecimen, AVolumeIsReadBesideTheScenario) {
