@@ -76,6 +76,7 @@ class Search {
 
   Result<Played, AuditFailure> play(const std::vector<Scenario>& scenarios, double part) {
     AuditRun run;
+    run.home = report_.scenario;
     for (const Scenario& s : scenarios) run.models.push_back({s});
     run.hands = settings_.hands;
     run.costs = false;
@@ -84,6 +85,7 @@ class Search {
 
   Done measure_choices() {
     AuditRun run;
+    run.home = report_.scenario;
     run.hands = settings_.hands;
     run.models.push_back({report_.scenario});
     const auto choices = choices_of(report_.scenario);
@@ -211,7 +213,9 @@ class Search {
       if (auto done = prove_detail(); !done) return done;
     }
     if (!report_.changed()) return {};
+    if (auto done = play_leanest(); !done || !report_.changed()) return done;
     AuditRun run;
+    run.home = report_.scenario;
     run.models = {{report_.scenario}, {report_.leanest}};
     auto costs = runner_(run, progress_.next(0.9));
     if (!costs) return std::unexpected(costs.error());
@@ -222,6 +226,25 @@ class Search {
     leanest.force_rms_n = (*costs)[1]->force_rms_n;
     leanest.force_most_n = (*costs)[1]->force_most_n;
     return {};
+  }
+
+  /// The hands feel the leanest: who passed passes, who failed fails. Else it is not taken.
+  Done play_leanest() {
+    AuditRun run;
+    run.home = report_.scenario;
+    run.models = {{report_.leanest}};
+    run.hands = settings_.hands;
+    run.costs = false;
+    run.felt = true;
+    auto played = runner_(run, progress_.next(0.6));
+    if (!played) return std::unexpected(played.error());
+    if ((*played)[0]) report_.leanest_goes = (*played)[0]->goes;
+    if ((*played)[0] && change_between(report_.as_set, *(*played)[0]).passes_alike) return {};
+    for (AuditStep& step : report_.steps) step.taken = false;
+    report_.leanest = report_.scenario;
+    report_.leanest_result.reset();
+    report_.at_half_voxel.reset();
+    return prove_detail();
   }
 
   Done prove_detail() {

@@ -61,6 +61,7 @@ struct AuditReport {
   Scenario leanest;                  // the exercise with what was taken; its version is the old one's
   std::optional<ModelResult> leanest_result;  // measured in combination, beside as_set; nullopt: nothing was taken
   GradeChange leanest_change;        // against as_set
+  std::vector<ModelGo> leanest_goes;  // the hands' own at the leanest: each passes or fails as it did, else nothing is taken
   /// The leanest at half its voxels' edge; nullopt where its specimen has one size only or the half is too small.
   std::optional<GradeChange> at_half_voxel;
   bool detail_holds() const noexcept { return !at_half_voxel || at_half_voxel->within(tolerance_points); }

@@ -42,13 +42,9 @@ Json json_of(const GradeChange& change, double tolerance) {
   return out;
 }
 
-Json json_of(const ModelResult& result) {
-  Json out;
-  out["cost"] = json_of(result.cost);
-  out["force_rms_n"] = result.force_rms_n;
-  out["force_most_n"] = result.force_most_n;
+Json json_of(const std::vector<ModelGo>& list) {
   Json goes = Json::array();
-  for (const ModelGo& go : result.goes) {
+  for (const ModelGo& go : list) {
     Json one;
     one["hand"] = go.hand.hand;
     one["seed"] = go.hand.seed;
@@ -59,7 +55,15 @@ Json json_of(const ModelResult& result) {
     one["lost_ticks"] = go.lost;
     goes.push_back(std::move(one));
   }
-  out["goes"] = std::move(goes);
+  return goes;
+}
+
+Json json_of(const ModelResult& result) {
+  Json out;
+  out["cost"] = json_of(result.cost);
+  out["force_rms_n"] = result.force_rms_n;
+  out["force_most_n"] = result.force_most_n;
+  out["goes"] = json_of(result.goes);
   return out;
 }
 
@@ -101,6 +105,7 @@ std::string audit_json(const AuditReport& report) {
   if (report.leanest_result) {
     leanest["change"] = json_of(report.leanest_change, tolerance);
     leanest["result"] = json_of(*report.leanest_result);
+    leanest["own_goes"] = json_of(report.leanest_goes);
   }
   leanest["at_half_voxel"] = report.at_half_voxel ? json_of(*report.at_half_voxel, tolerance) : Json();
   leanest["detail_holds"] = report.detail_holds();

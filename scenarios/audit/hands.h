@@ -29,7 +29,8 @@ struct ModelCost {
   std::uint64_t bytes = 0;                     // of the heap, specimen and one state
 };
 
-/// One hand's go at a model that it feels.
+/// A go at a model: the device goes where the hand's went in the exercise as it is, or where the hand leads it as it feels
+/// this model (AuditRun::felt).
 struct ModelGo {
   AuditHand hand;
   Grade grade;
@@ -54,11 +55,13 @@ using AuditFailure = Failure<AuditError>;
 /// Called with a share in [0, 1] that rises within one run; false: stop.
 using AuditWatch = std::function<bool(double share)>;
 
-/// What a run is asked for: models to compare, the first with itself; costs only where they are wanted.
+/// What a run is asked for. Costs are compared with the first model's.
 struct AuditRun {
+  Scenario home;                  // the exercise as it is, in which the hands find their paths
   std::vector<Model> models;
   std::vector<AuditHand> hands;
   bool costs = true;
+  bool felt = false;              // the hands feel each model: their paths part, as two goes of one hand do
 };
 
 /// Plays, and measures. Of a model that cannot be played nothing comes back (its place is empty).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <memory>
 
 #include "engine/base/fp_guard.h"
@@ -84,8 +85,34 @@ class Swaying final : public HapticPort {
   double dt_s_, turn_deg_, clock_s_ = 0;
 };
 
+/// The same path once more, whatever is felt.
+class Led final : public HapticPort {
+ public:
+  explicit Led(const std::vector<StepInput>& path) : path_(path) {}
+  Result<void, PortFailure> open() override { return {}; }
+  Sample wait(std::chrono::steady_clock::time_point) noexcept override {
+    Sample sample;
+    if (next_ >= path_.size()) return sample;
+    const StepInput& input = path_[next_++];
+    sample.status = Sample::Status::fresh;
+    sample.position_mm = input.position_mm();
+    sample.orientation = {input.qw / 32767.0, input.qx / 32767.0, input.qy / 32767.0, input.qz / 32767.0};
+    sample.buttons = input.buttons;
+    sample.burr = input.burr;
+    return sample;
+  }
+  void write(const Feedback&) noexcept override {}
+  DeviceLimits limits() const override { return {}; }
+  void close() noexcept override {}
+
+ private:
+  const std::vector<StepInput>& path_;
+  std::size_t next_ = 0;
+};
+
 struct Go {
   Grade grade;
+  std::vector<StepInput> path;
   double seconds = 0;
   std::uint64_t lost = 0;
 };
@@ -100,8 +127,7 @@ std::optional<Go> play(const Table& table, HapticPort& port, const std::function
   Go out;
   for (std::uint64_t tick = 1; loop.run(1) == 1; ++tick) {
     StepInput input;
-    while (loop.hand_over().inputs.pop(input)) {
-    }
+    while (loop.hand_over().inputs.pop(input)) out.path.push_back(input);
     const StepOutput& o = loop.state().last();
     process.add(o);
     out.lost += (o.infeasible || o.overflow) ? 1 : 0;
@@ -212,8 +238,52 @@ void take_costs(const std::vector<std::optional<Table>>& tables, std::vector<std
   }
 }
 
-Result<std::vector<std::optional<ModelResult>>, AuditFailure> run_models(const AuditRun& run, const AuditWatch& watch,
-                                                                         const std::filesystem::path& folder) {
+/// Plays one exercise's runs; remembers where the hands went in it.
+class Player {
+ public:
+  explicit Player(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  Result<std::vector<std::optional<ModelResult>>, AuditFailure> play_all(const AuditRun& run, const AuditWatch& watch);
+
+ private:
+  struct Known {
+    AuditHand hand;
+    Go go;
+  };
+  /// The hand's own go at home; played once.
+  Result<const Go*, AuditFailure> at_home(const Scenario& home, const AuditHand& who, const std::function<bool()>& go_on);
+  Result<std::optional<Go>, AuditFailure> felt(const Table& table, const AuditHand& who, const std::function<bool()>& go_on);
+
+  std::filesystem::path folder_;
+  Scenario home_;
+  std::optional<Table> home_table_;
+  std::deque<Known> known_;
+};
+
+Result<std::optional<Go>, AuditFailure> Player::felt(const Table& table, const AuditHand& who, const std::function<bool()>& go_on) {
+  auto hand = hand_by_name(who.hand, table.scenario, *table.specimen, who.seed);
+  if (!hand) return fail(AuditError::unplayable, who.hand);
+  Swaying port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
+  return play(table, port, go_on);
+}
+
+Result<const Go*, AuditFailure> Player::at_home(const Scenario& home, const AuditHand& who, const std::function<bool()>& go_on) {
+  if (!home_table_ || !(home_ == home)) {
+    auto table = lay({home}, folder_);
+    if (!table) return fail(AuditError::unplayable, std::string(key_of(table.error().code)), table.error().where);
+    home_table_ = std::move(*table);
+    home_ = home;
+    known_.clear();
+  }
+  for (const Known& one : known_)
+    if (one.hand == who) return &one.go;
+  auto go = felt(*home_table_, who, go_on);
+  if (!go) return std::unexpected(go.error());
+  if (!*go) return fail(AuditError::cancelled, {});
+  known_.push_back({who, std::move(**go)});
+  return &known_.back().go;
+}
+
+Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(const AuditRun& run, const AuditWatch& watch) {
   std::vector<std::optional<Table>> tables;
   std::vector<std::optional<ModelResult>> results;
   const auto stopped = [] { return fail(AuditError::cancelled, {}); };
@@ -221,29 +291,32 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> run_models(const A
   const double goes = static_cast<double>(run.models.size() * run.hands.size());
   for (const Model& model : run.models) {
     if (watch && !watch(0.1 * static_cast<double>(tables.size()) / static_cast<double>(run.models.size()))) return stopped();
-    auto table = lay(model, folder);
+    auto table = lay(model, folder_);
     if (!table && tables.empty()) return fail(AuditError::unplayable, std::string(key_of(table.error().code)), table.error().where);
     tables.push_back(table ? std::optional<Table>(std::move(*table)) : std::nullopt);
     results.push_back(tables.back() ? std::optional<ModelResult>(ModelResult{}) : std::nullopt);
   }
   if (run.costs) take_costs(tables, results);
   double done = 0;
-  const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / goes); };
+  const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / std::max(goes, 1.0)); };
   for (const AuditHand& who : run.hands) {
+    const auto home = at_home(run.home, who, go_on);
+    if (!home) return std::unexpected(home.error());
     for (std::size_t m = 0; m < tables.size(); ++m, ++done) {
       if (!tables[m]) continue;
-      const Table& table = *tables[m];
-      auto hand = hand_by_name(who.hand, table.scenario, *table.specimen, who.seed);
-      if (!hand) return fail(AuditError::unplayable, who.hand);
-      Swaying port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
-      auto own = play(table, port, go_on);
-      if (!own) return stopped();
-      ModelGo go;
-      go.hand = who;
-      go.seconds = own->seconds;
-      go.lost = own->lost;
-      go.grade = std::move(own->grade);
-      results[m]->goes.push_back(std::move(go));
+      const bool is_home = run.models[m].scenario == run.home && m == 0;
+      std::optional<Go> own;
+      if (run.felt) {
+        auto played = felt(*tables[m], who, go_on);
+        if (!played) return std::unexpected(played.error());
+        own = std::move(*played);
+      } else if (!is_home) {
+        Led led((*home)->path);
+        own = play(*tables[m], led, go_on);
+      }
+      if (!own && (run.felt || !is_home)) return stopped();
+      const Go& came = own ? *own : **home;
+      results[m]->goes.push_back({who, came.grade, came.seconds, came.lost});
     }
   }
   if (watch) static_cast<void>(watch(1.0));
@@ -253,7 +326,9 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> run_models(const A
 }  // namespace
 
 AuditRunner audit_runner(std::filesystem::path folder) {
-  return [folder = std::move(folder)](const AuditRun& run, const AuditWatch& watch) { return run_models(run, watch, folder); };
+  return [player = std::make_shared<Player>(std::move(folder))](const AuditRun& run, const AuditWatch& watch) {
+    return player->play_all(run, watch);
+  };
 }
 
 }  // namespace cusp

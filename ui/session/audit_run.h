@@ -8,10 +8,10 @@
 
 namespace cusp {
 
-/// For one exercise; `folder`: where a volume that it names lies.
+/// For one exercise at a time, one thread at a time; `folder`: where a volume that it names lies.
 [[nodiscard]] AuditRunner audit_runner(std::filesystem::path folder);
 
 /// How the goes are played; the costs are measured in ticks of 1 ms.
-inline constexpr std::uint32_t kAuditTickUs = 4000;
+inline constexpr std::uint32_t kAuditTickUs = 8000;
 
 }  // namespace cusp

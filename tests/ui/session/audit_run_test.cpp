@@ -31,6 +31,7 @@ Scenario small() {
 
 TEST(AuditRun, TheSameModelGradesTheSameAndFeelsTheSame) {
   AuditRun run;
+  run.home = small();
   run.models = {{small()}, {small()}};
   run.hands = {{"expert", 1}};
   double last = 0;
@@ -60,6 +61,7 @@ TEST(AuditRun, FrictionIsFeltOnTheSamePath) {
   Scenario rough = small();
   rough.phenomena = {"friction"};
   AuditRun run;
+  run.home = rough;
   run.models = {{rough}, with({rough}, {Aspect::friction, {}, 1, 0})};
   run.hands = {{"expert", 1}};
   const auto results = audit_runner({})(run, {});
@@ -70,6 +72,7 @@ TEST(AuditRun, FrictionIsFeltOnTheSamePath) {
 
 TEST(AuditRun, StopsInTheMiddleOfAGo) {
   AuditRun run;
+  run.home = small();
   run.models = {{small()}};
   run.hands = {{"expert", 1}};
   run.costs = false;
@@ -84,6 +87,7 @@ TEST(AuditRun, AnExerciseThatCannotBePlayedIsRefused) {
   Scenario s = small();
   s.instruments.clear();
   AuditRun run;
+  run.home = s;
   run.models = {{s}};
   run.hands = {{"expert", 1}};
   const auto results = audit_runner({})(run, {});
