@@ -3936,12 +3936,12 @@
             <translation>Material %1</translation>
         </message>
     <message>
-        <source>Neighbour&apos;s enamel</source>
-        <translation>Schmelz des Nachbarn</translation>
+        <source>Neighbour enamel</source>
+        <translation>Nachbarschmelz</translation>
     </message>
     <message>
-        <source>Neighbour&apos;s dentine</source>
-        <translation>Dentin des Nachbarn</translation>
+        <source>Neighbour dentine</source>
+        <translation>Nachbardentin</translation>
     </message>
     <message>
         <source>Firm decay</source>
@@ -5291,7 +5291,7 @@ Ihr bester davor</translation>
     </message>
     <message>
         <source>Plastic, as a training model</source>
-        <translation>Kunststoff, wie ein Übungsmodell</translation>
+        <translation>Kunststoff zum Üben</translation>
     </message>
     <message>
         <source>Round the tooth</source>

@@ -311,8 +311,8 @@ QString tissue_name(Tissue tissue) {
     case Tissue::plastic: return Words::tr("Plastic");
     case Tissue::carious_enamel: return Words::tr("Decayed enamel");
   }
-  if (tissue == kNeighbourEnamel) return Words::tr("Neighbour's enamel");
-  if (tissue == kNeighbourDentine) return Words::tr("Neighbour's dentine");
+  if (tissue == kNeighbourEnamel) return Words::tr("Neighbour enamel");
+  if (tissue == kNeighbourDentine) return Words::tr("Neighbour dentine");
   if (tissue == kFirmCariousDentine) return Words::tr("Firm decay");
   return Words::tr("Material %1").arg(static_cast<int>(tissue) - 15);
 }
