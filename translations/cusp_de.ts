@@ -1111,6 +1111,10 @@
             <source>It stays in your results as interrupted.</source>
             <translation>Er bleibt als unterbrochen in Ihren Ergebnissen.</translation>
         </message>
+        <message>
+            <source>%1, may be delayed</source>
+            <translation>%1, kann aufgehalten werden</translation>
+        </message>
     </context>
     <context>
         <name>cusp::DrillStage</name>
@@ -4201,6 +4205,22 @@
         <message>
             <source>Run the coolant, push less, and lift off now and then.</source>
             <translation>Kühlen, weniger drücken und zwischendurch absetzen.</translation>
+        </message>
+        <message>
+            <source>The device goes before other programs.</source>
+            <translation>Das Gerät geht vor anderen Programmen.</translation>
+        </message>
+        <message>
+            <source>Other programs may delay the device.</source>
+            <translation>Andere Programme können das Gerät aufhalten.</translation>
+        </message>
+        <message>
+            <source>This user has no right to real-time priority. An administrator can give it (rtprio).</source>
+            <translation>Dieses Benutzerkonto hat kein Recht auf Echtzeit-Vorrang. Die Verwaltung kann es geben (rtprio).</translation>
+        </message>
+        <message>
+            <source>Install rtkit, or give this user the right to real-time priority (rtprio).</source>
+            <translation>Installieren Sie rtkit oder geben Sie diesem Benutzerkonto das Recht auf Echtzeit-Vorrang (rtprio).</translation>
         </message>
     </context>
     <context>

@@ -238,6 +238,20 @@ Told tell(const RunFailure& f) {
   return {Words::tr("The go could not be played."), where};
 }
 
+Told tell(const RealtimeGrant& grant) {
+  if (grant.realtime()) return {Words::tr("The device goes before other programs."), {}};
+  const QString what = Words::tr("Other programs may delay the device.");
+  switch (grant.refusal) {
+    case RealtimeRefusal::not_permitted:
+      return {what, Words::tr("This user has no right to real-time priority. An administrator can give it (rtprio).")};
+    case RealtimeRefusal::no_service:
+      return {what, Words::tr("Install rtkit, or give this user the right to real-time priority (rtprio).")};
+    case RealtimeRefusal::none:
+    case RealtimeRefusal::not_asked: break;
+  }
+  return {what, {}};
+}
+
 Told tell(Fault fault) {
   switch (fault) {
     case Fault::none: return {};

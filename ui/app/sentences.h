@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/base/haptic_port.h"
+#include "engine/loop/realtime.h"
 #include "engine/step/step.h"
 #include "engine/volume/tissue.h"
 #include "scenarios/format/format_error.h"
@@ -32,6 +33,8 @@ Told tell(const ImportFailure& failure);
 Told tell(const PortFailure& failure);
 Told tell(const RunFailure& failure);
 Told tell(Fault fault);
+/// How the loop of a device stands among other programs.
+Told tell(const RealtimeGrant& grant);
 
 /// Text in the installed language, English where there is none.
 QString local(const LocalText& text);

@@ -94,6 +94,7 @@ struct DrillScreen::Inner {
   int looks = 0;
   bool paused = false, working = false, over = false;
   LoopPhase shown_phase = LoopPhase::ready;
+  bool told_priority = false;
 };
 
 DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_(std::make_unique<Inner>()) {
@@ -341,6 +342,17 @@ void DrillScreen::look() {
   if (time != in.clock->text()) in.clock->setText(time);
   in.panel->show_values(in.live);
   in.tray->choose(in.live.output.burr);
+  // Only a device that pushes a hand suffers from late ticks; said as soon as the loop knows what it was granted.
+  if (!in.told_priority && in.live.grant.refusal != RealtimeRefusal::not_asked) {
+    in.told_priority = true;
+    if (in.go->run->device().closed_loop && !in.live.grant.realtime()) {
+      const Told told = tell(in.live.grant);
+      in.device->setText(tr("%1, may be delayed").arg(device_name(in.go->run->device().device_class)));
+      in.device->setToolTip(told.line());
+      set_ink(in.device, "look");
+      announce(this, told.line());
+    }
+  }
   in.stage->show_values(in.live);
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped);

@@ -35,6 +35,20 @@ TEST(Sentences, every_code_of_every_room_has_words) {
   }
 }
 
+TEST(Sentences, why_a_device_may_be_late_is_told_with_a_way_out) {
+  RealtimeGrant grant;
+  grant.level = RealtimeLevel::rtkit;
+  grant.refusal = RealtimeRefusal::none;
+  EXPECT_EQ(tell(grant).line().toStdString(), "The device goes before other programs.");
+  grant.level = RealtimeLevel::normal;
+  grant.refusal = RealtimeRefusal::no_service;
+  const QString missing = tell(grant).more;
+  EXPECT_TRUE(missing.contains("rtkit"));
+  grant.refusal = RealtimeRefusal::not_permitted;
+  EXPECT_NE(tell(grant).more, missing);
+  EXPECT_FALSE(tell(RealtimeGrant{}).what.isEmpty());
+}
+
 TEST(Sentences, a_failed_go_tells_its_cause_not_its_consequence) {
   const RunFailure full{RunError::recording_failed, "/data/cusp.db", {}, StorageError::disk_full};
   EXPECT_EQ(tell(full).what.toStdString(), "The disk is full.");
