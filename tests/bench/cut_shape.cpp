@@ -168,6 +168,17 @@ class InPitfall : public Truth {
   double play_;
 };
 
+constexpr double kBridgeCutMm = 0.35;
+
+class Nothing : public Truth {
+ public:
+  double clearance_mm(Vec3) const override { return 1e3; }
+
+ protected:
+  Vec3 place(Vec3 centre) override { return centre; }
+  Exact move_to(Vec3 device) override { return {device, false, false}; }
+};
+
 }  // namespace
 
 Pitfall::Pitfall(double r) : Shape("pitfall", r), face_(make_shape("face", r)) {}
@@ -188,6 +199,30 @@ Spot Pitfall::spot(Random& random) const {
   const double half = 0.35 * kPitfallMm;
   const Vec3 c(random.between(-half, half), random.between(-half, half), burr_radius_mm());
   return {frame_.to_world(c), frame_.z};
+}
+
+LoosePlate::LoosePlate(double r) : Shape("fragment", r), face_(make_shape("face", r)) {}
+
+double LoosePlate::distance_mm(Vec3 place) const {
+  const Vec3 p = frame_.to_local(place);
+  const auto box = [&p](Vec3 middle, Vec3 half) {
+    const Vec3 beyond = glm::abs(p - middle) - half;
+    return length(glm::max(beyond, Vec3(0.0))) + std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0);
+  };
+  return std::min({box({0.0, 0.0, -0.25}, {1.2, 1.2, 0.25}), box({1.6, 0.0, -0.25}, {0.6, 0.25, 0.2}),
+                   box({2.7, 0.0, -0.5}, {0.7, 1.2, 0.5})});
+}
+
+double LoosePlate::cutter_radius_mm() const { return kBridgeCutMm; }
+
+bool LoosePlate::sever(StepState& state) const {
+  return cut_in_pieces(state, 1, {frame_.to_world({1.6, -0.6, -0.25}), frame_.to_world({1.6, 0.6, -0.25}), kBridgeCutMm});
+}
+
+std::unique_ptr<Truth> LoosePlate::truth_after() const { return std::make_unique<Nothing>(); }
+
+Spot LoosePlate::spot(Random& random) const {
+  return {frame_.to_world({random.between(-0.3, 0.3), random.between(-0.3, 0.3), burr_radius_mm()}), frame_.z};
 }
 
 std::unique_ptr<Shape> make_islet(double burr_radius_mm) { return std::make_unique<Islet>(burr_radius_mm); }

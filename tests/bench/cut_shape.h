@@ -62,6 +62,30 @@ class Pitfall : public Shape {
   Frame frame_ = oblique_frame();
 };
 
+/// A plate of 0.5 mm, its top in a face's plane, on a bridge to a block beside it; cut loose it floats under the burr.
+class LoosePlate : public Shape {
+ public:
+  explicit LoosePlate(double burr_radius_mm);
+  /// Cuts through the bridge. False: the volume had no room.
+  bool sever(StepState& state) const;
+  /// Before, while pressing on it.
+  std::unique_ptr<Truth> truth() const override { return face_->truth(); }
+  /// Once it has gone: nothing there.
+  std::unique_ptr<Truth> truth_after() const;
+
+  double distance_mm(Vec3 p) const override;
+  Vec3 tool_axis() const override { return face_->tool_axis(); }
+  Vec3 home() const override { return face_->home(); }
+  double cutter_radius_mm() const override;
+  Spot spot(Random& random) const override;
+  Leg leg(Random& random, const Vec3* from) const override { return face_->leg(random, from); }
+  Vec3 before(Vec3 first) const override { return face_->before(first); }
+
+ private:
+  std::unique_ptr<Shape> face_;
+  Frame frame_ = oblique_frame();
+};
+
 enum class HoleKind { straight, oblique, slot };
 const char* name_of(HoleKind kind);
 

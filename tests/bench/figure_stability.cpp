@@ -177,15 +177,19 @@ void draw_cell(Svg& svg, const Cell& cell, bool press, Point a, Point b) {
 Picture stability_map(const Report& stability) {
   constexpr double kLeft = 182.0, kTop = 212.0, kWide = 28.0, kHigh = 28.0, kGap = 12.0, kMethodGap = 7.0;
   std::vector<Column> columns;
-  const auto add = [&columns](const auto& names, bool press) {
-    for (const CaseName& name : names) columns.push_back({name, press});
+  // A case that a table does not know at all is from after it.
+  const auto add = [&](const auto& names, bool press) {
+    for (const CaseName& name : names)
+      if (std::ranges::any_of(stability.rows, [&](const Row& r) { return r.case_name == name.key; }))
+        columns.push_back({name, press});
+    return columns.size();
   };
-  add(kPressCases, true);
-  add(kWayCases, false);
-  add(kFaultCases, false);
+  const std::size_t press_end = add(kPressCases, true), way_end = add(kWayCases, false), fault_end = add(kFaultCases, false);
+  if (press_end == 0 || way_end == press_end || fault_end == way_end)
+    return fail(ChartError::missing_rows, "stability: cases");
   double x = kLeft;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (i == kPressCases.size() || i == kPressCases.size() + kWayCases.size()) x += kGap;
+    if (i == press_end || i == way_end) x += kGap;
     columns[i].x = x;
     x += kWide;
   }
@@ -205,9 +209,9 @@ Picture stability_map(const Report& stability) {
     std::string_view text;
     std::size_t first, count;
   };
-  const Group groups[] = {{"pressed to the limit", 0, kPressCases.size()},
-                          {"on its way, at 1 N/mm", kPressCases.size(), kWayCases.size()},
-                          {"something goes wrong", kPressCases.size() + kWayCases.size(), kFaultCases.size()}};
+  const Group groups[] = {{"pressed to the limit", 0, press_end},
+                          {"on its way, at 1 N/mm", press_end, way_end - press_end},
+                          {"something goes wrong", way_end, fault_end - way_end}};
   for (const Group& g : groups) {
     const double a = columns[g.first].x, b = columns[g.first + g.count - 1].x + kWide;
     svg.text({a, 76.0}, g.text, {.size = 12.5, .bold = true});

@@ -95,7 +95,8 @@ struct Row {
   std::int64_t stuck = -1;           // times
   double stuck_ms = kAbsent;         // the longest
   double vibration_mn = kAbsent;     // the three tasks: peak to peak of the force above 20 Hz, the exact one's off
-  double zero_ms = kAbsent;     // faults: from the first faulty input until the force is zero for good; absent: never
+  double zero_ms = kAbsent;     // faults: from the first faulty input until the force is zero for good; absent: never;
+                                // fragment: from the cut
   double back_ms = kAbsent;     // faults: from re-arming until the force is within 5 % of what it comes to
   double back_share = kAbsent;  // faults: of the exact force, half a second after re-arming
   double updates_per_s = kAbsent;

@@ -23,10 +23,11 @@ inline constexpr std::array<CaseName, 6> kPressCases = {{{"face", "face"},
                                                          {"pit", "fitting pit"},
                                                          {"channel", "own channel"}}};
 /// Ways at one stiffness.
-inline constexpr std::array<CaseName, 10> kWayCases = {{{"thin-wall", "thin wall, 1 m/s"},
+inline constexpr std::array<CaseName, 11> kWayCases = {{{"thin-wall", "thin wall, 1 m/s"},
                                                         {"tissues", "enamel to dentine"},
                                                         {"vanishing", "tissue vanishes"},
                                                         {"islands", "islands left"},
+                                                         {"fragment", "fragment cut loose"},
                                                         {"narrow-slot", "slot too narrow"},
                                                         {"start-inside", "starts inside"},
                                                         {"volume-edge", "edge of the volume"},
@@ -68,6 +69,7 @@ Row row_of(const CaseRun& what);
 Row run_thin_wall(const CaseRun& what);
 Row run_way(const CaseRun& what);
 Row run_vanishing(const CaseRun& what);
+Row run_fragment(const CaseRun& what);
 Row run_start_inside(const CaseRun& what);
 Row run_weight(const CaseRun& what);
 Row run_fault(const CaseRun& what);

@@ -246,6 +246,7 @@ Row run_task(const CaseRun& what) {
 Row run_case(const CaseRun& what) {
   if (what.key == "thin-wall") return run_thin_wall(what);
   if (what.key == "vanishing") return run_vanishing(what);
+  if (what.key == "fragment") return run_fragment(what);
   if (what.key == "start-inside") return run_start_inside(what);
   if (what.key == "grip-weight") return run_weight(what);
   for (const CaseName& name : kFaultCases)

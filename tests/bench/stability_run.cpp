@@ -244,7 +244,12 @@ StepInput Pair::rearmed(StepInput input) {
   return input;
 }
 
-StepOutput Pair::tick(const StepInput& input, Tally& tally) {
+StepOutput Pair::tick(const StepInput& given, Tally& tally) {
+  StepInput input = given;
+  if (!named_.empty()) {
+    input.loose = named_.front();
+    named_.erase(named_.begin());
+  }
   const StepOutput out = step(state_, input);
   const Exact exact = truth_->follow(input.position_mm());
   const double k = stiffness ? stiffness(exact, out) : kStabilityNPerMm;

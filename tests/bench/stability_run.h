@@ -118,6 +118,9 @@ class Pair {
   /// Force of the exact proxy in the last tick.
   Vec3 exact_n() const { return exact_n_; }
 
+  /// A piece that has been cut loose, named to the step in the next inputs, as the loop does.
+  void name_piece(std::uint32_t name) { named_ = {static_cast<std::uint16_t>(0x8000u | name >> 15), static_cast<std::uint16_t>(name & 0x7fffu)}; }
+
   /// K of the exact proxy where the tissue is not all alike, by the contact point (its ball's lowest) and what the
   /// method answered.
   std::function<double(const Exact&, const StepOutput&)> stiffness;
@@ -130,6 +133,7 @@ class Pair {
   std::unique_ptr<Truth> truth_;
   double radius_mm_;
   Vec3 exact_n_{0.0};
+  std::vector<std::uint16_t> named_;  // halves of a name that are still to be said
   int faulted_ = 0;
 };
 

@@ -125,6 +125,26 @@ TEST(LateTicks, feed_no_more_than_force_times_the_hand_s_travel_in_them_besides_
   EXPECT_LE(row.energy_left_mj, row.energy_exact_mj + kMostFedMj);
 }
 
+TEST(Fragment, cut_loose_under_the_burr_goes_within_100_ms) {
+  // Its last brick is gone 32 ticks after it was named. Measured: 32 and 16 ms.
+  for (const Method method : {Method::occupancy, Method::gradient}) {
+    const Row row = run_case(case_of("fragment", method, true, 2));
+    EXPECT_GT(row.zero_ms, 1.0) << "it was there and then it was not";
+    EXPECT_LE(row.zero_ms, kMostLooseMs) << key_of(method);
+    EXPECT_EQ(row.stuck, 0) << key_of(method);
+  }
+}
+
+TEST(Fragment, that_is_still_felt_after_it_has_gone_is_seen) {
+  Row row;
+  row.case_name = "fragment";
+  row.grip = "scripted";
+  row.voxel_mm = 0.1;
+  EXPECT_EQ(breaks_of(row), std::vector<Breaks>{Breaks::stays_on});
+  row.zero_ms = 32.0;
+  EXPECT_TRUE(breaks_of(row).empty());
+}
+
 TEST(Weight, of_the_grip_rests_in_a_corner_with_nobody_holding_it) {
   const Row row = run_case(case_of("grip-weight", Method::surface, true, 2, held("none")));
   EXPECT_EQ(breaks_of(row), std::vector<Breaks>{});

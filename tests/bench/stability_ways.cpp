@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/volume/fragments.h"
 #include "tests/bench/cut_shape.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
@@ -246,6 +247,59 @@ Row run_vanishing(const CaseRun& what) {
   Row row = row_of(what);
   row.shape = shape.name();
   tally.fill(row);
+  return row;
+}
+
+Row run_fragment(const CaseRun& what) {
+  const LoosePlate shape(what.burr_radius_mm);
+  const auto scene = stability_scene(shape, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
+  constexpr int kCutMs = 600, kLedCutMs = 150, kLedMs = 500;
+  Tally tally;
+  double off_ms = 0.0;
+  const Budget budget(what);
+  for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
+    Random random(what.seed + run);
+    const Spot spot = shape.spot(random);
+    Pair pair(shape, scene);
+    const auto cuts_loose = [&shape](Pair& p) {
+      if (!shape.sever(p.state())) throw std::runtime_error("no room for the cut");
+      const auto names = find_loose_pieces(p.state().volume(), p.state().volume().cut_bricks());
+      if (names.empty()) throw std::runtime_error("the plate is not loose");
+      p.name_piece(names.front());
+      p.replace(shape.truth_after(), shape.burr_radius_mm());
+    };
+    const Vec3 above = spot.centre + spot.normal * 0.05;
+    pair.bring(above);
+    tally.begin();
+    if (what.setting.in_loop()) {
+      const Vec3 deep = spot.centre - spot.normal * depth_for(what.setting, kHandN);
+      const Intent intent = [&](int ms) { return above + (deep - above) * std::min(1.0, ms / double{kInMs}); };
+      Events events;
+      events.method = [&](int ms, Pair& p, lab::ClosedLoop&) {
+        if (ms == kCutMs) cuts_loose(p);
+      };
+      events.exact = [&](int ms, std::unique_ptr<Truth>& truth, lab::ClosedLoop&) {
+        if (ms != kCutMs) return;
+        const Vec3 pose = truth->exact().pose_mm;
+        truth = shape.truth_after();
+        truth->start(pose);
+      };
+      run_hand(pair, shape, what.setting, above, intent, kHandMs, what.seed + run, tally, events);
+    } else {
+      int last = kLedCutMs;  // with a force
+      for (int ms = 1; ms <= kLedMs; ++ms) {
+        if (ms == kLedCutMs) cuts_loose(pair);
+        const StepOutput out = pair.tick(input_at(above - spot.normal * std::min(ms * kDownMm, 0.05 + kDepthMm)), tally);
+        if (length(out.force_n) > 0.0) last = ms;
+      }
+      off_ms = last == kLedMs ? kAbsent : std::fmax(off_ms, last + 1 - kLedCutMs);
+    }
+    tally.end();
+  }
+  Row row = row_of(what);
+  row.shape = shape.name();
+  tally.fill(row);
+  if (!what.setting.in_loop()) row.zero_ms = off_ms;
   return row;
 }
 

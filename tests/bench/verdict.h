@@ -29,6 +29,7 @@ inline constexpr double kMostCycleUm = 100.0;      // two encoder steps, and mor
 inline constexpr double kMostVibrationMn =
     10.0;                                      // what fingertips feel begins at some 10 um, which are 10 mN of 1 N/mm
 inline constexpr double kMostZeroMs = 1.0;     // after a faulty input
+inline constexpr double kMostLooseMs = 100.0;  // after a piece has been cut loose
 inline constexpr double kMostFrozenMs = 11.0;  // a device is not known to be frozen before its 10 ms are over
 
 /// In the order of kBreaks.
