@@ -1,4 +1,4 @@
-/// Four floats at a time, element by element, so that the vector and the portable build do the same arithmetic.
+/// Four floats or two doubles at a time, element by element, so that the vector and the portable build do the same arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -58,6 +58,32 @@ inline void to_memory(LaneMask four, std::uint16_t* to) noexcept {
   _mm_storel_epi64(reinterpret_cast<__m128i*>(to), packed);
 #else
   for (int i = 0; i < kLanes; ++i) to[i] = static_cast<std::uint16_t>(four[i]);
+#endif
+}
+
+using Pair = double __attribute__((vector_size(16)));
+using PairMask = decltype(Pair{} < Pair{});  // all bits of a lane, or none
+
+inline Pair both(double v) noexcept { return Pair{v, v}; }
+inline Pair load_pair(const double* from) noexcept {
+  Pair out;
+  __builtin_memcpy(&out, from, sizeof out);
+  return out;
+}
+inline void store_pair(Pair v, double* to) noexcept { __builtin_memcpy(to, &v, sizeof v); }
+inline Pair sqrt_of(Pair v) noexcept {
+#if defined(__SSE2__)
+  return _mm_sqrt_pd(v);
+#else
+  for (int i = 0; i < 2; ++i) v[i] = __builtin_sqrt(v[i]);
+  return v;
+#endif
+}
+inline unsigned bits_of(PairMask m) noexcept {
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(m)));
+#else
+  return static_cast<unsigned>(m[0] != 0) | static_cast<unsigned>(m[1] != 0) << 1;
 #endif
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/lanes.h"
 #include "engine/base/vec.h"
 
 namespace cusp {
@@ -59,16 +60,18 @@ class PlaneSet {
   void recede_to(std::span<const Vec3> places, double slack_mm, std::size_t from, std::size_t to, May&& may,
                  Relaxed&& relaxed) noexcept {
     if (places.empty()) return;
-    for (std::size_t i = from; i < to; ++i) {
-      if (!may(i)) continue;
-      double least = c_[i];
+    for (std::size_t i = from; i < to; i += 2) {
+      const Pair nx = load_pair(&nx_[i]), ny = load_pair(&ny_[i]), nz = load_pair(&nz_[i]), c = load_pair(&c_[i]);
+      Pair least = c;
       for (const Vec3& p : places) {
-        const double reached = nx_[i] * p.x + ny_[i] * p.y + nz_[i] * p.z - slack_mm;
+        const Pair reached = nx * p.x + ny * p.y + nz * p.z - slack_mm;
         least = reached < least ? reached : least;
       }
-      if (least < c_[i]) {
-        c_[i] = least;
-        relaxed(i);
+      const unsigned lower = bits_of(least < c);
+      for (std::size_t k = 0; k < 2 && i + k < to; ++k) {
+        if ((lower >> k & 1) == 0 || !may(i + k)) continue;
+        c_[i + k] = least[k];
+        relaxed(i + k);
       }
     }
   }

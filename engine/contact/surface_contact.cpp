@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace cusp {
 
 namespace {
@@ -19,7 +18,8 @@ constexpr double kFootReach = 1.2;          // voxels from its point within whic
 constexpr int kSearches = 64;               // steps of the proxy in a tick (5 mm), the rest next tick
 constexpr double kTogether = 2e-3;          // mm: slack that a polished pose may take from a plane it leaves out
 constexpr double kMemorySlack = 5e-4;       // mm
-constexpr double kPredicted = 0.35;         // of a step: how far a burr may be from where its device's move takes it
+constexpr double kPredicted = 0.10;         // of a step: how far a burr may be from where its device's move takes it
+constexpr double kAgainMm = 0.03;           // mm about where a pass has led that planes are laid for, for the next ones
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has arrived
 constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge
 constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
@@ -30,8 +30,8 @@ std::size_t candidate_room(const Scene& scene) {
   const double h = scene.specimen->grid().voxel_mm;
   double most = 0.0;
   for (const Burr& burr : scene.burrs) {
-    const double r = (burr.radius_mm + 0.2) / h;
-    const double shank = (burr.neck_radius_mm + 0.2) * burr.neck_length_mm / (h * h);
+    const double r = (burr.radius_mm + 0.36) / h;
+    const double shank = (burr.neck_radius_mm + 0.36) * burr.neck_length_mm / (h * h);
     const double flank = burr.head.ball() ? 0.0 : 6.3 * r * (burr.head.high() - burr.head.low()) / h;
     most = std::max(most, 4.0 * 3.15 * r * r * 3.0 + 6.3 * shank * 1.5 + 3.0 * flank);
   }
@@ -46,11 +46,18 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
       candidates_(candidate_room(scene)),
       features_(candidates_.size()),
       sources_(candidates_.size()),
+      known_(candidates_.size()),
+      faces_(candidates_.size()),
+      look_faces_(candidates_.size()),
+      look_edges_(candidates_.size()),
+      look_others_(candidates_.size()),
       place_x_(candidates_.size() + 7),
       place_y_(candidates_.size() + 7),
       place_z_(candidates_.size() + 7),
       planes_(candidates_.size()),
       origins_(candidates_.size()),
+      near_(candidates_.size()),
+      low_(candidates_.size()),
       cut_(volume, memory) {
   const Specimen& specimen = volume.specimen();
   const IVec3 n = specimen.brick_count();
@@ -275,6 +282,9 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     held_.count = 0;
     double before = 0.0, last_moved = 1.0;
     double limit = kPredicted * step + 0.005;
+    double within = limit;  // how far about the place that they were seen from the planes that are laid will do
+    double asked = 0.0;     // how far they need do, as the last pass moved
+    laid_.within_mm = -1.0;
     Vec3 at = y;        // where planes are laid: first where the device's own move would take the burr, then where it is
     if (search == 0) {
       const double length = length_of(ahead);
@@ -282,15 +292,22 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     }
     bool left = false;  // the step ends before the search does
     bool rolling = false;
+    double next_step = kLongestStep;
     for (int pass = 0; pass < 10; ++pass) {
       if (last_moved > kSettledMm) {
         held_.count = 0;
-        near_planes(volume, tool, centre, step, at, limit);
+        within = asked;
+        if (!near_planes_again(tool, at, asked)) {
+          // A pass that goes on may have more to follow: they look at what is near by then.
+          if (pass > 0) limit = std::max(limit, std::min(kAgainMm, 2.0 * step));
+          within = limit;
+          near_planes(volume, tool, centre, step, at, limit);
+        }
         // Surfaces that a burr left, and edges, may hug it: then the point under the push is asked for from the beginning.
         with_foot = with_foot || near_cut_;
         if (with_foot) {
           foot(volume, tool, at, device);
-          planes(tool, at, at_hand_count, count_, limit);
+          planes(tool, at, at_hand_count, count_, within);
           count_ = at_hand_count;
         }
         past_count_ = memory_ ? memory_->near(at, sweeper_of(burr, burr_index, axis), past_) : 0;
@@ -311,9 +328,10 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
         break;
       }
       const double off = length_of(found.y - at);
-      if (off > limit && limit < 2.0 * step) {
-        // Further than planes were laid for: all that the step can reach.
-        limit = 2.0 * step;
+      if (off > within && within < 2.0 * step) {
+        // Further than planes were laid for: again of more, of all that the step can reach in the end.
+        if (within == limit) limit = 2.0 * step;
+        laid_.within_mm = -1.0;
         last_moved = 1.0;
         continue;
       }
@@ -329,9 +347,13 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
         last_moved = 1.0;
         at = y;
         limit = 2.0 * step;
+        laid_.within_mm = -1.0;
         continue;
       }
-      if (left) target = centre + (target - centre) * (step / whole);
+      if (left) {
+        target = centre + (target - centre) * (step / whole);
+        next_step = std::min(kLongestStep, 1.2 * (whole - step) + 0.01);
+      }
       if (polished.accepted) target = polished.search.y;
       y = target;
       held_.fresh = !polished.accepted && !left;
@@ -353,10 +375,12 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       rolling = rolls;
       before = moved;
       last_moved = length_of(off_by + leap);
+      asked = 2.0 * last_moved + kSettledMm;
+      next_step = std::min(kLongestStep, 4.0 * last_moved + 0.02);
     }
     // What still rolls on goes further in the next search.
     if (!left && !(rolling && last_moved > kSettledMm)) arrived = true;
-    step = kLongestStep;
+    step = next_step;
   }
   out.pose_mm = y;
   out.deferred = !arrived;
@@ -406,7 +430,8 @@ bool SurfaceContact::push_out(const Volume& volume, const Burr& burr, Vec3 axis,
   count_ = 0;
   gathered_.valid = false;
   gather_head(volume, tool, pose, kMost + 0.01);
-  for (std::size_t i = 0; i < count_; ++i) made(volume, i);
+  for (std::size_t i = 0; i < count_; ++i)
+    if (known_[i] == Known::unmade) make(volume, tool, i);
   Vec3 y = pose;
   for (int pass = 0; pass < 4; ++pass) {
     planes_.clear();

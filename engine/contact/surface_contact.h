@@ -82,6 +82,10 @@ class SurfaceContact {
   static constexpr double kLongestStep = 0.08;      // mm: one search looks no further
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
   static constexpr std::uint16_t kNoBurr = 0xffff;  // of a ball that no scene names
+  static constexpr double kLeavesTangent = 0.25;    // voxels by which an edge's piece leaves its tangent at most
+  static constexpr double kEdgeClose = 1e-4;        // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
+  static constexpr double kEdgeBends = 0.02;        // below, it bends about the place about as the ball does
+  static constexpr int kEdgeNewton = 4;             // steps of Newton along an edge
   enum class Kind : std::uint8_t { surface, edge, shank };
   struct Candidate {
     Vec3 point{0.0}, normal{0.0};          // an edge's tangent
@@ -107,7 +111,7 @@ class SurfaceContact {
     const CutSurface::Page* page = nullptr;
     std::int32_t brick = 0;
     std::uint16_t index = 0;
-    bool made = false;
+    bool shank = false;
     std::int16_t x = 0, y = 0, z = 0;  // of the brick
   };
   /// How a plane came to be, beside Plane itself.
@@ -115,6 +119,20 @@ class SurfaceContact {
     std::int32_t candidate = -1;
     bool trusted_plane = false;  // false: tangent to a point, an edge or the shank
     bool relaxed = false;        // the stroke's memory let it recede: the field is not what holds the pose
+  };
+  /// What is known of a candidate: not yet made; a point of a face whose plane nothing ends, in faces_; an edge; or
+  /// anything else.
+  enum class Known : std::uint8_t { unmade, base_face, cut_face, edge, other };
+  struct alignas(64) Face {
+    double x = 0, y = 0, z = 0, nx = 0, ny = 0, nz = 0;
+    double level = 0;   // normal . point
+    double radius = 0;  // of the ball, thinner against what it has cut
+  };
+  /// All that was near when planes were last laid of everything at hand, and how near it can be at least.
+  struct Laid {
+    Vec3 at{0.0};
+    double within_mm = -1.0;  // planes further off than this were not laid
+    std::size_t count = 0;    // of near_, low_
   };
   struct Polished {
     bool accepted = false;
@@ -172,6 +190,8 @@ class SurfaceContact {
   void head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm, Visit&& visit) const noexcept;
   template <class Choose, class Visit>
   void features(const Volume& volume, int brick, IVec3 at, Choose&& choose, Visit&& visit) noexcept;
+  template <class Choose>
+  void gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, bool shank, Choose&& near) noexcept;
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
@@ -186,9 +206,14 @@ class SurfaceContact {
   bool plane_of_head(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   bool plane_of_surface(double r, const Candidate& c, Vec3 y, double slack_mm, Plane& plane, bool& trusted) const noexcept;
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
-                  const CutSurface::Page* page) noexcept;
-  const Candidate& made(const Volume& volume, std::size_t i) noexcept;
+                  const CutSurface::Page* page, bool shank) noexcept;
+  void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
   void near_planes(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
+  bool near_planes_again(const Tool& tool, Vec3 at, double slack_mm) noexcept;
+  void lay_edges(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
+  void lay_faces(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
+  void lay(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
+  void lay_plane(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
   bool nearest_to_ball(const Volume& volume, double radius_mm, Vec3 pose, Vec3& n) noexcept;
   bool nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
@@ -214,13 +239,27 @@ class SurfaceContact {
   std::vector<Candidate> candidates_;  // at hand, then those of the foot
   std::vector<CutFeature> features_;   // of those that no kept page of the cut's surface holds
   std::vector<Source> sources_;
-  std::vector<float> place_x_, place_y_, place_z_;  // of those of the ball, in voxels from where they were gathered
+  std::vector<Known> known_;
+  std::vector<Face> faces_;
+  /// Candidates that one look goes through.
+  struct Looks {
+    explicit Looks(std::size_t room) : of(room + 1) {}
+    std::vector<std::int32_t> of;  // and room for one more, so that there are pairs
+    std::size_t count = 0;
+    void add(std::int32_t i) noexcept { of[count++] = i; }
+    void even() noexcept { of[count] = of[count > 0 ? count - 1 : 0]; }
+    std::size_t operator[](std::size_t j) const noexcept { return static_cast<std::size_t>(of[j]); }
+  };
+  Looks look_faces_, look_edges_, look_others_;
+  std::vector<float> place_x_, place_y_, place_z_;  // in voxels from where they were gathered
   PlaneSet planes_;
   std::vector<Origin> origins_;        // of planes_
+  Laid laid_;
+  std::vector<std::int32_t> near_;     // candidates of laid_
+  std::vector<double> low_;            // mm that each of near_ is off at least, for some way about laid_.at
   std::size_t count_ = 0, ball_count_ = 0;
   Gathered gathered_, shank_;          // of the ball; of the neck and the shank, which follow it in candidates_
   std::size_t shank_count_ = 0;
-  int shank_tight_ = 0;                // looks for which the shank's margin is kept small
   FreeSpace free_;
   int free_pause_ = 0;                 // looks to skip before trying again
   std::uint64_t answered_free_ = 0;

@@ -30,9 +30,8 @@ bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, double f
   const double from = f.other_d_mm, to = f.third_d_mm;
   double t = glm::dot(d, tangent);
   t = t < from ? from : t > to ? to : t;
-  // A piece leaves its tangent by a quarter of a voxel at most.
   const Vec3 straight = d - t * tangent;
-  const double reach = far_mm + 0.25 * voxel_mm;
+  const double reach = far_mm + kLeavesTangent * voxel_mm;
   curved = 1e300;
   off = straight;
   if (glm::dot(straight, straight) > reach * reach) return false;
@@ -43,44 +42,28 @@ bool SurfaceContact::nearest_on(const Candidate& edge, double voxel_mm, double f
     curved = glm::dot(along, along) - glm::dot(2.0 * bend + at * (6.0 * turn + (6.0 * at) * fourth), off);
   };
   // Newton from the tangent's nearest place.
-  const double close = 1e-4 * voxel_mm;  // leaves the distance off by 1e-8, the normal by 2e-6 degrees
-  for (int pass = 0; pass < 4; ++pass) {
+  const double close = kEdgeClose * voxel_mm;
+  for (int pass = 0; pass < kEdgeNewton; ++pass) {
     look(t);
-    if (!(curved > 0.2)) break;
+    if (!(curved > kEdgeBends)) break;
     const double step = glm::dot(off, along) / curved;
     const double next = t + step < from ? from : t + step > to ? to : t + step;
     if (std::fabs(next - t) < close) return t > from && t < to;
     t = next;
   }
-  if (curved > 0.2) {
+  if (curved > kEdgeBends) {
     look(t);
     return t > from && t < to;
   }
-  // The edge bends about the place about as the ball does: the nearest of three, then between its neighbours.
-  constexpr int kPlaces = 2;
+  // The edge bends about the place about as the ball does, and is as far all along: the nearest of three is so to 10 nm.
+  const double places[3] = {from, to, 0.5 * (from + to)};
   double nearest2 = 1e300;
-  int best = 0;
-  for (int k = 0; k <= kPlaces; ++k) {
-    look(from + (to - from) * k / kPlaces);
+  for (const double place : places) {
+    look(place);
     const double square = glm::dot(off, off);
-    if (square < nearest2) {
-      nearest2 = square;
-      best = k;
-    }
-  }
-  if (nearest2 > (far_mm + 0.01 * voxel_mm) * (far_mm + 0.01 * voxel_mm)) return false;
-  double low = from + (to - from) * (best > 0 ? best - 1 : 0) / kPlaces;
-  double high = from + (to - from) * (best < kPlaces ? best + 1 : kPlaces) / kPlaces;
-  t = from + (to - from) * best / kPlaces;
-  for (int pass = 0; pass < 5; ++pass) {
-    look(t);
-    const double down = glm::dot(off, along);
-    (down > 0.0 ? low : high) = t;
-    const double next = curved > 1e-3 ? t + down / curved : low;
-    const double kept = next > low && next < high ? next : 0.5 * (low + high);
-    const bool there = std::fabs(kept - t) < close;
-    t = kept;
-    if (there) break;
+    if (square >= nearest2) continue;
+    nearest2 = square;
+    t = place;
   }
   look(t);
   return t > from && t < to;

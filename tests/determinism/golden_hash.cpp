@@ -60,8 +60,8 @@ std::uint64_t run(Method method, bool cut) {
   return hash.value();
 }
 
-TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 9440258135307997637ull); }
-TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 3921545348994509678ull); }
+TEST(GoldenHash, exploring_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, false), 17489763310658383805ull); }
+TEST(GoldenHash, drilling_with_the_surface_proxy) { EXPECT_EQ(run(Method::surface, true), 14586114690694583683ull); }
 TEST(GoldenHash, drilling_with_the_papers_proxy) { EXPECT_EQ(run(Method::occupancy, true), 172555942704836004ull); }
 TEST(GoldenHash, drilling_with_the_ray_proxy) { EXPECT_EQ(run(Method::ray, true), 3683817562879092676ull); }
 TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, true), 11732118875105783940ull); }

@@ -1,0 +1,260 @@
+// The planes of what a step may touch: of all at hand, two faces at a time; then again of what that look found near.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "engine/base/lanes.h"
+#include "engine/contact/surface_near.h"
+#include "engine/tool/swept.h"
+
+namespace cusp {
+
+namespace {
+
+constexpr double kNoWay2 = 1e-18;    // mm^2: a place so near a point or an edge has no direction from it
+constexpr double kMostShift = 0.02;  // mm: planes are laid again of what was near as long as they are seen from so near
+
+}  // namespace
+
+inline void SurfaceContact::lay_plane(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept {
+  const std::size_t k = planes_.size();
+  origins_[k] = {static_cast<std::int32_t>(i), trusted, false};
+  near_[k] = static_cast<std::int32_t>(i);
+  low_[k] = low_mm;
+  planes_.add(n, c);
+}
+
+/// Lays the plane of one candidate.
+inline void SurfaceContact::lay(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept {
+  const Candidate& c = candidates_[i];
+  Plane plane;
+  bool trusted = false;
+  if (!plane_of(tool, c, at, slack_mm, plane, trusted)) return;
+  double low = glm::dot(plane.n, at) - plane.c;
+  if (c.kind == Kind::surface) {
+    // Its plane may be believed a little further on; of a head that is no ball nothing is known.
+    const double height = glm::dot(c.normal, at) - c.level;
+    if (!tool.ball())
+      low = -slack_mm;
+    else if (height > 0.0)
+      low = std::min(low, height - (tool.burr->radius_mm - tool.thin(c.field)));
+  }
+  lay_plane(i, plane.n, plane.c, trusted, low);
+  near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
+}
+
+/// Planes of the faces to look at, two at a time: as plane_of_surface.
+inline void SurfaceContact::lay_faces(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
+  const double beside = kPlaneReach * voxel_mm_, later = beside + kMostShift;
+  const double beside2 = beside * beside, later2 = later * later;
+  look_faces_.even();
+  for (std::size_t j = 0; j < look_faces_.count; j += 2) {
+    const Face& a = faces_[look_faces_[j]];
+    const Face& b = faces_[look_faces_[j + 1]];
+    const Pair x{a.x, b.x}, y{a.y, b.y}, z{a.z, b.z};
+    const Pair nx{a.nx, b.nx}, ny{a.ny, b.ny}, nz{a.nz, b.nz};
+    const Pair level{a.level, b.level}, r{a.radius, b.radius};
+    const Pair fx = x - centre.x, fy = y - centre.y, fz = z - centre.z;
+    const Pair dx = at.x - x, dy = at.y - y, dz = at.z - z;
+    const Pair square = dx * dx + dy * dy + dz * dz;
+    const Pair height = nx * at.x + ny * at.y + nz * at.z - level;
+    const Pair side2 = square - height * height;
+    const Pair distance = sqrt_of(square);
+    const PairMask above = height > 0.0;
+    const PairMask flat = above & (side2 <= beside2);
+    const Pair gap = (flat ? height : distance) - r;
+    const PairMask near = (gap <= slack_mm) & (fx * fx + fy * fy + fz * fz <= reach2) & (flat | (square >= kNoWay2));
+    const unsigned kept = bits_of(near);
+    if (kept == 0) continue;
+    const Pair inverse = 1.0 / distance;
+    const Pair px = flat ? nx : dx * inverse, py = flat ? ny : dy * inverse, pz = flat ? nz : dz * inverse;
+    const Pair c = flat ? level + r : px * at.x + py * at.y + pz * at.z - gap;
+    const Pair low = (above & (side2 <= later2) ? height : distance) - r;
+    const unsigned trusted = bits_of(flat);
+    for (std::size_t k = 0; k < 2 && j + k < look_faces_.count; ++k) {
+      if ((kept >> k & 1) == 0) continue;
+      const std::size_t i = look_faces_[j + k];
+      lay_plane(i, {px[k], py[k], pz[k]}, c[k], (trusted >> k & 1) != 0, low[k]);
+      near_cut_ = near_cut_ || known_[i] == Known::cut_face;
+    }
+  }
+}
+
+/// Planes of the edges to look at, two at a time: as nearest_on and plane_of.
+inline void SurfaceContact::lay_edges(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
+  const double close = kEdgeClose * voxel_mm_;
+  look_edges_.even();
+  for (std::size_t j = 0; j < look_edges_.count; j += 2) {
+    const Candidate& a = candidates_[look_edges_[j]];
+    const Candidate& b = candidates_[look_edges_[j + 1]];
+    const Pair x{a.point.x, b.point.x}, y{a.point.y, b.point.y}, z{a.point.z, b.point.z};
+    const Pair fx = x - centre.x, fy = y - centre.y, fz = z - centre.z;
+    const Pair dx = at.x - x, dy = at.y - y, dz = at.z - z;
+    const Pair tx{a.normal.x, b.normal.x}, ty{a.normal.y, b.normal.y}, tz{a.normal.z, b.normal.z};
+    const CutFeature &fa = *a.feature, &fb = *b.feature;
+    const Pair from{fa.other_d_mm, fb.other_d_mm}, to{fa.third_d_mm, fb.third_d_mm};
+    const Pair r{tool.burr->radius_mm - tool.thin(a.field), tool.burr->radius_mm - tool.thin(b.field)};
+    const Pair far = r + slack_mm;
+    Pair t = dx * tx + dy * ty + dz * tz;
+    t = t < from ? from : t > to ? to : t;
+    Pair ox = dx - t * tx, oy = dy - t * ty, oz = dz - t * tz;
+    const Pair reach = far + kLeavesTangent * voxel_mm_;
+    const PairMask near = (ox * ox + oy * oy + oz * oz <= reach * reach) & (fx * fx + fy * fy + fz * fz <= reach2);
+    const unsigned asked = bits_of(near) & (j + 1 < look_edges_.count ? 3u : 1u);
+    if (asked == 0) continue;
+    const Pair bx{fa.other_normal.x, fb.other_normal.x}, by{fa.other_normal.y, fb.other_normal.y}, bz{fa.other_normal.z, fb.other_normal.z};
+    const Pair wx{fa.third_normal.x, fb.third_normal.x}, wy{fa.third_normal.y, fb.third_normal.y}, wz{fa.third_normal.z, fb.third_normal.z};
+    const Pair qx{fa.fourth.x, fb.fourth.x}, qy{fa.fourth.y, fb.fourth.y}, qz{fa.fourth.z, fb.fourth.z};
+    const auto place = [&](Pair s, Pair& px, Pair& py, Pair& pz) {
+      px = dx - s * (tx + s * (bx + s * (wx + s * qx)));
+      py = dy - s * (ty + s * (by + s * (wy + s * qy)));
+      pz = dz - s * (tz + s * (bz + s * (wz + s * qz)));
+    };
+    PairMask active = near;
+    PairMask bent = near & ~near;
+    for (int pass = 0; pass <= kEdgeNewton; ++pass) {
+      const Pair ux = wx + t * qx, uy = wy + t * qy, uz = wz + t * qz;
+      Pair vx, vy, vz;
+      place(t, vx, vy, vz);
+      ox = active ? vx : ox;
+      oy = active ? vy : oy;
+      oz = active ? vz : oz;
+      if (pass == kEdgeNewton) break;
+      const Pair ax = tx + t * (2.0 * bx + t * (3.0 * ux + t * qx)), ay = ty + t * (2.0 * by + t * (3.0 * uy + t * qy)),
+                 az = tz + t * (2.0 * bz + t * (3.0 * uz + t * qz));
+      const Pair six = 6.0 * t;
+      const Pair curved = ax * ax + ay * ay + az * az -
+                          ((2.0 * bx + t * (6.0 * ux + six * qx)) * vx + (2.0 * by + t * (6.0 * uy + six * qy)) * vy +
+                           (2.0 * bz + t * (6.0 * uz + six * qz)) * vz);
+      const PairMask straight = curved > kEdgeBends;
+      bent = bent | (active & ~straight);
+      active = active & straight;
+      const Pair whole = t + (ox * ax + oy * ay + oz * az) / curved;
+      const Pair next = whole < from ? from : whole > to ? to : whole;
+      const Pair moved = next - t;
+      active = active & ((moved >= close) | (moved <= -close));
+      if (bits_of(active) == 0) break;
+      t = active ? next : t;
+    }
+    if (bits_of(bent) != 0) {
+      // As far all along: the nearest of three.
+      Pair nearest2 = both(1e300);
+      for (const Pair s : {from, to, 0.5 * (from + to)}) {
+        Pair px, py, pz;
+        place(s, px, py, pz);
+        const Pair square = px * px + py * py + pz * pz;
+        const PairMask nearer = bent & (square < nearest2);
+        nearest2 = nearer ? square : nearest2;
+        ox = nearer ? px : ox;
+        oy = nearer ? py : oy;
+        oz = nearer ? pz : oz;
+      }
+    }
+    const Pair square = ox * ox + oy * oy + oz * oz;
+    const Pair distance = sqrt_of(square);
+    const Pair gap = distance - r;
+    const unsigned kept = bits_of((gap <= slack_mm) & (square >= kNoWay2)) & asked;
+    const Pair inverse = 1.0 / distance;
+    const Pair nx = ox * inverse, ny = oy * inverse, nz = oz * inverse;
+    const Pair c = nx * at.x + ny * at.y + nz * at.z - gap;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if ((kept >> k & 1) == 0) continue;
+      lay_plane(look_edges_[j + k], {nx[k], ny[k], nz[k]}, c[k], false, gap[k]);
+      near_cut_ = true;
+    }
+  }
+}
+
+/// Lays the planes, seen from `at` and no further off than slack_mm, of all that a step from `centre` can reach.
+void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
+                                 double slack_mm) noexcept {
+  planes_.clear();
+  near_cut_ = false;
+  const double r = tool.burr->radius_mm;
+  const double edge_mm = 0.7 * voxel_mm_;
+  const double ball = r + step, edge = ball + edge_mm;
+  const double ball2 = ball * ball, edge2 = edge * edge;
+  // A plane is believed 0.8 voxel beside its point, an edge holds 0.7 along its tangent.
+  const double beside = kPlaneReach * voxel_mm_;
+  const double flat2 = (r + slack_mm) * (r + slack_mm) + beside * beside;
+  const double bent = edges_ ? r + slack_mm + edge_mm : 0.0;
+  const double wide = std::sqrt(std::max(flat2, bent * bent)) / voxel_mm_ + kLoose;
+  std::size_t looked = 0;
+  const auto known = [&](std::size_t i) {
+    if (known_[i] == Known::unmade) make(volume, tool, i);
+    return known_[i];
+  };
+  const Vec3f here((at - gathered_.centre) / voxel_mm_);
+  if (tool.ball()) {
+    look_faces_.count = look_edges_.count = look_others_.count = 0;
+    for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), here,
+             static_cast<float>(wide * wide), [&](int k) {
+               const Known what = known(static_cast<std::size_t>(k));
+               (what == Known::edge ? look_edges_ : what == Known::other ? look_others_ : look_faces_).add(k);
+             });
+    looked = look_faces_.count + look_edges_.count + look_others_.count;
+    lay_faces(centre, ball2, at, slack_mm);
+    lay_edges(tool, centre, edge2, at, slack_mm);
+    for (std::size_t j = 0; j < look_others_.count; ++j) {
+      const Vec3 d = candidates_[look_others_[j]].point - centre;
+      if (glm::dot(d, d) <= ball2) lay(tool, look_others_[j], at, slack_mm);
+    }
+  } else {
+    const Reach reach = head_within(tool, slack_mm + std::max(beside, edge_mm));
+    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
+    shape.at = here;
+    for_inside(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), shape, [&](int k) {
+      const auto i = static_cast<std::size_t>(k);
+      known(i);
+      ++looked;
+      // A rim stands on the plane of a point that is beside it.
+      const double far = step + std::max(beside, edge_mm);
+      if (head_distance(*tool.burr, tool.axis, candidates_[i].point - centre) <= far) lay(tool, i, at, slack_mm);
+    });
+  }
+  if (shank_count_ > 0) {
+    // What the step may touch (more may be at hand), and comes near there.
+    const Reach shank = shank_within(tool, step), there = shank_within(tool, slack_mm);
+    const auto touches = [&](const Reach& reach, Vec3 from, Vec3 p) {
+      const Vec3 d = p - from;
+      const double t = glm::dot(d, tool.axis);
+      if (t < reach.from || t > reach.to) return false;
+      const double radius = t > reach.wide_from ? reach.thick : reach.slim;
+      return glm::dot(d, d) - t * t <= radius * radius;
+    };
+    TwoCylinders shape = cylinders_of(there.from, there.wide_from, there.to, there.slim, there.thick, tool.axis, 1.0 / voxel_mm_);
+    shape.at = here;
+    const std::size_t from = ball_count_;
+    for_inside(&place_x_[from], &place_y_[from], &place_z_[from], static_cast<int>(shank_count_), shape, [&](int k) {
+      const std::size_t i = from + static_cast<std::size_t>(k);
+      known(i);
+      ++looked;
+      const Vec3 p = candidates_[i].point;
+      if (touches(there, at, p) && touches(shank, centre, p)) lay(tool, i, at, slack_mm);
+    });
+  }
+  laid_ = {at, slack_mm, planes_.size()};
+  if (looked > most_candidates_) most_candidates_ = looked;
+}
+
+/// The same planes, seen from another place and no further off than slack_mm, of what was near at the last look at all; false
+/// when that look did not reach so far.
+bool SurfaceContact::near_planes_again(const Tool& tool, Vec3 at, double slack_mm) noexcept {
+  const Vec3 shift = at - laid_.at;
+  const double shifted = std::sqrt(glm::dot(shift, shift));
+  const double within = slack_mm + shifted;
+  if (shifted > kMostShift || within > laid_.within_mm) return false;
+  planes_.clear();
+  for (std::size_t k = 0; k < laid_.count; ++k) {
+    if (low_[k] > within) continue;
+    const auto i = static_cast<std::size_t>(near_[k]);
+    Plane plane;
+    bool trusted = false;
+    if (!plane_of(tool, candidates_[i], at, slack_mm, plane, trusted)) continue;
+    origins_[planes_.size()] = {near_[k], trusted, false};
+    planes_.add(plane.n, plane.c);
+  }
+  return true;
+}
+
+}  // namespace cusp
