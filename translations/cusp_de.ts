@@ -857,6 +857,26 @@
             <source>Only tell what the file holds</source>
             <translation>Nur sagen, was die Datei enthält</translation>
         </message>
+        <message>
+            <source>--device has to be falcon, falcon:NAME or emulated-falcon.</source>
+            <translation>--device ist falcon, falcon:NAME oder emulated-falcon.</translation>
+        </message>
+        <message>
+            <source>An emulated Falcon needs a hand by name: expert, novice and so on.</source>
+            <translation>Ein nachgebildeter Falcon braucht eine Hand mit Namen: expert, novice und so weiter.</translation>
+        </message>
+        <message>
+            <source>Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon (led by the scripted hand)</source>
+            <translation>In Echtzeit an einem Gerät spielen: falcon, falcon:NAME (ein Mensch hält es) oder emulated-falcon (die Hand aus dem Skript führt es)</translation>
+        </message>
+        <message>
+            <source>With --device: end after so many seconds of the session; the scripted hand begins anew meanwhile</source>
+            <translation>Mit --device: nach so vielen Sekunden des Durchgangs enden; die Hand aus dem Skript beginnt so lange von vorn</translation>
+        </message>
+        <message>
+            <source>With the emulated Falcon: it answers nothing for 50 ms every so many seconds</source>
+            <translation>Mit dem nachgebildeten Falcon: Er antwortet alle so viele Sekunden 50 ms lang nicht</translation>
+        </message>
     </context>
     <context>
         <name>cusp::Compass</name>
@@ -1040,6 +1060,10 @@
         <message>
             <source>Try-out: nothing is kept</source>
             <translation>Probelauf: nichts wird aufbewahrt</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Gerät</translation>
         </message>
     </context>
     <context>
@@ -4222,6 +4246,10 @@
             <source>Install rtkit, or give this user the right to real-time priority (rtprio).</source>
             <translation>Installieren Sie rtkit oder geben Sie diesem Benutzerkonto das Recht auf Echtzeit-Vorrang (rtprio).</translation>
         </message>
+        <message>
+            <source>Emulated Falcon</source>
+            <translation>Nachgebildeter Falcon</translation>
+        </message>
     </context>
     <context>
         <name>cusp::ShapeForm</name>
@@ -4363,10 +4391,6 @@
         <message>
             <source>Pages</source>
             <translation>Seiten</translation>
-        </message>
-        <message>
-            <source>Mouse and keys ready</source>
-            <translation>Maus und Tasten bereit</translation>
         </message>
     </context>
     <context>
@@ -5443,6 +5467,431 @@ Ihr bester davor</translation>
         <message>
             <source>Key %1</source>
             <translation>Taste %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::DevicePage</name>
+        <message>
+            <source>Device</source>
+            <translation>Gerät</translation>
+        </message>
+        <message>
+            <source>Check it before you drill</source>
+            <translation>Vor dem Bohren prüfen</translation>
+        </message>
+        <message>
+            <source>What goes are drilled with</source>
+            <translation>Womit gebohrt wird</translation>
+        </message>
+        <message>
+            <source>No Falcon is plugged in. One that is plugged in appears here by itself.</source>
+            <translation>Kein Falcon ist angeschlossen. Sobald einer angeschlossen wird, erscheint er hier von selbst.</translation>
+        </message>
+        <message>
+            <source>Firmware of the Falcon</source>
+            <translation>Firmware des Falcon</translation>
+        </message>
+        <message>
+            <source>A Falcon forgets its firmware when its power is off. Cusp has none: the maker’s licence does not allow it. Name the file that the maker’s software brought to this computer; that licence holds for its use.</source>
+            <translation>Ein Falcon vergisst seine Firmware, wenn er keinen Strom hat. Cusp bringt keine mit: Die Lizenz des Herstellers erlaubt es nicht. Nennen Sie die Datei, die mit der Software des Herstellers auf diesen Rechner kam; für sie gilt deren Lizenz.</translation>
+        </message>
+        <message>
+            <source>Name the file…</source>
+            <translation>Datei nennen …</translation>
+        </message>
+        <message>
+            <source>Foot pedal</source>
+            <translation>Fußpedal</translation>
+        </message>
+        <message>
+            <source>SpaceMouse</source>
+            <translation>SpaceMouse</translation>
+        </message>
+        <message>
+            <source>not plugged in</source>
+            <translation>nicht angeschlossen</translation>
+        </message>
+        <message>
+            <source>not permitted</source>
+            <translation>nicht erlaubt</translation>
+        </message>
+        <message>
+            <source>plugged in</source>
+            <translation>angeschlossen</translation>
+        </message>
+        <message>
+            <source>Socket %1</source>
+            <translation>Anschluss %1</translation>
+        </message>
+        <message>
+            <source>No file is named.</source>
+            <translation>Keine Datei ist genannt.</translation>
+        </message>
+        <message>
+            <source>%1, SHA-256 %2…</source>
+            <translation>%1, SHA-256 %2 …</translation>
+        </message>
+        <message>
+            <source>Firmware (*.bin *.BIN)</source>
+            <translation>Firmware (*.bin *.BIN)</translation>
+        </message>
+        <message>
+            <source>The file is sound and will be used.</source>
+            <translation>Die Datei ist in Ordnung und wird verwendet.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Falcon</name>
+        <message>
+            <source>Looking for it</source>
+            <translation>Wird gesucht</translation>
+        </message>
+        <message>
+            <source>Asking whether its firmware runs</source>
+            <translation>Läuft seine Firmware schon?</translation>
+        </message>
+        <message>
+            <source>It needs its firmware file</source>
+            <translation>Er braucht seine Firmware-Datei</translation>
+        </message>
+        <message>
+            <source>Waking its loader</source>
+            <translation>Sein Lader wird geweckt</translation>
+        </message>
+        <message>
+            <source>Loading its firmware, %1</source>
+            <translation>Seine Firmware wird geladen, %1</translation>
+        </message>
+        <message>
+            <source>Finding its middle</source>
+            <translation>Er sucht seine Mitte</translation>
+        </message>
+        <message>
+            <source>Ready</source>
+            <translation>Bereit</translation>
+        </message>
+        <message>
+            <source>No answer, force off</source>
+            <translation>Keine Antwort, Kraft aus</translation>
+        </message>
+        <message>
+            <source>Ten attempts failed; it is tried again</source>
+            <translation>Zehn Versuche misslangen; es geht weiter</translation>
+        </message>
+        <message>
+            <source>All three arms know their place.</source>
+            <translation>Alle drei Arme kennen ihren Ort.</translation>
+        </message>
+        <message>
+            <source>Pull the grip all the way out, then push it all the way in. Do it slowly, until all three arms are filled.</source>
+            <translation>Den Griff ganz herausziehen, dann ganz hineinschieben. Langsam, bis alle drei Arme gefüllt sind.</translation>
+        </message>
+        <message>
+            <source>The Falcon needs its firmware file.</source>
+            <translation>Der Falcon braucht seine Firmware-Datei.</translation>
+        </message>
+        <message>
+            <source>Staff can name the file on the Device page, under Firmware.</source>
+            <translation>Das Personal nennt die Datei auf der Seite Gerät unter Firmware.</translation>
+        </message>
+        <message>
+            <source>The firmware file is not the one that was named.</source>
+            <translation>Die Firmware-Datei ist nicht mehr die genannte.</translation>
+        </message>
+        <message>
+            <source>%1 has changed since. Name it again if that was meant.</source>
+            <translation>%1 hat sich seitdem geändert. War das gewollt, nennen Sie die Datei noch einmal.</translation>
+        </message>
+        <message>
+            <source>The firmware file cannot be used.</source>
+            <translation>Die Firmware-Datei ist nicht brauchbar.</translation>
+        </message>
+        <message>
+            <source>Look at %1, or name another one.</source>
+            <translation>Sehen Sie %1 nach, oder nennen Sie eine andere.</translation>
+        </message>
+        <message>
+            <source>The Falcon is plugged in and does not answer.</source>
+            <translation>Der Falcon ist angeschlossen und antwortet nicht.</translation>
+        </message>
+        <message>
+            <source>Most often its power adapter is off. Plug the adapter in, then try again.</source>
+            <translation>Meist hat sein Netzteil keinen Strom. Netzteil einstecken, dann noch einmal.</translation>
+        </message>
+        <message>
+            <source>The Falcon did not start.</source>
+            <translation>Der Falcon lief nicht an.</translation>
+        </message>
+        <message>
+            <source>Pull its power plug, wait five seconds, put it in, and try again. (%1)</source>
+            <translation>Netzstecker ziehen, fünf Sekunden warten, einstecken, noch einmal. (%1)</translation>
+        </message>
+        <message>
+            <source>This is no firmware of a Falcon.</source>
+            <translation>Das ist keine Firmware eines Falcon.</translation>
+        </message>
+        <message>
+            <source>The file that was named before is kept.</source>
+            <translation>Die vorher genannte Datei bleibt.</translation>
+        </message>
+        <message>
+            <source>The file cannot be read.</source>
+            <translation>Die Datei ist nicht lesbar.</translation>
+        </message>
+        <message>
+            <source>It is too small.</source>
+            <translation>Sie ist zu klein.</translation>
+        </message>
+        <message>
+            <source>It is too large.</source>
+            <translation>Sie ist zu groß.</translation>
+        </message>
+        <message>
+            <source>It breaks off.</source>
+            <translation>Sie bricht ab.</translation>
+        </message>
+        <message>
+            <source>It is built in another way.</source>
+            <translation>Sie ist anders aufgebaut.</translation>
+        </message>
+        <message>
+            <source>Stopped. Nothing was changed.</source>
+            <translation>Angehalten. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>The Falcon stopped answering. Nothing was changed.</source>
+            <translation>Der Falcon antwortete nicht mehr. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>The grip moved too fast, so the force was switched off. Nothing was changed.</source>
+            <translation>Der Griff bewegte sich zu schnell; die Kraft wurde abgeschaltet. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>The grip was held, or came to the end of its travel. Nothing was changed.</source>
+            <translation>Der Griff wurde festgehalten oder kam ans Ende seines Weges. Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>Emulated Falcon, driven by mouse</source>
+            <translation>Nachgebildeter Falcon, mit der Maus geführt</translation>
+        </message>
+        <message>
+            <source>It pushes to the right</source>
+            <translation>Er drückt nach rechts</translation>
+        </message>
+        <message>
+            <source>It pushes to the left</source>
+            <translation>Er drückt nach links</translation>
+        </message>
+        <message>
+            <source>It pushes up</source>
+            <translation>Er drückt nach oben</translation>
+        </message>
+        <message>
+            <source>It pushes down</source>
+            <translation>Er drückt nach unten</translation>
+        </message>
+        <message>
+            <source>It pushes towards you</source>
+            <translation>Er drückt zu Ihnen hin</translation>
+        </message>
+        <message>
+            <source>It pushes away from you</source>
+            <translation>Er drückt von Ihnen weg</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::FalconPanel</name>
+        <message>
+            <source>Try again</source>
+            <translation>Noch einmal</translation>
+        </message>
+        <message>
+            <source>Homing</source>
+            <translation>Mitte finden</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>Jetzt</translation>
+        </message>
+        <message>
+            <source>Answers a second</source>
+            <translation>Antworten je Sekunde</translation>
+        </message>
+        <message>
+            <source>Late: half of them, one in a hundred, the latest</source>
+            <translation>Verspätet: die Hälfte, eine von hundert, die späteste</translation>
+        </message>
+        <message>
+            <source>Silences and lost answers</source>
+            <translation>Aussetzer und verlorene Antworten</translation>
+        </message>
+        <message>
+            <source>Priority</source>
+            <translation>Vorrang</translation>
+        </message>
+        <message>
+            <source>Buttons</source>
+            <translation>Tasten</translation>
+        </message>
+        <message>
+            <source>Left</source>
+            <translation>Links</translation>
+        </message>
+        <message>
+            <source>Top</source>
+            <translation>Oben</translation>
+        </message>
+        <message>
+            <source>Middle</source>
+            <translation>Mitte</translation>
+        </message>
+        <message>
+            <source>Right</source>
+            <translation>Rechts</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Licht</translation>
+        </message>
+        <message>
+            <source>Red</source>
+            <translation>Rot</translation>
+        </message>
+        <message>
+            <source>Green</source>
+            <translation>Grün</translation>
+        </message>
+        <message>
+            <source>Blue</source>
+            <translation>Blau</translation>
+        </message>
+        <message>
+            <source>Tests</source>
+            <translation>Prüfungen</translation>
+        </message>
+        <message>
+            <source>Feel the force</source>
+            <translation>Kraft fühlen</translation>
+        </message>
+        <message>
+            <source>Self-test</source>
+            <translation>Selbsttest</translation>
+        </message>
+        <message>
+            <source>Weigh the grip</source>
+            <translation>Griff wiegen</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Anhalten</translation>
+        </message>
+        <message>
+            <source>Save the report…</source>
+            <translation>Bericht sichern …</translation>
+        </message>
+        <message>
+            <source>Before everything else</source>
+            <translation>Vor allem anderen</translation>
+        </message>
+        <message>
+            <source>As any program: others may delay it</source>
+            <translation>Wie jedes Programm: Andere können es aufhalten</translation>
+        </message>
+        <message>
+            <source>Measuring, direction %1 of 3. Keep your hand off.</source>
+            <translation>Richtung %1 von 3 wird gemessen. Hand weg.</translation>
+        </message>
+        <message>
+            <source>Weighing, place %1 of %2. Keep your hand off.</source>
+            <translation>Ort %1 von %2 wird gewogen. Hand weg.</translation>
+        </message>
+        <message>
+            <source>Hold the grip loosely</source>
+            <translation>Den Griff locker halten</translation>
+        </message>
+        <message>
+            <source>It pushes six ways, one after the other, up to %1. Letting go switches it off.</source>
+            <translation>Er drückt nacheinander in sechs Richtungen, bis zu %1. Loslassen schaltet ab.</translation>
+        </message>
+        <message>
+            <source>Push</source>
+            <translation>Drücken</translation>
+        </message>
+        <message>
+            <source>Let go of the grip</source>
+            <translation>Den Griff loslassen</translation>
+        </message>
+        <message>
+            <source>For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way.</source>
+            <translation>Eine halbe Minute lang bewegt er sich selbst, einen Zentimeter in jede Richtung. Niemand darf ihn berühren, und nichts darf im Weg stehen.</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Messen</translation>
+        </message>
+        <message>
+            <source>Stand it upright and let go of the grip</source>
+            <translation>Aufrecht hinstellen und den Griff loslassen</translation>
+        </message>
+        <message>
+            <source>It holds the grip at nine places, for half a minute. From then on it carries its own weight.</source>
+            <translation>Er hält den Griff an neun Orten, eine halbe Minute lang. Danach trägt er sein Gewicht selbst.</translation>
+        </message>
+        <message>
+            <source>Weigh</source>
+            <translation>Wiegen</translation>
+        </message>
+        <message>
+            <source>All six ways were pushed. Tell the staff if one of them felt wrong.</source>
+            <translation>In alle sechs Richtungen wurde gedrückt. Fühlte sich eine falsch an, sagen Sie es dem Personal.</translation>
+        </message>
+        <message>
+            <source>No weight fits what was held. Stand it upright, keep hands off, and weigh again.</source>
+            <translation>Kein Gewicht passt zu dem, was gehalten wurde. Aufrecht hinstellen, Hände weg, noch einmal wiegen.</translation>
+        </message>
+        <message>
+            <source>The grip weighs %1. From the next go on it carries itself.</source>
+            <translation>Der Griff wiegt %1. Vom nächsten Durchgang an trägt er sich selbst.</translation>
+        </message>
+        <message>
+            <source>The grip weighs %1. Nothing is kept of an emulated one.</source>
+            <translation>Der Griff wiegt %1. Von einem nachgebildeten wird nichts aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>It moved too little to be measured. Is something in its way? The report has what there is.</source>
+            <translation>Er bewegte sich zu wenig, um ihn zu messen. Ist etwas im Weg? Im Bericht steht, was da ist.</translation>
+        </message>
+        <message>
+            <source>Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).</source>
+            <translation>Dämpfung %1, Reibung %2, Verzug %3, Schritt %4. Übungen dürfen bis %5 steif sein (vorher: %6).</translation>
+        </message>
+        <message>
+            <source>Nothing is kept of an emulated one.</source>
+            <translation>Von einem nachgebildeten wird nichts aufbewahrt.</translation>
+        </message>
+        <message>
+            <source>Not measured yet: damping and delay are assumed, and exercises are no stiffer than %1.</source>
+            <translation>Noch nicht gemessen: Dämpfung und Verzug sind angenommen, und Übungen sind höchstens %1 steif.</translation>
+        </message>
+        <message>
+            <source>Measured %1: exercises are no stiffer than %2.</source>
+            <translation>Gemessen %1: Übungen sind höchstens %2 steif.</translation>
+        </message>
+        <message>
+            <source>Save the report</source>
+            <translation>Bericht sichern</translation>
+        </message>
+        <message>
+            <source>Report (*.json)</source>
+            <translation>Bericht (*.json)</translation>
+        </message>
+        <message>
+            <source>The report lies at %1.</source>
+            <translation>Der Bericht liegt unter %1.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written.</source>
+            <translation>%1 ist nicht beschreibbar.</translation>
         </message>
     </context>
 </TS>

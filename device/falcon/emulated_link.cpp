@@ -103,7 +103,7 @@ LinkEvent EmulatedLink::wait(LinkTime until) noexcept {
     return {.kind = kind};
   }
   const LinkTime packet = next_packet();
-  if (packet > until) {
+  if (packet > std::max(until, now_)) {  // what is there already is told, however late somebody asks
     move_to(until);
     if (event_count_ > 0) return wait(until);  // the hand pulled the plug
     return {};

@@ -16,6 +16,9 @@
 #include "ui/app/language.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/shell.h"
+#include "ui/app/device_settings.h"
+#include "ui/device/device_page.h"
+#include "ui/device/falcon_words.h"
 #include "ui/device/space_mouse_turner.h"
 #include "ui/drill/tooth_view.h"
 #include "ui/editor/editor_page.h"
@@ -194,6 +197,9 @@ QVector<NavEntry> Desktop::entries() {
                return page;
              }};
   }
+  list += {u"device"_qs, tr("Device"), u"device"_qs, [this, role]() -> QWidget* {
+             return new DevicePage(settings_, ports_, role != Role::student, hid_);
+           }};
   list += {u"help"_qs, tr("Help"), u"book"_qs, []() -> QWidget* { return new HelpPage; }};
   return list;
 }
@@ -209,6 +215,8 @@ void Desktop::show_shell(const QString& page_key) {
   connect(shell, &Shell::password_wanted, this, [this] { (new PasswordDialog(*store_, *account_, this))->open(); });
   replace_root(shell);
   shell_ = shell;
+  const DeviceChoice device = DeviceSettings(settings_.file()).choice();
+  shell->show_device(device_title(device.kind, device.name), device.kind == "falcon" ? u"device"_qs : u"mouse"_qs);
   shell->show_page(page_key);
 }
 

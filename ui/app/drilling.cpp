@@ -5,6 +5,8 @@
 
 #include "device/hid/hid_station.h"
 #include "ui/app/desktop.h"
+#include "ui/app/device_settings.h"
+#include "ui/device/falcon_words.h"
 #include "ui/device/space_mouse_turner.h"
 #include "ui/drill/drill_screen.h"
 
@@ -28,9 +30,12 @@ void Desktop::drill(const Exercise& exercise) {
   auto* screen = new DrillScreen;
   screen->keep_sound_in(&settings_);
   connect(screen, &DrillScreen::left, this, &Desktop::back);
-  connect(screen, &DrillScreen::failed, this, [this](const RunFailure& failure) {
+  const DeviceChoice device = DeviceSettings(settings_.file()).choice();
+  screen->use_device(device);
+  connect(screen, &DrillScreen::failed, this, [this, kind = device.kind](const RunFailure& failure) {
     back();
-    tell_failure(tell(failure));
+    const auto* port = std::get_if<PortError>(&failure.cause);
+    tell_failure(port != nullptr && kind == "falcon" ? tell_falcon({*port, failure.where, failure.detail}) : tell(failure));
   });
   connect(screen, &DrillScreen::finished, this, [this, exercise](std::shared_ptr<const RunResult> result) {
     back();

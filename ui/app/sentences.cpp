@@ -304,6 +304,7 @@ QString kind_name(SessionKind kind) {
 QString device_name(const std::string& device_class) {
   if (device_class == "pointer") return Words::tr("Mouse and keys");
   if (device_class == "falcon") return QStringLiteral("Falcon");
+  if (device_class == "emulated-falcon") return Words::tr("Emulated Falcon");
   if (device_class == "inverse3") return QStringLiteral("Inverse3");
   if (device_class == "scripted") return Words::tr("Scripted hand");
   return text(device_class);

@@ -145,14 +145,18 @@ QWidget* Shell::make_sidebar() {
   auto* foot = new QHBoxLayout;
   foot->setContentsMargins(px(12), 0, 0, 0);
   foot->setSpacing(px(8));
-  auto* sign = new QLabel;
-  sign->setPixmap(icon_pixmap(u"mouse"_qs, Ink::good, 16, devicePixelRatioF()));
-  foot->addWidget(sign);
-  QLabel* device = make_label(tr("Mouse and keys ready"), TextRole::caption, false, "text2");
-  device->setWordWrap(true);
-  foot->addWidget(device, 1);
+  device_sign_ = new QLabel;
+  foot->addWidget(device_sign_);
+  device_ = make_label({}, TextRole::caption, false, "text2");
+  device_->setWordWrap(true);
+  foot->addWidget(device_, 1);
   column->addLayout(foot);
   return side;
+}
+
+void Shell::show_device(const QString& name, const QString& icon_name) {
+  device_sign_->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, devicePixelRatioF()));
+  device_->setText(name);
 }
 
 void Shell::show_page(const QString& key) {

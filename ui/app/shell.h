@@ -9,6 +9,7 @@
 #include "storage/repositories/people.h"
 
 class QButtonGroup;
+class QLabel;
 class QStackedWidget;
 class QVBoxLayout;
 
@@ -31,6 +32,8 @@ class Shell : public QWidget {
   void show_page(const QString& key);
   QString page_key() const { return key_; }
   QWidget* page() const;
+  /// What goes are drilled with, at the foot of the sidebar.
+  void show_device(const QString& name, const QString& icon_name);
   const QVector<NavEntry>& entries() const { return entries_; }
   /// Moves the focus to the next of top bar, sidebar and page.
   void next_pane();
@@ -50,6 +53,7 @@ class Shell : public QWidget {
   QVector<NavEntry> entries_;
   QString key_;
   QWidget *top_ = nullptr, *side_ = nullptr;
+  QLabel *device_sign_ = nullptr, *device_ = nullptr;
   QButtonGroup* group_;
   QStackedWidget* pages_;
 };

@@ -10,13 +10,14 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <thread>
 
-#include "device/pointer/pointer_port.h"
 #include "scenarios/format/keys.h"
 #include "ui/app/sentences.h"
 #include "ui/app/settings.h"
+#include "ui/device/homing_view.h"
 #include "ui/drill/burr_tray.h"
 #include "ui/drill/coach.h"
 #include "ui/drill/drill_feed.h"
@@ -37,6 +38,7 @@ namespace cusp {
 namespace {
 
 constexpr int kLookMs = 33;           // burr and clock
+constexpr int kHomingWidth = 420;     // px at 100 %
 constexpr int kTextEvery = 3;         // looks between two of texts and gauges, about ten a second
 constexpr std::chrono::milliseconds kFollow{30};
 constexpr double kUsualShare = 0.53;  // of full force: 0.8 N where that is 1.5, about what a handpiece is led with
@@ -45,8 +47,7 @@ constexpr double kStartAboveMm = 1.5;
 
 /// What the worker makes before the go starts, and hands to the window.
 struct Opened {
-  std::unique_ptr<HapticPort> port;
-  PointerPort* pointer = nullptr;  // the port, when it is the mouse
+  RunDevice device;
   std::shared_ptr<PatchFeed> patches;
   std::shared_ptr<DrillFeed> feed;
   std::vector<OverlayLine> lines;
@@ -55,6 +56,14 @@ struct Opened {
   Box bounds;
   bool has_pulp = false;
   std::unique_ptr<ExerciseRun> run;
+};
+
+/// A Falcon that a worker opens, for the window to look at and to call off. The port lives in the worker's Opened, which
+/// comes to the window whole, or the pointer is taken back first.
+struct Opening {
+  std::atomic<FalconPort*> falcon{nullptr};
+  std::atomic<bool> left{false};
+  std::atomic<bool> over{false};  // the worker has nothing more to do with the device
 };
 
 /// Place above the target where the burr begins, clear of all tissue.
@@ -86,6 +95,11 @@ struct DrillScreen::Inner {
   Settings* settings = nullptr;
 
   // The go.
+  DeviceChoice choice;
+  std::shared_ptr<Opening> opening;  // while the worker opens the device
+  QFrame* homing_card;
+  HomingView* homing;
+  QTimer opening_timer;
   std::shared_ptr<Opened> go;
   std::unique_ptr<PointerInput> input;
   std::thread worker;
@@ -158,7 +172,7 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   in.tray = new BurrTray(this);
   connect(in.tray, &BurrTray::burr_chosen, this, [this](int index) {
     if (inner_->go && inner_->go->run) inner_->go->run->change_burr(static_cast<std::size_t>(index));
-    if (inner_->go && inner_->go->pointer) inner_->go->pointer->hand().set_burr(static_cast<std::uint16_t>(index));
+    if (inner_->go && inner_->go->device.hand) inner_->go->device.hand->set_burr(static_cast<std::uint16_t>(index));
   });
   left->addWidget(in.tray);
   middle->addLayout(left, 1);
@@ -184,6 +198,13 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   in.stage->view()->set_stats(&in.stats);
   in.stage->view()->installEventFilter(this);
 
+  in.homing_card = new Card(this);
+  in.homing = new HomingView(in.homing_card);
+  in.homing->setFixedWidth(px(kHomingWidth));
+  static_cast<Card*>(in.homing_card)->body()->addWidget(in.homing);
+  in.homing_card->hide();
+  in.opening_timer.setInterval(kLookMs);
+  connect(&in.opening_timer, &QTimer::timeout, this, &DrillScreen::show_opening);
   in.look_timer.setInterval(kLookMs);
   connect(&in.look_timer, &QTimer::timeout, this, [this] { look(); });
   const auto key = [this](const QKeySequence& keys, auto act) {
@@ -199,7 +220,30 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   enable_controls(false);
 }
 
+void DrillScreen::use_device(DeviceChoice choice) { inner_->choice = std::move(choice); }
+
+void DrillScreen::show_opening() {
+  Inner& in = *inner_;
+  if (!in.opening) return;
+  FalconPort* falcon = in.opening->falcon.load(std::memory_order_acquire);
+  if (falcon == nullptr) return;
+  if (in.opening->left.load()) falcon->cancel();
+  in.homing->show_falcon(falcon->view());
+  if (!in.homing_card->isVisible()) {
+    in.busy->finish();
+    in.homing_card->show();
+  }
+  in.homing_card->adjustSize();
+  in.homing_card->move((width() - in.homing_card->width()) / 2, (height() - in.homing_card->height()) / 2);
+  in.homing_card->raise();
+}
+
 DrillScreen::~DrillScreen() {
+  // Whoever closes the window while a Falcon waits for a hand does not wait for it.
+  while (inner_->opening && inner_->worker.joinable() && !inner_->opening->over.load(std::memory_order_acquire)) {
+    if (FalconPort* falcon = inner_->opening->falcon.load(std::memory_order_acquire)) falcon->cancel();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   if (inner_->worker.joinable()) inner_->worker.join();
   // A go that was just started and not yet taken over ends here, while the view that it asks for frames still stands.
   QCoreApplication::removePostedEvents(this, QEvent::MetaCall);
@@ -233,14 +277,17 @@ void DrillScreen::begin(RunPlan plan, const DrillText& text, std::unique_ptr<Hap
   in.working = true;
   in.busy->start(tr("Getting the tooth ready"), false);
   // Qt's pointer guards the answer: the worker is joined before this screen goes.
-  auto answer = [this](std::shared_ptr<Opened> go, std::optional<RunFailure> failure) {
+  in.opening = std::make_shared<Opening>();
+  auto answer = [this, opening = in.opening](std::shared_ptr<Opened> go, std::optional<RunFailure> failure) {
+    opening->over.store(true, std::memory_order_release);
     QMetaObject::invokeMethod(
         this, [this, go = std::move(go), failure = std::move(failure)]() mutable { opened(std::move(go), failure); },
         Qt::QueuedConnection);
   };
   QPointer<ToothView> view = in.stage->view();
   auto shared_port = std::make_shared<std::unique_ptr<HapticPort>>(std::move(port));
-  in.worker = std::thread([plan = std::move(plan), shared_port, answer, view]() mutable {
+  in.opening_timer.start();
+  in.worker = std::thread([plan = std::move(plan), shared_port, answer, view, choice = in.choice, opening = in.opening]() mutable {
     auto go = std::make_shared<Opened>();
     // Beside the specimen: a jaw's other teeth take as long as its own.
     std::jthread beside([&go = *go, source = plan.scenario.specimen] { go.scenery = scenery_of(source); });
@@ -264,15 +311,22 @@ void DrillScreen::begin(RunPlan plan, const DrillText& text, std::unique_ptr<Hap
     }, go->scenery);
     plan.observers.push_back(go->feed.get());
     if (*shared_port) {
-      go->port = std::move(*shared_port);
+      go->device.port = std::move(*shared_port);
     } else {
-      auto pointer = std::make_unique<PointerPort>(
-          start_place(**specimen, *go->look, plan.scenario.instruments.empty() ? Burr() : plan.scenario.instruments[0]));
-      go->pointer = pointer.get();
-      go->port = std::move(pointer);
+      const Vec3 start =
+          start_place(**specimen, *go->look, plan.scenario.instruments.empty() ? Burr() : plan.scenario.instruments[0]);
+      auto device = make_run_device(choice, start, plan.scenario.instruments.size());
+      if (!device) return answer(nullptr, std::move(run_fail(RunError::device, device.error()).error()));
+      go->device = std::move(*device);
     }
-    auto run = ExerciseRun::start(std::move(plan), *go->port);
-    if (!run) return answer(nullptr, run.error());
+    opening->falcon.store(go->device.falcon, std::memory_order_release);
+    auto run = ExerciseRun::start(std::move(plan), *go->device.port);
+    opening->falcon.store(nullptr, std::memory_order_release);
+    if (!run) {
+      // The window may hold the pointer for the length of one look: the port goes with the answer, on its thread.
+      auto failed = run.error();
+      return answer(std::move(go), std::move(failed));
+    }
     go->run = std::move(*run);
     answer(std::move(go), std::nullopt);
   });
@@ -283,9 +337,17 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
   if (in.worker.joinable()) in.worker.join();
   in.working = false;
   in.busy->finish();
+  in.opening_timer.stop();
+  in.homing_card->hide();
+  const bool called_off = in.opening && in.opening->left.load();
+  in.opening.reset();
   if (failure) {
     in.over = true;
-    Q_EMIT failed(*failure);
+    if (called_off) {
+      Q_EMIT left();
+    } else {
+      Q_EMIT failed(*failure);
+    }
     return;
   }
   in.go = std::static_pointer_cast<Opened>(opaque);
@@ -302,7 +364,7 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
     in.sound->set_muted(muted);
     in.panel->handpiece()->set_sound(in.sound->start(), volume, muted);
   }
-  in.stage->set_exercise(scenario, *go.look, go.bounds, go.pointer != nullptr, is_tooth);
+  in.stage->set_exercise(scenario, *go.look, go.bounds, go.device.hand != nullptr, is_tooth);
   ToothView* view = in.stage->view();
   view->set_feed(go.patches);
   view->set_scenery(go.scenery);
@@ -314,9 +376,10 @@ void DrillScreen::opened(std::shared_ptr<void> opaque, const std::optional<RunFa
     return BurrPose{scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)], out.proxy_mm,
                     out.tick > 0 ? out.axis : scene.tool_axis, out.cutting};
   });
-  if (go.pointer) {
-    go.pointer->hand().set_turn_limit(scenario.tool_turn_deg);
-    in.input = std::make_unique<PointerInput>(*view, go.pointer->hand(), go.run->scene()->tool_axis,
+  if (go.device.hand) {
+    // An emulated Falcon has three axes: it cannot turn the handpiece.
+    go.device.hand->set_turn_limit(go.device.emulated == nullptr ? scenario.tool_turn_deg : 0.0);
+    in.input = std::make_unique<PointerInput>(*view, *go.device.hand, go.run->scene()->tool_axis,
                                               std::clamp(kUsualShare * scenario.device.full_force_n, kLeastUsualN,
                                                          PointerHand::kMaxPushN),
                                               nullptr);
@@ -444,6 +507,10 @@ void DrillScreen::graded(const std::shared_ptr<Run<RunResult>>& result) {
 
 void DrillScreen::ask_leave() {
   Inner& in = *inner_;
+  if (in.opening) {
+    in.opening->left.store(true);
+    show_opening();
+  }
   if (in.working) return;
   if (!running()) {
     Q_EMIT left();

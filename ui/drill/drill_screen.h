@@ -10,6 +10,7 @@
 #include "engine/base/haptic_port.h"
 #include "ui/app/ports.h"
 #include "ui/session/exercise_run.h"
+#include "ui/session/run_device.h"
 
 namespace cusp {
 
@@ -25,7 +26,10 @@ class DrillScreen : public QWidget {
   explicit DrillScreen(QWidget* parent = nullptr, Ports ports = Ports::of_the_system());
   ~DrillScreen() override;
 
-  /// Builds the specimen and starts the go in the background; `port` null: mouse and keys. Pre: no go is running.
+  /// What the next go is drilled with; mouse and keys unless it is called. Before begin().
+  void use_device(DeviceChoice choice);
+  /// Builds the specimen and starts the go in the background; a Falcon's starts once it is homed. `port`: instead of the
+  /// device that was chosen. Pre: no go is running.
   void begin(RunPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
   class ToothView* view() const;
@@ -60,6 +64,7 @@ class DrillScreen : public QWidget {
   void finish_now();
   void graded(const std::shared_ptr<Run<RunResult>>& result);
   void enable_controls(bool on);
+  void show_opening();
 
   struct Inner;
   std::unique_ptr<Inner> inner_;

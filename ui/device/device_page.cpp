@@ -1,0 +1,240 @@
+#include "ui/device/device_page.h"
+
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QTimer>
+#include <algorithm>
+
+#include "device/falcon/permissions.h"
+#include "device/hid/hid_station.h"
+#include "ui/app/device_settings.h"
+#include "ui/device/falcon_panel.h"
+#include "ui/device/falcon_words.h"
+#include "ui/device/inverse_panel.h"
+#include "ui/device/pedal_panel.h"
+#include "ui/device/rights_row.h"
+#include "ui/device/space_mouse_panel.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kLookMs = 1000;
+constexpr int kShownDigits = 16;  // of the file's 64: enough to compare by eye
+
+}  // namespace
+
+struct DevicePage::Inner {
+  Inner(const QString& file, Ports world, bool for_staff, std::unique_ptr<DeviceWatch> devices)
+      : device(file), ports(std::move(world)), staff(for_staff), watch(std::move(devices)) {}
+
+  DeviceSettings device;
+  Ports ports;
+  bool staff;
+  std::unique_ptr<DeviceWatch> watch;
+  std::vector<FoundDevice> found;
+  QTimer timer;
+
+  QVBoxLayout* list;
+  QButtonGroup* group = nullptr;
+  QWidget* rows = nullptr;
+  RightsRow* rights;
+  QLabel *no_falcon, *firmware, *licence;
+  Band* band;
+  Card* firmware_card;
+  FalconPanel* falcon;
+  Card* inverse;
+};
+
+DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStation* hid, MakeWatch watch, QWidget* parent)
+    : QWidget(parent), inner_(std::make_unique<Inner>(settings.file(), std::move(ports), staff, watch())) {
+  Inner& in = *inner_;
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* body = nullptr;
+  outer->addWidget(make_scroll_page(&body));
+  body->addWidget(new PageHead(tr("Device"), staff ? QString() : tr("Check it before you drill")));
+  in.band = new Band(this);
+  body->addWidget(in.band);
+
+  auto* card = new Card(tr("What goes are drilled with"), {}, this);
+  in.list = new QVBoxLayout;
+  in.list->setSpacing(px(4));
+  card->body()->addLayout(in.list);
+  in.no_falcon = make_label(tr("No Falcon is plugged in. One that is plugged in appears here by itself."), TextRole::body, false, "text2");
+  in.no_falcon->setWordWrap(true);
+  card->body()->addWidget(in.no_falcon);
+  in.rights = new RightsRow(card);
+  card->body()->addWidget(in.rights);
+  body->addWidget(card);
+
+  in.falcon = new FalconPanel(in.device, in.ports, staff, this);
+  body->addWidget(in.falcon);
+
+  in.firmware_card = new Card(tr("Firmware of the Falcon"), {}, this);
+  in.firmware = make_label({});
+  in.firmware->setWordWrap(true);
+  in.licence = make_label(tr("A Falcon forgets its firmware when its power is off. Cusp has none: the maker’s licence does not allow it. Name the "
+                             "file that the maker’s software brought to this computer; that licence holds for its use."),
+                          TextRole::caption, false, "text2");
+  in.licence->setWordWrap(true);
+  in.firmware_card->body()->addWidget(in.firmware);
+  in.firmware_card->body()->addWidget(in.licence);
+  QPushButton* name = make_button(tr("Name the file…"), ButtonKind::standard, QStringLiteral("import"));
+  connect(name, &QPushButton::clicked, this, &DevicePage::name_firmware);
+  in.firmware_card->body()->addWidget(name, 0, Qt::AlignLeft);
+  in.firmware_card->setVisible(staff);
+  body->addWidget(in.firmware_card);
+
+  in.inverse = new Card(QStringLiteral("Inverse3"), {}, this);
+  in.inverse->body()->addWidget(new InversePanel(&settings, make_inverse_port, in.inverse));
+  body->addWidget(in.inverse);
+  if (hid) {
+    auto* pedal = new Card(tr("Foot pedal"), {}, this);
+    pedal->body()->addWidget(new PedalPanel(hid->pedal(), &settings, pedal));
+    body->addWidget(pedal);
+    auto* mouse = new Card(tr("SpaceMouse"), {}, this);
+    mouse->body()->addWidget(new SpaceMousePanel(hid->space_mouse(), &settings, mouse));
+    body->addWidget(mouse);
+  }
+  body->addStretch();
+  show_firmware();
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &DevicePage::look);
+  in.found = in.watch->list();
+  in.watch->changed();
+  fill();
+}
+
+DevicePage::~DevicePage() = default;
+
+FalconPanel* DevicePage::falcon() const { return inner_->falcon; }
+
+QStringList DevicePage::listed() const {
+  QStringList out;
+  for (const FoundDevice& one : inner_->found) out << device_title(one.kind, one.name);
+  return out;
+}
+
+void DevicePage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  inner_->timer.start();
+}
+
+void DevicePage::hideEvent(QHideEvent* event) {
+  inner_->timer.stop();
+  QWidget::hideEvent(event);
+}
+
+void DevicePage::look() {
+  Inner& in = *inner_;
+  if (!in.watch->changed()) return;
+  auto now = in.watch->list();
+  if (now == in.found) return;
+  in.found = std::move(now);
+  fill();
+}
+
+void DevicePage::fill() {
+  Inner& in = *inner_;
+  delete in.rows;
+  in.rows = new QWidget(this);
+  auto* column = new QVBoxLayout(in.rows);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(4));
+  in.group = new QButtonGroup(in.rows);
+  const DeviceChoice chosen = in.device.choice();
+  const auto is_chosen = [&chosen](const FoundDevice& one) { return one.kind == chosen.kind && one.name == chosen.name; };
+  const bool there = std::any_of(in.found.begin(), in.found.end(), is_chosen);
+  auto rows = in.found;
+  if (!there) rows.insert(rows.begin(), FoundDevice{chosen.kind, chosen.name, {}, false});
+  bool denied = false;
+  for (const FoundDevice& one : rows) {
+    auto* line = new QHBoxLayout;
+    line->setSpacing(px(12));
+    auto* pick = new QRadioButton(device_title(one.kind, one.name));
+    pick->setChecked(is_chosen(one));
+    // Fusion draws the ring darker than the window: on a dark one it would not be seen.
+    QPalette ring = pick->palette();
+    ring.setColor(QPalette::Window, tokens().text2);
+    pick->setPalette(ring);
+    pick->setEnabled(in.staff || is_chosen(one));
+    in.group->addButton(pick);
+    connect(pick, &QRadioButton::clicked, this, [this, one] { use(one); });
+    line->addWidget(pick);
+    const bool missing = !there && is_chosen(one);
+    denied = denied || one.denied;
+    if (missing) {
+      line->addWidget(new Chip(tr("not plugged in"), Chip::Kind::look));
+    } else if (one.denied) {
+      line->addWidget(new Chip(tr("not permitted"), Chip::Kind::bad));
+    } else if (one.kind == "falcon") {
+      line->addWidget(new Chip(tr("plugged in"), Chip::Kind::good));
+    }
+    if (!one.port.empty()) {
+      line->addWidget(make_label(tr("Socket %1").arg(QString::fromStdString(one.port)), TextRole::caption, false, "text2"));
+    }
+    line->addStretch();
+    column->addLayout(line);
+  }
+  in.list->addWidget(in.rows);
+  in.no_falcon->setVisible(std::none_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "falcon"; }));
+  in.inverse->setVisible(chosen.kind == "inverse3" ||
+                         std::any_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "inverse3"; }));
+  in.rights->set_command(denied ? QString::fromStdString(falcon::udev_install_command()) : QString());
+  show_chosen();
+}
+
+void DevicePage::use(const FoundDevice& device) {
+  inner_->device.choose(device.kind, device.name);
+  show_chosen();
+}
+
+void DevicePage::show_chosen() {
+  Inner& in = *inner_;
+  const DeviceChoice chosen = in.device.choice();
+  const bool falcon = chosen.kind == "falcon" || chosen.kind == "emulated-falcon";
+  in.falcon->setVisible(falcon);
+  if (falcon) {
+    in.falcon->set_device(chosen.kind, chosen.name);
+  } else {
+    in.falcon->let_go();
+  }
+}
+
+void DevicePage::show_firmware() {
+  const FirmwareChoice firmware = inner_->device.firmware();
+  if (firmware.file.empty()) {
+    inner_->firmware->setText(tr("No file is named."));
+    return;
+  }
+  inner_->firmware->setText(tr("%1, SHA-256 %2…").arg(QString::fromStdString(firmware.file.string()),
+                                                      QString::fromStdString(firmware.sha256).left(kShownDigits)));
+  inner_->firmware->setToolTip(QString::fromStdString(firmware.sha256));
+}
+
+void DevicePage::name_firmware() {
+  inner_->ports.pick_file(this, {tr("Firmware of the Falcon"), {}, tr("Firmware (*.bin *.BIN)"), false},
+                          [self = QPointer(this)](const QString& path) {
+                            if (!self) return;
+                            Inner& in = *self->inner_;
+                            const auto image = falcon::FirmwareImage::from_file(path.toStdString());
+                            if (!image) {
+                              const Told told = tell_image(image.error());
+                              in.band->show_message(Band::Kind::bad, told.what, told.more);
+                              return;
+                            }
+                            in.device.set_firmware({path.toStdString(), image->sha256()});
+                            in.band->show_message(Band::Kind::good, tr("The file is sound and will be used."));
+                            self->show_firmware();
+                            self->show_chosen();
+                          });
+}
+
+}  // namespace cusp

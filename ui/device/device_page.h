@@ -1,0 +1,52 @@
+/// What this station drills with: what is plugged in, which of it is used, permissions, the Falcon's firmware file, and a
+/// panel for each kind. Students look and feel; what changes the station is for staff. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <memory>
+
+#include "device/catalogue.h"
+#include "ui/app/ports.h"
+#include "ui/app/settings.h"
+
+namespace cusp {
+
+namespace hid {
+class HidStation;
+}
+
+class DevicePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  using MakeWatch = std::function<std::unique_ptr<DeviceWatch>()>;
+  /// `settings` and `hid` outlive this; `hid` null: no pedal, no SpaceMouse.
+  DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStation* hid = nullptr, MakeWatch watch = watch_devices,
+             QWidget* parent = nullptr);
+  ~DevicePage() override;
+
+  class FalconPanel* falcon() const;
+  /// What is listed now, as people read it.
+  QStringList listed() const;
+
+ public Q_SLOTS:
+  /// Reads what is plugged in; by itself once a second while the page is seen.
+  void look();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void fill();
+  void use(const FoundDevice& device);
+  void show_chosen();
+  void name_firmware();
+  void show_firmware();
+
+  struct Inner;
+  std::unique_ptr<Inner> inner_;
+};
+
+}  // namespace cusp

@@ -1,0 +1,409 @@
+#include "ui/device/falcon_panel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSysInfo>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "device/falcon/force_test.h"
+#include "device/falcon/permissions.h"
+#include "device/falcon/self_test.h"
+#include "device/falcon/weighing.h"
+#include "ui/device/falcon_words.h"
+#include "ui/device/homing_view.h"
+#include "ui/device/rights_row.h"
+#include "ui/device/self_test_report.h"
+#include "ui/session/device_bench.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/gauge.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kLookMs = 50;
+constexpr double kFeelN = 2.0;  // of the force test
+constexpr double kSlowAnswers = 950.0;
+
+void set_text(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+/// The body that an emulated one stands for on this page.
+falcon::EmulatedBodySettings usual_body() { return {}; }
+
+QString way_text(int step) {
+  switch (static_cast<falcon::ForceWay>(step)) {
+    case falcon::ForceWay::right: return FalconWords::tr("It pushes to the right");
+    case falcon::ForceWay::left: return FalconWords::tr("It pushes to the left");
+    case falcon::ForceWay::up: return FalconWords::tr("It pushes up");
+    case falcon::ForceWay::down: return FalconWords::tr("It pushes down");
+    case falcon::ForceWay::to_user: return FalconWords::tr("It pushes towards you");
+    case falcon::ForceWay::away: return FalconWords::tr("It pushes away from you");
+  }
+  return {};
+}
+
+enum class Running { nothing, force, self_test, weighing };
+
+}  // namespace
+
+struct FalconPanel::Inner {
+  Inner(DeviceSettings& station, Ports world, bool for_staff) : settings(station), ports(std::move(world)), staff(for_staff) {}
+
+  DeviceSettings& settings;
+  Ports ports;
+  bool staff;
+  std::string kind, name;
+  std::unique_ptr<DeviceBench> bench;
+  BenchView view;
+  Running running = Running::nothing;
+  falcon::SelfTestResult found;
+  bool has_found = false, told_failure = false;
+  QTimer timer;
+
+  Band* band;
+  QPushButton* again;
+  RightsRow* rights;
+  HomingView* homing;
+  QLabel *rate, *late, *lost, *grant, *step, *outcome, *measured;
+  Chip* buttons[4];
+  Bar* progress;
+  QPushButton *force, *self_test, *weigh, *stop, *save;
+};
+
+FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWidget* parent)
+    : QWidget(parent), inner_(std::make_unique<Inner>(settings, std::move(ports), staff)) {
+  Inner& in = *inner_;
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(16));
+  in.band = new Band(this);
+  in.again = make_button(tr("Try again"), ButtonKind::standard, QStringLiteral("refresh"));
+  connect(in.again, &QPushButton::clicked, this, [this] { set_device(inner_->kind, inner_->name); });
+  in.band->ways_out()->addWidget(in.again);
+  column->addWidget(in.band);
+  in.rights = new RightsRow(this);
+  column->addWidget(in.rights);
+
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(16));
+  auto* place = new Card(tr("Homing"), {}, this);
+  in.homing = new HomingView(place);
+  place->body()->addWidget(in.homing);
+  place->body()->addStretch();
+  row->addWidget(place, 1);
+
+  auto* live = new Card(tr("Now"), {}, this);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(px(16));
+  grid->setVerticalSpacing(px(8));
+  int line = 0;
+  const auto fact = [&](const QString& title) {
+    QLabel* value = make_label(QStringLiteral("–"), TextRole::body, true);
+    value->setAccessibleDescription(title);
+    grid->addWidget(make_label(title, TextRole::body, false, "text2"), line, 0);
+    grid->addWidget(value, line++, 1);
+    return value;
+  };
+  in.rate = fact(tr("Answers a second"));
+  in.late = fact(tr("Late: half of them, one in a hundred, the latest"));
+  in.lost = fact(tr("Silences and lost answers"));
+  in.grant = fact(tr("Priority"));
+  grid->setColumnStretch(1, 1);
+  live->body()->addLayout(grid);
+  auto* pads = new QHBoxLayout;
+  pads->setSpacing(px(8));
+  pads->addWidget(make_label(tr("Buttons"), TextRole::body, false, "text2"));
+  const QString names[] = {tr("Left"), tr("Top"), tr("Middle"), tr("Right")};
+  for (int i = 0; i < 4; ++i) {
+    in.buttons[i] = new Chip(names[i], Chip::Kind::plain, live);
+    pads->addWidget(in.buttons[i]);
+  }
+  pads->addStretch();
+  live->body()->addLayout(pads);
+  auto* lights = new QHBoxLayout;
+  lights->setSpacing(px(8));
+  lights->addWidget(make_label(tr("Light"), TextRole::body, false, "text2"));
+  const std::pair<QString, std::uint8_t> colours[] = {{tr("Red"), falcon::control::kRed},
+                                                      {tr("Green"), falcon::control::kGreen},
+                                                      {tr("Blue"), falcon::control::kBlue}};
+  for (const auto& [colour, bits] : colours) {
+    QPushButton* light = make_button(colour, ButtonKind::quiet);
+    connect(light, &QPushButton::clicked, this, [this, led = bits] {
+      if (inner_->bench) inner_->bench->set_leds(led);
+    });
+    lights->addWidget(light);
+  }
+  lights->addStretch();
+  live->body()->addLayout(lights);
+  live->body()->addStretch();
+  row->addWidget(live, 1);
+  column->addLayout(row);
+
+  auto* tests = new Card(tr("Tests"), {}, this);
+  auto* acts = new QHBoxLayout;
+  acts->setSpacing(px(8));
+  in.force = make_button(tr("Feel the force"), ButtonKind::standard, QStringLiteral("hand"));
+  connect(in.force, &QPushButton::clicked, this, &FalconPanel::start_force_test);
+  acts->addWidget(in.force);
+  in.self_test = make_button(tr("Self-test"), ButtonKind::standard, QStringLiteral("ruler"));
+  connect(in.self_test, &QPushButton::clicked, this, &FalconPanel::start_self_test);
+  acts->addWidget(in.self_test);
+  in.weigh = make_button(tr("Weigh the grip"), ButtonKind::standard, QStringLiteral("dot"));
+  connect(in.weigh, &QPushButton::clicked, this, &FalconPanel::start_weighing);
+  acts->addWidget(in.weigh);
+  acts->addStretch();
+  in.stop = make_button(tr("Stop"), ButtonKind::erase, QStringLiteral("stop"));
+  connect(in.stop, &QPushButton::clicked, this, [this] {
+    if (inner_->bench) inner_->bench->stop_trial();
+  });
+  acts->addWidget(in.stop);
+  tests->body()->addLayout(acts);
+  in.step = make_label({}, TextRole::section, true);
+  in.progress = new Bar(Bar::Role::accent, tests);
+  in.outcome = make_label({});
+  in.outcome->setWordWrap(true);
+  in.measured = make_label({}, TextRole::body, false, "text2");
+  in.measured->setWordWrap(true);
+  in.save = make_button(tr("Save the report…"), ButtonKind::standard, QStringLiteral("save"));
+  connect(in.save, &QPushButton::clicked, this, &FalconPanel::save_report);
+  for (QWidget* w : std::initializer_list<QWidget*>{in.step, in.progress, in.outcome, in.measured}) tests->body()->addWidget(w);
+  tests->body()->addWidget(in.save, 0, Qt::AlignLeft);
+  column->addWidget(tests);
+
+  in.self_test->setVisible(staff);
+  in.weigh->setVisible(staff);
+  in.measured->setVisible(staff);
+  in.save->hide();
+  in.stop->hide();
+  in.step->hide();
+  in.progress->hide();
+  in.outcome->hide();
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &FalconPanel::look);
+}
+
+FalconPanel::~FalconPanel() = default;
+
+void FalconPanel::set_device(const std::string& kind, const std::string& name) {
+  let_go();
+  inner_->kind = kind;
+  inner_->name = name;
+  inner_->has_found = false;
+  inner_->save->hide();
+  inner_->outcome->hide();
+  inner_->band->clear();
+  inner_->rights->set_command({});
+  inner_->homing->show_falcon({});
+  show_measured();
+  if (isVisible()) open();
+}
+
+void FalconPanel::open() {
+  Inner& in = *inner_;
+  if (in.kind.empty() || in.bench) return;
+  in.told_failure = false;
+  in.bench = std::make_unique<DeviceBench>(in.settings.choice_of(in.kind, in.name), usual_body());
+  in.timer.start();
+}
+
+void FalconPanel::let_go() {
+  inner_->timer.stop();
+  inner_->bench.reset();
+  inner_->running = Running::nothing;
+  inner_->view = {};
+}
+
+void FalconPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  open();
+  look();
+}
+
+void FalconPanel::hideEvent(QHideEvent* event) {
+  let_go();
+  QWidget::hideEvent(event);
+}
+
+QString FalconPanel::summary() const {
+  if (!inner_->band->text().isEmpty()) return inner_->band->text();
+  return phase_text(inner_->view.falcon.session);
+}
+
+void FalconPanel::look() {
+  Inner& in = *inner_;
+  if (!in.bench) return;
+  in.view = in.bench->view();
+  const BenchView& v = in.view;
+  in.homing->show_falcon(v.falcon);
+  if (v.phase == BenchPhase::failed && !in.told_failure) {
+    in.told_failure = true;
+    if (const auto failure = in.bench->failure()) {
+      const Told told = tell_falcon(*failure);
+      in.band->show_message(Band::Kind::bad, told.what, told.more);
+      if (failure->code == PortError::no_permission)
+        in.rights->set_command(QString::fromStdString(falcon::udev_install_command()));
+    }
+  }
+  const bool up = v.phase == BenchPhase::running;
+  if (up) {
+    set_text(in.rate, v.answers_per_s > 0 ? format_number(v.answers_per_s, 0) : QStringLiteral("–"));
+    set_ink(in.rate, v.answers_per_s > 0 && v.answers_per_s < kSlowAnswers ? "look" : "");
+    const auto us = [](double value) { return format({value, {}, QStringLiteral("µs"), 0}); };
+    set_text(in.late, us(v.late_p50_us) + QStringLiteral(" · ") + us(v.late_p99_us) + QStringLiteral(" · ") + us(v.late_max_us));
+    set_text(in.lost, format_number(static_cast<double>(v.silences), 0) + QStringLiteral(" · ") +
+                          format_number(static_cast<double>(v.lost_answers), 0));
+    set_text(in.grant, v.grant.realtime() ? tr("Before everything else") : tr("As any program: others may delay it"));
+    set_ink(in.grant, v.grant.realtime() ? "" : "look");
+  }
+  const std::uint8_t bits[] = {falcon::status::kMinus, falcon::status::kForward, falcon::status::kCentre, falcon::status::kPlus};
+  const QString names[] = {tr("Left"), tr("Top"), tr("Middle"), tr("Right")};
+  for (int i = 0; i < 4; ++i)
+    in.buttons[i]->set(names[i], (v.falcon.session.buttons & bits[i]) != 0 ? Chip::Kind::accent : Chip::Kind::plain);
+  const bool tests = in.running != Running::nothing;
+  const bool may = up && !tests && v.falcon.session.phase == falcon::Phase::ready;
+  in.force->setEnabled(may);
+  in.self_test->setEnabled(may);
+  in.weigh->setEnabled(may);
+  in.stop->setVisible(tests);
+  in.step->setVisible(tests);
+  in.progress->setVisible(tests);
+  if (!tests) return;
+  QString step;
+  switch (in.running) {
+    case Running::force: step = way_text(v.trial_step); break;
+    case Running::self_test: step = tr("Measuring, direction %1 of 3. Keep your hand off.").arg(v.trial_step + 1); break;
+    case Running::weighing:
+      step = tr("Weighing, place %1 of %2. Keep your hand off.").arg(std::min(v.trial_step + 1, +falcon::Weighing::kPlaces)).arg(+falcon::Weighing::kPlaces);
+      break;
+    case Running::nothing: break;
+  }
+  set_text(in.step, step);
+  in.progress->set_share(v.trial_share, format({100.0 * v.trial_share, {}, QStringLiteral("%"), 0}));
+  trial_over();
+}
+
+void FalconPanel::start_force_test() {
+  const Question question{tr("Hold the grip loosely"), tr("It pushes six ways, one after the other, up to %1. Letting go switches it off.").arg(format({kFeelN, {}, QStringLiteral("N"), 1})), tr("Push")};
+  inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
+    if (!self || !yes || !self->inner_->bench) return;
+    if (self->inner_->bench->start(std::make_unique<falcon::ForceTest>(kFeelN))) self->inner_->running = Running::force;
+  });
+}
+
+void FalconPanel::start_self_test() {
+  const Question question{tr("Let go of the grip"), tr("For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way."), tr("Measure")};
+  inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
+    if (!self || !yes || !self->inner_->bench) return;
+    if (self->inner_->bench->start(std::make_unique<falcon::SelfTest>())) self->inner_->running = Running::self_test;
+  });
+}
+
+void FalconPanel::start_weighing() {
+  const Question question{tr("Stand it upright and let go of the grip"), tr("It holds the grip at nine places, for half a minute. From then on it carries its own weight."), tr("Weigh")};
+  inner_->ports.ask(this, question, [self = QPointer(this)](bool yes) {
+    if (!self || !yes || !self->inner_->bench) return;
+    const FalconSettings driver = settings_for(self->inner_->settings.profile(self->inner_->name));
+    if (self->inner_->bench->start(std::make_unique<falcon::Weighing>(driver.geometry, driver.calibration)))
+      self->inner_->running = Running::weighing;
+  });
+}
+
+void FalconPanel::trial_over() {
+  Inner& in = *inner_;
+  const auto trial = in.bench->take_trial();
+  if (!trial) return;
+  const Running was = std::exchange(in.running, Running::nothing);
+  in.outcome->show();
+  if (trial->end() != falcon::TrialEnd::done) {
+    in.outcome->setText(end_text(trial->end()));
+    announce(this, in.outcome->text());
+    return;
+  }
+  const bool real = in.kind == "falcon";
+  FalconProfile profile = in.settings.profile(in.name);
+  if (was == Running::force) {
+    in.outcome->setText(tr("All six ways were pushed. Tell the staff if one of them felt wrong."));
+  } else if (was == Running::weighing) {
+    const auto weight = dynamic_cast<const falcon::Weighing&>(*trial).result();
+    if (!weight) {
+      in.outcome->setText(tr("No weight fits what was held. Stand it upright, keep hands off, and weigh again."));
+    } else {
+      profile.gravity = *weight;
+      const QString kilos = format({weight->grip_kg * 1e3, {}, QStringLiteral("g"), 0});
+      in.outcome->setText(real ? tr("The grip weighs %1. From the next go on it carries itself.").arg(kilos)
+                               : tr("The grip weighs %1. Nothing is kept of an emulated one.").arg(kilos));
+      if (real) in.settings.set_profile(in.name, profile);
+    }
+  } else {
+    in.found = dynamic_cast<const falcon::SelfTest&>(*trial).result();
+    in.has_found = true;
+    const auto damping = in.found.damping_ns_per_m(), delay = in.found.delay_ms();
+    if (!damping || !delay) {
+      in.outcome->setText(tr("It moved too little to be measured. Is something in its way? The report has what there is."));
+    } else {
+      const AllowedStiffness before = allowed_stiffness(profile);
+      profile.damping_ns_per_m = damping;
+      profile.delay_ms = delay;
+      profile.friction_n = in.found.friction_n();
+      profile.moving_kg = in.found.moving_kg();
+      profile.encoder_mm = in.found.encoder_mm();
+      const AllowedStiffness after = allowed_stiffness(profile);
+      const auto stiffness = [](double value) { return format({value, {}, QStringLiteral("N/mm"), 2}); };
+      in.outcome->setText(tr("Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).")
+                              .arg(format({*damping, {}, QStringLiteral("N s/m"), 2}),
+                                   format({in.found.friction_n().value_or(0.0), {}, QStringLiteral("N"), 2}),
+                                   format({*delay, {}, QStringLiteral("ms"), 2}),
+                                   format({in.found.encoder_mm().value_or(0.0), {}, QStringLiteral("mm"), 3}),
+                                   stiffness(after.n_per_mm), stiffness(before.n_per_mm)) +
+                          (real ? QString() : u' ' + tr("Nothing is kept of an emulated one.")));
+      if (real) {
+        in.settings.set_profile(in.name, profile);
+        in.settings.set_tested_at(in.name, in.ports.now());
+      }
+    }
+    in.save->show();
+  }
+  announce(this, in.outcome->text());
+  show_measured();
+}
+
+void FalconPanel::show_measured() {
+  Inner& in = *inner_;
+  if (in.kind != "falcon") {
+    in.measured->setText({});
+    return;
+  }
+  const FalconProfile profile = in.settings.profile(in.name);
+  const AllowedStiffness allowed = allowed_stiffness(profile);
+  const QString most = format({allowed.n_per_mm, {}, QStringLiteral("N/mm"), 2});
+  const auto when = in.settings.tested_at(in.name);
+  in.measured->setText(allowed.assumed || !when
+                           ? tr("Not measured yet: damping and delay are assumed, and exercises are no stiffer than %1.").arg(most)
+                           : tr("Measured %1: exercises are no stiffer than %2.").arg(format_day_time(*when), most));
+}
+
+void FalconPanel::save_report() {
+  Inner& in = *inner_;
+  if (!in.has_found) return;
+  const FalconProfile profile = in.settings.profile(in.name);
+  const ReportedDevice device{in.kind, in.name, QSysInfo::machineHostName().toStdString(), in.settings.firmware().sha256, in.ports.now()};
+  const QByteArray text = self_test_report(device, in.found, profile, in.view);
+  in.ports.pick_file(this, {tr("Save the report"), QStringLiteral("falcon-self-test.json"), tr("Report (*.json)"), true},
+                     [self = QPointer(this), text](const QString& path) {
+                       if (!self) return;
+                       QSaveFile file(path);
+                       const bool ok = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
+                       self->inner_->outcome->setText(ok ? tr("The report lies at %1.").arg(isolate(path))
+                                                         : tr("%1 cannot be written.").arg(isolate(path)));
+                     });
+}
+
+}  // namespace cusp

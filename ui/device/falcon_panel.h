@@ -1,0 +1,50 @@
+/// One Falcon on the device page: homing, what it tells now, a test of its force, and for staff the self-test and the
+/// weighing, whose results are taken over into the station's settings. Thread: GUI; the device has a thread of its own,
+/// and is held only while the panel is seen.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "ui/app/device_settings.h"
+#include "ui/app/ports.h"
+
+namespace cusp {
+
+class FalconPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `settings` outlives this. Students see, home and feel it; what changes the station is staff's.
+  FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWidget* parent = nullptr);
+  ~FalconPanel() override;
+
+  /// Which one; lets go of the one before.
+  void set_device(const std::string& kind, const std::string& name);
+  /// What it says of itself, for lists and tests.
+  QString summary() const;
+  /// Lets go of the device, so that a go may have it.
+  void let_go();
+
+ public Q_SLOTS:
+  /// Reads what is there now; by itself twenty times a second while it is seen.
+  void look();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void open();
+  void start_force_test();
+  void start_self_test();
+  void start_weighing();
+  void trial_over();
+  void save_report();
+  void show_measured();
+
+  struct Inner;
+  std::unique_ptr<Inner> inner_;
+};
+
+}  // namespace cusp
