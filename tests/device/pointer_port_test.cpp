@@ -3,38 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <thread>
 
 #include "device/catalogue.h"
+#include "tests/device/counted_new.h"
 #include "tests/device/toy_tissue.h"
-
-namespace {
-
-thread_local bool armed = false;
-thread_local int allocations = 0;
-
-void* counted(std::size_t bytes) {
-  if (armed) ++allocations;
-  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes); }
-void* operator new[](std::size_t bytes) { return counted(bytes); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace cusp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using testing::allocations;
+using testing::armed;
 using testing::ToyTissue;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

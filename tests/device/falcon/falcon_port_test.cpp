@@ -4,33 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
-#include <new>
 #include <random>
 
+#include "tests/device/counted_new.h"
 #include "tests/device/falcon/rig.h"
 #include "tests/device/toy_tissue.h"
-
-namespace {
-
-thread_local bool armed = false;
-thread_local int allocations = 0;
-
-void* counted(std::size_t bytes) {
-  if (armed) ++allocations;
-  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes); }
-void* operator new[](std::size_t bytes) { return counted(bytes); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace cusp {
 namespace {
@@ -44,6 +23,8 @@ using falcon::LinkTime;
 using falcon::Phase;
 using falcon::Presence;
 using testing::image;
+using testing::allocations;
+using testing::armed;
 using testing::ToyTissue;
 
 /// A port over an emulated Falcon, with deadlines two periods ahead as the loop gives them.

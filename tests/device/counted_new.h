@@ -1,0 +1,26 @@
+/// Counts what a thread takes from the heap while it is armed. Included by one file of a program: it replaces the global
+/// operators new and delete.
+#pragma once
+
+#include <cstdlib>
+#include <new>
+
+namespace cusp::testing {
+
+inline thread_local bool armed = false;
+inline thread_local int allocations = 0;
+
+inline void* counted(std::size_t bytes) {
+  if (armed) ++allocations;
+  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace cusp::testing
+
+void* operator new(std::size_t bytes) { return cusp::testing::counted(bytes); }
+void* operator new[](std::size_t bytes) { return cusp::testing::counted(bytes); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
