@@ -140,6 +140,7 @@ class Search {
       if (row.choice.aspect == Aspect::voxel && row.choice.instead < row.choice.as_set) half = &row;
     }
     if (!half || !half->result || half->change.within(report_.tolerance_points)) return {};
+    settled_ = false;
     for (const double mm : finer_voxels(report_.scenario)) {
       const Scenario finer = at(report_.scenario, mm);
       const auto beside = halved(finer);
@@ -155,6 +156,7 @@ class Search {
       report_.leanest_result = ground_;
       ground_scenario_ = report_.leanest = finer;
       report_.at_half_voxel = change;
+      settled_ = true;
       break;
     }
     return {};
@@ -162,7 +164,8 @@ class Search {
 
   /// The coarsest voxels that grade as the ground does, and as their own half does.
   Done coarsen() {
-    if (!(ground_scenario_ == report_.scenario)) return {};  // finer was needed
+    // Finer was needed, or would have been and none was found: what differs from its own half is no measure for another.
+    if (!settled_ || !(ground_scenario_ == report_.scenario)) return {};
     for (const double mm : coarser_voxels(ground_scenario_)) {
       const Scenario coarser = at(report_.leanest, mm);
       const auto beside = halved(coarser);
@@ -268,6 +271,7 @@ class Search {
   Progress progress_;
   AuditReport report_;
   ModelResult ground_;        // what every step is held against
+  bool settled_ = true;       // its detail holds, as far as is known
   Scenario ground_scenario_;  // its exercise: as set, or in the finer detail that it needs
 };
 

