@@ -131,7 +131,7 @@ TEST(Languages, no_text_on_any_page_was_forgotten) {
   const Account lena = records.student("1", "Lena Brandt");
   records.go(lena, "channel-1", 78, 426);
   QStringList own = {QStringLiteral("Cusp"), QStringLiteral("Lena Brandt"), QStringLiteral("Anna Weber"), QSysInfo::machineHostName(),
-                     QStringLiteral("English"), QStringLiteral("Deutsch"), QStringLiteral("Falcon")};
+                     QStringLiteral("English"), QStringLiteral("Deutsch"), QStringLiteral("Falcon"), QStringLiteral("Inverse3"), QStringLiteral("SpaceMouse")};
   const auto exercises = load_exercises(records.store());
   ASSERT_TRUE(exercises.has_value());
   for (const Exercise& e : exercises->exercises) {
