@@ -458,10 +458,6 @@
             <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
         </message>
         <message>
-            <source>A scenario.json, its folder, or a built-in one: paper-block, channel-1, class-1-36</source>
-            <translation>Eine scenario.json, ihr Ordner oder eine mitgelieferte: paper-block, channel-1, class-1-36</translation>
-        </message>
-        <message>
             <source>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
             <translation>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
         </message>
@@ -752,30 +748,6 @@
             <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
         </message>
         <message>
-            <source>The session&apos;s id</source>
-            <translation>Kennung des Durchgangs</translation>
-        </message>
-        <message>
-            <source>The file, each session&apos;s chain, and the audit log</source>
-            <translation>Die Datei, die Kette jedes Durchgangs und das Protokoll</translation>
-        </message>
-        <message>
-            <source>The file&apos;s axis towards the chewing surface</source>
-            <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
-        </message>
-        <message>
-            <source>Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session&apos;s id</source>
-            <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
-        </message>
-        <message>
-            <source>Of the hand&apos;s tremor</source>
-            <translation>Des Zitterns der Hand</translation>
-        </message>
-        <message>
-            <source>Prove it: the record&apos;s chain, then tooth and grade bit for bit</source>
-            <translation>Nachweisen: die Kette der Aufzeichnung, dann Zahn und Bewertung Bit für Bit</translation>
-        </message>
-        <message>
             <source>turned inside out</source>
             <translation>nach innen gewendet</translation>
         </message>
@@ -858,6 +830,74 @@
             <translation>Nur sagen, was die Datei enthält</translation>
         </message>
         <message>
+            <source>Choice</source>
+            <translation>Wahl</translation>
+        </message>
+        <message>
+            <source>µs</source>
+            <translation>µs</translation>
+        </message>
+        <message>
+            <source>MB</source>
+            <translation>MB</translation>
+        </message>
+        <message>
+            <source>start, s</source>
+            <translation>Start, s</translation>
+        </message>
+        <message>
+            <source>force, N</source>
+            <translation>Kraft, N</translation>
+        </message>
+        <message>
+            <source>score</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>as it is set</source>
+            <translation>wie eingestellt</translation>
+        </message>
+        <message>
+            <source>µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change on the same path. Score: the largest change of a hand’s go.</source>
+            <translation>µs: Rechenzeit eines Schritts; unter der ersten Zeile, was er mehr oder weniger braucht. Kraft: quadratisches Mittel und größter Wert ihrer Änderung auf demselben Weg. Punkte: die größte Änderung eines Durchgangs.</translation>
+        </message>
+        <message>
+            <source>This machine does not count instructions: times alone are told.</source>
+            <translation>Dieser Rechner zählt keine Befehle: Nur Zeiten werden genannt.</translation>
+        </message>
+        <message>
+            <source>%1 is built in: --apply needs -o FILE for the copy.</source>
+            <translation>%1 ist eingebaut: --apply braucht -o FILE für die Kopie.</translation>
+        </message>
+        <message>
+            <source>-o FILE belongs to --apply.</source>
+            <translation>-o FILE gehört zu --apply.</translation>
+        </message>
+        <message>
+            <source>What each part of an exercise’s model costs and changes, and the leanest model that grades the same; scripted hands play it many times, which takes minutes</source>
+            <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Hände spielen sie viele Male, was Minuten dauert</translation>
+        </message>
+        <message>
+            <source>Goes of each hand, expert and novice</source>
+            <translation>Durchgänge jeder Hand, expert und novice</translation>
+        </message>
+        <message>
+            <source>Write the leanest into the scenario, as its next version</source>
+            <translation>Das schlankste in die Übung schreiben, als ihre nächste Version</translation>
+        </message>
+        <message>
+            <source>With --apply: write a copy there</source>
+            <translation>Mit --apply: dorthin eine Kopie schreiben</translation>
+        </message>
+        <message>
+            <source>Print how far it is to stderr</source>
+            <translation>Den Fortschritt auf stderr ausgeben</translation>
+        </message>
+        <message>
+            <source>A scenario.json, its folder, or a built-in one: %1</source>
+            <translation>Eine scenario.json, ihr Ordner oder eine eingebaute: %1</translation>
+        </message>
+        <message>
             <source>--device has to be falcon, falcon:NAME or emulated-falcon.</source>
             <translation>--device ist falcon, falcon:NAME oder emulated-falcon.</translation>
         </message>
@@ -912,10 +952,6 @@
             <translation>Aufgabe</translation>
         </message>
         <message>
-            <source>Practice</source>
-            <translation>Training</translation>
-        </message>
-        <message>
             <source>always open</source>
             <translation>immer offen</translation>
         </message>
@@ -946,6 +982,22 @@
         <message>
             <source>Best</source>
             <translation>Bestwert</translation>
+        </message>
+        <message>
+            <source>Block</source>
+            <translation>Block</translation>
+        </message>
+        <message>
+            <source>Tooth</source>
+            <translation>Zahn</translation>
+        </message>
+        <message>
+            <source>Model tooth</source>
+            <translation>Modellzahn</translation>
+        </message>
+        <message>
+            <source>From a file</source>
+            <translation>Aus einer Datei</translation>
         </message>
     </context>
     <context>
@@ -1570,6 +1622,10 @@
         <message>
             <source>Tissues</source>
             <translation>Gewebe</translation>
+        </message>
+        <message>
+            <source>Audit</source>
+            <translation>Aufwand</translation>
         </message>
     </context>
     <context>
@@ -4231,6 +4287,10 @@
             <translation>Kühlen, weniger drücken und zwischendurch absetzen.</translation>
         </message>
         <message>
+            <source>Emulated Falcon</source>
+            <translation>Nachgebildeter Falcon</translation>
+        </message>
+        <message>
             <source>The device goes before other programs.</source>
             <translation>Das Gerät geht vor anderen Programmen.</translation>
         </message>
@@ -4245,10 +4305,6 @@
         <message>
             <source>Install rtkit, or give this user the right to real-time priority (rtprio).</source>
             <translation>Installieren Sie rtkit oder geben Sie diesem Benutzerkonto das Recht auf Echtzeit-Vorrang (rtprio).</translation>
-        </message>
-        <message>
-            <source>Emulated Falcon</source>
-            <translation>Nachgebildeter Falcon</translation>
         </message>
     </context>
     <context>
@@ -5467,6 +5523,203 @@ Ihr bester davor</translation>
         <message>
             <source>Key %1</source>
             <translation>Taste %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::Audit</name>
+        <message>
+            <source>Neighbouring teeth</source>
+            <translation>Nachbarzähne</translation>
+        </message>
+        <message>
+            <source>The rest of the jaw</source>
+            <translation>Der übrige Kiefer</translation>
+        </message>
+        <message>
+            <source>Voxels of %1</source>
+            <translation>Voxel von %1</translation>
+        </message>
+        <message>
+            <source>Half the band</source>
+            <translation>Halbes Band</translation>
+        </message>
+        <message>
+            <source>Only near the target</source>
+            <translation>Nur nahe am Ziel</translation>
+        </message>
+        <message>
+            <source>%1 left out</source>
+            <translation>%1 weggelassen</translation>
+        </message>
+        <message>
+            <source>Friction left out</source>
+            <translation>Reibung weggelassen</translation>
+        </message>
+        <message>
+            <source>Handpiece left out</source>
+            <translation>Handstück weggelassen</translation>
+        </message>
+        <message>
+            <source>Vibration left out</source>
+            <translation>Vibration weggelassen</translation>
+        </message>
+        <message>
+            <source>Heat left out</source>
+            <translation>Wärme weggelassen</translation>
+        </message>
+        <message>
+            <source>Tilting of the handpiece left out</source>
+            <translation>Kippen des Handstücks weggelassen</translation>
+        </message>
+        <message>
+            <source>needed</source>
+            <translation>nötig</translation>
+        </message>
+        <message>
+            <source>not needed</source>
+            <translation>nicht nötig</translation>
+        </message>
+        <message>
+            <source>same score</source>
+            <translation>gleiche Punkte</translation>
+        </message>
+        <message>
+            <source>cannot be played</source>
+            <translation>nicht spielbar</translation>
+        </message>
+        <message>
+            <source>too coarse</source>
+            <translation>zu grob</translation>
+        </message>
+        <message>
+            <source>Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every size that was tried.</source>
+            <translation>Halb so große Voxel ändern ein Ergebnis um %1 Punkte, mehr als die %2, die die Übung zulässt; so war es bei jeder geprüften Größe.</translation>
+        </message>
+        <message>
+            <source>Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).</source>
+            <translation>Nichts kann wegbleiben: Die Übung ist so schlank, wie es ihre Punkte zulassen (auf %1 Punkte).</translation>
+        </message>
+        <message>
+            <source>The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.</source>
+            <translation>Die Auflösung war für die Punkte zu grob; nun ändern halb so große Voxel kein Ergebnis um mehr als %1 Punkte: %2.</translation>
+        </message>
+        <message>
+            <source>Every go keeps its score within %1 points: %2.</source>
+            <translation>Jeder Durchgang behält seine Punkte auf %1 Punkte genau: %2.</translation>
+        </message>
+        <message>
+            <source>An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.</source>
+            <translation>Ein Schritt braucht %1 µs statt %2, der Zahn %3 MB statt %4.</translation>
+        </message>
+        <message>
+            <source>One thing after another was tried: a leaner set may exist.</source>
+            <translation>Geprüft wurde eins nach dem anderen: Vielleicht geht es noch schlanker.</translation>
+        </message>
+        <message>
+            <source>The audit was stopped.</source>
+            <translation>Die Prüfung wurde angehalten.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed.</source>
+            <translation>Nichts wurde geändert.</translation>
+        </message>
+        <message>
+            <source>The exercise cannot be played as it stands (%1).</source>
+            <translation>So wie sie ist, lässt sich die Übung nicht spielen (%1).</translation>
+        </message>
+        <message>
+            <source>Look at its checks first.</source>
+            <translation>Sehen Sie zuerst nach ihren Prüfungen.</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::AuditPage</name>
+        <message>
+            <source>Audit</source>
+            <translation>Aufwand</translation>
+        </message>
+        <message>
+            <source>What this exercise costs</source>
+            <translation>Was diese Übung kostet</translation>
+        </message>
+        <message>
+            <source>Scripted hands play it with each choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
+            <translation>Automatische Hände spielen sie, wobei jede Wahl einmal wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Messen</translation>
+        </message>
+        <message>
+            <source>µs: of each update of 1 ms, more or less than now. Score: the largest change of a go.</source>
+            <translation>µs: von jedem Schritt zu 1 ms, mehr oder weniger als jetzt. Punkte: die größte Änderung eines Durchgangs.</translation>
+        </message>
+        <message>
+            <source>Leanest that marks the same</source>
+            <translation>Das Schlankste mit gleichen Punkten</translation>
+        </message>
+        <message>
+            <source>Use the leanest</source>
+            <translation>Das Schlankste nehmen</translation>
+        </message>
+        <message>
+            <source>Measuring</source>
+            <translation>Wird gemessen</translation>
+        </message>
+        <message>
+            <source>Leanest model</source>
+            <translation>Schlankstes Modell</translation>
+        </message>
+        <message numerus="yes">
+            <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
+            <translation>
+                <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgang.</numerusform>
+                <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgängen.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The exercise was changed since this was measured.</source>
+            <translation>Die Übung wurde seit dieser Messung geändert.</translation>
+        </message>
+        <message>
+            <source>Choice</source>
+            <translation>Wahl</translation>
+        </message>
+        <message>
+            <source>µs</source>
+            <translation>µs</translation>
+        </message>
+        <message>
+            <source>MB</source>
+            <translation>MB</translation>
+        </message>
+        <message>
+            <source>Score</source>
+            <translation>Punkte</translation>
+        </message>
+        <message>
+            <source>%1: microseconds</source>
+            <translation>%1: Mikrosekunden</translation>
+        </message>
+        <message>
+            <source>%1: megabytes</source>
+            <translation>%1: Megabyte</translation>
+        </message>
+        <message>
+            <source>%1: change of the score</source>
+            <translation>%1: Änderung der Punkte</translation>
+        </message>
+        <message>
+            <source>As it is set</source>
+            <translation>Wie eingestellt</translation>
+        </message>
+        <message>
+            <source>for comparison</source>
+            <translation>zum Vergleich</translation>
+        </message>
+        <message>
+            <source>needed</source>
+            <translation>nötig</translation>
         </message>
     </context>
     <context>

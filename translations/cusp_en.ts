@@ -243,4 +243,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>cusp::AuditPage</name>
+        <message numerus="yes">
+            <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
+            <translation>
+                <numerusform>Each choice was left out or halved once, with %n scripted go each.</numerusform>
+                <numerusform>Each choice was left out or halved once, with %n scripted goes each.</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

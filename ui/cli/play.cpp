@@ -7,6 +7,7 @@
 #include "device/scripted/csv_port.h"
 #include "scenarios/hands/faults.h"
 #include "scenarios/hands/hand_port.h"
+#include "scenarios/library/library.h"
 #include "ui/app/device_settings.h"
 #include "ui/cli/account.h"
 #include "ui/cli/load_scenario.h"
@@ -30,6 +31,13 @@ struct PlayOptions {
   AccountOption account;
   JsonOption json;
 };
+
+/// "channel-1, channel-2, …": all that the program comes with.
+QString builtins() {
+  QStringList keys;
+  for (const std::string_view key : builtin_scenarios()) keys.push_back(QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size())));
+  return keys.join(u", "_qs);
+}
 
 volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int) { interrupted = 1; }
@@ -115,8 +123,7 @@ void add_play(CLI::App& program, Job& job) {
   CLI::App* verb = program.add_subcommand(
       "play", help(CliWords::tr("Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf "
                                 "and tooth.png; prints the session's id")));
-  verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one: paper-block, "
-                                                              "channel-1, class-1-36")))
+  verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one: %1").arg(builtins())))
       ->required();
   verb->add_option("--script", o->script,
                    help(CliWords::tr("expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))

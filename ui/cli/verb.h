@@ -23,6 +23,7 @@ void add_play(CLI::App& program, Job& job);
 void add_replay(CLI::App& program, Job& job);
 void add_grade(CLI::App& program, Job& job);
 void add_validate(CLI::App& program, Job& job);
+void add_audit(CLI::App& program, Job& job);
 void add_import(CLI::App& program, Job& job);
 void add_specimen(CLI::App& program, Job& job);
 void add_history(CLI::App& program, Job& job);

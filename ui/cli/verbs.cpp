@@ -18,7 +18,7 @@ namespace cusp {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kVerbs = {"play",   "replay",   "grade",   "validate",
+constexpr std::array<std::string_view, 9> kVerbs = {"play",   "replay",   "grade",   "validate", "audit",
                                                     "import", "specimen", "history", "import-child"};
 
 int run(int argc, char** argv) {
@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
   add_replay(program, job);
   add_grade(program, job);
   add_validate(program, job);
+  add_audit(program, job);
 #ifdef CUSP_HAS_IMPORT
   add_import(program, job);
 #endif

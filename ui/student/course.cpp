@@ -13,6 +13,13 @@ namespace {
 
 QDateTime from_utc_us(std::int64_t us) { return QDateTime::fromMSecsSinceEpoch(us / 1000, Qt::UTC); }
 
+/// What one works on: the exercises of a kind stand together when they are sorted by it.
+QString kind_of(const SpecimenSource& specimen) {
+  if (specimen.generator.empty()) return CourseModel::tr("From a file");
+  if (specimen.generator != "tooth") return CourseModel::tr("Block");
+  return specimen.typodont ? CourseModel::tr("Model tooth") : CourseModel::tr("Tooth");
+}
+
 QVariant right() { return QVariant(static_cast<int>(Qt::AlignTrailing | Qt::AlignVCenter)); }
 
 }  // namespace
@@ -94,7 +101,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kExercise: return local(r.exercise.scenario.title);
-    case kKind: return tr("Practice");
+    case kKind: return kind_of(r.exercise.scenario.specimen);
     case kDue: return r.due_utc_us ? format_day(from_utc_us(*r.due_utc_us)) : tr("always open");
     case kGoes:
       return r.goes_allowed ? tr("%1 of %2").arg(r.goes).arg(*r.goes_allowed) : format_number(r.goes, 0);

@@ -1,0 +1,16 @@
+/// What an audit found, in words: for the verb and for the editor's page.
+#pragma once
+
+#include "scenarios/audit/audit.h"
+#include "ui/app/sentences.h"
+
+namespace cusp {
+
+/// "Voxels 0.2 mm", "Pulp left out".
+QString choice_name(const Choice& choice);
+QString verdict_name(Verdict verdict);
+/// What was found: "Every go keeps its score within 2 points: Vibration left out. An update takes 31 µs instead of 40, …"
+QString leanest_sentence(const AuditReport& report);
+Told tell(const AuditFailure& failure);
+
+}  // namespace cusp

@@ -1,0 +1,115 @@
+// cusp audit SCENARIO [--hand NAME:SEED ...] [--apply [-o FILE]] [--json FILE]
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/audit/audit_json.h"
+#include "scenarios/format/write.h"
+#include "scenarios/library/library.h"
+#include "ui/app/audit_words.h"
+#include "ui/cli/load_scenario.h"
+#include "ui/cli/verb.h"
+#include "ui/cli/words.h"
+#include "ui/session/audit_run.h"
+#include "ui/widgets/format.h"
+
+namespace cusp {
+
+namespace {
+
+struct AuditOptions {
+  std::string scenario, out;
+  int seeds = 2;
+  bool apply = false, progress = false;
+  JsonOption json;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
+
+void print(const AuditReport& report) {
+  const auto line = [](const QString& name, const QString& verdict, const QString& us, const QString& mb, const QString& start,
+                       const QString& force, const QString& score) {
+    say(plain(u"%1 %2 %3 %4 %5 %6 %7"_qs.arg(name, -38).arg(verdict, -14).arg(us, 8).arg(mb, 8).arg(start, 8).arg(force, 13).arg(score, 7)));
+  };
+  line(CliWords::tr("Choice"), {}, CliWords::tr("µs"), CliWords::tr("MB"), CliWords::tr("start, s"), CliWords::tr("force, N"),
+       CliWords::tr("score"));
+  const auto number = [](double v, int digits) { return QLocale().toString(v, 'f', digits); };
+  const auto figures = [&](const QString& name, const QString& verdict, const ModelResult& r, bool first, double score) {
+    line(name, verdict, number(first ? r.cost.us_a_tick : r.cost.us_more, 1), number(static_cast<double>(r.cost.bytes) / 1e6, 1),
+         number(r.cost.start_s, 2), first ? QString() : number(r.force_rms_n, 3) + u" / "_qs + number(r.force_most_n, 2), first ? QString() : number(score, 2));
+  };
+  figures(CliWords::tr("as it is set"), {}, report.as_set, true, 0);
+  for (const AuditRow& row : report.rows) {
+    if (row.result) {
+      figures(choice_name(row.choice), verdict_name(row.verdict), *row.result, false, row.change.score);
+    } else {
+      line(choice_name(row.choice), verdict_name(row.verdict), {}, {}, {}, {}, {});
+    }
+  }
+  say(plain(CliWords::tr("µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change "
+                         "on the same path. Score: the largest change of a hand’s go.")));
+  if (!report.as_set.cost.instructions_a_tick)
+    say(plain(CliWords::tr("This machine does not count instructions: times alone are told.")));
+  say(plain(leanest_sentence(report)));
+}
+
+int audit_verb(const AuditOptions& o) {
+  const bool builtin = !builtin_scenario_text(o.scenario).empty();
+  if (o.apply && builtin && o.out.empty())
+    return wrong_usage(CliWords::tr("%1 is built in: --apply needs -o FILE for the copy.").arg(QString::fromStdString(o.scenario)));
+  if (!o.apply && !o.out.empty()) return wrong_usage(CliWords::tr("-o FILE belongs to --apply."));
+  auto loaded = load_scenario(o.scenario);
+  if (!loaded) return failed(loaded.error());
+
+  AuditSettings settings;
+  settings.hands.clear();
+  for (const char* hand : {"expert", "novice"}) {
+    for (int seed = 1; seed <= o.seeds; ++seed) settings.hands.push_back({hand, static_cast<std::uint64_t>(seed)});
+  }
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  int told = -1;
+  const AuditWatch watch = [&](double share) {
+    const int percent = static_cast<int>(100 * share);
+    if (o.progress && percent > told) std::fprintf(stderr, "%d %%\n", told = percent);
+    return interrupted == 0;
+  };
+  auto report = audit(loaded->scenario, settings, audit_runner(loaded->folder), watch);
+  if (!report) return failed(tell(report.error()));
+  if (!o.json.write(nlohmann::ordered_json::parse(audit_json(*report)))) return kFailed;
+  if (!o.json.on_stdout()) print(*report);
+  if (!o.apply) return kDone;
+
+  Scenario leaner = report->leanest;
+  if (report->changed()) ++leaner.version;
+  std::filesystem::path file(o.out.empty() ? o.scenario : o.out);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) file /= "scenario.json";
+  if (o.out.empty() && !report->changed()) return kDone;  // nothing to write
+  if (!write_whole(file, write_scenario(leaner)))
+    return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+  return kDone;
+}
+
+}  // namespace
+
+void add_audit(CLI::App& program, Job& job) {
+  auto o = std::make_shared<AuditOptions>();
+  CLI::App* verb = program.add_subcommand(
+      "audit", help(CliWords::tr("What each part of an exercise’s model costs and changes, and the leanest model that grades the "
+                                 "same; scripted hands play it many times, which takes minutes")));
+  verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one")))->required();
+  verb->add_option("--seeds", o->seeds, help(CliWords::tr("Goes of each hand, expert and novice")))
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  verb->add_flag("--apply", o->apply, help(CliWords::tr("Write the leanest into the scenario, as its next version")));
+  verb->add_option("-o,--out", o->out, help(CliWords::tr("With --apply: write a copy there"))) ->type_name("FILE");
+  verb->add_flag("--progress", o->progress, help(CliWords::tr("Print how far it is to stderr")));
+  o->json.add_to(*verb);
+  verb->callback([&job, o] { job = [o] { return audit_verb(*o); }; });
+}
+
+}  // namespace cusp
