@@ -20,7 +20,6 @@
 #include "ui/device/space_mouse_panel.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/parts.h"
-#include "ui/widgets/theme.h"
 
 namespace cusp {
 namespace {
@@ -160,10 +159,6 @@ void DevicePage::fill() {
     line->setSpacing(px(12));
     auto* pick = new QRadioButton(device_title(one.kind, one.name));
     pick->setChecked(is_chosen(one));
-    // Fusion draws the ring darker than the window: on a dark one it would not be seen.
-    QPalette ring = pick->palette();
-    ring.setColor(QPalette::Window, tokens().text2);
-    pick->setPalette(ring);
     pick->setEnabled(in.staff || is_chosen(one));
     in.group->addButton(pick);
     connect(pick, &QRadioButton::clicked, this, [this, one] { use(one); });
