@@ -45,10 +45,10 @@ std::uint64_t run(Method method, Handpiece handpiece) {
 }
 
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_surface_proxy) {
-  EXPECT_EQ(run(Method::surface, Handpiece::turbine), 13591274748090754309ull);
+  EXPECT_EQ(run(Method::surface, Handpiece::turbine), 7176119159092801759ull);
 }
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_papers_proxy) {
-  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), 13829516186662841674ull);
+  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), 2585488162006453323ull);
 }
 
 }  // namespace
