@@ -10,6 +10,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
+#include "ui/editor/audit_page.h"
 #include "ui/editor/burrs_form.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_page_parts.h"
@@ -18,6 +19,7 @@
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/tissues_form.h"
 #include "ui/editor/words_form.h"
+#include "ui/session/audit_run.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -25,7 +27,7 @@
 namespace cusp {
 namespace {
 
-constexpr int kTopBar = 48, kLeft = 248, kRight = 304, kChecks = 80;  // px at 100 %
+constexpr int kTopBar = 48, kLeft = 248, kRight = 336, kChecks = 80;  // px at 100 %
 
 QWidget* scrolling(QWidget* form) {
   auto* area = new QScrollArea;
@@ -165,12 +167,13 @@ QWidget* EditorPage::make_right() {
   column->setContentsMargins(1, 0, 0, 0);
   tabs_ = new QTabWidget;
   tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setProperty("tight", true);  // five words in 304 px
+  tabs_->tabBar()->setProperty("tight", true);  // six words in 336 px
   tabs_->addTab(scrolling(new ShapeForm(*model_)), tr("Shape"));
   tabs_->addTab(scrolling(new PointsForm(*model_)), tr("Points"));
   tabs_->addTab(scrolling(new BurrsForm(*model_)), tr("Burrs"));
   tabs_->addTab(scrolling(new TissuesForm(*model_)), tr("Tissues"));
   tabs_->addTab(scrolling(new WordsForm(*model_)), tr("Words"));
+  tabs_->addTab(scrolling(new AuditPage(*model_, [](const std::string& folder) { return audit_runner(folder); })), tr("Audit"));
   column->addWidget(tabs_);
   return panel;
 }

@@ -8,7 +8,7 @@
 namespace cusp {
 
 /// Of the tabs at the right.
-enum EditorTab { kShapeTab, kPointsTab, kBurrsTab, kTissuesTab, kWordsTab };
+enum EditorTab { kShapeTab, kPointsTab, kBurrsTab, kTissuesTab, kWordsTab, kAuditTab };
 
 struct ShapeChoice {
   const char* key;
