@@ -1,0 +1,139 @@
+// The editor's audit page, with a runner that answers at once.
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "scenarios/library/library.h"
+#include "ui/editor/audit_page.h"
+#include "ui/widgets/busy.h"
+
+namespace cusp {
+namespace {
+
+constexpr int kAnswersWithinMs = 30'000;  // waited for, never decided by
+
+EditorStart draft() {
+  EditorStart start;
+  start.draft = *load_builtin("channel-1");
+  start.draft.phenomena = {"friction", "heat"};
+  start.draft.version = 2;
+  return start;
+}
+
+ModelResult of(const Model& model, const std::vector<AuditHand>& hands, double score) {
+  ModelResult out;
+  out.cost.us_a_tick = 10.0 + 4.0 * static_cast<double>(model.scenario.phenomena.size());
+  out.cost.us_more = out.cost.us_a_tick - 18.0;
+  out.cost.bytes = 20'000'000;
+  for (const AuditHand& hand : hands) {
+    ModelGo go;
+    go.hand = hand;
+    go.grade.score = score;
+    out.goes.push_back(go);
+  }
+  return out;
+}
+
+/// Friction counts for nothing, heat for five points, voxels for half a point each 0.1 mm more.
+AuditRunner at_once(const std::string&) {
+  return [](const AuditRun& run, const AuditWatch& watch) -> Result<std::vector<std::optional<ModelResult>>, AuditFailure> {
+    std::vector<std::optional<ModelResult>> out;
+    for (const Model& m : run.models) {
+      if (!watch(0.5)) return fail(AuditError::cancelled, {});
+      const bool heat = std::ranges::find(m.scenario.phenomena, "heat") != m.scenario.phenomena.end();
+      out.push_back(of(m, run.hands, (heat ? 90.0 : 85.0) - 5 * m.scenario.specimen.voxel_mm));
+    }
+    return out;
+  };
+}
+
+QString texts(const QWidget& page) {
+  QString out;
+  for (const QLabel* label : page.findChildren<QLabel*>()) out += label->text() + u'\n';
+  return out;
+}
+
+TEST(AuditPage, shows_what_each_choice_costs_and_uses_the_leanest_with_one_step_of_undo) {
+  EditorModel model(draft());
+  AuditPage page(model, at_once);
+  page.show();
+  EXPECT_FALSE(page.use_button()->isVisible());
+  page.measure_button()->click();
+  EXPECT_FALSE(page.measure_button()->isEnabled());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page.report() != nullptr; }, kAnswersWithinMs));
+  EXPECT_TRUE(page.measure_button()->isEnabled());
+  const QString all = texts(page);
+  EXPECT_TRUE(all.contains(QStringLiteral("Friction left out")));
+  EXPECT_TRUE(all.contains(QStringLiteral("not needed")));
+  EXPECT_TRUE(all.contains(QStringLiteral("Heat left out")));
+  ASSERT_TRUE(page.use_button()->isVisible() && page.use_button()->isEnabled());
+
+  const Scenario before = model.scenario();
+  page.use_button()->click();
+  EXPECT_EQ(model.scenario(), page.report()->leanest);
+  EXPECT_EQ(model.scenario().phenomena, std::vector<std::string>{"heat"});
+  EXPECT_DOUBLE_EQ(model.scenario().specimen.voxel_mm, 0.15);
+  EXPECT_FALSE(page.use_button()->isEnabled()) << "it is used";
+  EXPECT_EQ(model.stack().count(), 1);
+  model.stack().undo();
+  EXPECT_EQ(model.scenario(), before);
+  EXPECT_TRUE(page.use_button()->isEnabled());
+}
+
+TEST(AuditPage, what_was_measured_of_another_exercise_cannot_be_used) {
+  EditorModel model(draft());
+  AuditPage page(model, at_once);
+  page.show();
+  page.measure_button()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page.report() != nullptr; }, kAnswersWithinMs));
+  model.set_depth_mm(1.7);
+  EXPECT_FALSE(page.use_button()->isEnabled());
+  EXPECT_TRUE(texts(page).contains(QStringLiteral("changed since")));
+}
+
+TEST(AuditPage, a_run_that_is_stopped_leaves_the_page_as_it_was) {
+  EditorModel model(draft());
+  std::atomic<bool> began{false}, ended{false};
+  AuditPage page(model, [&](const std::string&) -> AuditRunner {
+    return [&](const AuditRun&, const AuditWatch& watch) -> Result<std::vector<std::optional<ModelResult>>, AuditFailure> {
+      began = true;
+      while (watch(0.1)) std::this_thread::yield();
+      ended = true;
+      return fail(AuditError::cancelled, {});
+    };
+  });
+  page.show();
+  page.measure_button()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return began.load(); }, kAnswersWithinMs));
+  auto* busy = page.findChild<Busy*>();
+  ASSERT_NE(busy, nullptr);
+  Q_EMIT busy->cancelled();
+  EXPECT_TRUE(page.measure_button()->isEnabled());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ended.load(); }, kAnswersWithinMs));
+  EXPECT_EQ(page.report(), nullptr);
+  EXPECT_FALSE(page.use_button()->isVisible());
+}
+
+TEST(AuditPage, an_exercise_that_cannot_be_played_is_said) {
+  EditorModel model(draft());
+  AuditPage page(model, [](const std::string&) -> AuditRunner {
+    return [](const AuditRun&, const AuditWatch&) -> Result<std::vector<std::optional<ModelResult>>, AuditFailure> {
+      return fail(AuditError::unplayable, "scene");
+    };
+  });
+  page.show();
+  page.measure_button()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page.measure_button()->isEnabled(); }, kAnswersWithinMs));
+  EXPECT_TRUE(texts(page).contains(QStringLiteral("cannot be played")));
+}
+
+}  // namespace
+}  // namespace cusp
