@@ -14,36 +14,47 @@ constexpr std::uint64_t kLowX = 0x0101010101010101ull, kHighX = kLowX << 7;
 std::uint64_t grown_x(std::uint64_t s) noexcept { return s | (s & ~kLowX) >> 1 | (s & ~kHighX) << 1; }
 std::uint64_t grown_y(std::uint64_t s) noexcept { return s | s << 8 | s >> 8; }
 
-/// C about a voxel that goes, by how far away (0 to 3 voxels along each axis): outside a ball of one voxel's radius.
+/// C about a voxel that goes, by how far away (0 to 4 voxels along each axis): outside a ball.
 struct Stamp {
-  static constexpr int kReach = 3;  // 1 + the band's 2.75 end before 4
-  std::array<std::uint16_t, 64> value;
-  Stamp() noexcept {
-    for (int z = 0; z <= kReach; ++z)
-      for (int y = 0; y <= kReach; ++y)
-        for (int x = 0; x <= kReach; ++x)
-          value[static_cast<std::size_t>(x | y << 2 | z << 4)] =
-              solid_from_distance(1.0 - std::sqrt(static_cast<double>(x * x + y * y + z * z)));
+  static constexpr int kReach = 4;
+  static constexpr int kSide = kReach + 1;
+  std::array<std::uint16_t, kSide * kSide * kSide> value;
+  explicit Stamp(double radius) noexcept {
+    for (int z = 0; z < kSide; ++z)
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+          value[place(x, y, z)] = solid_from_distance(radius - std::sqrt(static_cast<double>(x * x + y * y + z * z)));
   }
-  std::uint16_t at(int x, int y, int z) const noexcept { return value[static_cast<std::size_t>(x | y << 2 | z << 4)]; }
+  static std::size_t place(int x, int y, int z) noexcept { return static_cast<std::size_t>(x + kSide * (y + kSide * z)); }
+  std::uint16_t at(int x, int y, int z) const noexcept { return value[place(x, y, z)]; }
 };
-const Stamp kStamp;
+/// Beside tissue that stays: as far as the next voxel's centre.
+const Stamp kBeside(1.0);
+/// Else: as far as the piece's own surface can stand off its outermost centres, at a corner.
+const Stamp kClear(1.75);
 
-/// C = min(C, stamp) about a row of `length` voxels that begins at v.
-void stamp_row(Volume& volume, IVec3 v, int length, ChangedBox& out) noexcept {
+/// Whether tissue that stays takes part in a cell that the voxel is a corner of.
+bool beside_tissue(const Volume& volume, IVec3 v) noexcept {
+  for (int i = 0; i < 27; ++i)
+    if (i != 13 && volume.occupied(v + IVec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1))) return true;
+  return false;
+}
+
+/// C = min(C, stamp) about a row of `length` voxels that begins at v. clear: only where no tissue stays beside.
+void stamp_row(Volume& volume, const Stamp& stamp, bool clear, IVec3 v, int length, ChangedBox& out) noexcept {
   const Specimen& specimen = volume.specimen();
   const IVec3 size = volume.grid().size;
   const int x0 = std::max(v.x - Stamp::kReach, 0), x1 = std::min(v.x + length - 1 + Stamp::kReach, size.x - 1);
   for (int dz = -Stamp::kReach; dz <= Stamp::kReach; ++dz)
     for (int dy = -Stamp::kReach; dy <= Stamp::kReach; ++dy) {
       const int y = v.y + dy, z = v.z + dz;
-      if (y < 0 || z < 0 || y >= size.y || z >= size.z || kStamp.at(0, std::abs(dy), std::abs(dz)) == kSolid) continue;
+      if (y < 0 || z < 0 || y >= size.y || z >= size.z || stamp.at(0, std::abs(dy), std::abs(dz)) == kSolid) continue;
       std::uint16_t* values = nullptr;
       int held = -1;
       bool none = false;
       for (int x = x0; x <= x1; ++x) {
         const int dx = x < v.x ? v.x - x : x > v.x + length - 1 ? x - (v.x + length - 1) : 0;
-        const std::uint16_t s = kStamp.at(dx, std::abs(dy), std::abs(dz));
+        const std::uint16_t s = stamp.at(dx, std::abs(dy), std::abs(dz));
         if (s == kSolid) continue;
         const int brick = specimen.brick_index({x >> 3, y >> 3, z >> 3});
         if (brick != held) {
@@ -56,8 +67,9 @@ void stamp_row(Volume& volume, IVec3 v, int length, ChangedBox& out) noexcept {
         if (none) continue;
         std::uint16_t& to = values[brick_offset(x & 7, y & 7, z & 7)];
         if (s >= to) continue;
-        to = s;
         const IVec3 at(x, y, z);
+        if (clear && beside_tissue(volume, at)) continue;
+        to = s;
         out.low = out.any ? glm::min(out.low, at) : at;
         out.high = out.any ? glm::max(out.high, at) : at;
         out.any = true;
@@ -171,12 +183,14 @@ bool crumb_at(const Volume& volume, IVec3 voxel, Crumb& out) noexcept {
 
 ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept {
   ChangedBox out;
-  for (std::size_t i = 0; i < voxels.size();) {
-    std::size_t end = i + 1;
-    while (end < voxels.size() && voxels[end] == voxels[end - 1] + IVec3(1, 0, 0)) ++end;
-    stamp_row(volume, voxels[i], static_cast<int>(end - i), out);
-    i = end;
-  }
+  // All of them first, so that what is then beside a voxel stays.
+  for (const bool clear : {false, true})
+    for (std::size_t i = 0; i < voxels.size();) {
+      std::size_t end = i + 1;
+      while (end < voxels.size() && voxels[end] == voxels[end - 1] + IVec3(1, 0, 0)) ++end;
+      stamp_row(volume, clear ? kClear : kBeside, clear, voxels[i], static_cast<int>(end - i), out);
+      i = end;
+    }
   return out;
 }
 

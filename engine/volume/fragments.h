@@ -117,8 +117,9 @@ struct ChangedBox {
   bool overflow = false;  // a brick had no room: what lies there stays
   IVec3 low{0}, high{0};
 };
-/// Haptic thread; wait-free. Takes voxels of a banded volume away: C = min(C, a ball of one voxel's radius about each).
-/// Nothing that does not touch them loses an occupied voxel.
+/// Haptic thread; wait-free. Takes voxels of a banded volume away: C = min(C, a ball of one voxel's radius about each),
+/// of 1.75 where no tissue that stays is beside: a piece's own surface stands off its outermost centres by that much at its
+/// corners, and would still be felt. Nothing that does not touch them loses an occupied voxel.
 ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept;
 /// The same of a filled one. False when there was no room for some.
 bool take_away(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxels) noexcept;
