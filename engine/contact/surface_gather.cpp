@@ -10,8 +10,8 @@ namespace cusp {
 namespace {
 
 // What is gathered serves while the burr stays this near: some steps' way.
-constexpr double kStepsAhead = 3.0;
-constexpr double kLeastMargin = 0.04, kMostMargin = 0.2;  // mm
+constexpr double kStepsAhead = 8.0;
+constexpr double kLeastMargin = 0.06, kMostMargin = 0.4;  // mm
 
 }  // namespace
 
