@@ -158,6 +158,7 @@ void DevicePage::fill() {
     auto* line = new QHBoxLayout;
     line->setSpacing(px(12));
     auto* pick = new QRadioButton(device_title(one.kind, one.name));
+    pick->setAccessibleName(pick->text());
     pick->setChecked(is_chosen(one));
     pick->setEnabled(in.staff || is_chosen(one));
     in.group->addButton(pick);

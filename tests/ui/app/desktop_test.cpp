@@ -46,7 +46,8 @@ TEST_F(DesktopTest, each_role_has_its_pages) {
   const Account lena = records.student("1", "Lena Brandt");
   open(records.file());
   desktop->sign_in(lena);
-  EXPECT_EQ(pages(), QStringList({QStringLiteral("start"), QStringLiteral("exercises"), QStringLiteral("results"), QStringLiteral("help")}));
+  EXPECT_EQ(pages(), QStringList({QStringLiteral("start"), QStringLiteral("exercises"), QStringLiteral("results"), QStringLiteral("device"),
+                                  QStringLiteral("help")}));
   desktop->sign_out();
   EXPECT_EQ(desktop->shell(), nullptr);
   desktop->sign_in(records.administrator());

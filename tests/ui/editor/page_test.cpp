@@ -276,7 +276,7 @@ TEST_F(EditorPages, no_form_is_wider_than_its_panel) {
     const int room = qobject_cast<SpecimenForm*>(area->widget()) ? 248 : 304;
     EXPECT_LT(area->widget()->minimumSizeHint().width(), room) << area->widget()->metaObject()->className();
   }
-  EXPECT_EQ(forms, 6);
+  EXPECT_EQ(forms, 7);
 }
 
 TEST_F(EditorPages, every_control_has_a_name) {
