@@ -5733,7 +5733,7 @@ Ihr bester davor</translation>
             <translation>Vor dem Bohren prüfen</translation>
         </message>
         <message>
-            <source>What goes are drilled with</source>
+            <source>What you drill with</source>
             <translation>Womit gebohrt wird</translation>
         </message>
         <message>

@@ -62,7 +62,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   in.band = new Band(this);
   body->addWidget(in.band);
 
-  auto* card = new Card(tr("What goes are drilled with"), {}, this);
+  auto* card = new Card(tr("What you drill with"), {}, this);
   in.list = new QVBoxLayout;
   in.list->setSpacing(px(4));
   card->body()->addLayout(in.list);

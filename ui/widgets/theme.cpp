@@ -157,6 +157,26 @@ void draw_check_box(QPainter& painter, const QStyleOption& option) {
   painter.restore();
 }
 
+void draw_radio_button(QPainter& painter, const QStyleOption& option) {
+  const Tokens& t = tokens();
+  const bool enabled = option.state & QStyle::State_Enabled, on = option.state & QStyle::State_On;
+  const bool under = option.state & QStyle::State_MouseOver;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double side = std::min(option.rect.width(), option.rect.height()) - 1.0;
+  const QPointF middle = QRectF(option.rect).center();
+  painter.setPen(QPen(!enabled ? t.line : under ? t.text : on ? t.accent : t.border, px(on ? 2.0 : 1.0)));
+  painter.setBrush(enabled ? t.surface : t.window);
+  const double radius = 0.5 * (side - px(1.0));
+  painter.drawEllipse(middle, radius, radius);
+  if (on) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(enabled ? t.accent : t.text3);
+    painter.drawEllipse(middle, 0.5 * radius, 0.5 * radius);
+  }
+  painter.restore();
+}
+
 /// Moves one QFocusFrame to whatever has the focus.
 class FocusRing : public QObject {
  public:
@@ -290,6 +310,8 @@ int CuspStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
     case PM_ButtonIconSize: return px(20);
     case PM_LayoutHorizontalSpacing:
     case PM_LayoutVerticalSpacing: return px(8);
+    case PM_ExclusiveIndicatorWidth:
+    case PM_ExclusiveIndicatorHeight:
     case PM_IndicatorWidth:
     case PM_IndicatorHeight: return px(18);
     default: return QProxyStyle::pixelMetric(metric, option, widget);
@@ -329,6 +351,10 @@ void CuspStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
   if (element == PE_FrameFocusRect) return;  // the ring says it
   if (element == PE_IndicatorCheckBox) {
     draw_check_box(*painter, *option);
+    return;
+  }
+  if (element == PE_IndicatorRadioButton) {
+    draw_radio_button(*painter, *option);
     return;
   }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
