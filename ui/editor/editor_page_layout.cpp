@@ -27,7 +27,7 @@
 namespace cusp {
 namespace {
 
-constexpr int kTopBar = 48, kLeft = 248, kRight = 336, kChecks = 80;  // px at 100 %
+constexpr int kTopBar = 48, kLeft = 248, kRight = 368, kChecks = 80;  // px at 100 %
 
 QWidget* scrolling(QWidget* form) {
   auto* area = new QScrollArea;
@@ -167,7 +167,7 @@ QWidget* EditorPage::make_right() {
   column->setContentsMargins(1, 0, 0, 0);
   tabs_ = new QTabWidget;
   tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setProperty("tight", true);  // six words in 336 px
+  tabs_->tabBar()->setProperty("tight", true);  // six words in 368 px
   tabs_->addTab(scrolling(new ShapeForm(*model_)), tr("Shape"));
   tabs_->addTab(scrolling(new PointsForm(*model_)), tr("Points"));
   tabs_->addTab(scrolling(new BurrsForm(*model_)), tr("Burrs"));
