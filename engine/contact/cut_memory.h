@@ -65,7 +65,7 @@ class CutMemory {
     std::int32_t next = -1;
   };
   static constexpr std::size_t kSegments = 32768;
-  static constexpr std::size_t kNodes = kSegments * 16;  // 0.1 mm and reach touch some 8 cells
+  static constexpr std::size_t kNodes = kSegments * 12;  // 0.1 mm and reach touch some 8 cells
   static constexpr std::size_t kMostCells = 4096;        // of one segment: 7 mm across the grain of the cells
   static constexpr std::size_t kBuckets = 16384;
   static constexpr double kCellMm = 0.15;

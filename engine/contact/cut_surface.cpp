@@ -9,7 +9,7 @@ namespace cusp {
 
 namespace {
 /// Features kept at once: a cavity of 60 mm2 at 0.04 mm voxels has about 60,000, and pages are two thirds full.
-constexpr std::size_t kPages = 14000;
+constexpr std::size_t kPages = 12000;
 /// A cell has a few points and edges at most, and those with more than one are few.
 constexpr std::size_t kMostFeatures = 4 * static_cast<std::size_t>(kBrickVoxels);
 /// Two cuts make the larger of two distances, without rounding: what differs more is no ridge of two.

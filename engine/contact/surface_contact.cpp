@@ -33,7 +33,7 @@ std::size_t candidate_room(const Scene& scene) {
     const double r = (burr.radius_mm + 0.6) / h;
     const double shank = (burr.neck_radius_mm + 0.6) * burr.neck_length_mm / (h * h);
     const double flank = burr.head.ball() ? 0.0 : 6.3 * r * (burr.head.high() - burr.head.low()) / h;
-    most = std::max(most, 4.0 * 3.15 * r * r * 3.0 + 6.3 * shank * 1.5 + 3.0 * flank);
+    most = std::max(most, 4.0 * 3.15 * r * r * 2.0 + 6.3 * shank * 1.5 + 3.0 * flank);
   }
   return std::clamp<std::size_t>(static_cast<std::size_t>(most) + 2048, 4096, 65536);
 }
