@@ -70,7 +70,6 @@ inline Pair load_pair(const double* from) noexcept {
   __builtin_memcpy(&out, from, sizeof out);
   return out;
 }
-inline void store_pair(Pair v, double* to) noexcept { __builtin_memcpy(to, &v, sizeof v); }
 inline Pair sqrt_of(Pair v) noexcept {
 #if defined(__SSE2__)
   return _mm_sqrt_pd(v);

@@ -17,6 +17,8 @@ constexpr double kMostOff = 0.3;
 /// Voxels: another surface this far from a point does not end its plane, which is believed 0.8 beside it.
 constexpr double kBeside = 1.6;
 const std::uint16_t kDeep = solid_from_distance(-kBeside);
+/// s of the specimen so far out that none of it is in a cell whose corners all are: half a voxel.
+const std::uint16_t kAir = solid_from_distance(0.5);
 /// Voxels: a scratch up to this deep holds a cutting burr though no cell of the cut has it.
 constexpr double kShallow = 0.15;
 /// s beyond which no surface crosses the cells that touch the voxel (1.8 voxels).
@@ -308,15 +310,21 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
     crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
   // A thin ridge may pass between corners that are all in the void.
   if (!crossed && !(sharp_ && inside && strokes_ != nullptr && stroke_cells_.several())) return false;
+  // Deep in the specimen its own surface is so far from all corners that it ends no plane: nothing of it to keep. Out in the
+  // air there is nothing that a cut could have left.
+  const Specimen& specimen = volume.specimen();
+  bool deep = true, air = true;
+  const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
+  const bool solid = local.x < 7 && local.y < 7 && local.z < 7 && specimen.s_of(brick) == nullptr && specimen.s_in(brick, 0) == kSolid;
+  for (int i = 0; i < 8 && (deep || air) && !solid; ++i) {
+    const std::uint16_t s = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
+    deep = deep && s >= kDeep;
+    air = air && s <= kAir;
+  }
+  if (air && !solid) return false;
   CellField cut;
   cut.load(low, kSide, kSide * kSide);
   if (!crossed && !cut.crease_near()) return false;
-  // Deep in the specimen its own surface is so far from all corners that it ends no plane: nothing of it to keep.
-  const Specimen& specimen = volume.specimen();
-  bool deep = true;
-  const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
-  const bool solid = local.x < 7 && local.y < 7 && local.z < 7 && specimen.s_of(brick) == nullptr && specimen.s_in(brick, 0) == kSolid;
-  for (int i = 0; i < 8 && deep && !solid; ++i) deep = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2)) >= kDeep;
   CellField base;
   if (!deep) base.load(volume, Field::base, cell);
   const double voxel = volume.grid().voxel_mm;

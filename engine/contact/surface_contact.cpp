@@ -357,6 +357,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       if (polished.accepted) target = polished.search.y;
       y = target;
       held_.fresh = !polished.accepted && !left;
+      held_.room_mm = within - off;
       note(found, polished, out);
       if (left) break;
       const Vec3 off_by = target - at;
@@ -404,7 +405,8 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
     past_count_ = memory_ ? memory_->near(before.pose_mm, sweeper_of(scene.burrs[burr_index], burr_index, axis), past_) : 0;
     relax_by_memory(tool, 0, planes_.size());
     const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
-    if (found.feasible && !out.infeasible && length_of(found.y - before.pose_mm) <= 2.0 * advance_mm + kSettledMm) {
+    if (found.feasible && !out.infeasible &&
+        length_of(found.y - before.pose_mm) <= std::min(held_.room_mm, 2.0 * advance_mm + kSettledMm)) {
       out.pose_mm = found.y;
       note(found, Polished{}, out);
       return out;

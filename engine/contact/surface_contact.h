@@ -258,7 +258,7 @@ class SurfaceContact {
   std::vector<std::int32_t> near_;     // candidates of laid_
   std::vector<double> low_;            // mm that each of near_ is off at least, for some way about laid_.at
   std::size_t count_ = 0, ball_count_ = 0;
-  Gathered gathered_, shank_;          // of the ball; of the neck and the shank, which follow it in candidates_
+  Gathered gathered_;                  // of the head, then of the neck and the shank
   std::size_t shank_count_ = 0;
   FreeSpace free_;
   int free_pause_ = 0;                 // looks to skip before trying again
@@ -273,6 +273,7 @@ class SurfaceContact {
     int plane[3] = {0, 0, 0};
     int count = 0;
     bool fresh = false;
+    double room_mm = 0.0;  // that a pose may go from there, planes_ being all that it could meet
   };
   Held held_;
   std::array<Vec3, CutMemory::kMost> past_;          // poses of the stroke's memory near the pose

@@ -14,9 +14,10 @@ constexpr std::uint64_t kLowX = 0x0101010101010101ull, kHighX = kLowX << 7;
 std::uint64_t grown_x(std::uint64_t s) noexcept { return s | (s & ~kLowX) >> 1 | (s & ~kHighX) << 1; }
 std::uint64_t grown_y(std::uint64_t s) noexcept { return s | s << 8 | s >> 8; }
 
-/// C about a voxel that goes, by how far away (0 to 4 voxels along each axis): outside a ball.
+/// C about a voxel that goes, by how far away (0 to 3 voxels along each axis): outside a ball. What a cell reads that its
+/// surface crosses lies within.
 struct Stamp {
-  static constexpr int kReach = 4;
+  static constexpr int kReach = 3;
   static constexpr int kSide = kReach + 1;
   std::array<std::uint16_t, kSide * kSide * kSide> value;
   explicit Stamp(double radius) noexcept {
@@ -32,54 +33,6 @@ struct Stamp {
 const Stamp kBeside(1.0);
 /// Else: as far as the piece's own surface can stand off its outermost centres, at a corner.
 const Stamp kClear(1.75);
-
-/// Whether tissue that stays takes part in a cell that the voxel is a corner of.
-bool beside_tissue(const Volume& volume, IVec3 v) noexcept {
-  for (int i = 0; i < 27; ++i)
-    if (i != 13 && volume.occupied(v + IVec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1))) return true;
-  return false;
-}
-
-/// C = min(C, stamp) about a row of `length` voxels that begins at v. clear: only where no tissue stays beside.
-void stamp_row(Volume& volume, const Stamp& stamp, bool clear, IVec3 v, int length, ChangedBox& out) noexcept {
-  const Specimen& specimen = volume.specimen();
-  const IVec3 size = volume.grid().size;
-  const int x0 = std::max(v.x - Stamp::kReach, 0), x1 = std::min(v.x + length - 1 + Stamp::kReach, size.x - 1);
-  for (int dz = -Stamp::kReach; dz <= Stamp::kReach; ++dz)
-    for (int dy = -Stamp::kReach; dy <= Stamp::kReach; ++dy) {
-      const int y = v.y + dy, z = v.z + dz;
-      if (y < 0 || z < 0 || y >= size.y || z >= size.z || stamp.at(0, std::abs(dy), std::abs(dz)) == kSolid) continue;
-      std::uint16_t* values = nullptr;
-      int held = -1;
-      bool none = false;
-      for (int x = x0; x <= x1; ++x) {
-        const int dx = x < v.x ? v.x - x : x > v.x + length - 1 ? x - (v.x + length - 1) : 0;
-        const std::uint16_t s = stamp.at(dx, std::abs(dy), std::abs(dz));
-        if (s == kSolid) continue;
-        const int brick = specimen.brick_index({x >> 3, y >> 3, z >> 3});
-        if (brick != held) {
-          held = brick;
-          values = volume.cuttable(brick) ? volume.cut_for_writing(brick) : nullptr;
-          none = values == nullptr;
-          out.overflow = out.overflow || (none && volume.cuttable(brick));
-          if (!none) volume.touched(brick);
-        }
-        if (none) continue;
-        std::uint16_t& to = values[brick_offset(x & 7, y & 7, z & 7)];
-        if (s >= to) continue;
-        const IVec3 at(x, y, z);
-        if (clear && beside_tissue(volume, at)) continue;
-        to = s;
-        out.low = out.any ? glm::min(out.low, at) : at;
-        out.high = out.any ? glm::max(out.high, at) : at;
-        out.any = true;
-      }
-    }
-}
-
-}  // namespace
-
-namespace {
 
 BrickVoxelSet occupied_in(const Specimen& specimen, int brick, const std::uint16_t* cut) noexcept {
   BrickVoxelSet out;
@@ -111,6 +64,86 @@ BrickVoxelSet occupied_in(const Specimen& specimen, int brick, const std::uint16
       out.slice[z] |= bits << (8 * y);
     }
   return out;
+}
+
+/// Whether tissue that stays takes part in a cell that a voxel is a corner of, about one brick.
+class NearTissue {
+ public:
+  NearTissue(const Volume& volume, IVec3 brick) noexcept : volume_(volume), low_((brick - 1) * kBrickEdge) {
+    const Specimen& specimen = volume.specimen();
+    std::array<std::uint32_t, kSide * kSide> rows{};  // bits along x
+    for (int i = 0; i < 27; ++i) {
+      const IVec3 step(i % 3, i / 3 % 3, i / 9);
+      const int b = specimen.brick_index(brick + step - 1);
+      if (b < 0) continue;
+      const BrickVoxelSet set = occupied_in(specimen, b, volume.cut_of(b));
+      for (int z = 0; z < kBrickEdge; ++z)
+        for (int y = 0; y < kBrickEdge; ++y)
+          rows[place(step.y * kBrickEdge + y, step.z * kBrickEdge + z)] |=
+              static_cast<std::uint32_t>(set.slice[static_cast<std::size_t>(z)] >> (8 * y) & 0xff) << (step.x * kBrickEdge);
+    }
+    for (std::uint32_t& row : rows) row |= row << 1 | row >> 1;
+    for (int z = 1; z + 1 < kSide; ++z)
+      for (int y = 1; y + 1 < kSide; ++y)
+        for (int k = 0; k < 9; ++k) beside_[place(y, z)] |= rows[place(y + k % 3 - 1, z + k / 3 - 1)];
+  }
+  bool operator()(IVec3 v) const noexcept {
+    const IVec3 at = v - low_;
+    if (glm::all(glm::greaterThan(at, IVec3(0))) && glm::all(glm::lessThan(at, IVec3(kSide - 1))))
+      return beside_[place(at.y, at.z)] >> at.x & 1;
+    for (int i = 0; i < 27; ++i)  // of a crumb that lies across bricks
+      if (volume_.occupied(v + IVec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1))) return true;
+    return false;
+  }
+
+ private:
+  static constexpr int kSide = 3 * kBrickEdge;
+  static std::size_t place(int y, int z) noexcept { return static_cast<std::size_t>(y + kSide * z); }
+  const Volume& volume_;
+  IVec3 low_;
+  std::array<std::uint32_t, kSide * kSide> beside_{};
+};
+
+void lower(std::uint16_t& to, std::uint16_t s, IVec3 at, ChangedBox& out) noexcept {
+  if (s >= to) return;
+  to = s;
+  out.low = out.any ? glm::min(out.low, at) : at;
+  out.high = out.any ? glm::max(out.high, at) : at;
+  out.any = true;
+}
+
+/// C = min(C, stamp) about a row of `length` voxels that begins at v. Pre: all voxels that go are empty.
+void stamp_row(Volume& volume, const NearTissue& beside_tissue, IVec3 v, int length, ChangedBox& out) noexcept {
+  const Specimen& specimen = volume.specimen();
+  const IVec3 size = volume.grid().size;
+  const int x0 = std::max(v.x - Stamp::kReach, 0), x1 = std::min(v.x + length - 1 + Stamp::kReach, size.x - 1);
+  for (int dz = -Stamp::kReach; dz <= Stamp::kReach; ++dz)
+    for (int dy = -Stamp::kReach; dy <= Stamp::kReach; ++dy) {
+      const int y = v.y + dy, z = v.z + dz;
+      if (y < 0 || z < 0 || y >= size.y || z >= size.z || kClear.at(0, std::abs(dy), std::abs(dz)) == kSolid) continue;
+      std::uint16_t* values = nullptr;
+      int held = -1;
+      bool none = false;
+      for (int x = x0; x <= x1; ++x) {
+        const int dx = x < v.x ? v.x - x : x > v.x + length - 1 ? x - (v.x + length - 1) : 0;
+        std::uint16_t s = kClear.at(dx, std::abs(dy), std::abs(dz));
+        if (s == kSolid) continue;
+        const int brick = specimen.brick_index({x >> 3, y >> 3, z >> 3});
+        if (brick != held) {
+          held = brick;
+          values = volume.cuttable(brick) ? volume.cut_for_writing(brick) : nullptr;
+          none = values == nullptr;
+          out.overflow = out.overflow || (none && volume.cuttable(brick));
+          if (!none) volume.touched(brick);
+        }
+        if (none) continue;
+        std::uint16_t& to = values[brick_offset(x & 7, y & 7, z & 7)];
+        if (s >= to) continue;
+        const IVec3 at(x, y, z);
+        if (beside_tissue(at)) s = kBeside.at(dx, std::abs(dy), std::abs(dz));
+        lower(to, s, at, out);
+      }
+    }
 }
 
 }  // namespace
@@ -183,14 +216,20 @@ bool crumb_at(const Volume& volume, IVec3 voxel, Crumb& out) noexcept {
 
 ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept {
   ChangedBox out;
-  // All of them first, so that what is then beside a voxel stays.
-  for (const bool clear : {false, true})
-    for (std::size_t i = 0; i < voxels.size();) {
-      std::size_t end = i + 1;
-      while (end < voxels.size() && voxels[end] == voxels[end - 1] + IVec3(1, 0, 0)) ++end;
-      stamp_row(volume, clear ? kClear : kBeside, clear, voxels[i], static_cast<int>(end - i), out);
-      i = end;
-    }
+  // Themselves first: what is then beside a voxel stays.
+  for (const IVec3& v : voxels) {
+    const int brick = volume.specimen().brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+    std::uint16_t* values = volume.cut_for_writing(brick);
+    if (values != nullptr) lower(values[brick_offset(v.x & 7, v.y & 7, v.z & 7)], kBeside.at(0, 0, 0), v, out);
+  }
+  if (voxels.empty()) return out;
+  const NearTissue beside_tissue(volume, {voxels[0].x >> 3, voxels[0].y >> 3, voxels[0].z >> 3});
+  for (std::size_t i = 0; i < voxels.size();) {
+    std::size_t end = i + 1;
+    while (end < voxels.size() && voxels[end] == voxels[end - 1] + IVec3(1, 0, 0)) ++end;
+    stamp_row(volume, beside_tissue, voxels[i], static_cast<int>(end - i), out);
+    i = end;
+  }
   return out;
 }
 
