@@ -23,6 +23,9 @@ struct ChildEnd {
   How how = How::not_started;
   int code = 0;         // exit status, or the signal's number
   std::string errors;   // the last 2 KiB of its standard error
+  /// What it took, with all that it started and waited for.
+  double wall_s = 0.0, cpu_s = 0.0;
+  std::uint64_t resident_bytes = 0;  // at most
 };
 
 /// Whether memory_bytes can be kept in this build: AddressSanitizer reserves terabytes of address space for itself.

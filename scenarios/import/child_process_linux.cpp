@@ -118,6 +118,8 @@ bool drain(int fd, Take take) {
   return n > 0 || (n < 0 && (errno == EINTR || errno == EAGAIN));
 }
 
+double seconds_of(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+
 ChildEnd end_of(int status) {
   ChildEnd end;
   if (WIFEXITED(status)) {
@@ -164,6 +166,7 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
     if (std::strncmp(*e, "MALLOC_ARENA_MAX=", 17) != 0) environment.push_back(*e);
   environment.push_back(nullptr);
 
+  const auto started = Clock::now();
   const pid_t parent = getpid();
   const pid_t pid = fork();
   if (pid == 0) become(arguments.data(), environment.data(), nothing, out.write, errors.write, limits, parent);
@@ -178,7 +181,7 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
 
   LineReader lines(line);
   std::string kept_errors;
-  const auto deadline = Clock::now() + limits.wall;
+  const auto deadline = started + limits.wall;
   std::optional<ChildEnd::How> killed;
   const auto must_go = [&] {
     if (stop.stop_requested()) killed = ChildEnd::How::stopped;
@@ -197,16 +200,20 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
   }
   // A child that closed its streams and lives on stands under the same limits.
   int status = 0;
-  while (waitpid(pid, &status, WNOHANG) != pid) {
+  rusage used{};
+  while (wait4(pid, &status, WNOHANG, &used) != pid) {
     if (killed || must_go()) {
       kill(-pid, SIGKILL);
-      while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+      while (wait4(pid, &status, 0, &used) < 0 && errno == EINTR) {
       }
       break;
     }
     poll(nullptr, 0, 1);
   }
   end = end_of(status);
+  end.wall_s = std::chrono::duration<double>(Clock::now() - started).count();
+  end.cpu_s = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  end.resident_bytes = static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
   if (killed && !WIFEXITED(status)) end.how = *killed;
   end.errors = std::move(kept_errors);
   return end;

@@ -86,6 +86,7 @@ Result<Heard, ImportFailure> run(const std::filesystem::path& file, std::vector<
   const ChildEnd end =
       run_child(argv, {settings.memory_bytes, settings.cpu, settings.wall},
                 [&](std::string_view line) { hear(line, heard, progress); }, stop);
+  if (settings.ended) settings.ended(end);
   const std::string where = file.filename().string();
   switch (end.how) {
     case ChildEnd::How::not_started: return fail(ImportError::not_started, where, end.errors);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/import/child_process.h"
 #include "scenarios/import/import.h"
 
 namespace cusp {
@@ -20,6 +21,8 @@ struct WorkerSettings {
   std::chrono::milliseconds wall{600'000};
   /// Program and leading arguments; empty: this program with the verb `import-child`.
   std::vector<std::string> program;
+  /// Told of each process when it has ended, before its words are weighed; on the calling thread.
+  std::function<void(const ChildEnd&)> ended;
 };
 
 /// import_mesh() in a child. Blocks; `progress` is called on the calling thread; a stop request kills the child within

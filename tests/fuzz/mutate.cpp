@@ -1,8 +1,6 @@
 // Sends damaged files through the import's child and holds it to its promise: read or refused, within ten seconds and a
 // gigabyte, and this program lives. `mutate [COUNT] [SEED] [assimp|dcmtk|niftilib] [SECONDS]`: COUNT files for that
 // library, or for each of the three; within SECONDS each, if given. Fails when a promise is broken, or when time was short.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -28,6 +26,7 @@ using namespace cusp;
 using namespace cusp::testing;
 using Clock = std::chrono::steady_clock;
 
+constexpr double kPromisedS = 10.0;
 constexpr std::chrono::seconds kMost{8};  // of the ten: a busy machine needs the rest for the kill
 constexpr std::size_t kMemory = std::size_t{1} << 30;
 
@@ -99,7 +98,8 @@ struct Tally {
   std::mutex lock;
   std::map<std::string, std::size_t> ends;  // "stl read", "stl corrupt", ...
   std::size_t files = 0, read = 0, refused = 0, crashed = 0, out_of_time = 0, broken = 0;
-  double slowest_s = 0.0;
+  double slowest_s = 0.0, most_cpu_s = 0.0;  // of one child
+  std::uint64_t most_bytes = 0;              // resident
 };
 
 void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally& tally) {
@@ -113,14 +113,16 @@ void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally
   settings.memory_bytes = kMemory;
   settings.wall = kMost;
   settings.cpu = kMost;
-  const auto start = Clock::now();
-  const auto passed = [](Clock::time_point from) { return std::chrono::duration<double>(Clock::now() - from).count(); };
+  ChildEnd most;  // of the one child or the two
+  settings.ended = [&](const ChildEnd& child) {
+    most.wall_s = std::max(most.wall_s, child.wall_s);
+    most.cpu_s = std::max(most.cpu_s, child.cpu_s);
+    most.resident_bytes = std::max(most.resident_bytes, child.resident_bytes);
+  };
   const auto seen = look_in_child({place / name}, settings);
-  double slowest = passed(start);  // of the one child or the two
   std::string end = seen ? "read" : std::string(key_of(seen.error().code));
   // What was read is made into a specimen too, for that is where its numbers are used.
   if (seen && random() % 4 == 0) {
-    const auto again = Clock::now();
     Result<VoxelVolume, ImportFailure> made = fail(ImportError::cancelled, {});
     if (seen->image) {
       ImageImport what;
@@ -134,7 +136,6 @@ void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally
       what.tissues = {{seen->meshes.front().name, Tissue::dentine}};
       made = import_mesh_in_child(what, settings);
     }
-    slowest = std::max(slowest, passed(again));
     end += made ? ", made" : ", " + std::string(key_of(made.error().code));
   }
   std::filesystem::remove_all(place);
@@ -144,10 +145,13 @@ void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally
   ++(seen ? tally.read : tally.refused);
   if (end.find("crashed") != end.npos) ++tally.crashed;
   if (end.find("time_limit") != end.npos) ++tally.out_of_time;
-  tally.slowest_s = std::max(tally.slowest_s, slowest);
-  if (slowest > static_cast<double>(kMost.count() + 2)) {
+  tally.slowest_s = std::max(tally.slowest_s, most.wall_s);
+  tally.most_cpu_s = std::max(tally.most_cpu_s, most.cpu_s);
+  tally.most_bytes = std::max(tally.most_bytes, most.resident_bytes);
+  if (most.wall_s > kPromisedS || most.cpu_s > kPromisedS || most.resident_bytes > kMemory) {
     ++tally.broken;
-    std::fprintf(stderr, "file %llu took %.1f s\n", static_cast<unsigned long long>(number), slowest);
+    std::fprintf(stderr, "file %llu: %.1f s, %.1f s of a processor, %llu MB\n", static_cast<unsigned long long>(number), most.wall_s,
+                 most.cpu_s, static_cast<unsigned long long>(most.resident_bytes >> 20));
   }
 }
 
@@ -169,12 +173,11 @@ bool run(const std::string& library, std::vector<Seed> seeds, std::uint64_t coun
   }
   const double took = passed();
   for (const auto& [end, n] : tally.ends) std::printf("%7zu  %s\n", n, end.c_str());
-  rusage children{};
-  getrusage(RUSAGE_CHILDREN, &children);
-  std::printf("%s: %zu of %llu files, %zu read, %zu refused (%zu crashes of the child, %zu at the limit on time); slowest %.2f s; "
-              "%.0f s, %.1f files a second; largest child so far %ld MB resident\n",
+  std::printf("%s: %zu of %llu files, %zu read, %zu refused (%zu crashes of the child, %zu at the limit on time); one child at most "
+              "%.2f s, %.2f s of a processor, %llu MB resident; %.0f s, %.1f files a second\n",
               library.c_str(), tally.files, static_cast<unsigned long long>(count), tally.read, tally.refused, tally.crashed,
-              tally.out_of_time, tally.slowest_s, took, static_cast<double>(tally.files) / took, children.ru_maxrss / 1024);
+              tally.out_of_time, tally.slowest_s, tally.most_cpu_s, static_cast<unsigned long long>(tally.most_bytes >> 20), took,
+              static_cast<double>(tally.files) / took);
   std::fflush(stdout);
   return tally.broken == 0 && tally.files == count;
 }

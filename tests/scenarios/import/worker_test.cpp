@@ -109,6 +109,20 @@ TEST_F(ImportWorker, AnEndlessLoopEndsAtTheLimitOfItsProcessorTime) {
   EXPECT_EQ(outcome(import_mesh_in_child(what, settings)), "time_limit");
 }
 
+TEST_F(ImportWorker, WhatAChildTookIsTold) {
+  WorkerSettings settings = bad_child("child-spin");
+  settings.cpu = std::chrono::seconds(1);
+  std::vector<ChildEnd> ends;
+  settings.ended = [&](const ChildEnd& end) { ends.push_back(end); };
+  EXPECT_EQ(outcome(import_mesh_in_child(what, settings)), "time_limit");
+  ASSERT_EQ(ends.size(), 1u);
+  // It spins up to its limit of one second; the kernel looks at each of its own ticks, 10 ms at most.
+  EXPECT_NEAR(ends[0].cpu_s, 1.0, 0.1);
+  EXPECT_GT(ends[0].wall_s, 0.9);
+  EXPECT_GT(ends[0].resident_bytes, std::uint64_t{1} << 20);  // no C++ program fits into less
+  EXPECT_LT(ends[0].resident_bytes, std::uint64_t{1} << 30);
+}
+
 TEST_F(ImportWorker, TooMuchMemoryIsACode) {
   if (!child_memory_limit_works()) GTEST_SKIP() << "a sanitizer needs the address space";
   WorkerSettings settings = bad_child("child-eat");
