@@ -22,7 +22,6 @@ using inverse::Trouble;
 
 constexpr double kMmPerM = 1000.0;
 constexpr double kLeastScale = 0.05, kMostScale = 1.0;  // beyond it a tissue would feel stiffer than the scene says
-constexpr std::chrono::seconds kOpen{3};
 constexpr std::chrono::milliseconds kGlance{5};
 constexpr std::chrono::milliseconds kLongestWait{20};
 constexpr std::chrono::milliseconds kFlush{50};      // for the last words to go out
@@ -53,7 +52,7 @@ struct InversePort::Inner {
 
   // Between the two threads.
   std::thread thread;
-  std::atomic<bool> stop{false};
+  std::atomic<bool> stop{false}, cancelled{false};
   std::atomic<bool> ready{false};
   TripleBuffer<Told> told;
   TripleBuffer<Wanted> wanted;
@@ -157,10 +156,14 @@ Result<void, PortFailure> InversePort::open() {
   in.view = {};
   in.open = true;
   in.thread = std::thread([&in] { in.talk(); });
-  const auto until = std::chrono::steady_clock::now() + kOpen;
+  const auto until = std::chrono::steady_clock::now() + kLongestOpen;
   while (!in.ready.load(std::memory_order_acquire)) {
     const SessionState state = view().session;
     const bool over = std::chrono::steady_clock::now() >= until;
+    if (in.cancelled.load(std::memory_order_acquire)) {
+      close();
+      return fail(PortError::io, "service", "cancelled");
+    }
     if (over || state.trouble == Trouble::no_service || state.trouble == Trouble::no_device ||
         state.trouble == Trouble::garbage) {
       const Trouble trouble = state.trouble == Trouble::none ? Trouble::no_answer : state.trouble;
@@ -246,6 +249,8 @@ DeviceLimits InversePort::limits() const {
   limits.has_own_clock = true;
   return limits;
 }
+
+void InversePort::cancel() noexcept { inner_->cancelled.store(true, std::memory_order_release); }
 
 void InversePort::close() noexcept {
   Inner& in = *inner_;

@@ -4,6 +4,7 @@
 /// tried on a real device is marked [M].
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -38,8 +39,11 @@ class InversePort final : public HapticPort {
   ~InversePort() override;
 
   /// Until the service tells a first place: not_found "service" when nobody listens, not_found "device" when it has
-  /// none, io with a key of inverse::Trouble otherwise. At most three seconds.
+  /// none, io with a key of inverse::Trouble otherwise. At most kLongestOpen.
   Result<void, PortFailure> open() override;
+  static constexpr std::chrono::seconds kLongestOpen{3};
+  /// Any thread: an open() under way fails within some milliseconds, and so does every later one: io "cancelled".
+  void cancel() noexcept;
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
   void write(const Feedback& feedback) noexcept override;
   /// rotation_axes is 3 where a handle tells its orientation.

@@ -64,7 +64,7 @@ DeviceBench::DeviceBench(const DeviceChoice& choice, const falcon::EmulatedBodyS
     : inner_(std::make_unique<Inner>()) {
   Inner& in = *inner_;
   FalconSettings settings = settings_for(choice.profile);
-  settings.workspace.scale = 1.0;  // a trial knows the device's own frame
+  settings.workspace = {.scale = 1.0};  // a trial knows the device's own frame
   settings.buttons = {.cut = 0, .clutch = 0, .next_burr = 0, .previous_burr = 0};
   settings.home_in_open = true;
   std::unique_ptr<falcon::FalconLink> link;
@@ -208,6 +208,10 @@ std::unique_ptr<Trial> DeviceBench::take_trial() {
   std::unique_ptr<Trial> out(inner_->over.exchange(nullptr, std::memory_order_acq_rel));
   if (out) inner_->trial_out = false;
   return out;
+}
+
+void DeviceBench::set_force_gain(double gain) noexcept {
+  if (inner_->port && !inner_->trial_out) inner_->port->set_force_gain(gain);
 }
 
 void DeviceBench::set_leds(std::uint8_t leds) noexcept {

@@ -54,6 +54,8 @@ class DeviceBench {
   void stop_trial() noexcept;
   /// The trial that is over, once.
   std::unique_ptr<falcon::Trial> take_trial();
+  /// While no trial runs: Calibration::force_gain of what is pushed from now on.
+  void set_force_gain(double gain) noexcept;
   /// falcon::control bits.
   void set_leds(std::uint8_t leds) noexcept;
 

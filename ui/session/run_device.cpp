@@ -58,7 +58,9 @@ Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 
     InverseSettings settings = choice.inverse;
     settings.origin_mm = start_mm;
     settings.burrs = static_cast<std::uint16_t>(std::clamp<std::size_t>(burrs, 1, 0xFFFF));
-    out.port = make_inverse_port(settings);
+    auto port = make_inverse_port(settings);
+    out.inverse = port.get();
+    out.port = std::move(port);
   } else if (choice.kind == "emulated-falcon") {
     if (!hand) {
       out.hand = std::make_shared<PointerHand>(start_mm);

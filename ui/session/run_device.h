@@ -35,6 +35,7 @@ struct RunDevice {
   std::unique_ptr<HapticPort> port;
   std::shared_ptr<PointerHand> hand;         // mouse and keys lead it: the pointer, or the emulated Falcon
   FalconPort* falcon = nullptr;              // a real one: to look at while its open() waits for homing
+  InversePort* inverse = nullptr;        // to call off while its open() waits
   EmulatedFalconPort* emulated = nullptr;
   /// What the Falcon tells, real or emulated; nullptr for others. One thread.
   const FalconView* view() const noexcept;

@@ -1,0 +1,67 @@
+#include "ui/session/background_watch.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "ui/session/errand.h"
+
+namespace cusp {
+namespace {
+
+/// Between the two threads; the looking one keeps it alive.
+struct Shared {
+  std::mutex mutex;  // held for a copy, never while anything is asked
+  std::condition_variable stopped;
+  std::vector<FoundDevice> found = with_those_of_no_hardware({});
+  bool answered = false, changed = false, stop = false;
+};
+
+void look(Shared& shared, const std::function<std::unique_ptr<DeviceWatch>()>& make, std::chrono::milliseconds every) {
+  const std::unique_ptr<DeviceWatch> watch = make();
+  std::unique_lock lock(shared.mutex);
+  while (!shared.stop) {
+    lock.unlock();
+    std::vector<FoundDevice> found;
+    const bool news = watch->changed();
+    if (news) found = watch->list();
+    lock.lock();
+    if (news && (!shared.answered || found != shared.found)) {
+      shared.found = std::move(found);
+      shared.answered = shared.changed = true;
+    }
+    shared.stopped.wait_for(lock, every, [&shared] { return shared.stop; });
+  }
+}
+
+class BackgroundWatch final : public DeviceWatch {
+ public:
+  BackgroundWatch(std::function<std::unique_ptr<DeviceWatch>()> make, std::chrono::milliseconds every)
+      : errand_([shared = shared_, make = std::move(make), every] { look(*shared, make, every); }) {}
+  ~BackgroundWatch() override {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->stop = true;
+    shared_->stopped.notify_all();
+  }
+  std::vector<FoundDevice> list() override {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->found;
+  }
+  bool changed() noexcept override {
+    const std::lock_guard lock(shared_->mutex);
+    return std::exchange(shared_->changed, false);
+  }
+
+ private:
+  std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
+  Errand errand_;
+};
+
+}  // namespace
+
+std::unique_ptr<DeviceWatch> watch_in_background(std::function<std::unique_ptr<DeviceWatch>()> make,
+                                                 std::chrono::milliseconds every) {
+  return std::make_unique<BackgroundWatch>(std::move(make), every);
+}
+
+}  // namespace cusp
