@@ -1138,11 +1138,7 @@
         </message>
     </context>
     <context>
-        <name>cusp::DrillScreen</name>
-        <message>
-            <source>Leave</source>
-            <translation>Verlassen</translation>
-        </message>
+        <name>cusp::DrillBar</name>
         <message>
             <source>Time</source>
             <translation>Zeit</translation>
@@ -1152,16 +1148,35 @@
             <translation>Pause</translation>
         </message>
         <message>
+            <source>Go on</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>%1, may be delayed</source>
+            <translation>%1, kann aufgehalten werden</translation>
+        </message>
+        <message>
+            <source>Leave</source>
+            <translation>Verlassen</translation>
+        </message>
+        <message>
+            <source>Finish</source>
+            <translation>Beenden</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::DrillScreen</name>
+        <message>
+            <source>Leave</source>
+            <translation>Verlassen</translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation>Beenden</translation>
         </message>
         <message>
             <source>Getting the tooth ready</source>
             <translation>Der Zahn wird vorbereitet</translation>
-        </message>
-        <message>
-            <source>Go on</source>
-            <translation>Weiter</translation>
         </message>
         <message>
             <source>Finish and see the result?</source>
@@ -1186,10 +1201,6 @@
         <message>
             <source>It stays in your results as interrupted.</source>
             <translation>Er bleibt als unterbrochen in Ihren Ergebnissen.</translation>
-        </message>
-        <message>
-            <source>%1, may be delayed</source>
-            <translation>%1, kann aufgehalten werden</translation>
         </message>
     </context>
     <context>
@@ -1229,14 +1240,6 @@
         <message>
             <source>Leeway</source>
             <translation>Spielraum</translation>
-        </message>
-        <message>
-            <source>Leave</source>
-            <translation>Verlassen</translation>
-        </message>
-        <message>
-            <source>Go on</source>
-            <translation>Weiter</translation>
         </message>
         <message>
             <source>Wheel: %1</source>
@@ -1281,38 +1284,6 @@
         <message>
             <source>Go on where the target still stands</source>
             <translation>Dort weiter, wo das Ziel noch steht</translation>
-        </message>
-        <message>
-            <source>Paused</source>
-            <translation>Pause</translation>
-        </message>
-        <message>
-            <source>The clock stands still. P goes on.</source>
-            <translation>Die Uhr steht. P macht weiter.</translation>
-        </message>
-        <message>
-            <source>The device does not answer</source>
-            <translation>Das Gerät antwortet nicht</translation>
-        </message>
-        <message>
-            <source>The force is off and the clock stands still. Plug it in again, then go on.</source>
-            <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann weiter.</translation>
-        </message>
-        <message>
-            <source>The record cannot be written</source>
-            <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
-        </message>
-        <message>
-            <source>%1 What you drilled so far is safe; make room on the disk, then go on.</source>
-            <translation>%1 Was bisher gebohrt wurde, ist sicher; auf dem Datenträger Platz schaffen, dann weiter.</translation>
-        </message>
-        <message>
-            <source>This computer is too slow for the exercise</source>
-            <translation>Dieser Rechner ist zu langsam für die Übung</translation>
-        </message>
-        <message>
-            <source>The go ends here and is measured as it stands.</source>
-            <translation>Der Durchgang endet hier und wird vermessen, wie er ist.</translation>
         </message>
         <message>
             <source>Depth %1, push %2, %3 of the target removed. %4</source>
@@ -1664,6 +1635,69 @@
         <message>
             <source>Find an exercise</source>
             <translation>Übung finden</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::FalconNow</name>
+        <message>
+            <source>Answers a second</source>
+            <translation>Antworten je Sekunde</translation>
+        </message>
+        <message>
+            <source>Late: half of them, one in a hundred, the latest</source>
+            <translation>Verspätet: die Hälfte, eine von hundert, die späteste</translation>
+        </message>
+        <message>
+            <source>Silences and lost answers</source>
+            <translation>Aussetzer und verlorene Antworten</translation>
+        </message>
+        <message>
+            <source>Priority</source>
+            <translation>Vorrang</translation>
+        </message>
+        <message>
+            <source>Buttons</source>
+            <translation>Tasten</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Licht</translation>
+        </message>
+        <message>
+            <source>Red</source>
+            <translation>Rot</translation>
+        </message>
+        <message>
+            <source>Green</source>
+            <translation>Grün</translation>
+        </message>
+        <message>
+            <source>Blue</source>
+            <translation>Blau</translation>
+        </message>
+        <message>
+            <source>Before everything else</source>
+            <translation>Vor allem anderen</translation>
+        </message>
+        <message>
+            <source>As any program: others may delay it</source>
+            <translation>Wie jedes Programm: Andere können es aufhalten</translation>
+        </message>
+        <message>
+            <source>Left</source>
+            <translation>Links</translation>
+        </message>
+        <message>
+            <source>Top</source>
+            <translation>Oben</translation>
+        </message>
+        <message>
+            <source>Middle</source>
+            <translation>Mitte</translation>
+        </message>
+        <message>
+            <source>Right</source>
+            <translation>Rechts</translation>
         </message>
     </context>
     <context>
@@ -2322,6 +2356,10 @@
         <message>
             <source>Pressed: %1</source>
             <translation>Gedrückt: %1</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
         </message>
     </context>
     <context>
@@ -4019,18 +4057,18 @@
             <source>Material %1</source>
             <translation>Material %1</translation>
         </message>
-    <message>
-        <source>Neighbour enamel</source>
-        <translation>Nachbarschmelz</translation>
-    </message>
-    <message>
-        <source>Neighbour dentine</source>
-        <translation>Nachbardentin</translation>
-    </message>
-    <message>
-        <source>Firm decay</source>
-        <translation>Feste Karies</translation>
-    </message>
+        <message>
+            <source>Neighbour enamel</source>
+            <translation>Nachbarschmelz</translation>
+        </message>
+        <message>
+            <source>Neighbour dentine</source>
+            <translation>Nachbardentin</translation>
+        </message>
+        <message>
+            <source>Firm decay</source>
+            <translation>Feste Karies</translation>
+        </message>
         <message>
             <source>Target removed</source>
             <translation>Ziel abgetragen</translation>
@@ -4781,10 +4819,10 @@
             <translation>Volumen (*.nrrd)</translation>
         </message>
         <message>
-        <source>Another number grows another tooth of its kind; 0 is the average</source>
-        <translation>Eine andere Zahl lässt einen anderen Zahn dieser Art wachsen; 0 ist der Durchschnitt</translation>
-    </message>
-</context>
+            <source>Another number grows another tooth of its kind; 0 is the average</source>
+            <translation>Eine andere Zahl lässt einen anderen Zahn dieser Art wachsen; 0 ist der Durchschnitt</translation>
+        </message>
+    </context>
     <context>
         <name>cusp::StartPage</name>
         <message>
@@ -4942,6 +4980,49 @@ Ihr bester davor</translation>
         </message>
     </context>
     <context>
+        <name>cusp::StopCard</name>
+        <message>
+            <source>Leave</source>
+            <translation>Verlassen</translation>
+        </message>
+        <message>
+            <source>Go on</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
+            <source>Paused</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>The clock stands still. P goes on.</source>
+            <translation>Die Uhr steht. P macht weiter.</translation>
+        </message>
+        <message>
+            <source>The device does not answer</source>
+            <translation>Das Gerät antwortet nicht</translation>
+        </message>
+        <message>
+            <source>The force is off and the clock stands still. Plug it in again, then go on.</source>
+            <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann weiter.</translation>
+        </message>
+        <message>
+            <source>The record cannot be written</source>
+            <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
+        </message>
+        <message>
+            <source>%1 What you drilled so far is safe; make room on the disk, then go on.</source>
+            <translation>%1 Was bisher gebohrt wurde, ist sicher; auf dem Datenträger Platz schaffen, dann weiter.</translation>
+        </message>
+        <message>
+            <source>This computer is too slow for the exercise</source>
+            <translation>Dieser Rechner ist zu langsam für die Übung</translation>
+        </message>
+        <message>
+            <source>The go ends here and is measured as it stands.</source>
+            <translation>Der Durchgang endet hier und wird vermessen, wie er ist.</translation>
+        </message>
+    </context>
+    <context>
         <name>cusp::TargetView</name>
         <message>
             <source>Turn</source>
@@ -5092,6 +5173,77 @@ Ihr bester davor</translation>
         <message>
             <source>Tooth</source>
             <translation>Zahn</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::TrimForm</name>
+        <message>
+            <source>Burr, from where a go begins</source>
+            <translation>Bohrer, vom Beginn eines Durchgangs aus</translation>
+        </message>
+        <message>
+            <source>held by the clutch</source>
+            <translation>von der Kupplung gehalten</translation>
+        </message>
+        <message>
+            <source>Right of the middle</source>
+            <translation>Rechts der Mitte</translation>
+        </message>
+        <message>
+            <source>Above the middle</source>
+            <translation>Über der Mitte</translation>
+        </message>
+        <message>
+            <source>Nearer than the middle</source>
+            <translation>Näher als die Mitte</translation>
+        </message>
+        <message>
+            <source>Begin where the grip is</source>
+            <translation>Beginnen, wo der Griff ist</translation>
+        </message>
+        <message>
+            <source>Of the hand&apos;s way</source>
+            <translation>Vom Weg der Hand</translation>
+        </message>
+        <message>
+            <source>Force: asked over felt</source>
+            <translation>Kraft: verlangt durch gespürt</translation>
+        </message>
+        <message>
+            <source>Top button</source>
+            <translation>Obere Taste</translation>
+        </message>
+        <message>
+            <source>Left button, which then changes no burr</source>
+            <translation>Linke Taste, die dann keinen Bohrer wechselt</translation>
+        </message>
+        <message>
+            <source>Right button, which then changes no burr</source>
+            <translation>Rechte Taste, die dann keinen Bohrer wechselt</translation>
+        </message>
+        <message>
+            <source>None</source>
+            <translation>Keine</translation>
+        </message>
+        <message>
+            <source>Clutch: the grip moves, the burr stays</source>
+            <translation>Kupplung: der Griff geht, der Bohrer bleibt</translation>
+        </message>
+        <message>
+            <source>Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the self-test again after it.</source>
+            <translation>Kraft: 2 N verlangt und 1,6 N an der Federwaage sind 125 %. Vor einer Änderung messen, danach den Selbsttest noch einmal machen.</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>Rückgängig</translation>
+        </message>
+        <message>
+            <source>The usual values</source>
+            <translation>Die üblichen Werte</translation>
+        </message>
+        <message>
+            <source>right %1, up %2, nearer %3</source>
+            <translation>rechts %1, oben %2, näher %3</translation>
         </message>
     </context>
     <context>
@@ -5340,152 +5492,152 @@ Ihr bester davor</translation>
             <translation>%1, %2, %3</translation>
         </message>
     </context>
-<context>
-    <name>cusp::WordsForm</name>
-    <message>
-        <source>Title, English</source>
-        <translation>Titel, Englisch</translation>
-    </message>
-    <message>
-        <source>Title, German</source>
-        <translation>Titel, Deutsch</translation>
-    </message>
-    <message>
-        <source>Briefing, English</source>
-        <translation>Aufgabe, Englisch</translation>
-    </message>
-    <message>
-        <source>Briefing, German</source>
-        <translation>Aufgabe, Deutsch</translation>
-    </message>
-</context>
-<context>
-    <name>cusp::ToothForm</name>
-    <message>
-        <source>Central pit</source>
-        <translation>Zentrale Grube</translation>
-    </message>
-    <message>
-        <source>Mesial pit</source>
-        <translation>Mesiale Grube</translation>
-    </message>
-    <message>
-        <source>Distal pit</source>
-        <translation>Distale Grube</translation>
-    </message>
-    <message>
-        <source>Mesial</source>
-        <translation>Mesial</translation>
-    </message>
-    <message>
-        <source>Distal</source>
-        <translation>Distal</translation>
-    </message>
-    <message>
-        <source>Buccal</source>
-        <translation>Bukkal</translation>
-    </message>
-    <message>
-        <source>Lingual</source>
-        <translation>Lingual</translation>
-    </message>
-    <message>
-        <source>Plastic, as a training model</source>
-        <translation>Kunststoff zum Üben</translation>
-    </message>
-    <message>
-        <source>Round the tooth</source>
-        <translation>Um den Zahn</translation>
-    </message>
-    <message>
-        <source>Neighbouring teeth</source>
-        <translation>Nachbarzähne</translation>
-    </message>
-    <message>
-        <source>Gums</source>
-        <translation>Zahnfleisch</translation>
-    </message>
-    <message>
-        <source>Bone</source>
-        <translation>Knochen</translation>
-    </message>
-    <message>
-        <source>The rest of the jaw</source>
-        <translation>Der übrige Kiefer</translation>
-    </message>
-    <message>
-        <source>To look at: only the tooth, its neighbours and what lies about them can be drilled</source>
-        <translation>Zum Ansehen: Gebohrt werden nur der Zahn, seine Nachbarn und was um sie liegt</translation>
-    </message>
-    <message>
-        <source>Decay</source>
-        <translation>Karies</translation>
-    </message>
-    <message>
-        <source>Add decay</source>
-        <translation>Karies hinzufügen</translation>
-    </message>
-    <message>
-        <source>How decay spreads, and how gums and bone lie, is general knowledge, not verified.</source>
-        <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
-    </message>
-    <message>
-        <source>In a fissure</source>
-        <translation>In einer Fissur</translation>
-    </message>
-    <message>
-        <source>Between teeth</source>
-        <translation>Zwischen Zähnen</translation>
-    </message>
-    <message>
-        <source>On the root</source>
-        <translation>An der Wurzel</translation>
-    </message>
-    <message>
-        <source>Kind of decay %1</source>
-        <translation>Art der Karies %1</translation>
-    </message>
-    <message>
-        <source>Place of decay %1</source>
-        <translation>Ort der Karies %1</translation>
-    </message>
-    <message>
-        <source>Remove decay %1</source>
-        <translation>Karies %1 entfernen</translation>
-    </message>
-    <message>
-        <source>Width of decay %1</source>
-        <translation>Breite der Karies %1</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Depth of decay %1</source>
-        <translation>Tiefe der Karies %1</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Softness of decay %1</source>
-        <translation>Weichheit der Karies %1</translation>
-    </message>
-    <message>
-        <source>How far from its middle to its rim decay is soft; the rest is firm</source>
-        <translation>Wie weit die Karies von der Mitte zum Rand weich ist; der Rest ist fest</translation>
-    </message>
-    <message>
-        <source>Soft</source>
-        <translation>Weich</translation>
-    </message>
-    <message>
-        <source>Depth in dentine</source>
-        <translation>Tiefe im Dentin</translation>
-    </message>
-</context>
+    <context>
+        <name>cusp::WordsForm</name>
+        <message>
+            <source>Title, English</source>
+            <translation>Titel, Englisch</translation>
+        </message>
+        <message>
+            <source>Title, German</source>
+            <translation>Titel, Deutsch</translation>
+        </message>
+        <message>
+            <source>Briefing, English</source>
+            <translation>Aufgabe, Englisch</translation>
+        </message>
+        <message>
+            <source>Briefing, German</source>
+            <translation>Aufgabe, Deutsch</translation>
+        </message>
+    </context>
+    <context>
+        <name>cusp::ToothForm</name>
+        <message>
+            <source>Central pit</source>
+            <translation>Zentrale Grube</translation>
+        </message>
+        <message>
+            <source>Mesial pit</source>
+            <translation>Mesiale Grube</translation>
+        </message>
+        <message>
+            <source>Distal pit</source>
+            <translation>Distale Grube</translation>
+        </message>
+        <message>
+            <source>Mesial</source>
+            <translation>Mesial</translation>
+        </message>
+        <message>
+            <source>Distal</source>
+            <translation>Distal</translation>
+        </message>
+        <message>
+            <source>Buccal</source>
+            <translation>Bukkal</translation>
+        </message>
+        <message>
+            <source>Lingual</source>
+            <translation>Lingual</translation>
+        </message>
+        <message>
+            <source>Plastic, as a training model</source>
+            <translation>Kunststoff zum Üben</translation>
+        </message>
+        <message>
+            <source>Round the tooth</source>
+            <translation>Um den Zahn</translation>
+        </message>
+        <message>
+            <source>Neighbouring teeth</source>
+            <translation>Nachbarzähne</translation>
+        </message>
+        <message>
+            <source>Gums</source>
+            <translation>Zahnfleisch</translation>
+        </message>
+        <message>
+            <source>Bone</source>
+            <translation>Knochen</translation>
+        </message>
+        <message>
+            <source>The rest of the jaw</source>
+            <translation>Der übrige Kiefer</translation>
+        </message>
+        <message>
+            <source>To look at: only the tooth, its neighbours and what lies about them can be drilled</source>
+            <translation>Zum Ansehen: Gebohrt werden nur der Zahn, seine Nachbarn und was um sie liegt</translation>
+        </message>
+        <message>
+            <source>Decay</source>
+            <translation>Karies</translation>
+        </message>
+        <message>
+            <source>Add decay</source>
+            <translation>Karies hinzufügen</translation>
+        </message>
+        <message>
+            <source>How decay spreads, and how gums and bone lie, is general knowledge, not verified.</source>
+            <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
+        </message>
+        <message>
+            <source>In a fissure</source>
+            <translation>In einer Fissur</translation>
+        </message>
+        <message>
+            <source>Between teeth</source>
+            <translation>Zwischen Zähnen</translation>
+        </message>
+        <message>
+            <source>On the root</source>
+            <translation>An der Wurzel</translation>
+        </message>
+        <message>
+            <source>Kind of decay %1</source>
+            <translation>Art der Karies %1</translation>
+        </message>
+        <message>
+            <source>Place of decay %1</source>
+            <translation>Ort der Karies %1</translation>
+        </message>
+        <message>
+            <source>Remove decay %1</source>
+            <translation>Karies %1 entfernen</translation>
+        </message>
+        <message>
+            <source>Width of decay %1</source>
+            <translation>Breite der Karies %1</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>Breite</translation>
+        </message>
+        <message>
+            <source>Depth of decay %1</source>
+            <translation>Tiefe der Karies %1</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>Tiefe</translation>
+        </message>
+        <message>
+            <source>Softness of decay %1</source>
+            <translation>Weichheit der Karies %1</translation>
+        </message>
+        <message>
+            <source>How far from its middle to its rim decay is soft; the rest is firm</source>
+            <translation>Wie weit die Karies von der Mitte zum Rand weich ist; der Rest ist fest</translation>
+        </message>
+        <message>
+            <source>Soft</source>
+            <translation>Weich</translation>
+        </message>
+        <message>
+            <source>Depth in dentine</source>
+            <translation>Tiefe im Dentin</translation>
+        </message>
+    </context>
     <context>
         <name>PedalWords</name>
         <message>
@@ -5792,6 +5944,14 @@ Ihr bester davor</translation>
             <source>The file is sound and will be used.</source>
             <translation>Die Datei ist in Ordnung und wird verwendet.</translation>
         </message>
+        <message>
+            <source>Looking at what is plugged in.</source>
+            <translation>Es wird nachgesehen, was angeschlossen ist.</translation>
+        </message>
+        <message>
+            <source>looking</source>
+            <translation>wird gesucht</translation>
+        </message>
     </context>
     <context>
         <name>cusp::Falcon</name>
@@ -5967,58 +6127,6 @@ Ihr bester davor</translation>
             <translation>Jetzt</translation>
         </message>
         <message>
-            <source>Answers a second</source>
-            <translation>Antworten je Sekunde</translation>
-        </message>
-        <message>
-            <source>Late: half of them, one in a hundred, the latest</source>
-            <translation>Verspätet: die Hälfte, eine von hundert, die späteste</translation>
-        </message>
-        <message>
-            <source>Silences and lost answers</source>
-            <translation>Aussetzer und verlorene Antworten</translation>
-        </message>
-        <message>
-            <source>Priority</source>
-            <translation>Vorrang</translation>
-        </message>
-        <message>
-            <source>Buttons</source>
-            <translation>Tasten</translation>
-        </message>
-        <message>
-            <source>Left</source>
-            <translation>Links</translation>
-        </message>
-        <message>
-            <source>Top</source>
-            <translation>Oben</translation>
-        </message>
-        <message>
-            <source>Middle</source>
-            <translation>Mitte</translation>
-        </message>
-        <message>
-            <source>Right</source>
-            <translation>Rechts</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>Licht</translation>
-        </message>
-        <message>
-            <source>Red</source>
-            <translation>Rot</translation>
-        </message>
-        <message>
-            <source>Green</source>
-            <translation>Grün</translation>
-        </message>
-        <message>
-            <source>Blue</source>
-            <translation>Blau</translation>
-        </message>
-        <message>
             <source>Tests</source>
             <translation>Prüfungen</translation>
         </message>
@@ -6041,14 +6149,6 @@ Ihr bester davor</translation>
         <message>
             <source>Save the report…</source>
             <translation>Bericht sichern …</translation>
-        </message>
-        <message>
-            <source>Before everything else</source>
-            <translation>Vor allem anderen</translation>
-        </message>
-        <message>
-            <source>As any program: others may delay it</source>
-            <translation>Wie jedes Programm: Andere können es aufhalten</translation>
         </message>
         <message>
             <source>Measuring, direction %1 of 3. Keep your hand off.</source>
@@ -6145,6 +6245,10 @@ Ihr bester davor</translation>
         <message>
             <source>%1 cannot be written.</source>
             <translation>%1 ist nicht beschreibbar.</translation>
+        </message>
+        <message>
+            <source>How the grip leads the burr</source>
+            <translation>Wie der Griff den Bohrer führt</translation>
         </message>
     </context>
 </TS>

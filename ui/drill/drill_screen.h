@@ -60,7 +60,7 @@ class DrillScreen : public QWidget {
 
  private:
   void look();
-  void opened(std::shared_ptr<void> go, const std::optional<RunFailure>& failure);
+  void opened(std::shared_ptr<struct OpenedGo> go, const std::optional<RunFailure>& failure);
   void finish_now();
   void graded(const std::shared_ptr<Run<RunResult>>& result);
   void enable_controls(bool on);

@@ -148,25 +148,9 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   compass_ = new Compass(*view_, this);
   compass_->hide();
 
-  stop_card_ = make_card(this);
-  auto* stop_column = new QVBoxLayout(stop_card_);
-  stop_column->setContentsMargins(px(24), px(16), px(24), px(16));
-  stop_column->setSpacing(px(8));
-  stop_title_ = make_label({}, TextRole::live, true);
-  stop_more_ = make_label({}, TextRole::body, false, "text2");
-  stop_more_->setWordWrap(true);
-  stop_column->addWidget(stop_title_);
-  stop_column->addWidget(stop_more_);
-  auto* ways = new QHBoxLayout;
-  stop_leave_ = make_button(tr("Leave"), ButtonKind::standard);
-  stop_go_on_ = make_button(tr("Go on"), ButtonKind::standard, QStringLiteral("play"));
-  connect(stop_leave_, &QPushButton::clicked, this, &DrillStage::leave);
-  connect(stop_go_on_, &QPushButton::clicked, this, &DrillStage::go_on);
-  ways->addStretch();
-  ways->addWidget(stop_leave_);
-  ways->addWidget(stop_go_on_);
-  stop_column->addLayout(ways);
-  stop_card_->hide();
+  stop_card_ = new StopCard(this);
+  connect(stop_card_, &StopCard::leave, this, &DrillStage::leave);
+  connect(stop_card_, &StopCard::go_on, this, &DrillStage::go_on);
 
   connect(view_, &ToothView::camera_changed, this, [this] {
     compass_->update();
@@ -270,7 +254,7 @@ void DrillStage::sign_coach(CoachTone tone) {
   set_ink(coach_, tone == CoachTone::bad ? "bad" : tone == CoachTone::look ? "look" : "text");
 }
 
-void DrillStage::show_values(const LiveView& live) {
+void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   live_ = live;
   depth_->set_value(live.burr_depth_mm < 0 ? std::nullopt : std::optional(live.burr_depth_mm));
   push_->set_value(live.output.contact ? live.push_n : 0.0);
@@ -285,6 +269,7 @@ void DrillStage::show_values(const LiveView& live) {
     stop = Stop::paused;
   }
   show_stopped(stop, QString::fromStdString(live.recording_where), live.fault);
+  if (stop_card_->show_falcon(falcon)) place_all();
 
   if (!look_) return;
   const double radius =
@@ -303,41 +288,7 @@ void DrillStage::show_values(const LiveView& live) {
 
 void DrillStage::show_stopped(Stop stop, const QString& where, Fault fault) {
   if (asking_ && stop == Stop::paused) stop = Stop::none;
-  if (stop == stop_) return;
-  stop_ = stop;
-  stop_card_->setVisible(stop != Stop::none);
-  if (stop == Stop::none) return;
-  QString title, more;
-  switch (stop) {
-    case Stop::none: break;
-    case Stop::paused:
-      title = tr("Paused");
-      more = tr("The clock stands still. P goes on.");
-      break;
-    case Stop::fault: {
-      const Told told = tell(fault);
-      title = told.what;
-      more = told.more;
-      break;
-    }
-    case Stop::device_gone:
-      title = tr("The device does not answer");
-      more = tr("The force is off and the clock stands still. Plug it in again, then go on.");
-      break;
-    case Stop::record:
-      title = tr("The record cannot be written");
-      more = tr("%1 What you drilled so far is safe; make room on the disk, then go on.").arg(isolate(where));
-      break;
-    case Stop::behind:
-      title = tr("This computer is too slow for the exercise");
-      more = tr("The go ends here and is measured as it stands.");
-      break;
-  }
-  stop_title_->setText(title);
-  stop_more_->setText(more);
-  stop_card_->raise();
-  place_all();
-  announce(stop_card_, title);
+  if (stop_card_->show_stop(stop, where, fault)) place_all();
 }
 
 void DrillStage::enable_tools(bool on) { tools_->setEnabled(on); }
@@ -389,8 +340,7 @@ void DrillStage::place_all() {
     coach_card_->resize(room, coach_card_->layout()->heightForWidth(room));
   }
   coach_card_->move((w - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
-  const int stop_width = std::min(px(420), w - 4 * gap);
-  stop_card_->resize(stop_width, std::max(stop_card_->layout()->heightForWidth(stop_width), stop_card_->sizeHint().height()));
+  stop_card_->fit_width(std::min(px(420), w - 4 * gap));
   stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
   if (centre_ != nullptr) {
     centre_->move((w - centre_->width()) / 2, (h - centre_->height()) / 2);

@@ -9,6 +9,7 @@
 #include "scenarios/format/scenario.h"
 #include "ui/drill/coach.h"
 #include "ui/drill/drill_feed.h"
+#include "ui/drill/stop_card.h"
 #include "ui/drill/tooth_view.h"
 #include "ui/session/observer.h"
 
@@ -25,13 +26,14 @@ class DrillStage : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Stop { none, paused, fault, device_gone, record, behind };
+  using Stop = StopCard::Stop;
 
   explicit DrillStage(QWidget* parent = nullptr);
   ToothView* view() const { return view_; }
 
   void set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse, bool is_tooth);
-  void show_values(const LiveView& live);
+  /// `falcon`: what it tells while it does not answer the go; nullptr for another device.
+  void show_values(const LiveView& live, const FalconView* falcon = nullptr);
   /// What the mouse would push with, N.
   void show_wanted_push(double newtons);
   void show_cutaway(SectionImage image);
@@ -61,11 +63,11 @@ class DrillStage : public QWidget {
   void sign_coach(CoachTone tone);
 
   ToothView* view_;
-  QFrame *tools_, *coach_card_, *legend_, *stop_card_;
+  QFrame *tools_, *coach_card_, *legend_;
+  StopCard* stop_card_;
   QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_;
   Gauge *depth_, *push_;
-  QLabel *coach_sign_, *coach_, *wanted_push_, *stop_title_, *stop_more_;
-  QPushButton *stop_go_on_, *stop_leave_;
+  QLabel *coach_sign_, *coach_, *wanted_push_;
   Compass* compass_;
   QWidget* centre_ = nullptr;
   std::optional<TargetLook> look_;
@@ -73,7 +75,6 @@ class DrillStage : public QWidget {
   std::vector<Burr> burrs_;
   LiveView live_;
   CoachLine said_, spoken_;  // shown; last told to a screen reader
-  Stop stop_ = Stop::none;
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
   bool wide_ = false;  // the specimen is more than one tooth
   int preset_ = 0;

@@ -38,23 +38,8 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   auto* head = new QHBoxLayout;
   head->addWidget(make_label(tr("Handpiece"), TextRole::section, true), 1);
   column->addLayout(head);
-  const auto row = [this, column](const QString& icon_name, const QString& name, QLabel** value) {
-    auto* holder = new QWidget(this);
-    auto* lay = new QHBoxLayout(holder);
-    lay->setContentsMargins(0, 0, 0, 0);
-    lay->setSpacing(px(8));
-    auto* sign = new QLabel(holder);
-    sign->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, devicePixelRatioF()));
-    lay->addWidget(sign);
-    lay->addWidget(make_label(name), 1);
-    *value = make_label({}, TextRole::body, true);
-    (*value)->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    (*value)->setAccessibleDescription(name);
-    lay->addWidget(*value);
-    column->addWidget(holder);
-    return holder;
-  };
-  speed_row_ = row(QStringLiteral("turn"), tr("Speed"), &speed_);
+  speed_row_ = make_fact_row(QStringLiteral("turn"), tr("Speed"), &speed_);
+  column->addWidget(speed_row_);
 
   coolant_ = make_button(tr("Coolant is off"), ButtonKind::standard, QStringLiteral("drop"), QKeySequence(Qt::Key_W));
   coolant_->setCheckable(true);
@@ -65,7 +50,8 @@ HandpiecePanel::HandpiecePanel(QWidget* parent) : QFrame(parent) {
   });
   head->addWidget(coolant_);
 
-  heat_part_ = row(QStringLiteral("heat"), tr("Tooth warmer by"), &heat_);
+  heat_part_ = make_fact_row(QStringLiteral("heat"), tr("Tooth warmer by"), &heat_);
+  column->addWidget(heat_part_);
   heat_bar_ = new Bar(Bar::Role::good, this);
   heat_bar_->setAccessibleName(tr("Tooth warmer by"));
   column->addWidget(heat_bar_);

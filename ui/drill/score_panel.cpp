@@ -176,24 +176,9 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   percent_bar_ = new Bar(Bar::Role::target, part);
   percent_bar_->setAccessibleName(tr("Target removed"));
   part->layout()->addWidget(percent_bar_);
-  const auto row = [this](QVBoxLayout* to, const QString& icon_name, const QString& name, QLabel** value) {
-    auto* holder = new QWidget(this);
-    auto* lay = new QHBoxLayout(holder);
-    lay->setContentsMargins(0, 0, 0, 0);
-    lay->setSpacing(px(8));
-    auto* sign = new QLabel(holder);
-    sign->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, devicePixelRatioF()));
-    lay->addWidget(sign);
-    lay->addWidget(make_label(name), 1);
-    *value = make_value();
-    (*value)->setAccessibleDescription(name);
-    lay->addWidget(*value);
-    to->addWidget(holder);
-    return holder;
-  };
-  row(static_cast<QVBoxLayout*>(part->layout()), QStringLiteral("warning"), tr("Cut too far"), &too_far_);
-  over_pulp_row_ = row(static_cast<QVBoxLayout*>(part->layout()), QStringLiteral("shield"),
-                       tr("Least dentine over pulp"), &over_pulp_);
+  part->layout()->addWidget(make_fact_row(QStringLiteral("warning"), tr("Cut too far"), &too_far_));
+  over_pulp_row_ = make_fact_row(QStringLiteral("shield"), tr("Least dentine over pulp"), &over_pulp_);
+  part->layout()->addWidget(over_pulp_row_);
 
   part = add_part(tr("Removed so far"));
   tissue_grid_ = new QGridLayout;

@@ -161,6 +161,22 @@ QWidget* labelled(const QString& label, QWidget* field, QLabel** out_label) {
   return box;
 }
 
+QWidget* make_fact_row(const QString& icon_name, const QString& name, QLabel** value) {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(px(8));
+  auto* sign = new QLabel(row);
+  sign->setPixmap(icon_pixmap(icon_name, Ink::text2, 16, row->devicePixelRatioF()));
+  line->addWidget(sign);
+  line->addWidget(make_label(name), 1);
+  *value = make_label({}, TextRole::body, true);
+  (*value)->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  (*value)->setAccessibleDescription(name);
+  line->addWidget(*value);
+  return row;
+}
+
 QFrame* make_rule(Qt::Orientation orientation) {
   auto* rule = new QFrame;
   rule->setProperty("kind", u"rule"_qs);

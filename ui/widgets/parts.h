@@ -86,6 +86,9 @@ class Band : public QFrame {
 /// A field under its label, 12 px; the label is the field's buddy and its name.
 QWidget* labelled(const QString& label, QWidget* field, QLabel** out_label = nullptr);
 
+/// A line of a panel: sign, name, and at the right the value, which is said under that name. Without a parent.
+QWidget* make_fact_row(const QString& icon_name, const QString& name, QLabel** value);
+
 QFrame* make_rule(Qt::Orientation orientation = Qt::Horizontal);
 QLabel* make_key_cap(const QString& key);
 

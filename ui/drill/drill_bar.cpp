@@ -1,0 +1,98 @@
+#include "ui/drill/drill_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/icon.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+
+DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
+  set_kind(this, "bar_top");
+  setFixedHeight(px(48));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(px(12), 0, px(12), 0);
+  row->setSpacing(px(12));
+  leave_ = make_button(tr("Leave"), ButtonKind::quiet, QStringLiteral("chevron_left"));
+  connect(leave_, &QPushButton::clicked, this, &DrillBar::leave);
+  row->addWidget(leave_);
+  QFrame* rule = make_rule(Qt::Vertical);
+  rule->setFixedHeight(px(32));
+  row->addWidget(rule, 0, Qt::AlignVCenter);
+  title_ = make_label({}, TextRole::section, true);
+  aside_ = make_label({});
+  set_kind(aside_, "tag");
+  row->addWidget(title_);
+  row->addWidget(aside_, 0, Qt::AlignVCenter);
+  row->addStretch(1);
+  auto* clock_sign = new QLabel(this);
+  clock_sign->setPixmap(icon_pixmap(QStringLiteral("clock"), Ink::text2, 16, devicePixelRatioF()));
+  clock_ = make_label(format_clock(0), TextRole::live, true);
+  clock_->setAccessibleDescription(tr("Time"));
+  clock_->setMinimumWidth(QFontMetrics(font_of(TextRole::live, true)).horizontalAdvance(QStringLiteral("00:00:00")));
+  row->addWidget(clock_sign);
+  row->addWidget(clock_);
+  row->addStretch(1);
+  device_name_ = make_label({}, TextRole::body, false, "text2");
+  row->addWidget(device_name_, 0, Qt::AlignVCenter);
+  pause_ = make_button(tr("Pause"), ButtonKind::standard, QStringLiteral("pause"), QKeySequence(Qt::Key_P));
+  connect(pause_, &QPushButton::clicked, this, &DrillBar::pause);
+  row->addWidget(pause_);
+  finish_ = make_button(tr("Finish"), ButtonKind::primary, QStringLiteral("flag"), QKeySequence(Qt::CTRL | Qt::Key_Return));
+  connect(finish_, &QPushButton::clicked, this, &DrillBar::finish);
+  row->addWidget(finish_);
+}
+
+void DrillBar::set_exercise(const QString& title, const QString& aside) {
+  title_->setText(title);
+  aside_->setText(aside);
+  aside_->setVisible(!aside.isEmpty());
+}
+
+void DrillBar::set_seconds(double seconds) {
+  const QString time = format_clock(seconds);
+  if (time != clock_->text()) clock_->setText(time);
+}
+
+void DrillBar::set_device(const DeviceLimits& device) {
+  device_ = device;
+  device_name_->setText(device_name(device.device_class));
+}
+
+void DrillBar::show_grant(const RealtimeGrant& grant) {
+  if (told_grant_ || grant.refusal == RealtimeRefusal::not_asked) return;
+  told_grant_ = true;
+  if (!device_.closed_loop || grant.realtime()) return;
+  const Told told = tell(grant);
+  device_name_->setText(tr("%1, may be delayed").arg(device_name(device_.device_class)));
+  device_name_->setToolTip(told.line());
+  set_ink(device_name_, "look");
+  announce(this, told.line());
+}
+
+void DrillBar::set_stopped(bool stopped) {
+  if (stopped == stopped_) return;
+  stopped_ = stopped;
+  const QString act = stopped ? tr("Go on") : tr("Pause");
+  pause_->setIcon(icon(stopped ? QStringLiteral("play") : QStringLiteral("pause")));
+  pause_->setText(u' ' + act);  // as make_button: the style leaves no room after the sign
+  pause_->setAccessibleName(act);
+  pause_->setToolTip(QStringLiteral("%1 (%2)").arg(act, QKeySequence(Qt::Key_P).toString(QKeySequence::NativeText)));
+  pause_->setShortcut(Qt::Key_P);  // a new text takes the shortcut away
+}
+
+void DrillBar::enable_go(bool on) {
+  pause_->setEnabled(on);
+  finish_->setEnabled(on);
+}
+
+void DrillBar::enable_leave(bool on) { leave_->setEnabled(on); }
+
+void DrillBar::enable_finish(bool on) { finish_->setEnabled(on); }
+
+}  // namespace cusp

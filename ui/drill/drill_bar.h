@@ -1,0 +1,44 @@
+/// The bar over the drilling screen: the way out, the exercise, the clock, the device, Pause and Finish. Thread: GUI.
+#pragma once
+
+#include <QFrame>
+
+#include "engine/base/haptic_port.h"
+#include "engine/loop/realtime.h"
+
+class QLabel;
+class QPushButton;
+
+namespace cusp {
+
+class DrillBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit DrillBar(QWidget* parent = nullptr);
+
+  void set_exercise(const QString& title, const QString& aside);
+  void set_seconds(double seconds);
+  void set_device(const DeviceLimits& device);
+  /// Only a device that pushes a hand suffers from late ticks; said, and read out, as soon as the loop knows what it was
+  /// granted.
+  void show_grant(const RealtimeGrant& grant);
+  /// Pause, or Go on once it stands.
+  void set_stopped(bool stopped);
+  void enable_go(bool on);
+  void enable_leave(bool on);
+  void enable_finish(bool on);
+
+ Q_SIGNALS:
+  void leave();
+  void pause();
+  void finish();
+
+ private:
+  QLabel *title_, *aside_, *clock_, *device_name_;
+  QPushButton *leave_, *pause_, *finish_;
+  DeviceLimits device_;
+  bool told_grant_ = false, stopped_ = false;
+};
+
+}  // namespace cusp

@@ -1,0 +1,95 @@
+#include "ui/drill/stop_card.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/app/sentences.h"
+#include "ui/device/homing_view.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+
+StopCard::StopCard(QWidget* parent) : QFrame(parent) {
+  set_kind(this, "card");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(px(24), px(16), px(24), px(16));
+  column->setSpacing(px(8));
+  title_ = make_label({}, TextRole::live, true);
+  title_->setWordWrap(true);
+  more_ = make_label({}, TextRole::body, false, "text2");
+  more_->setWordWrap(true);
+  column->addWidget(title_);
+  column->addWidget(more_);
+  homing_ = new HomingView(this);
+  homing_->hide();
+  column->addWidget(homing_);
+  auto* ways = new QHBoxLayout;
+  QPushButton* leave = make_button(tr("Leave"), ButtonKind::standard);
+  QPushButton* go_on = make_button(tr("Go on"), ButtonKind::standard, QStringLiteral("play"));
+  connect(leave, &QPushButton::clicked, this, &StopCard::leave);
+  connect(go_on, &QPushButton::clicked, this, &StopCard::go_on);
+  ways->addStretch();
+  ways->addWidget(leave);
+  ways->addWidget(go_on);
+  column->addLayout(ways);
+  hide();
+}
+
+bool StopCard::show_stop(Stop stop, const QString& where, Fault fault) {
+  if (stop == stop_) return false;
+  stop_ = stop;
+  setVisible(stop != Stop::none);
+  if (stop == Stop::none) return true;
+  QString title, more;
+  switch (stop) {
+    case Stop::none: break;
+    case Stop::paused:
+      title = tr("Paused");
+      more = tr("The clock stands still. P goes on.");
+      break;
+    case Stop::fault: {
+      const Told told = tell(fault);
+      title = told.what;
+      more = told.more;
+      break;
+    }
+    case Stop::device_gone:
+      title = tr("The device does not answer");
+      more = tr("The force is off and the clock stands still. Plug it in again, then go on.");
+      break;
+    case Stop::record:
+      title = tr("The record cannot be written");
+      more = tr("%1 What you drilled so far is safe; make room on the disk, then go on.").arg(isolate(where));
+      break;
+    case Stop::behind:
+      title = tr("This computer is too slow for the exercise");
+      more = tr("The go ends here and is measured as it stands.");
+      break;
+  }
+  title_->setText(title);
+  more_->setText(more);
+  raise();
+  announce(this, title);
+  return true;
+}
+
+bool StopCard::show_falcon(const FalconView* view) {
+  const bool wanted = view != nullptr && stop_ == Stop::device_gone;
+  if (wanted) homing_->show_falcon(*view);
+  const QString told = wanted ? homing_->text() : QString();
+  if (told == told_) return false;
+  told_ = told;
+  homing_->setVisible(wanted);
+  return true;
+}
+
+void StopCard::fit_width(int width) {
+  resize(width, std::max(layout()->heightForWidth(width), sizeHint().height()));
+}
+
+}  // namespace cusp

@@ -1,0 +1,40 @@
+/// The card over the view that says why the go stands still, and the ways on. Thread: GUI.
+#pragma once
+
+#include <QFrame>
+
+#include "device/falcon/falcon_port.h"
+#include "engine/step/step.h"
+
+class QLabel;
+
+namespace cusp {
+
+class HomingView;
+
+class StopCard : public QFrame {
+  Q_OBJECT
+
+ public:
+  enum class Stop { none, paused, fault, device_gone, record, behind };
+
+  explicit StopCard(QWidget* parent = nullptr);
+  /// `where`: of the record that cannot be written; `fault`: of Stop::fault. Read out when it is another. True if it was.
+  bool show_stop(Stop stop, const QString& where, Fault fault);
+  /// While it is gone, what a Falcon tells of its way back, with the picture of homing. True if the card grew or shrank.
+  bool show_falcon(const FalconView* view);
+  /// Its height at that width.
+  void fit_width(int width);
+
+ Q_SIGNALS:
+  void go_on();
+  void leave();
+
+ private:
+  QLabel *title_, *more_;
+  HomingView* homing_;
+  QString told_;  // by the homing, as it was laid out
+  Stop stop_ = Stop::none;
+};
+
+}  // namespace cusp
