@@ -47,7 +47,8 @@ FalconPort::FalconPort(std::unique_ptr<falcon::FalconLink> link, const FalconSet
     : link_(std::move(link)),
       settings_(settings),
       session_(settings.session),
-      workspace_(workspace_of(settings.workspace)) {}
+      workspace_(workspace_of(settings.workspace)),
+      force_gain_(settings.calibration.force_gain) {}
 
 FalconPort::~FalconPort() { close(); }
 
@@ -217,7 +218,9 @@ void FalconPort::write(const Feedback& feedback) noexcept {
   } else {
     const Vec3 push = falcon::torque_nm(pose_->rows, workspace_.device_n(feedback.force_n));
     const Vec3 weight = falcon::gravity_torque_nm(settings_.geometry, *pose_, settings_.gravity);
-    session_.command(falcon::counts_of_torque(settings_.calibration, push + weight));
+    falcon::Calibration calibration = settings_.calibration;
+    calibration.force_gain = force_gain_.load(std::memory_order_relaxed);
+    session_.command(falcon::counts_of_torque(calibration, push + weight));
   }
   session_.exchange(link_->now());
   hand_over();

@@ -86,6 +86,8 @@ class FalconPort final : public HapticPort {
   const FalconView& view() noexcept { return view_.read(); }
   /// Any thread; falcon::control bits, lit while ready.
   void set_leds(std::uint8_t leds) noexcept { leds_.store(leds, std::memory_order_relaxed); }
+  /// Any thread, while no force is given: Calibration::force_gain from the next packet on.
+  void set_force_gain(double gain) noexcept { force_gain_.store(gain, std::memory_order_relaxed); }
 
  private:
   void hand_over() noexcept;
@@ -109,6 +111,7 @@ class FalconPort final : public HapticPort {
   Sample last_;
   bool open_ = false;
   std::atomic<bool> cancelled_{false};
+  std::atomic<double> force_gain_;
   std::atomic<std::uint8_t> leds_{falcon::control::kBlue};
   TripleBuffer<FalconView> view_;
 };

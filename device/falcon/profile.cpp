@@ -6,8 +6,8 @@ namespace cusp {
 
 namespace {
 
-// What a profile may say; beyond these a file was damaged or a measurement went wrong [M].
-constexpr double kMostTrimRad = 0.1, kLeastGain = 0.25, kMostGain = 4.0, kMostGripKg = 1.0, kMostArmKgM = 0.05;
+// As the limits of profile.h [M].
+constexpr double kMostTrimRad = 0.1, kMostGripKg = 1.0, kMostArmKgM = 0.05;
 constexpr double kMostDamping = 20.0, kMostDelayMs = 20.0, kMostEncoderMm = 1.0;
 
 bool within(double value, double low, double high) noexcept { return value >= low && value <= high; }
@@ -24,13 +24,24 @@ FalconSettings settings_for(const FalconProfile& profile, Vec3 origin_mm, std::u
   if (within(trim.x, -kMostTrimRad, kMostTrimRad) && within(trim.y, -kMostTrimRad, kMostTrimRad) &&
       within(trim.z, -kMostTrimRad, kMostTrimRad))
     out.calibration.trim_rad = trim;
-  if (within(profile.calibration.force_gain, kLeastGain, kMostGain))
+  if (within(profile.calibration.force_gain, kLeastForceGain, kMostForceGain))
     out.calibration.force_gain = profile.calibration.force_gain;
   if (within(profile.gravity.grip_kg, 0.0, kMostGripKg) && within(profile.gravity.arm_kg_m, 0.0, kMostArmKgM))
     out.gravity = profile.gravity;
   if (within(profile.scale, falcon::Workspace::kMinScale, falcon::Workspace::kMaxScale))
     out.workspace.scale = profile.scale;
+  const Vec3 shift = profile.centre_m - falcon::kMiddleM;
+  if (within(shift.x, -kMostCentreShiftM, kMostCentreShiftM) && within(shift.y, -kMostCentreShiftM, kMostCentreShiftM) &&
+      within(shift.z, -kMostCentreShiftM, kMostCentreShiftM))
+    out.workspace.centre_m = profile.centre_m;
   out.workspace.origin_mm = origin_mm;
+  FalconButtons& does = out.buttons;
+  if (profile.clutch == 0 || profile.clutch == does.clutch || profile.clutch == does.next_burr ||
+      profile.clutch == does.previous_burr) {
+    if (profile.clutch == does.next_burr) does.next_burr = 0;
+    if (profile.clutch == does.previous_burr) does.previous_burr = 0;
+    does.clutch = profile.clutch;
+  }
   out.burrs = burrs;
   out.damping_ns_per_m = kept(profile.damping_ns_per_m, kMostDamping);
   out.delay_ms = kept(profile.delay_ms, kMostDelayMs);

@@ -82,6 +82,9 @@ FalconProfile DeviceSettings::profile(const std::string& name) const {
   out.gravity.grip_kg = number("grip_kg").value_or(0.0);
   out.gravity.arm_kg_m = number("arm_kg_m").value_or(0.0);
   out.scale = number("scale").value_or(out.scale);
+  const Vec3 usual = out.centre_m;
+  out.centre_m = {number("centre_x_m").value_or(usual.x), number("centre_y_m").value_or(usual.y), number("centre_z_m").value_or(usual.z)};
+  out.clutch = static_cast<std::uint8_t>(store_.value(group(name, "clutch"), out.clutch).toUInt());
   out.damping_ns_per_m = number("damping_ns_per_m");
   out.delay_ms = number("delay_ms");
   out.friction_n = number("friction_n");
@@ -105,6 +108,10 @@ void DeviceSettings::set_profile(const std::string& name, const FalconProfile& p
   keep("grip_kg", profile.gravity.grip_kg);
   keep("arm_kg_m", profile.gravity.arm_kg_m);
   keep("scale", profile.scale);
+  keep("centre_x_m", profile.centre_m.x);
+  keep("centre_y_m", profile.centre_m.y);
+  keep("centre_z_m", profile.centre_m.z);
+  keep("clutch", profile.clutch);
   keep("damping_ns_per_m", profile.damping_ns_per_m);
   keep("delay_ms", profile.delay_ms);
   keep("friction_n", profile.friction_n);

@@ -8,6 +8,7 @@
 #include <QRadioButton>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "device/falcon/permissions.h"
 #include "device/hid/hid_station.h"
@@ -24,19 +25,21 @@
 namespace cusp {
 namespace {
 
-constexpr int kLookMs = 1000;
+constexpr int kLookMs = 200;      // what was found is there already: no wait
 constexpr int kShownDigits = 16;  // of the file's 64: enough to compare by eye
 
 }  // namespace
 
 struct DevicePage::Inner {
-  Inner(const QString& file, Ports world, bool for_staff, std::unique_ptr<DeviceWatch> devices)
-      : device(file), ports(std::move(world)), staff(for_staff), watch(std::move(devices)) {}
+  Inner(const QString& file, Ports world, bool for_staff, MakeWatch make)
+      : device(file), ports(std::move(world)), staff(for_staff), make_watch(std::move(make)), watch(make_watch()) {}
 
   DeviceSettings device;
   Ports ports;
   bool staff;
-  std::unique_ptr<DeviceWatch> watch;
+  MakeWatch make_watch;
+  std::unique_ptr<DeviceWatch> watch;  // none while nobody sees the page
+  bool known = false;                  // the first answer is there
   std::vector<FoundDevice> found;
   QTimer timer;
 
@@ -52,7 +55,7 @@ struct DevicePage::Inner {
 };
 
 DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStation* hid, MakeWatch watch, QWidget* parent)
-    : QWidget(parent), inner_(std::make_unique<Inner>(settings.file(), std::move(ports), staff, watch())) {
+    : QWidget(parent), inner_(std::make_unique<Inner>(settings.file(), std::move(ports), staff, std::move(watch))) {
   Inner& in = *inner_;
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
@@ -66,7 +69,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   in.list = new QVBoxLayout;
   in.list->setSpacing(px(4));
   card->body()->addLayout(in.list);
-  in.no_falcon = make_label(tr("No Falcon is plugged in. One that is plugged in appears here by itself."), TextRole::body, false, "text2");
+  in.no_falcon = make_label({}, TextRole::body, false, "text2");
   in.no_falcon->setWordWrap(true);
   card->body()->addWidget(in.no_falcon);
   in.rights = new RightsRow(card);
@@ -107,7 +110,7 @@ DevicePage::DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStat
   in.timer.setInterval(kLookMs);
   connect(&in.timer, &QTimer::timeout, this, &DevicePage::look);
   in.found = in.watch->list();
-  in.watch->changed();
+  in.known = in.watch->changed();
   fill();
 }
 
@@ -123,19 +126,21 @@ QStringList DevicePage::listed() const {
 
 void DevicePage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  if (!inner_->watch) inner_->watch = inner_->make_watch();
   inner_->timer.start();
 }
 
 void DevicePage::hideEvent(QHideEvent* event) {
   inner_->timer.stop();
+  inner_->watch.reset();
   QWidget::hideEvent(event);
 }
 
 void DevicePage::look() {
   Inner& in = *inner_;
-  if (!in.watch->changed()) return;
+  if (!in.watch || !in.watch->changed()) return;
   auto now = in.watch->list();
-  if (now == in.found) return;
+  if (std::exchange(in.known, true) && now == in.found) return;
   in.found = std::move(now);
   fill();
 }
@@ -166,7 +171,9 @@ void DevicePage::fill() {
     line->addWidget(pick);
     const bool missing = !there && is_chosen(one);
     denied = denied || one.denied;
-    if (missing) {
+    if (missing && !in.known) {
+      line->addWidget(new Chip(tr("looking"), Chip::Kind::plain));
+    } else if (missing) {
       line->addWidget(new Chip(tr("not plugged in"), Chip::Kind::look));
     } else if (one.denied) {
       line->addWidget(new Chip(tr("not permitted"), Chip::Kind::bad));
@@ -180,6 +187,8 @@ void DevicePage::fill() {
     column->addLayout(line);
   }
   in.list->addWidget(in.rows);
+  in.no_falcon->setText(in.known ? tr("No Falcon is plugged in. One that is plugged in appears here by itself.")
+                                 : tr("Looking at what is plugged in."));
   in.no_falcon->setVisible(std::none_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "falcon"; }));
   in.inverse->setVisible(chosen.kind == "inverse3" ||
                          std::any_of(in.found.begin(), in.found.end(), [](const auto& one) { return one.kind == "inverse3"; }));

@@ -9,6 +9,7 @@
 #include "device/catalogue.h"
 #include "ui/app/ports.h"
 #include "ui/app/settings.h"
+#include "ui/session/background_watch.h"
 
 namespace cusp {
 
@@ -21,8 +22,8 @@ class DevicePage : public QWidget {
 
  public:
   using MakeWatch = std::function<std::unique_ptr<DeviceWatch>()>;
-  /// `settings` and `hid` outlive this; `hid` null: no pedal, no SpaceMouse.
-  DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStation* hid = nullptr, MakeWatch watch = watch_devices,
+  /// `settings` and `hid` outlive this; `hid` null: no pedal, no SpaceMouse. The watch lasts while the page is seen.
+  DevicePage(Settings& settings, Ports ports, bool staff, hid::HidStation* hid = nullptr, MakeWatch watch = [] { return watch_in_background(); },
              QWidget* parent = nullptr);
   ~DevicePage() override;
 
@@ -31,7 +32,7 @@ class DevicePage : public QWidget {
   QStringList listed() const;
 
  public Q_SLOTS:
-  /// Reads what is plugged in; by itself once a second while the page is seen.
+  /// Takes over what was found; by itself while the page is seen.
   void look();
 
  protected:

@@ -1,6 +1,5 @@
 #include "ui/device/falcon_panel.h"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
@@ -14,12 +13,13 @@
 #include "device/falcon/permissions.h"
 #include "device/falcon/self_test.h"
 #include "device/falcon/weighing.h"
+#include "ui/device/falcon_now.h"
 #include "ui/device/falcon_words.h"
 #include "ui/device/homing_view.h"
 #include "ui/device/rights_row.h"
 #include "ui/device/self_test_report.h"
+#include "ui/device/trim_form.h"
 #include "ui/session/device_bench.h"
-#include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/parts.h"
@@ -29,7 +29,6 @@ namespace {
 
 constexpr int kLookMs = 50;
 constexpr double kFeelN = 2.0;  // of the force test
-constexpr double kSlowAnswers = 950.0;
 
 void set_text(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
@@ -72,8 +71,10 @@ struct FalconPanel::Inner {
   QPushButton* again;
   RightsRow* rights;
   HomingView* homing;
-  QLabel *rate, *late, *lost, *grant, *step, *outcome, *measured;
-  Chip* buttons[4];
+  FalconNow* now;
+  Card* trim_card;
+  TrimForm* trim;
+  QLabel *step, *outcome, *measured;
   Bar* progress;
   QPushButton *force, *self_test, *weigh, *stop, *save;
 };
@@ -101,48 +102,11 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   row->addWidget(place, 1);
 
   auto* live = new Card(tr("Now"), {}, this);
-  auto* grid = new QGridLayout;
-  grid->setHorizontalSpacing(px(16));
-  grid->setVerticalSpacing(px(8));
-  int line = 0;
-  const auto fact = [&](const QString& title) {
-    QLabel* value = make_label(QStringLiteral("–"), TextRole::body, true);
-    value->setAccessibleDescription(title);
-    grid->addWidget(make_label(title, TextRole::body, false, "text2"), line, 0);
-    grid->addWidget(value, line++, 1);
-    return value;
-  };
-  in.rate = fact(tr("Answers a second"));
-  in.late = fact(tr("Late: half of them, one in a hundred, the latest"));
-  in.lost = fact(tr("Silences and lost answers"));
-  in.grant = fact(tr("Priority"));
-  grid->setColumnStretch(1, 1);
-  live->body()->addLayout(grid);
-  auto* pads = new QHBoxLayout;
-  pads->setSpacing(px(8));
-  pads->addWidget(make_label(tr("Buttons"), TextRole::body, false, "text2"));
-  const QString names[] = {tr("Left"), tr("Top"), tr("Middle"), tr("Right")};
-  for (int i = 0; i < 4; ++i) {
-    in.buttons[i] = new Chip(names[i], Chip::Kind::plain, live);
-    pads->addWidget(in.buttons[i]);
-  }
-  pads->addStretch();
-  live->body()->addLayout(pads);
-  auto* lights = new QHBoxLayout;
-  lights->setSpacing(px(8));
-  lights->addWidget(make_label(tr("Light"), TextRole::body, false, "text2"));
-  const std::pair<QString, std::uint8_t> colours[] = {{tr("Red"), falcon::control::kRed},
-                                                      {tr("Green"), falcon::control::kGreen},
-                                                      {tr("Blue"), falcon::control::kBlue}};
-  for (const auto& [colour, bits] : colours) {
-    QPushButton* light = make_button(colour, ButtonKind::quiet);
-    connect(light, &QPushButton::clicked, this, [this, led = bits] {
-      if (inner_->bench) inner_->bench->set_leds(led);
-    });
-    lights->addWidget(light);
-  }
-  lights->addStretch();
-  live->body()->addLayout(lights);
+  in.now = new FalconNow(live);
+  connect(in.now, &FalconNow::light_wanted, this, [this](std::uint8_t leds) {
+    if (inner_->bench) inner_->bench->set_leds(leds);
+  });
+  live->body()->addWidget(in.now);
   live->body()->addStretch();
   row->addWidget(live, 1);
   column->addLayout(row);
@@ -178,6 +142,18 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   tests->body()->addWidget(in.save, 0, Qt::AlignLeft);
   column->addWidget(tests);
 
+  in.trim_card = new Card(tr("How the grip leads the burr"), {}, this);
+  in.trim = new TrimForm(in.trim_card);
+  in.trim_card->body()->addWidget(in.trim);
+  connect(in.trim, &TrimForm::changed, this, [this](const FalconTrim& trim) {
+    FalconProfile profile = inner_->settings.profile(inner_->name);
+    put_trim(trim, profile);
+    inner_->settings.set_profile(inner_->name, profile);
+    if (inner_->bench) inner_->bench->set_force_gain(trim.force_gain);
+    show_measured();
+  });
+  column->addWidget(in.trim_card);
+
   in.self_test->setVisible(staff);
   in.weigh->setVisible(staff);
   in.measured->setVisible(staff);
@@ -202,6 +178,10 @@ void FalconPanel::set_device(const std::string& kind, const std::string& name) {
   inner_->band->clear();
   inner_->rights->set_command({});
   inner_->homing->show_falcon({});
+  // Nothing is kept of an emulated one.
+  inner_->trim_card->setVisible(inner_->staff && kind == "falcon");
+  inner_->trim->set_trim(trim_of(inner_->settings.profile(name)));
+  inner_->trim->show_grip({}, false);
   show_measured();
   if (isVisible()) open();
 }
@@ -253,22 +233,12 @@ void FalconPanel::look() {
     }
   }
   const bool up = v.phase == BenchPhase::running;
-  if (up) {
-    set_text(in.rate, v.answers_per_s > 0 ? format_number(v.answers_per_s, 0) : QStringLiteral("–"));
-    set_ink(in.rate, v.answers_per_s > 0 && v.answers_per_s < kSlowAnswers ? "look" : "");
-    const auto us = [](double value) { return format({value, {}, QStringLiteral("µs"), 0}); };
-    set_text(in.late, us(v.late_p50_us) + QStringLiteral(" · ") + us(v.late_p99_us) + QStringLiteral(" · ") + us(v.late_max_us));
-    set_text(in.lost, format_number(static_cast<double>(v.silences), 0) + QStringLiteral(" · ") +
-                          format_number(static_cast<double>(v.lost_answers), 0));
-    set_text(in.grant, v.grant.realtime() ? tr("Before everything else") : tr("As any program: others may delay it"));
-    set_ink(in.grant, v.grant.realtime() ? "" : "look");
-  }
-  const std::uint8_t bits[] = {falcon::status::kMinus, falcon::status::kForward, falcon::status::kCentre, falcon::status::kPlus};
-  const QString names[] = {tr("Left"), tr("Top"), tr("Middle"), tr("Right")};
-  for (int i = 0; i < 4; ++i)
-    in.buttons[i]->set(names[i], (v.falcon.session.buttons & bits[i]) != 0 ? Chip::Kind::accent : Chip::Kind::plain);
+  in.now->show_bench(v);
+  const bool homed = up && v.falcon.session.phase == falcon::Phase::ready;
+  in.trim->show_grip(v.falcon, homed);
   const bool tests = in.running != Running::nothing;
-  const bool may = up && !tests && v.falcon.session.phase == falcon::Phase::ready;
+  in.trim->setEnabled(!tests);
+  const bool may = homed && !tests;
   in.force->setEnabled(may);
   in.self_test->setEnabled(may);
   in.weigh->setEnabled(may);

@@ -1,7 +1,7 @@
 #include "ui/device/inverse_panel.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,15 +10,18 @@
 #include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
-#include <thread>
+#include <optional>
 
 #include "ui/app/device_settings.h"
 #include "ui/app/settings.h"
+#include "ui/device/panel_card.h"
+#include "ui/session/errand.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/gauge.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -33,6 +36,12 @@ double radians(int degrees) { return degrees * std::numbers::pi / 180.0; }
 
 QString millimetres(double m) { return format({m * 1000.0, {}, QStringLiteral("mm"), 1}); }
 
+/// What the errand brings back, whenever that is.
+struct Answer {
+  std::mutex mutex;
+  std::optional<Result<void, PortFailure>> result;
+};
+
 }  // namespace
 
 struct InversePanel::Inner {
@@ -41,8 +50,10 @@ struct InversePanel::Inner {
   std::optional<DeviceSettings> kept;
   MakePort make;
   InverseSettings settings;
-  std::unique_ptr<InversePort> port;
-  std::thread worker;
+  std::shared_ptr<InversePort> port;  // the errand has it too: whoever drops it last closes it
+  Errand asking;
+  std::shared_ptr<Answer> answer;
+  QElapsedTimer asked_for;
   State state = State::away;
   PortFailure failure{PortError::not_found, {}};
   QTimer timer;
@@ -50,7 +61,8 @@ struct InversePanel::Inner {
 
   Chip* chip;
   QLabel *told, *place, *rate, *handle;
-  QPushButton *ask, *free;
+  QPushButton *ask, *free, *cancel;
+  Bar* progress;
   QComboBox* turned;
   QSpinBox *scale, *service;
   QWidget* values;
@@ -68,19 +80,8 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
     in.kept.emplace(settings->file());
     in.settings = in.kept->inverse();
   }
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  // In a card of the page it is that card's; alone it brings one.
-  auto* card = qobject_cast<Card*>(parent);
-  QVBoxLayout* column = outer;
-  if (!card || !card->head()) {
-    card = new Card(QStringLiteral("Haply Inverse3"));
-    outer->addWidget(card);
-    column = card->body();
-  }
-  column->setSpacing(px(12));
-  in.chip = new Chip;
-  card->head()->addWidget(in.chip);
+  const auto [column, chip] = panel_card(*this, QStringLiteral("Haply Inverse3"));
+  in.chip = chip;
   auto* about = make_label(tr("It is reached through its maker's own service on this computer, which you install. Not yet tried with "
                               "a real device: its directions, forces and rate are not verified."),
                            TextRole::caption, false, "text2");
@@ -89,6 +90,10 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   in.told = make_label({});
   in.told->setWordWrap(true);
   column->addWidget(in.told);
+  in.progress = new Bar(Bar::Role::accent);
+  in.progress->setAccessibleName(tr("Asking the service."));
+  in.progress->hide();
+  column->addWidget(in.progress);
 
   in.values = new QWidget;
   auto* grid = new QGridLayout(in.values);
@@ -134,11 +139,15 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   in.free = make_button(tr("Let it go"), ButtonKind::quiet);
   acts->addWidget(in.ask);
   acts->addWidget(in.free);
+  in.cancel = make_button(tr("Cancel"), ButtonKind::quiet);
+  in.cancel->hide();
+  acts->addWidget(in.cancel);
   acts->addStretch(1);
   column->addLayout(acts);
 
   connect(in.ask, &QPushButton::clicked, this, &InversePanel::connect_to_it);
   connect(in.free, &QPushButton::clicked, this, &InversePanel::let_go);
+  connect(in.cancel, &QPushButton::clicked, this, &InversePanel::let_go);
   connect(in.turned, &QComboBox::currentIndexChanged, this, [this](int index) {
     inner_->settings.yaw_rad = radians(index * kQuarterDeg);
     inner_->keep();
@@ -156,10 +165,7 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   look();
 }
 
-InversePanel::~InversePanel() {
-  let_go();
-  QCoreApplication::removePostedEvents(this, QEvent::MetaCall);
-}
+InversePanel::~InversePanel() { let_go(); }
 
 InverseSettings InversePanel::chosen() const { return inner_->settings; }
 
@@ -169,26 +175,33 @@ void InversePanel::connect_to_it() {
   let_go();
   in.state = Inner::State::asking;
   in.port = in.make(in.settings);
-  look();
-  in.worker = std::thread([this, port = in.port.get()] {
-    const auto result = port->open();
-    std::optional<PortFailure> failure;
-    if (!result) failure = result.error();
-    QMetaObject::invokeMethod(this, [this, failure] { opened(failure); }, Qt::QueuedConnection);
+  in.answer = std::make_shared<Answer>();
+  in.asking = Errand([port = in.port, answer = in.answer] {
+    auto result = port->open();
+    const std::lock_guard lock(answer->mutex);
+    answer->result = std::move(result);
   });
+  in.asked_for.start();
+  in.timer.start();
+  look();
 }
 
-void InversePanel::opened(const std::optional<PortFailure>& failure) {
+void InversePanel::take_answer() {
   Inner& in = *inner_;
-  if (in.worker.joinable()) in.worker.join();
-  if (in.state != Inner::State::asking) return;
-  if (failure) {
-    in.failure = *failure;
-    in.port.reset();
-    in.state = Inner::State::refused;
-  } else {
-    in.state = Inner::State::answers;
-    in.timer.start();
+  {
+    const std::lock_guard lock(in.answer->mutex);
+    if (!in.answer->result) return;
+    if (*in.answer->result) {
+      in.state = Inner::State::answers;
+    } else {
+      in.failure = in.answer->result->error();
+      in.state = Inner::State::refused;
+    }
+  }
+  in.asking = {};
+  if (in.state == Inner::State::refused) {
+    in.timer.stop();
+    in.port.reset();  // closed already
   }
   look();
   announce(this, in.told->text());
@@ -196,9 +209,13 @@ void InversePanel::opened(const std::optional<PortFailure>& failure) {
 
 void InversePanel::let_go() {
   Inner& in = *inner_;
-  if (in.worker.joinable()) in.worker.join();  // at most the three seconds of open()
   in.timer.stop();
-  in.port.reset();
+  if (in.port) {
+    in.port->cancel();
+    // The last words go out and the line is closed on a thread that may wait for that.
+    Errand([port = std::move(in.port)]() mutable { port.reset(); });
+  }
+  in.asking = {};
   in.state = Inner::State::away;
   look();
 }
@@ -206,6 +223,10 @@ void InversePanel::let_go() {
 void InversePanel::look() {
   Inner& in = *inner_;
   using State = Inner::State;
+  if (in.state == State::asking) {
+    take_answer();
+    if (in.state != State::asking) return;  // it has looked
+  }
   QString told;
   bool values = false;
   switch (in.state) {
@@ -216,6 +237,9 @@ void InversePanel::look() {
     case State::asking:
       in.chip->set(tr("asking"), Chip::Kind::plain);
       told = tr("Asking the service.");
+      in.progress->set_share(1e-3 * static_cast<double>(in.asked_for.elapsed()) /
+                                 std::chrono::duration<double>(InversePort::kLongestOpen).count(),
+                             told);
       break;
     case State::refused:
       in.chip->set(tr("not found"), Chip::Kind::look);
@@ -254,6 +278,8 @@ void InversePanel::look() {
   in.values->setVisible(values);
   in.ask->setEnabled(in.state == State::away || in.state == State::refused);
   in.free->setVisible(in.state == State::answers);
+  in.cancel->setVisible(in.state == State::asking);
+  in.progress->setVisible(in.state == State::asking);
   const bool still = in.state != State::asking && in.state != State::answers;
   for (QWidget* field : {static_cast<QWidget*>(in.turned), static_cast<QWidget*>(in.scale), static_cast<QWidget*>(in.service)})
     field->setEnabled(still);
@@ -266,7 +292,7 @@ void InversePanel::look() {
 QString InversePanel::summary() const { return QStringLiteral("Haply Inverse3: %1").arg(inner_->chip->text()); }
 
 void InversePanel::hideEvent(QHideEvent* event) {
-  if (inner_->state == Inner::State::answers) let_go();
+  let_go();
   QWidget::hideEvent(event);
 }
 

@@ -1,12 +1,11 @@
 /// The Haply Inverse3 on the device page: whether its service answers, what it tells, and how it lies in the hand's
-/// space. It stands in the card that it is put into, or brings one. Thread: GUI; the service is asked on a thread of its
-/// own, and only when the user asks for it.
+/// space. It stands in the card that it is put into, or brings one. Thread: GUI. The service is asked as an errand, and only
+/// when the user asks for it; no call here waits for it.
 #pragma once
 
 #include <QWidget>
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "device/inverse/inverse_port.h"
 
@@ -29,7 +28,7 @@ class InversePanel : public QWidget {
   InverseSettings chosen() const;
   /// Asks the service. Answers show by themselves.
   void connect_to_it();
-  /// Lets go of the device, so that a go may have it.
+  /// Lets go of the device, or stops asking for it. It is free once dropped errands are over (ui/session/errand.h).
   void let_go();
 
  Q_SIGNALS:
@@ -40,7 +39,7 @@ class InversePanel : public QWidget {
 
  private:
   void look();
-  void opened(const std::optional<PortFailure>& failure);
+  void take_answer();
 
   struct Inner;
   std::unique_ptr<Inner> inner_;

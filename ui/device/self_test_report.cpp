@@ -63,7 +63,10 @@ QByteArray self_test_report(const ReportedDevice& device, const falcon::SelfTest
                         {"encoder_mm", number(found.encoder_mm())}};
   json["station_knows"] = {{"grip_kg", profile.gravity.grip_kg},
                            {"arm_kg_m", profile.gravity.arm_kg_m},
-                           {"force_gain", profile.calibration.force_gain}};
+                           {"force_gain", profile.calibration.force_gain},
+                           {"scale", profile.scale},
+                           {"centre_m", {profile.centre_m.x, profile.centre_m.y, profile.centre_m.z}},
+                           {"clutch_button_bit", profile.clutch}};
   json["scenes_may_use_n_per_mm"] = allowed_stiffness(profile).n_per_mm;
   return QByteArray::fromStdString(json.dump(2) + '\n');
 }

@@ -17,6 +17,7 @@
 #include "device/hid/permissions.h"
 #include "ui/app/settings.h"
 #include "ui/device/hid_settings.h"
+#include "ui/device/panel_card.h"
 #include "ui/device/pedal_words.h"
 #include "ui/device/rights_row.h"
 #include "ui/widgets/chip.h"
@@ -69,19 +70,8 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   Inner& in = *inner_;
   if (settings) in.kept.emplace(settings->file());
   in.settings = reader.settings();
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  // In a card of the page it is that card's; alone it brings one.
-  auto* card = qobject_cast<Card*>(parent);
-  QVBoxLayout* column = outer;
-  if (!card || !card->head()) {
-    card = new Card(QStringLiteral("SpaceMouse"));
-    outer->addWidget(card);
-    column = card->body();
-  }
-  column->setSpacing(px(12));
-  in.state = new Chip;
-  card->head()->addWidget(in.state);
+  const auto [column, chip] = panel_card(*this, QStringLiteral("SpaceMouse"));
+  in.state = chip;
   in.use = new QCheckBox(tr("The SpaceMouse leads the view of the tooth"));
   column->addWidget(in.use);
   in.rights = new RightsRow;

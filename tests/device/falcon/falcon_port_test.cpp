@@ -335,6 +335,21 @@ TEST(FalconPort, the_clutch_takes_the_force_away_and_leaves_the_burr) {
   }
 }
 
+TEST(FalconPort, a_new_force_gain_holds_from_the_next_packet_on) {
+  Bench bench;
+  ASSERT_TRUE(bench.port->open());
+  ASSERT_TRUE(bench.home());
+  bench.falcon.set_grip({0, 0, 0.12});
+  const auto pushed = [&bench] {
+    for (int i = 0; i < 700; ++i) bench.tick({.force_n = Vec3(0, 1, 0)});  // past the ramp of half a second
+    return glm::length(bench.falcon.force_n(bench.link->now()));
+  };
+  const double usual = pushed();
+  EXPECT_NEAR(usual, 1.0, 0.01);  // torque words are whole numbers
+  bench.port->set_force_gain(1.5);
+  EXPECT_NEAR(pushed(), 1.5 * usual, 0.01);
+}
+
 TEST(FalconPort, buttons_cut_and_change_the_burr_once_a_press) {
   FalconSettings settings;
   settings.burrs = 3;

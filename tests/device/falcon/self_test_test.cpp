@@ -172,5 +172,25 @@ TEST(FalconProfile, numbers_that_no_falcon_has_are_left_out) {
   EXPECT_FALSE(left.damping_ns_per_m || left.delay_ms || left.encoder_mm);
 }
 
+TEST(FalconProfile, a_clutch_takes_its_button_from_the_burrs_and_a_centre_out_of_reach_is_left_out) {
+  FalconProfile profile;
+  EXPECT_EQ(settings_for(profile).buttons.clutch, status::kForward);
+  profile.clutch = status::kPlus;
+  EXPECT_EQ(settings_for(profile).buttons.clutch, status::kPlus);
+  EXPECT_EQ(settings_for(profile).buttons.next_burr, 0);
+  EXPECT_EQ(settings_for(profile).buttons.previous_burr, status::kMinus);
+  profile.clutch = 0;
+  EXPECT_EQ(settings_for(profile).buttons.clutch, 0);
+  EXPECT_EQ(settings_for(profile).buttons.next_burr, status::kPlus);
+  profile.clutch = status::kCentre;  // cuts, and nothing else
+  EXPECT_EQ(settings_for(profile).buttons.clutch, status::kForward);
+  profile.centre_m = Vec3(0.03, -0.03, 0.155);
+  EXPECT_EQ(settings_for(profile).workspace.centre_m, profile.centre_m);
+  profile.centre_m.x = 0.031;
+  EXPECT_EQ(settings_for(profile).workspace.centre_m, WorkspaceSettings{}.centre_m);
+  profile.centre_m.x = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(settings_for(profile).workspace.centre_m, WorkspaceSettings{}.centre_m);
+}
+
 }  // namespace
 }  // namespace cusp::falcon

@@ -3,18 +3,26 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QRadioButton>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/device/falcon/images.h"
+#include "tests/ui/device/eventually.h"
+#include "tests/ui/session/gate.h"
 #include "ui/app/device_settings.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_panel.h"
 #include "ui/device/falcon_words.h"
 #include "ui/device/self_test_report.h"
+#include "ui/device/trim_form.h"
+#include "ui/session/errand.h"
+#include "ui/widgets/chip.h"
 
 namespace cusp {
 namespace {
@@ -95,6 +103,39 @@ TEST(DevicePage, one_that_comes_or_goes_is_listed_without_a_click) {
   EXPECT_EQ(page->listed().size(), 2);
 }
 
+TEST(DevicePage, a_bus_that_hangs_holds_the_window_neither_when_it_opens_nor_looks_nor_closes) {
+  struct Hanging final : DeviceWatch {
+    explicit Hanging(std::shared_ptr<testing::Gate> g) : gate(std::move(g)) {}
+    std::vector<FoundDevice> list() override {
+      gate->pass();
+      return with_those_of_no_hardware({{.kind = "falcon", .name = "FT000001", .port = "1-1"}});
+    }
+    bool changed() noexcept override { return true; }
+    std::shared_ptr<testing::Gate> gate;
+  };
+  Desk desk;
+  auto gate = std::make_shared<testing::Gate>();
+  const DevicePage::MakeWatch background = [gate] {
+    return watch_in_background([gate] { return std::make_unique<Hanging>(gate); });
+  };
+  {
+    DevicePage left(desk.settings, desk.ports, true, nullptr, background);
+    left.show();
+    left.look();
+    EXPECT_TRUE(says(left, QStringLiteral("Looking at what is plugged in")));
+    left.hide();
+  }
+  DevicePage page(desk.settings, desk.ports, true, nullptr, background);
+  page.show();
+  EXPECT_FALSE(gate->gave_up());
+  gate->open();
+  EXPECT_TRUE(testing::eventually([&] { return page.listed().size() == 3; }));
+  EXPECT_FALSE(says(page, QStringLiteral("Looking at what is plugged in")));
+  page.hide();
+  wait_for_dropped_errands();
+  EXPECT_FALSE(gate->gave_up());
+}
+
 TEST(DevicePage, a_falcon_that_may_not_be_opened_comes_with_the_line_that_mends_it) {
   Desk desk;
   desk.bus.hardware = {{.kind = "falcon", .name = "1-1", .port = "1-1", .denied = true}};
@@ -133,6 +174,104 @@ TEST(DevicePage, a_firmware_file_is_checked_before_it_is_kept) {
   // Another file under the same name is not used.
   std::ofstream(desk.picked.toStdString(), std::ios::app | std::ios::binary) << "xx";
   EXPECT_FALSE(read_firmware(kept));
+}
+
+TEST(DevicePage, the_trim_of_each_falcon_is_kept_under_its_name_and_can_be_taken_back) {
+  Desk desk;
+  desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}, {.kind = "falcon", .name = "FT000002", .port = "1-2"}};
+  auto page = desk.page(true);
+  page->findChildren<QRadioButton*>()[0]->click();
+  auto* form = page->findChild<TrimForm*>();
+  ASSERT_TRUE(form->isVisibleTo(page.get()));
+  const auto spins = form->findChildren<QSpinBox*>();  // the hand's way, the force
+  spins[0]->setValue(80);
+  spins[1]->setValue(125);
+  form->findChildren<QDoubleSpinBox*>()[1]->setValue(-7);
+  const FalconProfile kept = DeviceSettings(desk.settings.file()).profile("FT000001");
+  EXPECT_DOUBLE_EQ(kept.scale, 0.8);
+  EXPECT_DOUBLE_EQ(kept.calibration.force_gain, 1.25);
+  EXPECT_LT(glm::length(kept.centre_m - Vec3(0, -0.007, 0.125)), 1e-12);
+  EXPECT_EQ(DeviceSettings(desk.settings.file()).profile("FT000002"), FalconProfile{});
+  // What the go is made with.
+  const FalconSettings driver = settings_for(desk.choice().profile);
+  EXPECT_DOUBLE_EQ(driver.workspace.scale, 0.8);
+  EXPECT_DOUBLE_EQ(driver.calibration.force_gain, 1.25);
+  EXPECT_EQ(driver.workspace.centre_m, kept.centre_m);
+
+  button(*form, QStringLiteral("Undo"))->click();
+  button(*form, QStringLiteral("Undo"))->click();
+  EXPECT_EQ(form->trim(), (FalconTrim{.scale = 0.8}));
+  EXPECT_DOUBLE_EQ(DeviceSettings(desk.settings.file()).profile("FT000001").calibration.force_gain, 1.0);
+  page->findChildren<QRadioButton*>()[1]->click();
+  EXPECT_EQ(form->trim(), FalconTrim{});
+  EXPECT_FALSE(button(*form, QStringLiteral("Undo"))->isEnabled());  // those steps were of the other one
+  page->findChildren<QRadioButton*>()[0]->click();
+  EXPECT_DOUBLE_EQ(form->trim().scale, 0.8);
+}
+
+TEST(DevicePage, the_trim_is_for_staff_and_for_a_real_falcon) {
+  Desk desk;
+  desk.bus.hardware = {{.kind = "falcon", .name = "FT000001", .port = "1-1"}};
+  DeviceSettings(desk.settings.file()).choose("falcon", "FT000001");
+  EXPECT_FALSE(desk.page(true)->findChild<TrimForm*>()->parentWidget()->isHidden());
+  EXPECT_TRUE(desk.page(false)->findChild<TrimForm*>()->parentWidget()->isHidden());
+  DeviceSettings(desk.settings.file()).choose("emulated-falcon", {});
+  EXPECT_TRUE(desk.page(true)->findChild<TrimForm*>()->parentWidget()->isHidden());
+}
+
+/// A Falcon's view with the grip there, homed.
+FalconView grip_at(Vec3 place_m, std::uint8_t buttons = 0) {
+  FalconView view;
+  view.session.phase = falcon::Phase::ready;
+  view.session.buttons = buttons;
+  view.grip_m = place_m;
+  return view;
+}
+
+TEST(TrimForm, shows_under_the_hand_what_the_numbers_do) {
+  TrimForm form;
+  form.show_grip(grip_at({0.010, 0.004, 0.125 - 0.006}), true);
+  EXPECT_TRUE(says(form, QStringLiteral("right 5.0 mm, up 2.0 mm, nearer -3.0 mm")) ||
+              says(form, QStringLiteral("5.0")));  // half of the hand's way
+  button(form, QStringLiteral("Begin where the grip is"))->click();
+  EXPECT_LT(glm::length(form.trim().centre_m - Vec3(0.010, 0.004, 0.119)), 1e-12);
+  form.show_grip(grip_at({0.010, 0.004, 0.119}), true);
+  EXPECT_FALSE(says(form, QStringLiteral("5.0")));
+  // The clutch holds the burr while the grip goes on, and lets it go on from there.
+  form.show_grip(grip_at({0.010, 0.004, 0.119}, falcon::status::kForward), true);
+  form.show_grip(grip_at({0.040, 0.004, 0.119}, falcon::status::kForward), true);
+  EXPECT_TRUE(form.findChild<Chip*>()->isVisibleTo(&form));
+  EXPECT_FALSE(says(form, QStringLiteral("15.0")));
+  form.show_grip(grip_at({0.040, 0.004, 0.119}), true);
+  form.show_grip(grip_at({0.044, 0.004, 0.119}), true);
+  EXPECT_TRUE(says(form, QStringLiteral("2.0")));
+  EXPECT_FALSE(form.findChild<Chip*>()->isVisibleTo(&form));
+  form.show_grip(grip_at({0.044, 0.004, 0.119}), false);  // not homed: nothing is known of its place
+  EXPECT_TRUE(says(form, QStringLiteral("–")));
+  EXPECT_FALSE(button(form, QStringLiteral("Begin where the grip is"))->isEnabled());
+}
+
+TEST(TrimForm, each_field_s_steps_are_one_and_all_can_be_taken_back_to_the_start) {
+  TrimForm form;
+  const FalconTrim began{.centre_m = Vec3(0.001, 0, 0.125), .scale = 0.4};
+  form.set_trim(began);
+  int told = 0;
+  QObject::connect(&form, &TrimForm::changed, [&told] { ++told; });
+  QSpinBox* scale = form.findChildren<QSpinBox*>()[0];
+  for (int percent = 41; percent <= 60; ++percent) scale->setValue(percent);
+  form.findChildren<QSpinBox*>()[1]->setValue(130);
+  auto* clutch = form.findChild<QComboBox*>();
+  clutch->setCurrentIndex(3);
+  Q_EMIT clutch->activated(3);
+  EXPECT_EQ(form.trim().clutch, 0);
+  form.reset();
+  EXPECT_EQ(form.trim(), FalconTrim{});
+  EXPECT_EQ(told, 20 + 1 + 1 + 1);
+  for (int step = 0; step < 4; ++step) form.undo();
+  EXPECT_EQ(form.trim(), began);
+  form.undo();  // there is nothing more
+  EXPECT_EQ(form.trim(), began);
+  EXPECT_EQ(told, 20 + 1 + 1 + 1 + 4);
 }
 
 TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {

@@ -8,10 +8,10 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
-#include <QTest>
 #include <numbers>
 
 #include "tests/device/hid/desk.h"
+#include "tests/ui/device/eventually.h"
 #include "ui/app/settings.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/pedal_panel.h"
@@ -25,17 +25,10 @@ namespace {
 using testing::bus_of;
 using testing::Bytes;
 using testing::Desk;
+using testing::eventually;
 
 class Panels : public ::testing::Test {
  protected:
-  template <class Condition>
-  bool eventually(Condition&& condition) {
-    for (int i = 0; i < 3000; ++i) {
-      if (condition()) return true;
-      QTest::qWait(10);
-    }
-    return false;
-  }
   /// A visible button by its words.
   static QPushButton* button(QWidget& panel, const QString& name) {
     for (QPushButton* b : panel.findChildren<QPushButton*>()) {

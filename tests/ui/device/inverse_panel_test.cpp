@@ -9,28 +9,24 @@
 #include <QSpinBox>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <QTest>
 #include <numbers>
 
 #include "tests/device/inverse/fake_service.h"
+#include "tests/ui/device/eventually.h"
+#include "tests/ui/session/gate.h"
 #include "ui/app/device_settings.h"
 #include "ui/app/settings.h"
+#include "ui/session/errand.h"
+#include "ui/widgets/gauge.h"
 
 namespace cusp {
 namespace {
 
+using testing::eventually;
 using testing::FakeService;
 
 class InversePanelTest : public ::testing::Test {
  protected:
-  template <class Condition>
-  bool eventually(Condition&& condition) {
-    for (int i = 0; i < 2000; ++i) {
-      if (condition()) return true;
-      QTest::qWait(10);
-    }
-    return false;
-  }
   static bool shows(QWidget& panel, const QString& text) {
     for (QLabel* label : panel.findChildren<QLabel*>()) {
       if (label->text().contains(text) && label->isVisibleTo(&panel)) return true;
@@ -78,6 +74,68 @@ TEST_F(InversePanelTest, says_what_is_missing) {
   panel.findChildren<QSpinBox*>().last()->setValue(nobody);
   panel.connect_to_it();
   EXPECT_TRUE(eventually([&] { return shows(panel, "No service answers"); }));
+}
+
+/// A service that neither answers nor refuses: wait() hangs until the gate opens.
+class HangingLink final : public inverse::InverseLink {
+ public:
+  explicit HangingLink(std::shared_ptr<testing::Gate> gate) : gate_(std::move(gate)) {}
+  inverse::LinkTime now() const noexcept override { return std::chrono::steady_clock::now(); }
+  void open() override {}
+  void send(std::string) override {}
+  inverse::LinkEvent wait(inverse::LinkTime) override {
+    gate_->pass();
+    return {};
+  }
+  void close() noexcept override {}
+
+ private:
+  std::shared_ptr<testing::Gate> gate_;
+};
+
+TEST_F(InversePanelTest, a_service_that_hangs_holds_the_window_neither_while_it_is_asked_nor_cancelled_nor_left) {
+  auto gate = std::make_shared<testing::Gate>();
+  const auto make = [gate](const InverseSettings& wanted) {
+    return std::make_unique<InversePort>(std::make_unique<HangingLink>(gate), wanted);
+  };
+  {
+    InversePanel panel(&settings, make);
+    panel.show();
+    panel.connect_to_it();
+    EXPECT_TRUE(panel.summary().contains("asking"));
+    QPushButton* cancel = nullptr;
+    for (QPushButton* b : panel.findChildren<QPushButton*>())
+      if (b->text() == "Cancel") cancel = b;
+    ASSERT_TRUE(cancel && cancel->isVisibleTo(&panel));
+    cancel->click();
+    EXPECT_TRUE(panel.summary().contains("not asked"));
+    EXPECT_FALSE(cancel->isVisibleTo(&panel));
+    panel.connect_to_it();  // and again at once, while the first is still being closed
+    EXPECT_TRUE(panel.summary().contains("asking"));
+    panel.hide();
+    EXPECT_TRUE(panel.summary().contains("not asked"));
+    panel.show();
+    panel.connect_to_it();
+  }
+  EXPECT_FALSE(gate->gave_up());
+  gate->open();
+  wait_for_dropped_errands();
+  EXPECT_FALSE(gate->gave_up());
+}
+
+TEST_F(InversePanelTest, one_that_says_nothing_is_asked_until_the_limit_and_the_bar_shows_how_long_it_may_last) {
+  FakeService service;
+  service.set_way(FakeService::Way::silent);
+  InversePanel panel(&settings);
+  panel.show();
+  panel.findChildren<QSpinBox*>().last()->setValue(service.port());
+  panel.connect_to_it();
+  const auto* bar = panel.findChild<Bar*>();
+  EXPECT_TRUE(bar->isVisibleTo(&panel));
+  EXPECT_TRUE(eventually([&] { return bar->share() > 0.5; }));
+  EXPECT_TRUE(eventually([&] { return panel.summary().contains("not found"); }));
+  EXPECT_FALSE(bar->isVisibleTo(&panel));
+  EXPECT_TRUE(shows(panel, "not as an Inverse3's service does"));
 }
 
 TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {

@@ -1,0 +1,22 @@
+/// How every panel of one device begins: the card that it was put into, or one of its own, with a chip that tells the
+/// device's state at its head. Thread: GUI.
+#pragma once
+
+class QString;
+class QVBoxLayout;
+class QWidget;
+
+namespace cusp {
+
+class Chip;
+
+struct PanelCard {
+  QVBoxLayout* column;  // where the panel's rows go
+  Chip* state;
+};
+
+/// Gives `panel` its layout. Where its parent is a card with a head, that card's head has the chip; else the panel brings
+/// a card with this title.
+PanelCard panel_card(QWidget& panel, const QString& title);
+
+}  // namespace cusp
