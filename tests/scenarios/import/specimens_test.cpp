@@ -66,7 +66,7 @@ TEST(TissuesOf, AreThoseThatTheGrownToothHolds) {
 }
 
 TEST(FullLowerJaw, IsAnExerciseThatDescribesEveryTissueThatItHolds) {
-  std::ifstream file(CUSP_SOURCE_DIR "/scenarios/teeth/full-lower-jaw-36/scenario.json");
+  std::ifstream file(CUSP_SOURCE_DIR "/scenarios/library/class-1-36-jaw/scenario.json");
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const auto scenario = read_scenario(text);
   ASSERT_TRUE(scenario) << scenario.error().where;

@@ -21,7 +21,7 @@ namespace {
 
 TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
   const auto keys = builtin_scenarios();
-  std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet"};
+  std::set<std::string> wanted = {"paper-block", "class-1-36", "class-1-36-wet", "class-1-36-jaw"};
   for (const char* shape : {"line", "channel", "cross", "circle", "ring"}) {
     for (const char* level : {"-1", "-2", "-3"}) wanted.insert(std::string(shape) + level);
   }
@@ -45,6 +45,7 @@ TEST(Library, OffersTheLevelsOfAShapeOneAfterAnother) {
   }
   EXPECT_EQ(keys.front(), "channel-1");
   EXPECT_EQ(place("class-1-36-wet"), place("class-1-36") + 1);
+  EXPECT_EQ(place("class-1-36-jaw"), place("class-1-36") + 2);
 }
 
 TEST(Library, KnowsNoOtherKey) {
@@ -148,6 +149,7 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
       {"channel-1", "a2c613018c7411850333640b96871b531ddc164333e05e2ddbf8ff9f45df61be"},
       {"class-1-36", "61bcca482db25a3a6518de54380f155408ca85f492dbfa5f7a99f4bec3e04896"},
       {"class-1-36-wet", "ed841b8ea69c003cb63670c2b0fe7f342a3249a368d771b6783e4543af182f7d"},
+      {"class-1-36-jaw", "85e191ccc8bf6b483fed9827567a40c4b703742961385bac2ebb8b7f04e8e53f"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
       {"channel-2", "37d9bd3081f20782c20dd2c6c1879c407d9c6dd95368103c184bdbf641274bd2"},
       {"channel-3", "3508bba3c2072fa1271b40c0c84a364eb48ae3d4777089dc1c0a0d63395b562c"},
