@@ -874,6 +874,10 @@
             <translation>-o FILE gehört zu --apply.</translation>
         </message>
         <message>
+            <source>Written to %1 as version %2.</source>
+            <translation>Als Version %2 nach %1 geschrieben.</translation>
+        </message>
+        <message>
             <source>What each part of an exercise’s model costs and changes, and the leanest model that grades the same; scripted hands play it many times, which takes minutes</source>
             <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Hände spielen sie viele Male, was Minuten dauert</translation>
         </message>
@@ -5186,22 +5190,6 @@ Ihr bester davor</translation>
             <translation>von der Kupplung gehalten</translation>
         </message>
         <message>
-            <source>Right of the middle</source>
-            <translation>Rechts der Mitte</translation>
-        </message>
-        <message>
-            <source>Above the middle</source>
-            <translation>Über der Mitte</translation>
-        </message>
-        <message>
-            <source>Nearer than the middle</source>
-            <translation>Näher als die Mitte</translation>
-        </message>
-        <message>
-            <source>Begin where the grip is</source>
-            <translation>Beginnen, wo der Griff ist</translation>
-        </message>
-        <message>
             <source>Of the hand&apos;s way</source>
             <translation>Vom Weg der Hand</translation>
         </message>
@@ -5244,6 +5232,26 @@ Ihr bester davor</translation>
         <message>
             <source>right %1, up %2, nearer %3</source>
             <translation>rechts %1, oben %2, näher %3</translation>
+        </message>
+        <message>
+            <source>Where the grip stands when a go begins, from the middle of its travel:</source>
+            <translation>Wo der Griff zu Beginn eines Durchgangs steht, von der Mitte seines Weges aus:</translation>
+        </message>
+        <message>
+            <source>Right</source>
+            <translation>Rechts</translation>
+        </message>
+        <message>
+            <source>Up</source>
+            <translation>Oben</translation>
+        </message>
+        <message>
+            <source>Nearer</source>
+            <translation>Näher</translation>
+        </message>
+        <message>
+            <source>As it stands now</source>
+            <translation>Wie er jetzt steht</translation>
         </message>
     </context>
     <context>
@@ -5762,6 +5770,10 @@ Ihr bester davor</translation>
         <message>
             <source>An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.</source>
             <translation>Ein Schritt braucht %1 µs statt %2, der Zahn %3 MB statt %4.</translation>
+        </message>
+        <message>
+            <source>Single goes part by chance: over %1 goes of each hand, half the voxels change the mean score by %2 ± %3 points.</source>
+            <translation>Einzelne Durchgänge weichen zufällig voneinander ab: Über je %1 Durchgänge ändern halb so große Voxel die Punkte im Mittel um %2 ± %3.</translation>
         </message>
         <message>
             <source>One thing after another was tried: a leaner set may exist.</source>

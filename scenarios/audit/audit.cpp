@@ -25,16 +25,6 @@ bool only_shown(Aspect aspect) noexcept {
          aspect == Aspect::tilt;
 }
 
-void keep_larger(double& most, double one) noexcept {
-  if (std::abs(one) > std::abs(most)) most = one;
-}
-
-const CriterionGrade* criterion(const Grade& grade, const std::string& id) {
-  for (const CriterionGrade& c : grade.criteria)
-    if (c.id == id) return &c;
-  return nullptr;
-}
-
 /// Runs with a share of the whole that rises from run to run. How many runs a search takes is not known before: each
 /// takes a fixed part of what is left.
 class Progress {
@@ -135,11 +125,18 @@ class Search {
   /// Where half the voxel's edge grades otherwise, the detail is too coarse: the coarsest finer one that half of it agrees
   /// with is what everything else is held against.
   Done settle_detail() {
-    const AuditRow* half = nullptr;
-    for (const AuditRow& row : report_.rows) {
+    AuditRow* half = nullptr;
+    for (AuditRow& row : report_.rows) {
       if (row.choice.aspect == Aspect::voxel && row.choice.instead < row.choice.as_set) half = &row;
     }
     if (!half || !half->result || half->change.within(report_.tolerance_points)) return {};
+    auto in_mean = mean_change(report_.scenario, at(report_.scenario, half->choice.instead));
+    if (!in_mean) return std::unexpected(in_mean.error());
+    if (*in_mean) {
+      half->change = **in_mean;
+      half->verdict = verdict_of(*half);
+    }
+    if (half->change.within(report_.tolerance_points)) return {};
     settled_ = false;
     for (const double mm : finer_voxels(report_.scenario)) {
       const Scenario finer = at(report_.scenario, mm);
@@ -148,7 +145,8 @@ class Search {
       auto played = play({finer, *beside}, 0.15);
       if (!played) return std::unexpected(played.error());
       if (!(*played)[0] || !(*played)[1]) continue;
-      const GradeChange change = change_between(*(*played)[0], *(*played)[1]);
+      GradeChange change = change_between(*(*played)[0], *(*played)[1]);
+      if (auto done = in_mean_if_beyond(change, finer, *beside); !done) return std::unexpected(done.error());
       const bool holds = change.within(report_.tolerance_points);
       report_.steps.push_back({{Aspect::voxel, {}, report_.scenario.specimen.voxel_mm, mm}, holds, change});
       if (!holds) continue;
@@ -159,6 +157,34 @@ class Search {
       settled_ = true;
       break;
     }
+    return {};
+  }
+
+  /// The hands feel both, several goes each. nullopt: one of the two cannot be played.
+  Result<std::optional<GradeChange>, AuditFailure> mean_change(const Scenario& from, const Scenario& to) {
+    AuditRun run;
+    run.home = report_.scenario;
+    run.models = {{from}, {to}};
+    std::vector<std::string> names;
+    for (const AuditHand& hand : settings_.hands) {
+      if (std::ranges::find(names, hand.hand) == names.end()) names.push_back(hand.hand);
+    }
+    for (const std::string& name : names) {
+      for (int seed = 1; seed <= settings_.goes_for_means; ++seed) run.hands.push_back({name, static_cast<std::uint64_t>(seed)});
+    }
+    run.costs = false;
+    run.felt = true;
+    auto played = runner_(run, progress_.next(0.4));
+    if (!played) return std::unexpected(played.error());
+    if (!(*played)[0] || !(*played)[1]) return std::nullopt;
+    return mean_change_between(*(*played)[0], *(*played)[1]);
+  }
+
+  Done in_mean_if_beyond(GradeChange& change, const Scenario& from, const Scenario& to) {
+    if (change.within(report_.tolerance_points)) return {};
+    auto mean = mean_change(from, to);
+    if (!mean) return std::unexpected(mean.error());
+    if (*mean) change = **mean;
     return {};
   }
 
@@ -176,7 +202,7 @@ class Search {
       AuditStep step{{Aspect::voxel, {}, ground_scenario_.specimen.voxel_mm, mm}, false, change_between(ground_, *(*played)[0])};
       const GradeChange half = change_between(*(*played)[0], *(*played)[1]);
       step.taken = step.change.within(report_.tolerance_points) && half.within(report_.tolerance_points);
-      if (!half.within(report_.tolerance_points)) keep_larger(step.change.score, half.score);
+      if (!half.within(report_.tolerance_points) && std::abs(half.score) > std::abs(step.change.score)) step.change.score = half.score;
       report_.steps.push_back(step);
       if (!step.taken) continue;
       report_.leanest = coarser;
@@ -262,8 +288,9 @@ class Search {
     }
     auto played = play({*beside}, 0.6);
     if (!played) return std::unexpected(played.error());
-    if ((*played)[0]) report_.at_half_voxel = change_between(*report_.leanest_result, *(*played)[0]);
-    return {};
+    if (!(*played)[0]) return {};
+    report_.at_half_voxel = change_between(*report_.leanest_result, *(*played)[0]);
+    return in_mean_if_beyond(*report_.at_half_voxel, report_.leanest, *beside);
   }
 
   const AuditSettings& settings_;
@@ -286,27 +313,6 @@ std::string_view key_of(Verdict verdict) noexcept {
     case Verdict::unresolved: return "unresolved";
   }
   return "needed";
-}
-
-GradeChange change_between(const ModelResult& from, const ModelResult& to) {
-  GradeChange out;
-  for (std::size_t i = 0; i < from.goes.size() && i < to.goes.size(); ++i) {
-    const Grade& a = from.goes[i].grade;
-    const Grade& b = to.goes[i].grade;
-    keep_larger(out.score, b.score - a.score);
-    out.passes_alike = out.passes_alike && a.passed == b.passed && a.critical == b.critical;
-    for (const CriterionGrade& before : a.criteria) {
-      const CriterionGrade* after = criterion(b, before.id);
-      if (!after || after->measure.measured != before.measure.measured) {
-        out.measures_alike = false;
-        continue;
-      }
-      keep_larger(out.points[before.id], after->points - before.points);
-      if (before.measure.measured) keep_larger(out.values[before.id], after->measure.value - before.measure.value);
-    }
-  }
-  out.measures_alike = out.measures_alike && from.goes.size() == to.goes.size();
-  return out;
 }
 
 Result<AuditReport, AuditFailure> audit(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner,

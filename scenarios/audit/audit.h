@@ -24,18 +24,24 @@ enum class Verdict : std::uint8_t {
 };
 std::string_view key_of(Verdict verdict) noexcept;
 
-/// How far two models' grades lie apart over all hands.
+/// How far two models' grades lie apart over all hands: go by go, or, where single goes part by chance, in the mean over
+/// several goes of each hand.
 struct GradeChange {
   double score = 0;                        // the change of the hand that it changes most, with its sign
+  int goes_a_hand = 1;
+  double standard_error = 0;               // of `score` as a mean; 0: of single goes
   std::map<std::string, double> values;    // by metric: likewise, in its unit
   std::map<std::string, double> points;    // by metric: likewise
   bool passes_alike = true;                // every hand passes or fails as before, with the same critical events
   bool measures_alike = true;              // every criterion that was measured still is
   bool within(double tolerance_points) const noexcept {
-    return passes_alike && measures_alike && score <= tolerance_points && score >= -tolerance_points;
+    return passes_alike && measures_alike && score + standard_error <= tolerance_points &&
+           score - standard_error >= -tolerance_points;
   }
 };
 [[nodiscard]] GradeChange change_between(const ModelResult& from, const ModelResult& to);
+/// In the mean over the goes of each hand; passes and critical events are alike when most of its goes have them alike.
+[[nodiscard]] GradeChange mean_change_between(const ModelResult& from, const ModelResult& to);
 
 struct AuditRow {
   Choice choice;
@@ -70,6 +76,9 @@ struct AuditReport {
 
 struct AuditSettings {
   std::vector<AuditHand> hands = {{"expert", 1}, {"expert", 2}, {"novice", 1}, {"novice", 2}};
+  /// Where half the voxels grade a go otherwise by more than the tolerance, each hand has this many goes in both, feeling
+  /// them, and their means are told instead: in a narrow slot two goes part by chance.
+  int goes_for_means = 8;
 };
 
 /// What is measured of an exercise: each choice halved or left out, in the order of a table.

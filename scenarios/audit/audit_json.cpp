@@ -30,6 +30,8 @@ Json json_of(const GradeChange& change, double tolerance) {
   Json out;
   out["within_tolerance"] = change.within(tolerance);
   out["score"] = change.score;
+  out["goes_a_hand"] = change.goes_a_hand;
+  out["standard_error"] = change.standard_error;
   out["passes_alike"] = change.passes_alike;
   out["measures_alike"] = change.measures_alike;
   Json criteria = Json::object();

@@ -6,6 +6,7 @@ import contextlib
 import json
 import os
 import shutil
+import signal
 import sqlite3
 import subprocess
 import sys
@@ -59,6 +60,33 @@ def scenarios(desk):
     check(not os.path.exists(desk.path("s.db")), "what was refused left a database")
 
 
+def audits(desk):
+    """Before what takes minutes is begun, everything that can be refused is; and a stop leaves the exercise as it was."""
+    refused(desk, "audit of nothing", "audit", desk.path("none.json"), says=("none.json",))
+    refused(desk, "audit of broken JSON", "audit", desk.path("broken.json"), "--apply", says=("broken.json",))
+    refused(desk, "audit of a folder without an exercise", "audit", desk.folder)
+    small = desk.small_exercise("audit.json")
+    with open(small, "rb") as f:
+        before = f.read()
+    refused(desk, "a copy into no folder", "audit", small, "--apply", "-o", desk.path("none", "c.json"), says=("c.json",))
+    refused(desk, "figures into no folder", "audit", small, "--json", desk.path("none", "f.json"), says=("f.json",))
+    os.mkdir(desk.path("folder.json"))
+    refused(desk, "figures over a folder", "audit", small, "--json", desk.path("folder.json"), says=("folder.json",))
+    for number in (signal.SIGINT, signal.SIGTERM):
+        there = sorted(os.listdir(desk.folder))
+        with subprocess.Popen([desk.cusp, "audit", small, "--seeds", "1", "--apply", "--progress"], stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment()) as run:
+            check("%" in run.stderr.readline(), "no progress was told")
+            run.send_signal(number)
+            out, err = run.communicate(timeout=300)
+        last = err.strip().splitlines()[-1]
+        check(run.returncode == 1 and out == "", f"stopped audit: exit {run.returncode}: {out}{err}")
+        check(last.startswith("cusp: ") and "%" not in last, f"stopped audit: {err!r}")
+        with open(small, "rb") as f:
+            check(f.read() == before, "a stopped audit touched the exercise")
+        check(sorted(os.listdir(desk.folder)) == there, "a stopped audit left files")
+
+
 def databases(desk):
     scenario, hand = desk.small_exercise(), desk.small_hand(1)
     status, out, err = desk.run("play", scenario, "--script", hand, "--db", desk.path("good.db"), "--out", desk.path("o"))
@@ -92,11 +120,12 @@ def databases(desk):
 
 def usage(desk):
     for arguments in (("play",), ("play", "channel-1"), ("replay", "--verify"), ("history", "x.db"), ("nonsense",),
-                      ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id")):
+                      ("specimen", "banana", "-o", "x"), ("replay", "x.db", "no-id"), ("audit",), ("audit", "channel-1", "--apply"),
+                      ("audit", "channel-1", "-o", "x.json"), ("audit", "channel-1", "--seeds", "0")):
         status, _, err = desk.run(*arguments)
         check(status == 2, f"{arguments}: exit {status}")
         one_sentence(err, " ".join(arguments))
-    for verb in ("play", "replay", "grade", "validate", "import", "specimen", "history"):
+    for verb in ("play", "replay", "grade", "validate", "import", "specimen", "audit", "history"):
         status, out, err = desk.run(verb, "--help")
         check(status == 0 and "--json" in out and not err, f"{verb} --help: {status} {err}")
 
@@ -145,11 +174,14 @@ def disks(desk):
                                         desk.path("o3"))
             check(status == 0, f"play: {err}")
             session = out.strip()
+            shutil.copy(scenario, os.path.join(fixed, "locked.json"))
             subprocess.run(["mount", "-o", "remount,ro", fixed], check=True)
             refused(desk, "read-only folder", "play", scenario, "--script", hand, "--db", os.path.join(fixed, "new.db"),
                     "--out", desk.path("o4"))
             refused(desk, "read-only database", "play", scenario, "--script", hand, "--db", os.path.join(fixed, "r.db"),
                     "--out", desk.path("o4"))
+            refused(desk, "audit applied to a read-only disk", "audit", os.path.join(fixed, "locked.json"), "--apply",
+                    says=("locked.json",))
             refused(desk, "report into a read-only folder", "play", scenario, "--script", hand, "--db", desk.path("ok.db"),
                     "--out", os.path.join(fixed, "out"))
             status, out, err = desk.run("replay", "--verify", os.path.join(fixed, "r.db"), session)
@@ -161,5 +193,6 @@ def disks(desk):
 with Desk(sys.argv[1]) as the_desk:
     usage(the_desk)
     scenarios(the_desk)
+    audits(the_desk)
     databases(the_desk)
     disks(the_desk)

@@ -1,7 +1,9 @@
 #include "ui/app/audit_words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QStringList>
+#include <cmath>
 
 #include "scenarios/format/keys.h"
 #include "ui/widgets/format.h"
@@ -33,6 +35,14 @@ QStringList taken(const AuditReport& report) {
   for (const AuditStep& step : report.steps)
     if (step.taken) out.push_back(choice_name(step.choice));
   return out;
+}
+
+/// Where single goes part by chance: what half the voxels change in the mean.
+QString means_sentence(const AuditReport& report) {
+  if (!report.at_half_voxel || report.at_half_voxel->goes_a_hand < 2) return {};
+  const GradeChange& half = *report.at_half_voxel;
+  return u' ' + Words::tr("Single goes part by chance: over %1 goes of each hand, half the voxels change the mean score by %2 ± %3 points.")
+                    .arg(QLocale().toString(half.goes_a_hand), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
 }
 
 }  // namespace
@@ -68,10 +78,12 @@ QString leanest_sentence(const AuditReport& report) {
   if (!report.changed() && !report.detail_holds())
     return Words::tr("Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every "
                      "size that was tried.")
-        .arg(format_number(std::abs(report.at_half_voxel->score), 1), format_points(report.tolerance_points));
+               .arg(format_number(std::abs(report.at_half_voxel->score), 1), format_points(report.tolerance_points)) +
+           means_sentence(report);
   if (!report.changed())
     return Words::tr("Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).")
-        .arg(format_points(report.tolerance_points));
+               .arg(format_points(report.tolerance_points)) +
+           means_sentence(report);
   const QString what = taken(report).join(u", "_qs);
   const bool finer = report.leanest.specimen.voxel_mm < report.scenario.specimen.voxel_mm;
   const QString tells = finer ? Words::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
@@ -83,7 +95,7 @@ QString leanest_sentence(const AuditReport& report) {
                       .arg(format_number(is.us_a_tick, 0), format_number(is.us_a_tick - is.us_more, 0),
                            format_number(static_cast<double>(is.bytes) / 1e6, 0), format_number(static_cast<double>(was.bytes) / 1e6, 0));
   }
-  return out + u' ' + Words::tr("One thing after another was tried: a leaner set may exist.");
+  return out + means_sentence(report) + u' ' + Words::tr("One thing after another was tried: a leaner set may exist.");
 }
 
 Told tell(const AuditFailure& failure) {

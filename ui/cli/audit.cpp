@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/audit/audit_json.h"
@@ -56,6 +58,16 @@ void print(const AuditReport& report) {
   say(plain(leanest_sentence(report)));
 }
 
+/// Asked before what takes minutes. Leaves nothing.
+bool can_be_written(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder, error) || !writable_folder(folder)) return false;
+  // A file that its owner has locked is not to be replaced either.
+  return !std::filesystem::exists(file, error) ||
+         (std::filesystem::is_regular_file(file, error) && std::ofstream(file, std::ios::binary | std::ios::app).good());
+}
+
 int audit_verb(const AuditOptions& o) {
   const bool builtin = !builtin_scenario_text(o.scenario).empty();
   if (o.apply && builtin && o.out.empty())
@@ -63,6 +75,13 @@ int audit_verb(const AuditOptions& o) {
   if (!o.apply && !o.out.empty()) return wrong_usage(CliWords::tr("-o FILE belongs to --apply."));
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
+  std::filesystem::path file(o.out.empty() ? o.scenario : o.out);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) file /= "scenario.json";
+  if (o.apply && !can_be_written(file))
+    return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+  if (o.json.wanted() && !o.json.on_stdout() && !can_be_written(o.json.file))
+    return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.json.file)));
 
   AuditSettings settings;
   settings.hands.clear();
@@ -85,12 +104,11 @@ int audit_verb(const AuditOptions& o) {
 
   Scenario leaner = report->leanest;
   if (report->changed()) ++leaner.version;
-  std::filesystem::path file(o.out.empty() ? o.scenario : o.out);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) file /= "scenario.json";
   if (o.out.empty() && !report->changed()) return kDone;  // nothing to write
   if (!write_whole(file, write_scenario(leaner)))
     return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+  if (!o.json.on_stdout())
+    say(plain(CliWords::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string())).arg(leaner.version)));
   return kDone;
 }
 

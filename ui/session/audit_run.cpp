@@ -300,13 +300,15 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
   double done = 0;
   const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / std::max(goes, 1.0)); };
   for (const AuditHand& who : run.hands) {
-    const auto home = at_home(run.home, who, go_on);
+    const bool home_first = !run.models.empty() && run.models.front().scenario == run.home;
+    Result<const Go*, AuditFailure> home = nullptr;
+    if (!run.felt || home_first) home = at_home(run.home, who, go_on);
     if (!home) return std::unexpected(home.error());
     for (std::size_t m = 0; m < tables.size(); ++m, ++done) {
       if (!tables[m]) continue;
-      const bool is_home = run.models[m].scenario == run.home && m == 0;
+      const bool is_home = home_first && m == 0;
       std::optional<Go> own;
-      if (run.felt) {
+      if (run.felt && !is_home) {
         auto played = felt(*tables[m], who, go_on);
         if (!played) return std::unexpected(played.error());
         own = std::move(*played);
@@ -314,7 +316,7 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
         Led led((*home)->path);
         own = play(*tables[m], led, go_on);
       }
-      if (!own && (run.felt || !is_home)) return stopped();
+      if (!own && !is_home) return stopped();
       const Go& came = own ? *own : **home;
       results[m]->goes.push_back({who, came.grade, came.seconds, came.lost});
     }

@@ -145,6 +145,57 @@ TEST(Search, TakesTheCoarsestVoxelsThatStillResolveTheBurrsAndGradeTheSame) {
   EXPECT_TRUE(report->detail_holds());
 }
 
+/// At half the voxel's edge odd seeds score 3 points more, even ones 3 less: go by go beyond the 2 points that are allowed,
+/// in the mean nothing. Over 8 goes the standard error is sqrt(8 * 9 / 7 / 8) = 1.134.
+TEST(Search, WhereGoesPartByChanceTheirMeanIsTold) {
+  const auto report = run(block(), [](const Model& m, const AuditHand& hand) {
+    if (m.scenario.specimen.voxel_mm > 0.06) return std::optional(90.0);
+    return std::optional(hand.seed % 2 == 1 ? 93.0 : 87.0);
+  });
+  ASSERT_TRUE(report);
+  const AuditRow* half = row(*report, Aspect::voxel, 0.05);
+  ASSERT_TRUE(half);
+  EXPECT_EQ(half->verdict, Verdict::shown);
+  EXPECT_NEAR(half->change.score, 0.0, 1e-9);
+  EXPECT_EQ(half->change.goes_a_hand, 8);
+  EXPECT_NEAR(half->change.standard_error, std::sqrt(72.0 / 7.0 / 8.0), 1e-9);
+  EXPECT_TRUE(report->detail_holds());
+}
+
+TEST(Search, AMeanThatMayLieBeyondTheToleranceIsNoProof) {
+  GradeChange change;
+  change.score = -1.5;
+  EXPECT_TRUE(change.within(2.0));
+  change.standard_error = 0.6;
+  EXPECT_FALSE(change.within(2.0));
+  change.score = 1.5;
+  EXPECT_FALSE(change.within(2.0));
+}
+
+/// Means by hand: the expert +1, +3 (mean 2, standard error 1), the novice -1, -1, 0 (mean -2/3, standard error 1/3).
+TEST(Search, AMeanIsOfOneHandAndAPassOfMostOfItsGoes) {
+  const auto goes = [](std::initializer_list<std::pair<const char*, double>> scores) {
+    ModelResult out;
+    for (const auto& [hand, score] : scores) {
+      ModelGo go;
+      go.hand.hand = hand;
+      go.grade.score = score;
+      go.grade.passed = score >= 70;
+      out.goes.push_back(go);
+    }
+    return out;
+  };
+  const ModelResult from = goes({{"expert", 90}, {"expert", 90}, {"novice", 70}, {"novice", 71}, {"novice", 60}});
+  const GradeChange change = mean_change_between(from, goes({{"expert", 91}, {"expert", 93}, {"novice", 69}, {"novice", 70}, {"novice", 60}}));
+  EXPECT_NEAR(change.score, 2.0, 1e-9);
+  EXPECT_NEAR(change.standard_error, 1.0, 1e-9);
+  EXPECT_EQ(change.goes_a_hand, 2);
+  EXPECT_FALSE(change.passes_alike) << "two of three novices passed, now one does";
+  const GradeChange one_less = mean_change_between(from, goes({{"expert", 90}, {"expert", 60}, {"novice", 70}, {"novice", 71}, {"novice", 60}}));
+  EXPECT_FALSE(one_less.passes_alike) << "half of them is not most of them";
+  EXPECT_TRUE(mean_change_between(from, goes({{"expert", 90}, {"expert", 90}, {"novice", 71}, {"novice", 72}, {"novice", 60}})).passes_alike);
+}
+
 /// 40 points for each millimetre of the voxel: at 0.1 the half differs by 2.0, at 0.125 by 2.5.
 TEST(Search, ACoarserVoxelMustAlsoAgreeWithItsOwnHalf) {
   const auto report = run(block(), [](const Model& m, const AuditHand&) { return std::optional(60.0 - 40.0 * m.scenario.specimen.voxel_mm); });
