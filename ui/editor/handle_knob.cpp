@@ -1,5 +1,6 @@
 // A handle on the target: how it looks, is dragged, and answers to the arrow keys.
 
+#include <QAccessibleWidget>
 #include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
@@ -15,9 +16,24 @@ namespace {
 constexpr int kBody = 14, kWhole = 22;                // px: a handle, and the room of its focus ring
 constexpr double kStepMm = 0.05, kFineStepMm = 0.01;  // of an arrow key
 
+/// A handle as a screen reader meets it: something that slides, with its place or size as the value.
+class KnobForReaders : public QAccessibleWidget {
+ public:
+  explicit KnobForReaders(QWidget* knob) : QAccessibleWidget(knob, QAccessible::Slider) {}
+  QString text(QAccessible::Text what) const override {
+    return what == QAccessible::Value ? widget()->accessibleDescription() : QAccessibleWidget::text(what);
+  }
+};
+
+QAccessibleInterface* knob_for_readers(const QString&, QObject* object) {
+  auto* knob = qobject_cast<HandleKnob*>(object);
+  return knob ? new KnobForReaders(knob) : nullptr;
+}
+
 }  // namespace
 
 HandleKnob::HandleKnob(TargetView& stage, int) : QWidget(&stage), stage_(stage) {
+  [[maybe_unused]] static const bool once = (QAccessible::installFactory(knob_for_readers), true);
   setFocusPolicy(Qt::StrongFocus);
   setFixedSize(px(kWhole), px(kWhole));
   setCursor(Qt::SizeAllCursor);

@@ -1,11 +1,9 @@
 #include "ui/editor/target_view.h"
 
-#include <QAccessibleWidget>
 #include <QApplication>
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPainter>
-#include <QPainterPath>
 #include <QPointer>
 #include <QPushButton>
 #include <QThreadPool>
@@ -14,6 +12,7 @@
 #include <cmath>
 
 #include "ui/drill/tooth_view.h"
+#include "ui/editor/depth_arrow.h"
 #include "ui/editor/target_preview.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -53,67 +52,12 @@ class LineSample : public QWidget {
   bool leeway_;
 };
 
-/// A handle as a screen reader meets it: something that slides, with its place or size as the value.
-class KnobForReaders : public QAccessibleWidget {
- public:
-  explicit KnobForReaders(QWidget* knob) : QAccessibleWidget(knob, QAccessible::Slider) {}
-  QString text(QAccessible::Text what) const override {
-    return what == QAccessible::Value ? widget()->accessibleDescription() : QAccessibleWidget::text(what);
-  }
-};
-
-QAccessibleInterface* knob_for_readers(const QString&, QObject* object) {
-  auto* knob = qobject_cast<HandleKnob*>(object);
-  return knob ? new KnobForReaders(knob) : nullptr;
-}
-
 QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
 
 }  // namespace
 
-/// From the floor up to the reference plane. Shaped, not translucent: what lies below is OpenGL.
-class DepthArrow : public QWidget {
- public:
-  explicit DepthArrow(QWidget* parent) : QWidget(parent) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    hide();
-  }
-  void span(QPointF floor, QPointF top) {
-    const QPointF along = top - floor;
-    const double length = std::hypot(along.x(), along.y());
-    setVisible(length > px(10));
-    if (length <= px(10)) return;
-    const QPointF u = along / length, n(-u.y(), u.x());
-    const double half = px(1.5), head = px(6.0), tall = px(11.0);
-    const QRectF room = QRectF(floor, top).normalized().adjusted(-head - 2, -head - 2, head + 2, head + 2);
-    setGeometry(room.toAlignedRect());
-    const QPointF f = floor - QPointF(pos()), t = top - QPointF(pos()), neck = t - u * tall;
-    QPolygonF shape;
-    shape << f + n * half << neck + n * half << neck + n * head << t << neck - n * head << neck - n * half << f - n * half;
-    path_ = QPainterPath();
-    path_.addPolygon(shape);
-    path_.closeSubpath();
-    QPainterPathStroker wider;
-    wider.setWidth(px(2.0));
-    setMask(QRegion((path_ + wider.createStroke(path_)).simplified().toFillPolygon().toPolygon()));
-    update();
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter p(this);
-    p.fillRect(rect(), ToothColours::get().map[2]);
-    p.setRenderHint(QPainter::Antialiasing);
-    p.fillPath(path_, ToothColours::get().casing);
-  }
-
- private:
-  QPainterPath path_;
-};
-
 TargetView::TargetView(EditorModel& model, QWidget* parent)
     : QWidget(parent), model_(model), view_(new ToothView(this)), shown_(model.scenario().target) {
-  [[maybe_unused]] static const bool once = (QAccessible::installFactory(knob_for_readers), true);
   setMinimumSize(px(420), px(320));
   view_->set_left_turns(true);
   tools_ = make_panel(this);
