@@ -80,7 +80,8 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
 
   auto* start = new QHBoxLayout;
   start->setSpacing(px(12));
-  const QString ways[] = {tr("Right of the middle"), tr("Above the middle"), tr("Nearer than the middle")};
+  column->addWidget(make_label(tr("Where the grip stands when a go begins, from the middle of its travel:"), TextRole::body, false, "text2"));
+  const QString ways[] = {tr("Right"), tr("Up"), tr("Nearer")};
   for (std::size_t i = 0; i < in.centre.size(); ++i) {
     auto* box = new QDoubleSpinBox;
     box->setRange(-kMmPerM * kMostCentreShiftM, kMmPerM * kMostCentreShiftM);
@@ -95,7 +96,7 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
       set(wanted, kCentre);
     });
   }
-  in.here = make_button(tr("Begin where the grip is"), ButtonKind::standard, QStringLiteral("target"));
+  in.here = make_button(tr("As it stands now"), ButtonKind::standard, QStringLiteral("target"));
   start->addWidget(in.here, 0, Qt::AlignBottom);
   column->addLayout(start);
 

@@ -233,7 +233,7 @@ TEST(TrimForm, shows_under_the_hand_what_the_numbers_do) {
   form.show_grip(grip_at({0.010, 0.004, 0.125 - 0.006}), true);
   EXPECT_TRUE(says(form, QStringLiteral("right 5.0 mm, up 2.0 mm, nearer -3.0 mm")) ||
               says(form, QStringLiteral("5.0")));  // half of the hand's way
-  button(form, QStringLiteral("Begin where the grip is"))->click();
+  button(form, QStringLiteral("As it stands now"))->click();
   EXPECT_LT(glm::length(form.trim().centre_m - Vec3(0.010, 0.004, 0.119)), 1e-12);
   form.show_grip(grip_at({0.010, 0.004, 0.119}), true);
   EXPECT_FALSE(says(form, QStringLiteral("5.0")));
@@ -248,7 +248,7 @@ TEST(TrimForm, shows_under_the_hand_what_the_numbers_do) {
   EXPECT_FALSE(form.findChild<Chip*>()->isVisibleTo(&form));
   form.show_grip(grip_at({0.044, 0.004, 0.119}), false);  // not homed: nothing is known of its place
   EXPECT_TRUE(says(form, QStringLiteral("–")));
-  EXPECT_FALSE(button(form, QStringLiteral("Begin where the grip is"))->isEnabled());
+  EXPECT_FALSE(button(form, QStringLiteral("As it stands now"))->isEnabled());
 }
 
 TEST(TrimForm, each_field_s_steps_are_one_and_all_can_be_taken_back_to_the_start) {
