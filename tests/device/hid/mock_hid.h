@@ -16,6 +16,8 @@ namespace cusp::testing {
 class MockHidBus {
  public:
   MockHidBus() : testbed_(umockdev_testbed_new()) {}
+  /// Beside other devices, on a testbed that is there already.
+  explicit MockHidBus(UMockdevTestbed* testbed) : testbed_(static_cast<UMockdevTestbed*>(g_object_ref(testbed))) {}
   ~MockHidBus() { g_object_unref(testbed_); }
   MockHidBus(const MockHidBus&) = delete;
   MockHidBus& operator=(const MockHidBus&) = delete;
