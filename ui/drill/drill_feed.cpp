@@ -61,10 +61,10 @@ SectionImage DrillFeed::draw(const StepState& state, const SectionWish& wish) co
 }
 
 void DrillFeed::on_state(const StepState& state, const StateNews& news) {
-  bool told = false;
   if (!news.changed_bricks.empty() && !(news.first && state.last().tick == 0)) {
     patches_->update(state.volume(), news.changed_bricks, state.last().tick, changes_);
-    section_stale_ = told = true;
+    section_stale_ = true;
+    if (changed_) changed_();  // the tooth is drawn while its section is
   }
   changes_.clear();
 
@@ -88,9 +88,7 @@ void DrillFeed::on_state(const StepState& state, const StateNews& news) {
     const std::lock_guard lock(mutex_);
     if (panel_image) panel_ = std::move(panel_image);
     if (lid_image) lid_ = std::move(lid_image);
-    told = true;
   }
-  if (told && changed_) changed_();
 }
 
 void DrillFeed::want_sections(const std::optional<SectionWish>& panel, const std::optional<SectionWish>& lid) {

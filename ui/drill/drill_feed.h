@@ -26,7 +26,8 @@ struct SectionWish {
 
 class DrillFeed : public Observer {
  public:
-  /// `changed` is called on the mirror's thread when there is something to take. `scenery` may be null.
+  /// `changed` is called on the mirror's thread when patches wait to be taken, before a section is drawn. `scenery` may be
+  /// null.
   DrillFeed(std::shared_ptr<PatchFeed> patches, TargetLook look, std::function<void()> changed,
             std::shared_ptr<const SceneryLook> scenery = nullptr)
       : patches_(std::move(patches)), look_(std::move(look)), changed_(std::move(changed)), scenery_(std::move(scenery)) {}

@@ -109,7 +109,7 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   in.stage->view()->set_stats(&in.stats);
   in.stage->view()->installEventFilter(this);
 
-  in.homing = new HomingCard(this);
+  in.homing = new HomingCard(in.stage);
   in.opening_timer.setInterval(kLookMs);
   connect(&in.opening_timer, &QTimer::timeout, this, &DrillScreen::show_opening);
   in.look_timer.setInterval(kLookMs);
