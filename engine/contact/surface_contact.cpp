@@ -18,7 +18,12 @@ constexpr double kFootReach = 1.2;          // voxels from its point within whic
 constexpr int kSearches = 64;               // steps of the proxy in a tick (5 mm), the rest next tick
 constexpr double kTogether = 2e-3;          // mm: slack that a polished pose may take from a plane it leaves out
 constexpr double kMemorySlack = 5e-4;       // mm
-constexpr double kPredicted = 0.10;         // of a step: how far a burr may be from where its device's move takes it
+constexpr double kPredicted = 0.05;         // of a step: how far a burr may be from where it is expected
+constexpr double kExpectedMm = 0.005;       // mm: and this far besides
+constexpr double kFurther = 1.5;            // of how far it would go then: what planes are laid for instead
+constexpr double kAsked = 0.3;              // of how far the last pass led: how far the next one may
+constexpr double kAskedMm = 0.002;          // mm: and this far besides
+constexpr double kAnyWay = 1e9;             // mm
 constexpr double kAgainMm = 0.03;           // mm about where a pass has led that planes are laid for, for the next ones
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has arrived
 constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge
@@ -251,7 +256,7 @@ void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Co
 }
 
 Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
-                              Vec3 from, Vec3 device, Vec3 ahead, double reach_mm) noexcept {
+                              Vec3 from, Vec3 device, Vec3 ahead, double reach_mm, double most_mm) noexcept {
   const Burr& burr = scene.burrs[burr_index];
   Contact out;
   out.pose_mm = device;
@@ -281,15 +286,14 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     const std::size_t at_hand_count = count_;
     held_.count = 0;
     double before = 0.0, last_moved = 1.0;
-    double limit = kPredicted * step + 0.005;
+    double limit = kPredicted * step + kExpectedMm;
     double within = limit;  // how far about the place that they were seen from the planes that are laid will do
     double asked = 0.0;     // how far they need do, as the last pass moved
     laid_.within_mm = -1.0;
-    Vec3 at = y;        // where planes are laid: first where the device's own move would take the burr, then where it is
-    if (search == 0) {
-      const double length = length_of(ahead);
-      if (length > 2.0 * kSettledMm) at += length > step ? ahead * (step / length) : ahead;
-    }
+    Vec3 at = y;        // where planes are laid: first where the burr is expected, then where it is
+    const double expected = length_of(ahead);
+    bool expects = expected > 2.0 * kSettledMm;
+    if (expects) at += expected > step ? ahead * (step / expected) : ahead;
     bool left = false;  // the step ends before the search does
     bool rolling = false;
     double next_step = kLongestStep;
@@ -316,7 +320,18 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
         // It has nearly come to rest: only the tangents that hold it need to turn with it.
         for (int a = 0; a < held_.count; ++a) turn(tool, at, static_cast<std::size_t>(held_.plane[a]));
       }
-      const PlaneSearch found = search_planes(y, device, out.infeasible);
+      bool infeasible = false;
+      const PlaneSearch found = search_planes(y, device, infeasible);
+      if (infeasible && expects) {
+        // Planes seen from where the burr was only expected may contradict each other: from where it is.
+        expects = false;
+        at = y;
+        limit = 2.0 * step;
+        laid_.within_mm = -1.0;
+        last_moved = 1.0;
+        continue;
+      }
+      out.infeasible = out.infeasible || infeasible;
       if (!found.feasible) {
         arrived = true;
         break;
@@ -330,7 +345,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       const double off = length_of(found.y - at);
       if (off > within && within < 2.0 * step) {
         // Further than planes were laid for: again of more, of all that the step can reach in the end.
-        if (within == limit) limit = 2.0 * step;
+        if (within == limit) limit = std::min(2.0 * step, kFurther * off + kExpectedMm);
         laid_.within_mm = -1.0;
         last_moved = 1.0;
         continue;
@@ -351,8 +366,9 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
         continue;
       }
       if (left) {
-        target = centre + (target - centre) * (step / whole);
         next_step = std::min(kLongestStep, 1.2 * (whole - step) + 0.01);
+        ahead = (target - centre) * (1.0 - step / whole);  // where the next one goes on
+        target -= ahead;
       }
       if (polished.accepted) target = polished.search.y;
       y = target;
@@ -360,12 +376,16 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       held_.room_mm = within - off;
       note(found, polished, out);
       if (left) break;
+      expects = false;
       const Vec3 off_by = target - at;
       const double moved = length_of(off_by);
       // Where it creeps towards its rest, as on an edge that it rolls over, the next planes are laid where the creeping
       // leads; the answer still is of the planes.
       bool rolls = false;
-      const Vec3 leap = polished.accepted ? Vec3(0.0) : leap_of(tool, found, at, off_by, rolls);
+      Vec3 leap = polished.accepted ? Vec3(0.0) : leap_of(tool, found, at, off_by, rolls);
+      // No further than the step goes: planes seen from beyond it would only lead back.
+      const double leaps = length_of(leap), room = step - whole;
+      if (leaps > room) leap *= room / leaps;
       // Passes shrink the error like moved / before; a plane that was laid moved away is off by moved^2 / 2r only.
       if ((polished.accepted && moved < 0.06) || moved < (rolls ? kRollsMm : kArrivedMm) ||
           (!rolls && moved * moved < kArrivedMm * before)) {
@@ -376,11 +396,13 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       rolling = rolls;
       before = moved;
       last_moved = length_of(off_by + leap);
-      asked = 2.0 * last_moved + kSettledMm;
+      asked = kAsked * last_moved + kAskedMm;
       next_step = std::min(kLongestStep, 4.0 * last_moved + 0.02);
     }
     // What still rolls on goes further in the next search.
     if (!left && !(rolling && last_moved > kSettledMm)) arrived = true;
+    if (!left) ahead = Vec3(0.0);
+    if (length_of(y - from) > most_mm) break;
     step = next_step;
   }
   out.pose_mm = y;
@@ -412,7 +434,7 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
       return out;
     }
   }
-  return solve(volume, scene, burr_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004);
+  return solve(volume, scene, burr_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004, kAnyWay);
 }
 
 bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept {

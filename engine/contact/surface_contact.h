@@ -36,10 +36,10 @@ class SurfaceContact {
   /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
   SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory);
 
-  /// From `from` (admissible) towards `device`. ahead: how the device has moved since, where the search begins to look.
-  /// reach_mm: how far one search looks, about as long.
+  /// From `from` (admissible) towards `device`. ahead: how the proxy may be expected to move, where the search begins to
+  /// look. reach_mm: how far one search looks, about as long. most_mm: once it has gone further it may stop on its way.
   Contact solve(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, Vec3 from, Vec3 device, Vec3 ahead,
-                double reach_mm) noexcept;
+                double reach_mm, double most_mm) noexcept;
 
   /// Contact again after a cut that the field does not hold yet, from `before`, what solve() answered last: the memory
   /// alone has grown, by advance_mm.

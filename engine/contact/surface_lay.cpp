@@ -12,7 +12,7 @@ namespace cusp {
 namespace {
 
 constexpr double kNoWay2 = 1e-18;    // mm^2: a place so near a point or an edge has no direction from it
-constexpr double kMostShift = 0.02;  // mm: planes are laid again of what was near as long as they are seen from so near
+constexpr double kMostShift = 0.06;  // mm: planes are laid again of what was near as long as they are seen from so near
 
 }  // namespace
 

@@ -179,6 +179,8 @@ std::vector<std::byte> StepState::save() const {
   w.u(s.cut_pending ? 1 : 0, 1);
   w.v(s.cut_from);
   w.v(s.cut_axis);
+  w.v(s.astray);
+  w.u(s.strays, 1);
   for (const Vec3& v : {s.owed_piece.from, s.owed_piece.to, s.owed_piece.axis}) w.v(v);
   w.u(s.owed_piece.burr, 2);
   w.u(s.owed_piece.start_carved, 1);
@@ -226,6 +228,8 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   s.cut_pending = r.u(1) != 0;
   s.cut_from = r.v();
   s.cut_axis = r.v();
+  s.astray = r.v();
+  s.strays = r.u(1) != 0;
   for (Vec3* v : {&s.owed_piece.from, &s.owed_piece.to, &s.owed_piece.axis}) *v = r.v();
   s.owed_piece.burr = static_cast<std::uint16_t>(r.u(2));
   s.owed_piece.start_carved = r.u(1) != 0;

@@ -25,6 +25,8 @@ struct StepState::Inner {
 
   Vec3 proxy{0.0};
   Vec3 device{0.0};                // of the input before
+  Vec3 astray{0.0};                // surface: how the proxy's last move differed from the device's, per mm of it
+  bool strays = false;             // it did so much the same way the tick before
   Vec3 cut_pose{0.0};              // banded: the burr's pose as far as removal goes
   Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
   bool started = false;

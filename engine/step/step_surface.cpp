@@ -27,6 +27,11 @@ constexpr double kLeastTauMm = 0.00005;
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
 constexpr double kOutrunTimes = 2.0, kOutrunMm = 0.02;
 constexpr int kParts = 8;
+constexpr double kAnyWay = 1e9;         // mm
+/// How far one search of contact looks: a little further than the device has moved.
+constexpr double kReach = 1.1, kReachMm = 0.004;
+/// A proxy's move that differs from its device's by this much of it, and this much besides, is taken for what comes next.
+constexpr double kStrays = 0.1, kStraysMm = 0.002;
 constexpr double kFrictionSpeed = 2.0;  // mm/s at which the Coulomb force is whole
 
 /// Stiffness and the tissue that carries most of it, over the planes that hold the pose.
@@ -101,21 +106,26 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   const Scene& scene = *state.scene;
   const Burr& burr = scene.burrs[out.burr];
   SurfaceContact& surface = *state.surface;
-  const double reach = 1.1 * length_of(device - state.device) + 0.004;
+  const Vec3 way = device - state.device;
+  const double moved = length_of(way);
+  // Where it rolls along edges the proxy goes another way than its device, for some ticks much the same one.
+  const Vec3 ahead = state.strays ? way + state.astray * moved : way;
+  const double reach = kReach * std::max(moved, length_of(ahead)) + kReachMm;
+  const double most = kOutrunTimes * moved + kOutrunMm;
+  const bool led = !state.last.deferred && moved > 0.0;
   const Vec3 before = state.proxy;
 
   surface.sharpen(state.volume, !cut);
-  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, device - state.device, reach);
-  const double moved = length_of(device - state.device);
-  if (contact.active > 0 && !state.last.deferred && moved > 0.0 &&
-      length_of(contact.pose_mm - state.proxy) > kOutrunTimes * moved + kOutrunMm) {
+  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, ahead, reach, led ? most : kAnyWay);
+  if ((contact.active > 0 || contact.deferred) && led && length_of(contact.pose_mm - state.proxy) > most) {
     // The proxy went much further than its device: over an edge perhaps that a device moving evenly would have been held
     // by. The same way once more, in parts.
     Vec3 at = state.proxy;
-    const Vec3 part = (device - state.device) / static_cast<double>(kParts);
+    const Vec3 part = way / static_cast<double>(kParts);
+    const double part_reach = kReach * moved / kParts + kReachMm;
     for (int i = 1; i <= kParts; ++i) {
       const Vec3 to = i < kParts ? state.device + part * static_cast<double>(i) : device;
-      contact = surface.solve(state.volume, scene, out.burr, axis, at, to, part, reach / kParts + 0.004);
+      contact = surface.solve(state.volume, scene, out.burr, axis, at, to, part, part_reach, kAnyWay);
       at = contact.pose_mm;
       out.infeasible = out.infeasible || contact.infeasible;
       out.overflow = out.overflow || contact.overflow;
@@ -124,6 +134,11 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   out.infeasible = out.infeasible || contact.infeasible;
   out.overflow = out.overflow || contact.overflow;
   const Vec3 slid = contact.pose_mm - state.proxy;
+  const Vec3 other = slid - way;
+  const bool follows = contact.active > 0 && !contact.deferred && moved > 0.0;
+  state.strays = follows && length_of(other) > kStrays * moved + kStraysMm &&
+                 length_of(other - state.astray * moved) < kStrays * moved + kStraysMm;
+  state.astray = follows ? other / moved : Vec3(0.0);
   state.proxy = contact.pose_mm;
   Tissue touched = Tissue::empty;
   double stiffness = blended(scene, contact, touched);
