@@ -11,10 +11,12 @@ namespace cusp {
 
 namespace {
 
-/// 152 directions: the points of a cube's surface with odd coordinates up to 5, made unit. None lies on a plane of the
-/// grid, so that a seam there is shared evenly. Only sqrt: the same everywhere.
+/// 152 directions: the points of a cube's surface with odd coordinates up to 5, made unit; and what of the ball each
+/// stands for: its square of the cube, of which a corner has three quarters, as it is seen from the middle. Only sqrt: the
+/// same everywhere.
 struct Directions {
   std::array<Vec3, 152> unit;
+  std::array<double, 152> share;
   Directions() noexcept {
     std::size_t n = 0;
     for (int z = -5; z <= 5; z += 2)
@@ -23,27 +25,40 @@ struct Directions {
           const int most = std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
           if (most != 5) continue;
           const Vec3 v(x, y, z);
-          unit[n++] = v / std::sqrt(glm::dot(v, v));
+          const double away = std::sqrt(glm::dot(v, v));
+          const bool corner = std::abs(x) == most && std::abs(y) == most && std::abs(z) == most;
+          share[n] = (corner ? 0.75 : 1.0) / (away * away * away);
+          unit[n++] = v / away;
         }
   }
 };
 const Directions kDirections;
 
-/// Sixteen directions across an axis, evenly about it: cosine and sine of 22.5 degrees and its multiples, by halving.
+/// Sixteen directions across an axis, evenly about it: cosine and sine of 22.5 degrees and its multiples, by halving; and
+/// eight parts of such a step.
 struct Round {
   std::array<OnHalf, 16> unit;  // t: cosine, rho: sine
+  std::array<OnHalf, 8> part;
+  static OnHalf half(OnHalf v) noexcept { return {std::sqrt(0.5 + 0.5 * v.t), std::sqrt(0.5 - 0.5 * v.t)}; }
+  static OnHalf turned(OnHalf v, OnHalf by) noexcept {
+    return {v.t * by.t - v.rho * by.rho, v.rho * by.t + v.t * by.rho};
+  }
   Round() noexcept {
-    const double c45 = std::sqrt(0.5), c22 = std::sqrt(0.5 + 0.5 * c45), s22 = std::sqrt(0.5 - 0.5 * c45);
-    const OnHalf first[4] = {{1.0, 0.0}, {c22, s22}, {c45, c45}, {s22, c22}};
-    for (std::size_t quarter = 0; quarter < 4; ++quarter)
-      for (std::size_t i = 0; i < 4; ++i) {
-        OnHalf v = first[i];
-        for (std::size_t turn = 0; turn < quarter; ++turn) v = {-v.rho, v.t};
-        unit[4 * quarter + i] = v;
-      }
+    OnHalf angle = half({0.0, 1.0});  // 45 degrees
+    angle = half(angle);
+    fill(unit, angle);
+    for (int i = 0; i < 3; ++i) angle = half(angle);
+    fill(part, angle);
+  }
+  template <std::size_t kCount>
+  static void fill(std::array<OnHalf, kCount>& out, OnHalf step) noexcept {
+    out[0] = {1.0, 0.0};
+    for (std::size_t i = 1; i < kCount; ++i) out[i] = turned(out[i - 1], step);
   }
 };
 const Round kRound;
+/// Which of 128 turns, the parts of Round, a tick's points have: consecutive ones about a golden section of a turn apart.
+inline unsigned turn_of(std::uint64_t tick) noexcept { return static_cast<unsigned>(tick * 79 & 127); }
 
 /// What a point of the front meets.
 struct Met {
@@ -74,14 +89,17 @@ double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, doubl
                    double fallback_mm_s, std::uint64_t tick) noexcept {
   Met met;
   auto eighth = static_cast<unsigned>(tick & 7);
-  const bool half_turn = (tick & 8) != 0;
-  for (const Vec3& u : kDirections.unit) {
+  // Turned about the way from tick to tick: what the points miss between them, and what lies unevenly about it, then
+  // evens out.
+  const unsigned turned = turn_of(tick);
+  const OnHalf turn = Round::turned(kRound.unit[turned >> 3], kRound.part[turned & 7]);
+  for (std::size_t i = 0; i < kDirections.unit.size(); ++i) {
+    const Vec3& u = kDirections.unit[i];
     const double w = glm::dot(u, direction);
     eighth = (eighth + 3) & 7;
     if (w <= 0.0) continue;
-    // Half a turn about the way every eight ticks: what lies unevenly about it then evens out.
-    const Vec3 at = half_turn ? direction * (2.0 * w) - u : u;
-    met.look(volume, scene, pose_mm + at * radius_mm, w, eighth);
+    const Vec3 at = u * turn.t + glm::cross(direction, u) * turn.rho + direction * (w * (1.0 - turn.t));
+    met.look(volume, scene, pose_mm + at * radius_mm, w * kDirections.share[i], eighth);
     if (met.stops) return 0.0;
   }
   return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;
@@ -128,7 +146,9 @@ std::vector<FrontRing> front_rings(const Profile& head) {
 
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
                    Vec3 direction, double fallback_mm_s, std::uint64_t tick) noexcept {
-  const Vec3 one = across(axis), other = glm::cross(axis, one);
+  const Vec3 first = across(axis), second = glm::cross(axis, first);
+  const OnHalf part = kRound.part[turn_of(tick) & 7];
+  const Vec3 one = first * part.t + second * part.rho, other = second * part.t - first * part.rho;
   Met met;
   auto eighth = static_cast<unsigned>(tick & 7);
   for (const FrontRing& ring : head)

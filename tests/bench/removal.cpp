@@ -100,19 +100,20 @@ void add_hands(Method method, std::vector<Row>& rows) {
     }
 }
 
-/// The seam lies along the way, turned about it: half of the burr in each tissue.
-void add_mixed(Method method, std::vector<Row>& rows) {
+/// The seam lies along the way, turned about it: half of the burr in each tissue, to a part of a voxel. Whose voxels they
+/// are there counts: the target is the harmonic mean over what the front has before it.
+void add_mixed(const Options& options, Method method, std::vector<Row>& rows) {
   const RemovalTissue &soft = kRemovalMaterials[0], &hard = kRemovalMaterials[2];
-  for (const std::string_view name : {"-z", "+x", "+x-y", "-x+y+z"})
+  for (const Direction& d : directions())
     for (int turn = 0; turn < 3; ++turn) {
+      if (!asked(options.directions, d.name)) continue;
       DrillRun run = run_in(method, round_cutter(1.0), kPaperVoxelMm, soft, 1.0);
-      for (const Direction& d : directions())
-        if (d.name == name) run.direction = d.unit;
+      run.direction = d.unit;
       const Vec3 u = across(run.direction), w = glm::cross(run.direction, u);
       constexpr double kTurn[3][2] = {{1.0, 0.0}, {0.8, 0.6}, {0.28, -0.96}};
       const Vec3 normal = u * kTurn[turn][0] + w * kTurn[turn][1];
       run.tissue = [normal, soft, hard](Vec3 p) { return glm::dot(p, normal) > 0.0 ? soft.tissue : hard.tissue; };
-      run.target_mm_s = 2.0 / (1.0 / soft.speed_mm_s + 1.0 / hard.speed_mm_s);
+      run.target_mm_s = front_of_voxels_mm_s(run);
       Row& row = rows.emplace_back(row_of("mixed", run));
       row.tissue = fmt::format("{} and {}", name_of(soft.tissue), name_of(hard.tissue));
       row.variant = fmt::format("seam {}", turn + 1);
@@ -407,7 +408,7 @@ std::vector<Row> removal_rows(const Options& options) {
     if (wants("speed")) add_speeds(options, method, rows);
     if (wants("depth") && !options.full && (method == Method::surface || method == Method::occupancy)) add_depths(method, rows);
     if (wants("hand") && banded && !options.full) add_hands(method, rows);
-    if (wants("mixed") && banded && !options.full) add_mixed(method, rows);
+    if (wants("mixed") && banded && !options.full) add_mixed(options, method, rows);
     if (wants("tick") && !options.full) add_costs(options, method, rows);
   }
   if (surface && wants("shape")) add_shapes(options, rows);

@@ -159,6 +159,34 @@ double taken_mm3(const Cutter& cutter, double depth_mm) {
   return cutter.flank_mm * (r * r * std::acos(1.0 - h / r) - (r - h) * std::sqrt(h * (2.0 * r - h)));
 }
 
+double front_of_voxels_mm_s(const DrillRun& run) {
+  const auto scene = drill_scene(run);
+  const Specimen& specimen = *scene->specimen;
+  const Grid& grid = specimen.grid();
+  const Vec3 in = run.direction, u = across(in), w = glm::cross(in, u);
+  const double r = run.cutter.burr.radius_mm;
+  // The front seen along the way: a disc, each part of which goes the same way through the tissue.
+  constexpr int kAcross = 200, kPlaces = 50;
+  double way_mm = 0.0, time_s = 0.0;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double depth = run.stroke_mm * (kRunIn + (1.0 - kRunIn) * (k + 0.5) / kPlaces);
+    double parts = 0.0, slowness = 0.0;
+    for (int i = 0; i < kAcross * kAcross; ++i) {
+      const double x = (2.0 * (i % kAcross) + 1.0) / kAcross - 1.0, y = (2.0 * (i / kAcross) + 1.0) / kAcross - 1.0;
+      const double left = 1.0 - x * x - y * y;
+      if (left <= 0.0) continue;
+      const double ahead = depth - r + r * std::sqrt(left);
+      if (ahead < 0.0) continue;  // before the face
+      const IVec3 v(glm::floor((u * (r * x) + w * (r * y) + in * ahead - grid.origin_mm) / grid.voxel_mm + 0.5));
+      parts += 1.0;
+      slowness += 1.0 / run.speed_mm_s[index_of(specimen.tissue(v))];
+    }
+    way_mm += 1.0;
+    time_s += slowness / parts;
+  }
+  return way_mm / time_s;
+}
+
 DrillSpeed drill(const DrillRun& asked_run) {
   DrillRun run = asked_run;
   const bool filled = reading_of(run.method) == Reading::filled;

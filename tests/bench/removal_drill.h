@@ -64,6 +64,10 @@ std::shared_ptr<Scene> drill_scene(const DrillRun& run);
 /// radius deep.
 double taken_mm3(const Cutter& cutter, double depth_mm);
 
+/// Full speed of a ball on that way, by what of each tissue its front has before it between the run-in and the end: the
+/// harmonic mean over the voxels that it meets, for a specimen knows its tissues by the voxel.
+double front_of_voxels_mm_s(const DrillRun& run);
+
 DrillSpeed drill(const DrillRun& run);
 
 }  // namespace cusp::bench
