@@ -80,6 +80,18 @@ FlatHead::FlatHead(const Profile& profile, double voxel_mm) noexcept : profile_{
                  after.arc ? -after.mt : -after.nt,
                  smooth_[i]};
   }
+  if (profile.size() > 1 && !flat_[0].arc && !flat_[1].arc && flat_[0].nt < -1.0f + 1e-6f && flat_[1].nt > 1e-3f) {
+    // Full depth is due where a place is as high over the tip as off the wall; there the flank is cos - sin of that deep.
+    const double cosine = flat_[1].nr, sine = flat_[1].nt;
+    const double flank = cosine - sine;
+    constexpr double kLeast = 0.2;  // of it: a rim of less than half a right angle leaves walls that are read as they were
+    if (flank > kLeast) {
+      const double more = 1.0 / flank - 1.0, along = 1.0 + 5.0 * more, off = 2.0 * more * flank;
+      const double t = along * sine + off, r = along * cosine - off, length = std::sqrt(t * t + r * r);
+      rim_ = {static_cast<float>(more), joint_[1].t, joint_[1].rho, flat_[1].nt, flat_[1].nr,
+              static_cast<float>(std::sqrt(2.0) / flank), t / length, r / length};
+    }
+  }
   const FlatPiece &tip = flat_[0], &top = flat_[profile.size() - 1];
   level_tip_ = (tip.arc ? tip.mt : tip.nt) < -1.0f + 1e-6f;
   level_top_ = (top.arc ? top.lt : top.nt) > 1.0f - 1e-6f;
@@ -120,6 +132,7 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
       above[i] = from_start[i] && to_end[i] && away > diagonal + 1.0;
     }
     low[i] = middle - spread;
+    if (i == 1 && rim_.more > 0.0f && low[i] < 0.0) low[i] *= 1.0 + rim_.more;
     high[i] = middle + spread;
     floor = low[i] > floor ? low[i] : floor;
   }
@@ -136,6 +149,11 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
     }
     round = round && (!flat_[i].arc || flat_[i].radius > kBandVoxels + 0.25);
     out.piece[out.pieces++] = &flat_[i];
+    if (i == 1 && rim_.more > 0.0f) {
+      out.rim = &rim_;
+      out.flank = &flat_[i];
+      between(out, rim_.turned_t, rim_.turned_r);
+    }
     corner[i] = corner[i + 1] = true;
     first = first < 0 ? i : first;
     last = i;

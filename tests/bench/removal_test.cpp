@@ -147,6 +147,18 @@ TEST(RemovalShape, is_the_swept_burr_of_known_strokes) {
   }
 }
 
+TEST(RemovalShape, of_a_hole_that_an_acute_rim_leaves_is_the_swept_burr) {
+  // By the head's own depth the wall stood 3.2 um too near and 1.3 % of the volume was missing; now 0.03 um, 0.38 %, of
+  // which most is at the edges.
+  const Cutter cutter{"35", catalogue_burr("35")->burr};
+  const auto points = points_of(Way::drilled, cutter, 50.0, 1.0);
+  const ShapeLeft left = lead_along(cutter, 10.0 / 128, Way::drilled, points, 1.0, 1);
+  EXPECT_GT(left.points, 200);
+  EXPECT_LT(left.mean_um, 0.1);
+  EXPECT_LT(left.most_um, 3.0);
+  EXPECT_NEAR(left.removed_mm3 / taken_on_mm3(cutter, Way::drilled, points), 1.0, 0.005);
+}
+
 TEST(RemovalShape, of_a_burr_that_is_no_ball_is_the_swept_burr_upright_or_leaning) {
   struct Stroke {
     const char* number;
