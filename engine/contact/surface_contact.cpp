@@ -98,10 +98,14 @@ void SurfaceContact::forget() noexcept {
 }
 
 void SurfaceContact::relax_by_memory(const Tool& tool, std::size_t from, std::size_t to) noexcept {
-  // An edge that the strokes themselves told, as balls do, needs no mending.
+  // An edge that the strokes themselves told, as balls do, needs no mending. Neck and shank do not cut: where the head has
+  // passed they have no more room (a neck that comes nearer by less than the slack a tick would never be held).
   const bool told = sharp_ && tool.ball();
   planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, kMemorySlack, from, to,
-                    [&](std::size_t i) { return !told || candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind != Kind::edge; },
+                    [&](std::size_t i) {
+                      const Kind kind = candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind;
+                      return kind != Kind::shank && !(told && kind == Kind::edge);
+                    },
                     [&](std::size_t i) { origins_[i].relaxed = true; });
 }
 

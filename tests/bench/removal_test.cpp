@@ -12,6 +12,7 @@
 #include "engine/tool/swept.h"
 #include "scenarios/burrs/burr_catalogue.h"
 #include "tests/bench/chart.h"
+#include "tests/bench/motions.h"
 #include "tests/bench/program.h"
 #include "tests/bench/removal_pairs.h"
 #include "tests/bench/removal_ways.h"
@@ -174,6 +175,21 @@ TEST(RemovalShape, of_a_burr_that_is_no_ball_is_the_swept_burr_upright_or_leanin
     EXPECT_LT(left.most_um, 10.0) << stroke.number;
     const double exact = taken_on_mm3(cutter, stroke.way, points);
     EXPECT_NEAR(left.removed_mm3, exact, 0.005 * exact) << stroke.number;
+  }
+}
+
+TEST(RemovalShape, is_no_deeper_than_a_leaning_neck_lets_the_burr_go_at_any_speed) {
+  // Round "2" leans by 33 degrees; towards its way's end the neck, 0.3 mm wide, comes to the mouth. A neck to which the
+  // head's own past gave room went 15 um in at 1 mm/s, where it comes nearer by 0.3 um a tick, and at 200 mm/s.
+  const Cutter cutter{"2", catalogue_burr("2")->burr};
+  for (const double speed : {1.0, 50.0, 200.0}) {
+    StepState state(soft_scene(cutter, Method::surface, 10.0 / 128, Way::tilted));
+    const auto points = points_of(Way::tilted, cutter, speed, 1.0);
+    step(state, input_at(points.front() + kWayUp * 0.04));
+    StepOutput out;
+    for (const Vec3& p : points) out = step(state, input_at(p, true));
+    EXPECT_TRUE(out.shank) << speed;
+    EXPECT_GT(glm::length(out.proxy_mm - points.back()), 0.03) << speed;  // 0.109, 0.103 and 0.041
   }
 }
 
