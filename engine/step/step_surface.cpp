@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/removal/carve.h"
+#include "engine/removal/uncut.h"
 #include "engine/removal/wear.h"
 #include "engine/step/state.h"
 #include "engine/step/step_fragments.h"
@@ -24,6 +25,10 @@ constexpr double kLeastPieceMm = 0.008;
 constexpr double kLeastSlideMm = 0.0004;
 constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
+/// Sliding over what strokes have left, a ball is lifted out of what no stroke has taken, but for this much more.
+constexpr double kUncutMm = 0.0001;
+constexpr int kLifts = 3;
+constexpr double kMostLiftMm = 0.05;
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
 constexpr double kOutrunTimes = 2.0, kOutrunMm = 0.02;
 constexpr int kParts = 8;
@@ -89,6 +94,20 @@ bool owe_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
 bool carve_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
   const bool room = !state.cut_pending || owe_pending(state, burr);
   return carve_some(state, kAllBricks) && room;
+}
+
+/// Moves a ball out of what no stroke has taken until it stands no deeper than allowed_mm.
+void lift_out(const StepState::Inner& state, double radius_mm, Vec3 towards, double allowed_mm, Vec3& pose) noexcept {
+  double lifted = 0.0;
+  for (int i = 0; i < kLifts && lifted < kMostLiftMm; ++i) {
+    const Uncut uncut = deepest_uncut(state.volume, state.memory, radius_mm, pose, towards);
+    const double over = uncut.depth_mm - allowed_mm;
+    if (!(over > 0.0)) return;
+    const double lift = std::min(over, kMostLiftMm - lifted);
+    pose -= uncut.towards * lift;
+    lifted += lift;
+    towards = uncut.towards;
+  }
 }
 
 }  // namespace
@@ -178,6 +197,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
           pose = state.proxy;
           advance = 0.0;
         }
+        if (burr.head.ball()) lift_out(state, burr.radius_mm, direction, shallow + kUncutMm, pose);
         to_device = device - pose;
         gap = length_of(to_device);
         direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
