@@ -1,9 +1,15 @@
 /// The surface of a brick that a burr has reached, as points and edges in cell order: what is left of the specimen's own
 /// points, the cut's points, and the edges where surfaces meet. Computed when contact asks for a brick, kept until a voxel
-/// that it was read from changes. What it answers depends on the volume, the strokes that made it and sharpen() alone, so
-/// that an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features. Thread: haptic.
+/// that it was read from changes. What it answers depends on the volume, the strokes that made it and on which slices are
+/// sharp alone, so that an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features.
+///
+/// A slice (eight of a brick, along z) is *sharp* where ridges between cuts are found to their edge, *dull* where they are
+/// rounded as the field has them. While the burr cuts all are dull; afterwards they are sharpened some a tick
+/// (sharpen_slices), for an edge costs ten times a smooth cell. Which are sharp is part of the step's state.
+/// Thread: haptic.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -41,14 +47,36 @@ class CutSurface {
     std::int32_t next = -1;
   };
 
-  /// strokes: what has been cut, complete whenever sharpen() is on; or nullptr. Outlives this.
+  /// strokes: what has been cut, complete whenever anything is sharp; or nullptr. Outlives this.
   CutSurface(const Volume& volume, const CutMemory* strokes);
 
-  /// Voxels low..high (inclusive) of the cut field have changed.
+  /// Voxels low..high (inclusive) of the cut field have changed. What was sharp stays so.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept;
+  /// The same, and dulled: for changes too large to be made out to their edges at once.
+  void changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
-  /// Whether ridges between cuts are found to their edge, or rounded as the field has them (while the burr cuts).
+  /// Off: every slice is dull from now on. On: bricks that are cut from now on are sharp; those that were stay dull until
+  /// sharpen_slices() comes to them.
   void sharpen(const Volume& volume, bool on) noexcept;
+  bool sharpens() const noexcept { return on_; }
+
+  /// Dull slices of a brick, a bit each. Pre: volume.has_cut(brick).
+  std::uint8_t dull(const Volume& volume, int brick) const noexcept;
+  /// Sharpens dull slices of a brick among `slices`, lowest first, and makes them out at once, until `budget` is spent;
+  /// returns what is left of it. A slice costs its voxels that the cut's surface passes, and its points of the specimen's.
+  int sharpen_slices(const Volume& volume, int brick, std::uint8_t slices, int budget) noexcept;
+
+  /// For saving: sharp slices of a brick, a bit each.
+  std::uint8_t sharp(const Volume& volume, int brick) const noexcept { return static_cast<std::uint8_t>(~dull(volume, brick)); }
+  /// Replaces which are sharp, of all of volume.cut_bricks(): sharp_of(brick). Everything is to be read anew.
+  template <class SharpOf>
+  void load_sharp(const Volume& volume, bool on, SharpOf&& sharp_of) noexcept {
+    on_ = on;
+    std::fill(slots_sharp_.begin(), slots_sharp_.end(), on ? kAllSlices : std::uint8_t{0});
+    for (const std::int32_t brick : volume.cut_bricks())
+      slots_sharp_[static_cast<std::size_t>(volume.cut_slot(brick))] = sharp_of(brick);
+    forget();
+  }
 
   /// First page of a brick's features, brought up to date; -1 when it has none. Valid until the next call.
   /// Pre: volume.has_cut(brick).
@@ -58,13 +86,16 @@ class CutSurface {
   /// False for a page that holds one brick's features only until the next brick is asked for: room has run out.
   bool kept(std::int32_t i) const noexcept { return static_cast<std::size_t>(i) < kept_pages_; }
 
-  /// Everything is to be read anew (after the volume was loaded).
+  /// Everything is to be read anew (after the volume was loaded). Which slices are sharp stays.
   void forget() noexcept;
+
+  /// Cells whose edges have been looked for so far, the costliest work there is here; for tests and benches.
+  std::uint64_t cells_sharpened() const noexcept { return cells_sharpened_; }
 
  private:
   struct Slot {
     std::uint64_t stale[8];    // by cell, one word for each slice
-    std::uint64_t creased[8];  // cells whose features depend on the cells two away as well
+    std::uint64_t creased[8];  // sharp cells that depend on the cells two away as well, or would be other cells if dull
     std::int32_t first = -1;
   };
   struct Made {
@@ -73,26 +104,35 @@ class CutSurface {
   };
   /// The brick's samples and one more below, two above: what its cells' stencils read.
   static constexpr int kSide = 11;
+  /// Three more below, four above: what an edge's look at the cells two away reads.
+  static constexpr int kWide = 15;
+  static constexpr std::uint8_t kAllSlices = 0xff;
 
   void refresh(const Volume& volume, int brick, Slot& slot) noexcept;
   void decode(const Volume& volume, IVec3 brick) noexcept;
-  /// True when the cell is creased.
+  void decode_wide(const Volume& volume, IVec3 brick) noexcept;
+  /// True when the cell is creased: never where it is dull.
   bool make_cell(const Volume& volume, IVec3 corner, int offset) noexcept;
-  /// True when the cell is creased.
+  /// The same.
   bool make_base(const Volume& volume, const BasePoints& points, int i) noexcept;
   void make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept;
 
   std::vector<Slot> slots_;
+  std::vector<std::uint8_t> slots_sharp_;  // [slot]: a bit for each sharp slice; state, all else is kept for speed
   std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
   std::vector<std::int32_t> free_;
   std::vector<Made> made_;    // of the brick being refreshed
   std::vector<Made> merged_;
   const CutMemory* strokes_;
   StrokeCells stroke_cells_;
-  bool sharp_ = true;
+  bool on_ = true;
+  bool sharp_ = true;        // the slice of the cell being made
+  bool wide_ready_ = false;  // wide_ is of the brick being refreshed
+  std::uint64_t cells_sharpened_ = 0;
   std::size_t made_count_ = 0;
   std::size_t kept_pages_ = 0;
   double samples_[kSide * kSide * kSide];
+  double wide_[kWide * kWide * kWide];
 };
 
 }  // namespace cusp

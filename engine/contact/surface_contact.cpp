@@ -93,7 +93,7 @@ void SurfaceContact::PointsBox::add(Vec3f p) noexcept {
 void SurfaceContact::forget() noexcept {
   cut_.forget();
   fields_.forget_cut();
-  gathered_.valid = free_.valid = false;
+  gathered_.valid = free_.valid = dull_far_.valid = false;
   free_pause_ = 0;
 }
 
@@ -284,7 +284,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
   bool arrived = false;
   bool with_foot = false;
 
-  for (int search = 0; search < kSearches && !arrived; ++search) {
+  for (int search = 0; search < kSearches && !arrived && (search == 0 || !spent()); ++search) {
     const Vec3 centre = y;
     gather(volume, tool, y, step);
     const std::size_t at_hand_count = count_;
@@ -302,6 +302,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     bool rolling = false;
     double next_step = kLongestStep;
     for (int pass = 0; pass < 10; ++pass) {
+      --passes_left_;
       if (last_moved > kSettledMm) {
         held_.count = 0;
         within = asked;

@@ -61,13 +61,31 @@ class SurfaceContact {
     gathered_.valid = false;
   }
 
-  /// Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for strokes are carved later than
-  /// they are remembered.
-  void sharpen(const Volume& volume, bool on) noexcept {
-    if (on == sharp_) return;
-    sharp_ = on;
-    cut_.sharpen(volume, on);
+  /// The same of a change too large to be felt to its edges at once: what lies there is rounded until sharpen() comes to it.
+  void changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexcept {
+    cut_.changed_dull(volume, low, high);
+    fields_.forget_cut();
     gathered_.valid = free_.valid = false;
+    dull_far_.valid = false;
+  }
+
+  /// How many passes the searches from here on may take together, each at least one search: what is still on its way then
+  /// goes on in the next tick. Of 600,000 ticks of a session 400 ask for more; a pass takes some 4 us.
+  static constexpr int kMostPasses = 48;
+  void allow_passes() noexcept { passes_left_ = kMostPasses; }
+  bool spent() const noexcept { return passes_left_ <= 0; }
+
+  /// Once a tick, before solve(). Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for
+  /// strokes are carved later than they are remembered. On: some of what is still rounded about the burr at `pose` is found
+  /// to its edges, as much as a tick has time for.
+  void sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on) noexcept;
+  /// What of it is state: see CutSurface.
+  const CutSurface& cut_surface() const noexcept { return cut_; }
+  template <class SharpOf>
+  void load_sharp(const Volume& volume, bool on, SharpOf&& sharp_of) noexcept {
+    cut_.load_sharp(volume, on, sharp_of);
+    sharp_ = on;
+    forget();
   }
 
   /// Everything kept is to be found anew (after the volume was loaded). What is kept never changes an answer.
@@ -265,7 +283,15 @@ class SurfaceContact {
   std::uint64_t answered_free_ = 0;
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
-  bool sharp_ = true;
+  int passes_left_ = kMostPasses;
+  bool sharp_ = true;                  // all about the burr is
+  /// Nothing dull within kDullFar of here, when valid.
+  struct DullFar {
+    Vec3 at{0.0}, axis{0.0};
+    const Burr* burr = nullptr;
+    bool valid = false;
+  };
+  DullFar dull_far_;
   bool edges_ = false;                 // edges may be among the candidates at hand
   bool near_cut_ = false;              // a surface that a burr left is among those near
   /// Of this solve's last pass: planes that hold the pose, and whether planes_ are those it came from.

@@ -30,7 +30,7 @@ class SurfaceMethod final : public ContactMethod {
   }
   bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
     const ChangedBox changed = cusp::take_away(state.volume, voxels);
-    if (changed.any) state.surface->changed(state.volume, changed.low, changed.high);
+    if (changed.any) state.surface->changed_dull(state.volume, changed.low, changed.high);
     return !changed.overflow;
   }
   void reload(StepState::Inner&) override {}  // what it keeps of the volume stands in state.surface

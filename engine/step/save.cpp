@@ -1,4 +1,5 @@
 // Key states: the whole state as bytes, little-endian, and back.
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -206,6 +207,13 @@ std::vector<std::byte> StepState::save() const {
   const std::vector<std::byte> cuts = s.volume.save_cuts();
   w.u(cuts.size(), 8);
   w.raw(cuts);
+  if (s.surface) {
+    const CutSurface& cut = s.surface->cut_surface();
+    w.u(cut.sharpens() ? 1 : 0, 1);
+    std::vector<std::int32_t> bricks(s.volume.cut_bricks().begin(), s.volume.cut_bricks().end());
+    std::sort(bricks.begin(), bricks.end());
+    for (const std::int32_t brick : bricks) w.u(cut.sharp(s.volume, brick), 1);
+  }
   return w.take();
 }
 
@@ -263,8 +271,13 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   if (s.phenomena && !read_phenomena(r, *s.phenomena, s.last)) return std::nullopt;
   const std::size_t size = r.u(8);
   const auto cuts = r.raw(size);
-  if (!r.done() || !s.volume.load_cuts(cuts)) return std::nullopt;
-  if (s.surface) s.surface->forget();
+  if (!r.good() || !s.volume.load_cuts(cuts)) return std::nullopt;
+  if (s.surface) {
+    // Loaded bricks come in index order, as they were written.
+    const bool on = r.u(1) != 0;
+    s.surface->load_sharp(s.volume, on, [&r](std::int32_t) { return static_cast<std::uint8_t>(r.u(1)); });
+  }
+  if (!r.done()) return std::nullopt;
   s.method->reload(s);
   return out;
 }

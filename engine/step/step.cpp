@@ -96,6 +96,20 @@ std::uint64_t StepState::hash() const noexcept {
       for (const std::uint64_t voxels : entry.voxels.slice) h.add(voxels);
     }
   }
+  if (s.surface) {
+    // A sum over bricks, as the volume's. Mostly all of them are as they come: nothing to add.
+    const CutSurface& cut = s.surface->cut_surface();
+    h.add(cut.sharpens() ? 1u : 0u);
+    std::uint64_t sum = 0;
+    for (const std::int32_t brick : s.volume.cut_bricks()) {
+      const std::uint8_t sharp = cut.sharp(s.volume, brick);
+      if (sharp == (cut.sharpens() ? 0xff : 0)) continue;
+      Hash64 one;
+      one.add(static_cast<std::uint64_t>(brick) << 8 | sharp);
+      sum += one.value();
+    }
+    h.add(sum);
+  }
   // The memory is what the path made it: its length and its end stand for all of it.
   h.add(s.memory.size() * 2 + (s.memory.open() ? 1 : 0));
   if (s.memory.size() > 0) {

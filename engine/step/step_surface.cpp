@@ -134,20 +134,24 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
   const bool led = !state.last.deferred && moved > 0.0;
   const Vec3 before = state.proxy;
 
-  surface.sharpen(state.volume, !cut);
+  surface.allow_passes();
+  // The tick that ends a stroke carves what is left of it; edges are for those after it.
+  surface.sharpen(state.volume, burr, axis, state.proxy, !cut && !state.cut_valid);
   Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, ahead, reach, led ? most : kAnyWay);
   if ((contact.active > 0 || contact.deferred) && led && length_of(contact.pose_mm - state.proxy) > most) {
     // The proxy went much further than its device: over an edge perhaps that a device moving evenly would have been held
     // by. The same way once more, in parts.
+    surface.allow_passes();
     Vec3 at = state.proxy;
     const Vec3 part = way / static_cast<double>(kParts);
     const double part_reach = kReach * moved / kParts + kReachMm;
-    for (int i = 1; i <= kParts; ++i) {
+    for (int i = 1; i <= kParts && !(i > 1 && surface.spent()); ++i) {
       const Vec3 to = i < kParts ? state.device + part * static_cast<double>(i) : device;
       contact = surface.solve(state.volume, scene, out.burr, axis, at, to, part, part_reach, kAnyWay);
       at = contact.pose_mm;
       out.infeasible = out.infeasible || contact.infeasible;
       out.overflow = out.overflow || contact.overflow;
+      contact.deferred = contact.deferred || (i < kParts && surface.spent());
     }
   }
   out.infeasible = out.infeasible || contact.infeasible;

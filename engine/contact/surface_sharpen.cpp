@@ -1,0 +1,76 @@
+// Edges about the burr, some a tick.
+#include <algorithm>
+
+#include "engine/contact/surface_near.h"
+
+namespace cusp {
+
+namespace {
+
+/// Voxels that the surface passes whose cells are made out to their edges in a tick, and at most a slice of 64 more. An
+/// edge's cell takes up to 8 us, and about every third of these is one.
+constexpr int kSharpenATick = 48;
+/// mm from the burr within which that is done: some ticks before it is there.
+constexpr double kSharpenWithin = 0.15;
+/// mm beyond, that a look says something of for the next ticks.
+constexpr double kDullFar = 0.1;
+
+}  // namespace
+
+void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on) noexcept {
+  if (on != cut_.sharpens()) {
+    cut_.sharpen(volume, on);
+    gathered_.valid = free_.valid = dull_far_.valid = false;
+    sharp_ = on;
+  }
+  if (!on) return;
+  const Vec3 gone = pose - dull_far_.at;
+  if (dull_far_.valid && dull_far_.burr == &burr && dull_far_.axis == axis && glm::dot(gone, gone) <= kDullFar * kDullFar) return;
+
+  const Tool tool{&burr, axis};
+  const double side = voxel_mm_;
+  // Slices of a brick near the head of a ball; of another head all.
+  const auto near = [&](IVec3 at, double margin) {
+    if (!tool.ball()) return std::uint8_t{0xff};
+    std::uint8_t out = 0;
+    const Vec3 corner = volume.grid().origin_mm + side * Vec3(at * kBrickEdge);
+    const double reach = burr.radius_mm + margin;
+    for (int z = 0; z < kBrickEdge; ++z) {
+      const Vec3 low = corner + Vec3(-0.2, -0.2, z - 0.2) * side, high = corner + Vec3(8.2, 8.2, z + 1.2) * side;
+      out = static_cast<std::uint8_t>(out | (box_distance2(pose, low, high) <= reach * reach ? 1u << z : 0u));
+    }
+    return out;
+  };
+  int budget = kSharpenATick;
+  bool any = false, far = false;
+  // The head first, then the shank.
+  head_bricks(volume, tool, pose, kSharpenWithin + kDullFar, [&](int brick, IVec3 at) {
+    if (!volume.has_cut(brick)) return;
+    const std::uint8_t dull = cut_.dull(volume, brick);
+    if (dull == 0 || (dull & near(at, kSharpenWithin + kDullFar)) == 0) return;
+    far = true;
+    const auto wanted = static_cast<std::uint8_t>(dull & near(at, kSharpenWithin));
+    if (wanted == 0) return;
+    any = true;
+    if (budget > 0) budget = cut_.sharpen_slices(volume, brick, wanted, budget);
+  });
+  const auto shank = [&](double margin, auto&& visit) {
+    bricks_within(volume, axis, pose, shank_within(tool, margin), [&](int brick, IVec3) {
+      if (volume.has_cut(brick) && cut_.dull(volume, brick) != 0) visit(brick);
+    });
+  };
+  if (budget > 0)
+    shank(kSharpenWithin, [&](int brick) {
+      any = true;
+      if (budget > 0) budget = cut_.sharpen_slices(volume, brick, 0xff, budget);
+    });
+  if (any) {
+    gathered_.valid = free_.valid = false;
+  } else if (!far) {
+    shank(kSharpenWithin + kDullFar, [&](int) { far = true; });
+    dull_far_ = {pose, axis, &burr, !far};
+  }
+  sharp_ = !any || budget > 0;
+}
+
+}  // namespace cusp
