@@ -77,8 +77,8 @@ class SurfaceContact {
 
   /// Once a tick, before solve(). Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for
   /// strokes are carved later than they are remembered. On: some of what is still rounded about the burr at `pose` is found
-  /// to its edges, as much as a tick has time for.
-  void sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on) noexcept;
+  /// to its edges, as much as a tick has time for; nothing in a tick that has to wait.
+  void sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept;
   /// What of it is state: see CutSurface.
   const CutSurface& cut_surface() const noexcept { return cut_; }
   template <class SharpOf>

@@ -17,7 +17,7 @@ constexpr double kDullFar = 0.1;
 
 }  // namespace
 
-void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on) noexcept {
+void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept {
   if (on != cut_.sharpens()) {
     cut_.sharpen(volume, on);
     gathered_.valid = free_.valid = dull_far_.valid = false;
@@ -41,7 +41,7 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
     }
     return out;
   };
-  int budget = kSharpenATick;
+  int budget = wait ? 0 : kSharpenATick;
   bool any = false, far = false;
   // The head first, then the shank.
   head_bricks(volume, tool, pose, kSharpenWithin + kDullFar, [&](int brick, IVec3 at) {

@@ -12,7 +12,7 @@ namespace {
 class SurfaceMethod final : public ContactMethod {
  public:
   void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
-    step_surface(state, tick.device, tick.axis, tick.cut, tick.dt_s, tick.removal_factor, out);
+    step_surface(state, tick, out);
   }
   bool lift(StepState::Inner& state) noexcept override { return end_stroke(state); }
   bool fits(StepState::Inner& state, Vec3 axis, Vec3 pose_mm) noexcept override {

@@ -18,6 +18,7 @@ struct Tick {
   bool cut = false;
   double dt_s = 0.001;  // bounded by the guard's late limit
   double removal_factor = 1.0;  // of the tissues' speeds, [0, 1]: what the spindle leaves
+  bool piece_goes = false;      // a severed piece loses some of itself in this tick: what else can wait does
 };
 
 class ContactMethod {

@@ -58,8 +58,7 @@ struct StepState::Inner {
 /// Returns false when the volume had no room.
 bool end_stroke(StepState::Inner& state) noexcept;
 
-/// Surface method: contact, removal and raw force of one tick into `out`. dt_s is bounded by the guard's late limit.
-void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, double removal_factor,
-                  StepOutput& out) noexcept;
+/// Surface method: contact, removal and raw force of one tick into `out`.
+void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept;
 
 }  // namespace cusp

@@ -207,7 +207,8 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     out.overflow = !state.method->lift(state);
   }
 
-  if (input.loose != 0 || state.leaving.active()) out.overflow = !let_pieces_go(state, input.loose) || out.overflow;
+  const bool piece_goes = input.loose != 0 || state.leaving.active();
+  if (piece_goes) out.overflow = !let_pieces_go(state, input.loose) || out.overflow;
 
   const double dt_ms = std::min(elapsed_ms, scene.guard.late_ms);
   if (state.guard.fault != Fault::none) {
@@ -229,7 +230,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.last.burr = out.burr;
     state.proxy = first_pose(state, device, out.axis);
   }
-  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3};
+  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, piece_goes};
   // Where the device went while the guard was latched is no speed.
   const bool anew = first || (input.buttons & StepInput::kRearm) != 0;
   if (!state.phenomena) {

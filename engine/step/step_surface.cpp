@@ -120,8 +120,10 @@ bool end_stroke(StepState::Inner& state) noexcept {
   return room;
 }
 
-void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, double dt_s, double removal_factor,
-                  StepOutput& out) noexcept {
+void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept {
+  const Vec3 device = tick.device, axis = tick.axis;
+  const bool cut = tick.cut;
+  const double dt_s = tick.dt_s, removal_factor = tick.removal_factor;
   const Scene& scene = *state.scene;
   const Burr& burr = scene.burrs[out.burr];
   SurfaceContact& surface = *state.surface;
@@ -136,7 +138,7 @@ void step_surface(StepState::Inner& state, Vec3 device, Vec3 axis, bool cut, dou
 
   surface.allow_passes();
   // The tick that ends a stroke carves what is left of it; edges are for those after it.
-  surface.sharpen(state.volume, burr, axis, state.proxy, !cut && !state.cut_valid);
+  surface.sharpen(state.volume, burr, axis, state.proxy, !cut && !state.cut_valid, tick.piece_goes);
   Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, ahead, reach, led ? most : kAnyWay);
   if ((contact.active > 0 || contact.deferred) && led && length_of(contact.pose_mm - state.proxy) > most) {
     // The proxy went much further than its device: over an edge perhaps that a device moving evenly would have been held

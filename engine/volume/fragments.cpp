@@ -277,8 +277,19 @@ void LeavingPiece::hear(const Volume& volume, std::uint16_t half) noexcept {
 
 int LeavingPiece::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& voxels) noexcept {
   const Entry entry = entries_.front();
-  entries_.erase(entries_.begin());
   const BrickVoxelSet piece = reached(occupied_in(volume, entry.brick), entry.voxels);
+  // Whole slices, until it is enough for a tick: what is left goes on with the next one.
+  BrickVoxelSet rest = piece;
+  int count = 0;
+  for (std::size_t z = 0; z < 8 && count < kVoxelsATick; ++z) {
+    count += std::popcount(piece.slice[z]);
+    rest.slice[z] = 0;
+  }
+  if (rest.empty()) {
+    entries_.erase(entries_.begin());
+  } else {
+    entries_.front().voxels = rest;
+  }
   if (piece.empty()) return 0;
   const Specimen& specimen = volume.specimen();
   const IVec3 at = specimen.brick_at(entry.brick);
@@ -293,9 +304,9 @@ int LeavingPiece::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& vo
     for (std::size_t z = 0; z < 8; ++z) there.slice[z] &= occupied.slice[z];
     if (!there.empty()) enter(brick, there);
   }
-  int count = 0;
+  count = 0;
   for (int o = 0; o < kBrickVoxels; ++o)
-    if (piece.has(o))
+    if (piece.has(o) && !rest.has(o))
       voxels[static_cast<std::size_t>(count++)] = at * kBrickEdge + IVec3(o & 7, o >> 3 & 7, o >> 6);
   return count;
 }

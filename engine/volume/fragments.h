@@ -3,7 +3,7 @@
 ///
 /// A *crumb* (under kCrumbVoxels) goes in the tick that severs it: for_crumbs() looks round what was just cut. A *loose
 /// piece* is found off the thread (find_loose_pieces) and named to the step by one of its voxels in the recorded inputs;
-/// the step then takes it away brick by brick (LeavingPiece), the same in every replay.
+/// the step then takes it away, at most a brick a tick (LeavingPiece), the same in every replay.
 #pragma once
 
 #include <array>
@@ -131,12 +131,13 @@ constexpr std::uint32_t voxel_name(int brick, int offset) noexcept {
   return static_cast<std::uint32_t>(brick) << 9 | static_cast<std::uint32_t>(offset);
 }
 
-/// A piece on its way out: bricks still to be visited, with the voxels that it enters them by. One brick a tick, so that
-/// a tick's work is bounded; what finds no room is found again, and named again, by whoever looks for loose pieces.
+/// A piece on its way out: bricks still to be visited, with the voxels that it enters them by, or that are left of it there.
+/// A brick a tick at most, of a full one a part, so that a tick's work is bounded; what finds no room is found again, and named again, by whoever looks for loose pieces.
 /// Part of the step's state. Thread: haptic; memory is taken at construction.
 class LeavingPiece {
  public:
   static constexpr int kMostBricks = 512;
+  static constexpr int kVoxelsATick = 192;  // and at most a slice of 64 more
   struct Entry {
     std::int32_t brick = 0;
     BrickVoxelSet voxels;
@@ -147,7 +148,7 @@ class LeavingPiece {
   /// A half of a name, as StepInput::loose has it: bit 15 marks the first (higher) half; 0 is nothing.
   void hear(const Volume& volume, std::uint16_t half) noexcept;
   bool active() const noexcept { return !entries_.empty(); }
-  /// Takes away what the piece has in the brick that has waited longest. Calls gone(std::span<const IVec3>) where there is any.
+  /// Takes away what the piece has in the brick that has waited longest, or as much of it as a tick has time for. Calls gone(std::span<const IVec3>) where there is any.
   template <class Gone>
   void advance(const Volume& volume, Gone&& gone) noexcept {
     if (entries_.empty()) return;

@@ -201,6 +201,29 @@ TEST_P(EveryReading, a_piece_leaves_alike_from_a_saved_state) {
   EXPECT_EQ(one.hash(), other.hash());
 }
 
+TEST_P(EveryReading, a_full_brick_goes_in_parts) {
+  Volume volume(block(GetParam()));
+  carved::carve(volume, [](Vec3 p) { return box(p, Vec3(0.5, 0.0, 0.0), Vec3(0.2, 3.0, 3.0)); });
+  const std::uint32_t name = find_loose_pieces(volume, bricks_of(volume)).at(0);
+  Occupancy occupancy(volume);
+  LeavingPiece leaving;
+  leaving.hear(volume, static_cast<std::uint16_t>(0x8000u | name >> 15));
+  leaving.hear(volume, static_cast<std::uint16_t>(name & 0x7fffu));
+  std::size_t most = 0;
+  while (leaving.active())
+    leaving.advance(volume, [&](std::span<const IVec3> voxels) {
+      most = std::max(most, voxels.size());
+      if (GetParam() == Reading::filled)
+        take_away(volume, occupancy, voxels);
+      else
+        take_away(volume, voxels);
+    });
+  // A slice of 64 at most beyond what is enough; a brick whole would be 512.
+  EXPECT_GE(most, 128u);
+  EXPECT_LT(most, static_cast<std::size_t>(LeavingPiece::kVoxelsATick) + 64u);
+  EXPECT_TRUE(find_loose_pieces(volume, bricks_of(volume)).empty());
+}
+
 TEST(Fragments, a_name_that_names_nothing_does_nothing) {
   Volume volume(block(Reading::banded));
   LeavingPiece leaving;
