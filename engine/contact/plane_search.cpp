@@ -109,6 +109,7 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
       out.y = q;
     }
   }
+  bool anew = false;  // y has been put on its planes since the last one was added
   for (int round = 0; round < 48; ++round) {
     if (!(glm::dot(out.y, out.y) < kFar)) break;  // NaN too
     const int worst = planes.worst(out);
@@ -134,8 +135,17 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
         }
       }
       if (dependent && drop < 0) {
-        out.feasible = false;
-        return out;
+        // Where normals nearly coincide, steps of many times the way to q leave y off its planes by more than the tolerance:
+        // before they are said to contradict each other, y is put on them anew.
+        if (anew) {
+          out.feasible = false;
+          return out;
+        }
+        anew = true;
+        for (int a = 0; a < out.active; ++a) c[a] = planes.c(out.index[a]);
+        PlaneSearch on = out;
+        if (out.active > 0 && on_all(q, normal, c, out.active, on)) out = on;
+        break;
       }
       const double slack = glm::dot(add_n, out.y) - add_c;
       const double t_full = dependent ? 0.0 : -slack / room;
@@ -149,6 +159,7 @@ PlaneSearch search(Vec3 q, const Planes& planes, std::span<const int> start) noe
         out.index[out.active] = worst;
         out.weight[out.active] = gained;
         ++out.active;
+        anew = false;
         break;
       }
       for (int a = drop; a + 1 < out.active; ++a) {
