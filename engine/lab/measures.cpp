@@ -117,7 +117,12 @@ double rise_n(Vec3 before_n, Vec3 now_n) noexcept {
 
 std::optional<double> ForceSteps::add(Vec3 force_n, Vec3 exact_n, bool guard_acted) noexcept {
   const Vec3 before = force_, exact_before = exact_;
-  const bool have = have_;
+  const bool have = have_, lost = gone_ < kGapMs;
+  if (force_n != Vec3(0.0)) {
+    gone_ = 0;
+  } else {
+    gone_ = exact_n == Vec3(0.0) ? kGapMs : std::min(gone_ + 1, kGapMs);
+  }
   force_ = force_n;
   exact_ = exact_n;
   have_ = true;
@@ -128,7 +133,7 @@ std::optional<double> ForceSteps::add(Vec3 force_n, Vec3 exact_n, bool guard_act
     return std::nullopt;
   }
   // First contact: of the method, or of the exact proxy a tick apart from it.
-  if (before == Vec3(0.0) || exact_before == Vec3(0.0)) return std::nullopt;
+  if ((before == Vec3(0.0) && !lost) || exact_before == Vec3(0.0)) return std::nullopt;
   const double more = rise - rise_n(exact_before, exact_n) * 1000.0;
   step_ = std::max(step_, more);
   return more;

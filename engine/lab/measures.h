@@ -81,19 +81,25 @@ class StuckWatch {
 double rise_n(Vec3 before_n, Vec3 now_n) noexcept;
 
 /// force_step: rise of force from tick to tick less that of the exact proxy at the same device points, outside first
-/// contact and ticks where the guard acted; guard_step: the rise in those, whole.
+/// contact and ticks where the guard acted; guard_step: the rise in those, whole. A method that loses its force for
+/// less than kGapMs while the exact proxy holds on has lost no contact: the rise when it comes back counts.
 class ForceSteps {
  public:
+  static constexpr int kGapMs = ContactEnergy::kGapMs;
   /// The tick's force_step in mN, or nothing when it does not count. exact_n: force of the exact proxy.
   std::optional<double> add(Vec3 force_n, Vec3 exact_n, bool guard_acted) noexcept;
   /// What came before no longer counts as a neighbour (a swap, a re-arm).
-  void interrupt() noexcept { have_ = false; }
+  void interrupt() noexcept {
+    have_ = false;
+    gone_ = kGapMs;
+  }
   double force_step_mn() const noexcept { return step_; }
   double guard_step_mn() const noexcept { return guard_; }
 
  private:
   Vec3 force_{0.0}, exact_{0.0};
   bool have_ = false;
+  int gone_ = kGapMs;  // ticks without a force since the method had one, the exact proxy in contact in all of them
   double step_ = 0.0, guard_ = 0.0;
 };
 

@@ -160,6 +160,25 @@ TEST(ForceSteps, leave_out_first_contact_and_keep_the_guards_apart) {
   EXPECT_FALSE(s.add(up(5.0), up(0.5), false).has_value());
 }
 
+TEST(ForceSteps, count_a_force_that_fails_for_a_tick_and_comes_back) {
+  const Vec3 none(0.0), half(0.0, 0.0, 0.5);
+  ForceSteps s;
+  s.add(none, none, false);
+  s.add(half, half, false);
+  EXPECT_NEAR(*s.add(none, half, false), 0.0, 1e-9);    // falls
+  EXPECT_NEAR(*s.add(half, half, false), 500.0, 1e-9);  // and kicks
+  EXPECT_NEAR(s.force_step_mn(), 500.0, 1e-9);
+  // After 20 ms, or where the exact proxy let go as well, it is a first contact again.
+  ForceSteps late, both;
+  late.add(half, half, false);
+  for (int i = 0; i < ForceSteps::kGapMs; ++i) late.add(none, half, false);
+  EXPECT_FALSE(late.add(half, half, false).has_value());
+  both.add(half, half, false);
+  both.add(none, none, false);
+  both.add(none, half, false);
+  EXPECT_FALSE(both.add(half, half, false).has_value());
+}
+
 TEST(Penetration, keeps_the_deepest_and_counts_what_is_no_number) {
   Penetration p;
   for (const double clearance : {0.1, -0.004, -0.002}) p.add(clearance);
