@@ -70,25 +70,32 @@ KMaxCase k_max_case(const CaseRun& what) {
   out.transport = what.setting.transport(what.seed);
   out.grip = what.setting.hand();
   out.seeds = what.budget_s < kWholeBudgetS ? kFewSeeds : kSeeds;
+  out.first_seed = (what.seed - 1) * kSeeds + 1;
   return out;
 }
+
+/// What a method's k_max may be off the exact proxy's.
+constexpr double kKMaxShare = 0.15;
+bool beyond(double k, double exact) { return std::fabs(k - exact) > kKMaxShare * exact; }
 
 /// How far out the exact proxy is put to see how fine k_max itself is.
 constexpr double kOutMm = 1e-4;
 
 /// k_max of the exact proxy, which no method, guard or voxel changes: found once.
-const KMax& exact_k_max(const CaseRun& what, double out_mm = 0.0) {
-  using Key = std::tuple<std::string, double, double, double, double, double, std::string, double>;
+const KMax& exact_k_max(const CaseRun& what, double out_mm = 0.0, bool every = false) {
+  using Key = std::tuple<std::string, double, double, double, double, double, std::string, std::uint64_t, double, bool>;
   static std::map<Key, KMax> known;
   const Setting& s = what.setting;
   const Key key{what.key,     what.burr_radius_mm, s.mass_kg,          s.damping_ns_per_m,
-                s.friction_n, s.delay_ms,          std::string(s.grip), out_mm};
+                s.friction_n, s.delay_ms,          std::string(s.grip), what.seed, out_mm,
+                every};
   auto found = known.find(key);
   if (found == known.end()) {
     KMaxCase exact = k_max_case(what);
     exact.method.reset();
     exact.guard = false;
     exact.out_mm = out_mm;
+    exact.every = every;
     found = known.emplace(key, find_k_max(exact)).first;
   }
   return found->second;
@@ -123,7 +130,7 @@ void print_ratios(const std::vector<Row>& rows) {
     for (std::vector<double>* ratios : {&of.own, &of.itself}) {
       if (ratios->empty()) break;
       std::ranges::sort(*ratios);
-      const auto off = std::ranges::count_if(*ratios, [](double r) { return std::fabs(r - 1.0) > 0.15; });
+      const auto off = std::ranges::count_if(*ratios, [](double r) { return beyond(r, 1.0); });
       fmt::print("{:>8.3f}{:>8.3f}{:>8.3f}{:>7}   ", ratios->front(), (*ratios)[ratios->size() / 2], ratios->back(), off);
     }
     fmt::print("{:>9.5f}{:>9.4f}\n", of.fed_mj, of.energy_mj);
@@ -195,11 +202,18 @@ Row press_row(const CaseRun& what) {
   KMaxCase own = k_max_case(what);
   own.method = what.method;
   PressBench bench(own);
-  const KMax found = find_k_max(bench, own);
+  KMax found = find_k_max(bench, own);
+  row.k_exact_n_per_mm = exact_k_max(what).k_max_n_per_mm;
+  // A guard is there to bear more.
+  if (what.place_by_place && beyond(found.k_max_n_per_mm, row.k_exact_n_per_mm) &&
+      !(what.guard && found.k_max_n_per_mm > row.k_exact_n_per_mm)) {
+    own.every = true;
+    found = find_k_max(bench, own, found.k_max_n_per_mm);
+    row.k_exact_n_per_mm = exact_k_max(what, 0.0, true).k_max_n_per_mm;
+  }
   row.k_max_n_per_mm = found.k_max_n_per_mm;
   row.cycle_um = found.cycle_um;
   row.cycle_hz = found.cycle_hz;
-  row.k_exact_n_per_mm = exact_k_max(what).k_max_n_per_mm;
   row.k_exact_out_n_per_mm = exact_k_max(what, kOutMm).k_max_n_per_mm;
   // At half of what it may be.
   const double half = 0.5 * std::min(found.k_max_n_per_mm, row.k_exact_n_per_mm);
@@ -212,7 +226,7 @@ Row press_row(const CaseRun& what) {
   PressBench reference(exact);
   row.energy_mj = row.energy_exact_mj = row.force_step_mn = row.guard_step_mn = row.penetration_um = 0.0;
   row.stuck_ms = 0.0;
-  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(own.seeds); ++seed) {
+  for (std::uint64_t seed = own.first_seed; seed < own.first_seed + static_cast<std::uint64_t>(own.seeds); ++seed) {
     const PressRun run = bench.run(half, seed, false, true);
     row.energy_mj = std::max(row.energy_mj, run.energy_mj);
     row.energy_exact_mj = std::max(row.energy_exact_mj, reference.run(half, seed).energy_mj);
@@ -231,6 +245,7 @@ std::vector<Row> stability_rows(const Options& options) {
   CaseRun what;
   what.seed = options.seed;
   what.budget_s = options.budget_s;
+  what.place_by_place = options.full;
   // Methods of one reading share a specimen: they follow each other.
   const auto each = [&](std::string_view key, const std::vector<Setting>& settings, const std::vector<double>& voxels,
                         auto&& run) {

@@ -22,7 +22,7 @@ constexpr double kAsideMm = 0.5, kThroughMm = 1.5;
 constexpr int kRampTicks = 300;  // longer than GuardSettings::ramp_in_ms
 constexpr int kMostApproachTicks = 200;
 constexpr int kConfirmPlaces = 10;  // of the grid: 20 %
-constexpr int kConfirmStride = 8;   // below those
+constexpr int kConfirmStride = 8;   // below those: places of the grid that this divides
 
 StepInput rearmed(Vec3 device) {
   StepInput out = input_at(device);
@@ -204,10 +204,10 @@ class Tries {
   bool fails(int place) {
     // The seed that failed last is the likeliest to fail next.
     for (int i = 0; i < what_.seeds; ++i) {
-      const int seed = i == 0 ? likely_ : i == likely_ - 1 ? 1 : i + 1;
+      const int nth = i == 0 ? likely_ : i == likely_ ? 0 : i;
       ++runs_;
-      if (bench_.run(k_at(place), static_cast<std::uint64_t>(seed), true).verdict != Verdict::steady) {
-        likely_ = seed;
+      if (bench_.run(k_at(place), seed_of(nth), true).verdict != Verdict::steady) {
+        likely_ = nth;
         return true;
       }
     }
@@ -219,22 +219,24 @@ class Tries {
     out.k_max_n_per_mm = first_failing > 0 ? k_at(std::min(first_failing, kKMaxPlaces) - 1) : 0.0;
     if (!out.beyond && fails(first_failing)) {
       // Again, to its end, for what it looks like.
-      const PressRun run = bench_.run(k_at(first_failing), static_cast<std::uint64_t>(likely_));
+      const PressRun run = bench_.run(k_at(first_failing), seed_of(likely_));
       ++runs_;
       out.reason = run.verdict;
       out.cycle_um = run.cycle_um;
       out.cycle_hz = run.cycle_hz;
       out.left = run.left;
-      out.seed = static_cast<std::uint64_t>(likely_);
+      out.seed = seed_of(likely_);
     }
     out.runs = runs_;
     return out;
   }
 
  private:
+  std::uint64_t seed_of(int nth) const { return what_.first_seed + static_cast<std::uint64_t>(nth); }
+
   PressBench& bench_;
   const KMaxCase& what_;
-  int likely_ = 1, runs_ = 0;
+  int likely_ = 0, runs_ = 0;  // likely: of the seeds
 };
 
 }  // namespace
@@ -266,7 +268,8 @@ KMax find_k_max(PressBench& bench, const KMaxCase& what, double near_n_per_mm) {
     }
     // Below: a place that fails begins the search anew beneath it.
     again = false;
-    for (int place = high - 2; place >= 0 && !again; place -= high - place < kConfirmPlaces ? 1 : kConfirmStride) {
+    for (int place = high - 2; place >= 0 && !again; --place) {
+      if (!what.every && high - place > kConfirmPlaces && place % kConfirmStride != 0) continue;
       if (!tries.fails(place)) continue;
       high = place;
       low = -1;
