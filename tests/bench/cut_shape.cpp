@@ -181,7 +181,7 @@ class Nothing : public Truth {
 
 }  // namespace
 
-Pitfall::Pitfall(double r) : Shape("pitfall", r), face_(make_shape("face", r)) {}
+ChangingFace::ChangingFace(std::string name, double r) : Shape(std::move(name), r), face_(make_shape("face", r)) {}
 
 double Pitfall::cutter_radius_mm() const { return kPitfallMm; }
 
@@ -201,8 +201,6 @@ Spot Pitfall::spot(Random& random) const {
   return {frame_.to_world(c), frame_.z};
 }
 
-LoosePlate::LoosePlate(double r) : Shape("fragment", r), face_(make_shape("face", r)) {}
-
 double LoosePlate::distance_mm(Vec3 place) const {
   const Vec3 p = frame_.to_local(place);
   const auto box = [&p](Vec3 middle, Vec3 half) {
@@ -215,7 +213,7 @@ double LoosePlate::distance_mm(Vec3 place) const {
 
 double LoosePlate::cutter_radius_mm() const { return kBridgeCutMm; }
 
-bool LoosePlate::sever(StepState& state) const {
+bool LoosePlate::give_way(StepState& state) const {
   return cut_in_pieces(state, 1, {frame_.to_world({1.6, -0.6, -0.25}), frame_.to_world({1.6, 0.6, -0.25}), kBridgeCutMm});
 }
 

@@ -38,52 +38,55 @@ std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing);
 /// An islet on a neck of 0.4 mm between four slots.
 std::unique_ptr<Shape> make_islet(double burr_radius_mm);
 
-/// A face out of which, while a burr presses on it, a hole of 1.6 mm is cut at once.
-class Pitfall : public Shape {
+/// A face that gives way under a burr that leans on it.
+class ChangingFace : public Shape {
  public:
-  explicit Pitfall(double burr_radius_mm);
-  /// Cuts the hole. False: the volume had no room.
-  bool give_way(StepState& state) const;
+  /// False: the volume had no room.
+  virtual bool give_way(StepState& state) const = 0;
+  /// Before, while pressing on it.
   std::unique_ptr<Truth> truth() const override { return face_->truth(); }
-  /// In the hole, below its mouth.
-  std::unique_ptr<Truth> truth_after() const;
+  virtual std::unique_ptr<Truth> truth_after() const = 0;
 
-  std::string key() const override { return face_->key(); }
-  double distance_mm(Vec3 p) const override { return face_->distance_mm(p); }
   Vec3 tool_axis() const override { return face_->tool_axis(); }
   Vec3 home() const override { return face_->home(); }
-  double cutter_radius_mm() const override;
-  Spot spot(Random& random) const override;
   Leg leg(Random& random, const Vec3* from) const override { return face_->leg(random, from); }
   Vec3 before(Vec3 first) const override { return face_->before(first); }
 
+ protected:
+  ChangingFace(std::string name, double burr_radius_mm);
+  const Shape& face() const { return *face_; }
+  Frame frame_ = oblique_frame();
+
  private:
   std::unique_ptr<Shape> face_;
-  Frame frame_ = oblique_frame();
+};
+
+/// Out of it, while a burr presses on it, a hole of 1.6 mm is cut at once.
+class Pitfall : public ChangingFace {
+ public:
+  explicit Pitfall(double burr_radius_mm) : ChangingFace("pitfall", burr_radius_mm) {}
+  bool give_way(StepState& state) const override;
+  /// In the hole, below its mouth.
+  std::unique_ptr<Truth> truth_after() const override;
+
+  std::string key() const override { return face().key(); }
+  double distance_mm(Vec3 p) const override { return face().distance_mm(p); }
+  double cutter_radius_mm() const override;
+  Spot spot(Random& random) const override;
 };
 
 /// A plate of 0.5 mm, its top in a face's plane, on a bridge to a block beside it; cut loose it floats under the burr.
-class LoosePlate : public Shape {
+class LoosePlate : public ChangingFace {
  public:
-  explicit LoosePlate(double burr_radius_mm);
-  /// Cuts through the bridge. False: the volume had no room.
-  bool sever(StepState& state) const;
-  /// Before, while pressing on it.
-  std::unique_ptr<Truth> truth() const override { return face_->truth(); }
+  explicit LoosePlate(double burr_radius_mm) : ChangingFace("fragment", burr_radius_mm) {}
+  /// Cuts through the bridge: it is then for the step to let the plate go.
+  bool give_way(StepState& state) const override;
   /// Once it has gone: nothing there.
-  std::unique_ptr<Truth> truth_after() const;
+  std::unique_ptr<Truth> truth_after() const override;
 
   double distance_mm(Vec3 p) const override;
-  Vec3 tool_axis() const override { return face_->tool_axis(); }
-  Vec3 home() const override { return face_->home(); }
   double cutter_radius_mm() const override;
   Spot spot(Random& random) const override;
-  Leg leg(Random& random, const Vec3* from) const override { return face_->leg(random, from); }
-  Vec3 before(Vec3 first) const override { return face_->before(first); }
-
- private:
-  std::unique_ptr<Shape> face_;
-  Frame frame_ = oblique_frame();
 };
 
 enum class HoleKind { straight, oblique, slot };

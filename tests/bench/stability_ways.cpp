@@ -203,21 +203,23 @@ Row run_thin_wall(const CaseRun& what) {
   return row;
 }
 
-Row run_vanishing(const CaseRun& what) {
-  const Pitfall shape(what.burr_radius_mm);
+namespace {
+
+constexpr int kGoneMs = 600, kLedGoneMs = 150, kLedMs = 500;  // a face gives way after; a led run lasts
+
+/// How a device point is led: `down` mm below where it began, by the millisecond.
+using Led = std::function<StepOutput(int ms, double down)>;
+
+/// A burr leans on a face that gives way: a hand, or the device point led as `led` has it.
+Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::function<void(Pair&)>& gives_way,
+                   const std::function<void(const Led&)>& led) {
   const auto scene = stability_scene(shape, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
-  constexpr int kGoneMs = 600, kLedGoneMs = 150, kLedMs = 500;
-  constexpr double kLedMm = 0.005;  // a tick, on downwards
   Tally tally;
   const Budget budget(what);
   for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
     Random random(what.seed + run);
     const Spot spot = shape.spot(random);
     Pair pair(shape, scene);
-    const auto gives_way = [&shape](Pair& p) {
-      if (!shape.give_way(p.state())) throw std::runtime_error("no room for the pitfall");
-      p.replace(shape.truth_after(), shape.burr_radius_mm());
-    };
     const Vec3 above = spot.centre + spot.normal * 0.05;
     pair.bring(above);
     tally.begin();
@@ -236,11 +238,10 @@ Row run_vanishing(const CaseRun& what) {
       };
       run_hand(pair, shape, what.setting, above, intent, kHandMs, what.seed + run, tally, events);
     } else {
-      for (int ms = 1; ms <= kLedMs; ++ms) {
+      led([&](int ms, double down) {
         if (ms == kLedGoneMs) gives_way(pair);
-        const double down = std::min(ms * kDownMm, 0.05 + kDepthMm) + kLedMm * std::max(0, ms - kLedGoneMs);
-        pair.tick(input_at(above - spot.normal * down), tally);
-      }
+        return pair.tick(input_at(above - spot.normal * (std::min(ms * kDownMm, 0.05 + kDepthMm) + down)), tally);
+      });
     }
     tally.end();
   }
@@ -250,55 +251,36 @@ Row run_vanishing(const CaseRun& what) {
   return row;
 }
 
+}  // namespace
+
+Row run_vanishing(const CaseRun& what) {
+  const Pitfall shape(what.burr_radius_mm);
+  constexpr double kLedMm = 0.005;  // a tick, on downwards
+  const auto gives_way = [&shape](Pair& pair) {
+    if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the pitfall");
+    pair.replace(shape.truth_after(), shape.burr_radius_mm());
+  };
+  return run_giving_way(what, shape, gives_way, [](const Led& to) {
+    for (int ms = 1; ms <= kLedMs; ++ms) to(ms, kLedMm * std::max(0, ms - kLedGoneMs));
+  });
+}
+
 Row run_fragment(const CaseRun& what) {
   const LoosePlate shape(what.burr_radius_mm);
-  const auto scene = stability_scene(shape, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
-  constexpr int kCutMs = 600, kLedCutMs = 150, kLedMs = 500;
-  Tally tally;
   double off_ms = 0.0;
-  const Budget budget(what);
-  for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
-    Random random(what.seed + run);
-    const Spot spot = shape.spot(random);
-    Pair pair(shape, scene);
-    const auto cuts_loose = [&shape](Pair& p) {
-      if (!shape.sever(p.state())) throw std::runtime_error("no room for the cut");
-      const auto names = find_loose_pieces(p.state().volume(), p.state().volume().cut_bricks());
-      if (names.empty()) throw std::runtime_error("the plate is not loose");
-      p.name_piece(names.front());
-      p.replace(shape.truth_after(), shape.burr_radius_mm());
-    };
-    const Vec3 above = spot.centre + spot.normal * 0.05;
-    pair.bring(above);
-    tally.begin();
-    if (what.setting.in_loop()) {
-      const Vec3 deep = spot.centre - spot.normal * depth_for(what.setting, kHandN);
-      const Intent intent = [&](int ms) { return above + (deep - above) * std::min(1.0, ms / double{kInMs}); };
-      Events events;
-      events.method = [&](int ms, Pair& p, lab::ClosedLoop&) {
-        if (ms == kCutMs) cuts_loose(p);
-      };
-      events.exact = [&](int ms, std::unique_ptr<Truth>& truth, lab::ClosedLoop&) {
-        if (ms != kCutMs) return;
-        const Vec3 pose = truth->exact().pose_mm;
-        truth = shape.truth_after();
-        truth->start(pose);
-      };
-      run_hand(pair, shape, what.setting, above, intent, kHandMs, what.seed + run, tally, events);
-    } else {
-      int last = kLedCutMs;  // with a force
-      for (int ms = 1; ms <= kLedMs; ++ms) {
-        if (ms == kLedCutMs) cuts_loose(pair);
-        const StepOutput out = pair.tick(input_at(above - spot.normal * std::min(ms * kDownMm, 0.05 + kDepthMm)), tally);
-        if (length(out.force_n) > 0.0) last = ms;
-      }
-      off_ms = last == kLedMs ? kAbsent : std::fmax(off_ms, last + 1 - kLedCutMs);
-    }
-    tally.end();
-  }
-  Row row = row_of(what);
-  row.shape = shape.name();
-  tally.fill(row);
+  const auto cuts_loose = [&shape](Pair& pair) {
+    if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the cut");
+    const auto names = find_loose_pieces(pair.state().volume(), pair.state().volume().cut_bricks());
+    if (names.empty()) throw std::runtime_error("the plate is not loose");
+    pair.name_piece(names.front());
+    pair.replace(shape.truth_after(), shape.burr_radius_mm());
+  };
+  Row row = run_giving_way(what, shape, cuts_loose, [&off_ms](const Led& to) {
+    int last = kLedGoneMs;  // with a force
+    for (int ms = 1; ms <= kLedMs; ++ms)
+      if (length(to(ms, 0.0).force_n) > 0.0) last = ms;
+    off_ms = last == kLedMs ? kAbsent : std::fmax(off_ms, last + 1 - kLedGoneMs);
+  });
   if (!what.setting.in_loop()) row.zero_ms = off_ms;
   return row;
 }
