@@ -69,11 +69,12 @@ class SurfaceContact {
     dull_far_.valid = false;
   }
 
-  /// How many passes the searches from here on may take together, each at least one search: what is still on its way then
-  /// goes on in the next tick. Of 600,000 ticks of a session 400 ask for more; a pass takes some 4 us.
-  static constexpr int kMostPasses = 48;
-  void allow_passes() noexcept { passes_left_ = kMostPasses; }
-  bool spent() const noexcept { return passes_left_ <= 0; }
+  /// How many candidates the searches from here on may look at together, each at least one search: what is still on its way
+  /// then goes on in the next tick. One takes some 40 ns.
+  static constexpr int kMostLooks = 16000;
+  static constexpr int kLooksOfPass = 20;  // what a pass costs besides
+  void allow_looks() noexcept { looks_left_ = kMostLooks; }
+  bool spent() const noexcept { return looks_left_ <= 0; }
 
   /// Once a tick, before solve(). Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for
   /// strokes are carved later than they are remembered. On: some of what is still rounded about the burr at `pose` is found
@@ -283,7 +284,7 @@ class SurfaceContact {
   std::uint64_t answered_free_ = 0;
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
-  int passes_left_ = kMostPasses;
+  int looks_left_ = kMostLooks;
   bool sharp_ = true;                  // all about the burr is
   /// Nothing dull within kDullFar of here, when valid.
   struct DullFar {

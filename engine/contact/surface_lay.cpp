@@ -235,6 +235,7 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
   }
   laid_ = {at, slack_mm, planes_.size()};
   if (looked > most_candidates_) most_candidates_ = looked;
+  looks_left_ -= static_cast<int>(looked);
 }
 
 /// The same planes, seen from another place and no further off than slack_mm, of what was near at the last look at all; false
@@ -245,6 +246,7 @@ bool SurfaceContact::near_planes_again(const Tool& tool, Vec3 at, double slack_m
   const double within = slack_mm + shifted;
   if (shifted > kMostShift || within > laid_.within_mm) return false;
   planes_.clear();
+  looks_left_ -= static_cast<int>(laid_.count);
   for (std::size_t k = 0; k < laid_.count; ++k) {
     if (low_[k] > within) continue;
     const auto i = static_cast<std::size_t>(near_[k]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "engine/step/state.h"
 #include "tests/engine/step/scenes.h"
@@ -130,16 +131,18 @@ TEST(Sharpening, what_is_sharp_is_in_the_hash) {
 }
 
 TEST(Sharpening, a_search_that_would_go_on_and_on_goes_on_in_the_next_tick) {
-  // The device goes 4 mm across a face: steps of 0.08 mm, some passes each.
-  StepState state(scene_of(from_distance(6.0, 0.1, [](Vec3 p) { return p.z; }), Method::surface, kRadius));
-  approach(state, {-2.0, 0.0, 1.0}, {-2.0, 0.0, kRadius - 0.1});
-  StepOutput out = step(state, input_at({2.0, 0.0, kRadius - 0.1}));
+  // A burr of 2.3 mm in a trough of 2.32 mm has hundreds of points all round: the device goes 4 mm along it.
+  constexpr double kWide = 1.15, kTrough = 1.16;
+  const auto trough = [](Vec3 p) { return std::max(p.z, kTrough - std::hypot(p.y, p.z)); };
+  StepState state(scene_of(from_distance(6.0, 0.05, trough), Method::surface, kWide));
+  approach(state, {-2.0, 0.0, 2.0}, {-2.0, 0.0, -0.1});
+  StepOutput out = step(state, input_at({2.0, 0.0, -0.1}));
   EXPECT_TRUE(out.deferred);
   EXPECT_GT(out.proxy_mm.x, -1.5);
-  for (int k = 0; k < 5 && out.deferred; ++k) out = step(state, input_at({2.0, 0.0, kRadius - 0.1}));
+  for (int k = 0; k < 8 && out.deferred; ++k) out = step(state, input_at({2.0, 0.0, -0.1}));
   EXPECT_FALSE(out.deferred);
-  EXPECT_NEAR(out.proxy_mm.x, 2.0, 1e-6);
-  EXPECT_NEAR(out.proxy_mm.z, kRadius, 1e-6);
+  EXPECT_NEAR(out.proxy_mm.x, 2.0, 1e-3);
+  EXPECT_NEAR(out.proxy_mm.z, kWide - kTrough, 1e-3);
 }
 
 }  // namespace
