@@ -136,6 +136,10 @@ int CutSurface::sharpen_slices(const Volume& volume, int brick, std::uint8_t sli
     for (; point < points.count && points.normal[point].cell() >> 6 <= z; ++point) cost += points.normal[point].cell() >> 6 == z;
     if ((slices >> z & 1) == 0 || (slots_sharp_[place] >> z & 1) != 0) continue;
     for (int o = z << 6; o < (z + 1) << 6; ++o) cost += values[o] <= kInside && values[o] >= kOutside;
+    if (cost > budget && budget < kSharpenATick) {
+      budget = 0;
+      break;
+    }
     slots_sharp_[place] = static_cast<std::uint8_t>(slots_sharp_[place] | 1u << z);
     // A dull cell that is not creased may be a sharp one that is: strokes come to a brick without changing all of it.
     slots_[place].stale[z] = ~std::uint64_t{0};

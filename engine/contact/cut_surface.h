@@ -62,8 +62,11 @@ class CutSurface {
 
   /// Dull slices of a brick, a bit each. Pre: volume.has_cut(brick).
   std::uint8_t dull(const Volume& volume, int brick) const noexcept;
-  /// Sharpens dull slices of a brick among `slices`, lowest first, and makes them out at once, until `budget` is spent;
-  /// returns what is left of it. A slice costs its voxels that the cut's surface passes, and its points of the specimen's.
+  /// What may be sharpened in a tick, or one slice if that is more: a cell that strokes tell takes up to 20 us.
+  static constexpr int kSharpenATick = 32;
+  /// Sharpens dull slices of a brick among `slices`, lowest first, and makes them out at once, while `budget` lasts (of
+  /// kSharpenATick); returns what is left of it, 0 when a slice has to wait. A slice costs its voxels that the cut's surface
+  /// passes, and its points of the specimen's.
   int sharpen_slices(const Volume& volume, int brick, std::uint8_t slices, int budget) noexcept;
 
   /// For saving: sharp slices of a brick, a bit each.

@@ -7,9 +7,6 @@ namespace cusp {
 
 namespace {
 
-/// Voxels that the surface passes whose cells are made out to their edges in a tick, and at most a slice of 64 more. An
-/// edge's cell takes up to 8 us, and about every third of these is one.
-constexpr int kSharpenATick = 48;
 /// mm from the burr within which that is done: some ticks before it is there.
 constexpr double kSharpenWithin = 0.15;
 /// mm beyond, that a look says something of for the next ticks.
@@ -41,7 +38,7 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
     }
     return out;
   };
-  int budget = wait ? 0 : kSharpenATick;
+  int budget = wait ? 0 : CutSurface::kSharpenATick;
   bool any = false, far = false;
   // The head first, then the shank.
   head_bricks(volume, tool, pose, kSharpenWithin + kDullFar, [&](int brick, IVec3 at) {

@@ -68,9 +68,9 @@ TEST(Sharpening, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has
     busy += left < dull;
     dull = left;
   }
-  // 48 voxels that the surface passes, and what a slice of 64 has beyond: of those a cell each at most. Found all at once,
-  // as they were before, it takes one tick for all.
-  EXPECT_LE(most, 48u + 64u);
+  // 32 voxels that the surface passes, or a slice of 64: of those a cell each at most. Found all at once it takes one tick
+  // for all.
+  EXPECT_LE(most, 64u);
   EXPECT_GT(all, 20u);
   EXPECT_LE(2 * most, all);
   EXPECT_GE(busy, 4) << "measured " << busy;
