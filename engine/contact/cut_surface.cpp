@@ -101,6 +101,7 @@ void CutSurface::changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexc
         for (int z = first; z <= last; ++z) {
           if ((slots_sharp_[place] >> z & 1) == 0) continue;
           slots_sharp_[place] = static_cast<std::uint8_t>(slots_sharp_[place] & ~(1u << z));
+          ++dull_slices_;
           slots_[place].stale[z] |= slots_[place].creased[z];
         }
       }
@@ -113,12 +114,18 @@ void CutSurface::sharpen(const Volume& volume, bool on) noexcept {
   const std::size_t used = volume.cut_bricks().size();
   if (on) {
     std::fill(slots_sharp_.begin() + static_cast<std::ptrdiff_t>(used), slots_sharp_.end(), kAllSlices);
+    count_dull();
     return;
   }
   for (std::size_t i = 0; i < used; ++i)
     for (int z = 0; z < kBrickEdge; ++z)
       if (slots_sharp_[i] >> z & 1) slots_[i].stale[z] |= slots_[i].creased[z];
   std::fill(slots_sharp_.begin(), slots_sharp_.end(), std::uint8_t{0});
+}
+
+void CutSurface::count_dull() noexcept {
+  dull_slices_ = 0;
+  for (const std::uint8_t sharp : slots_sharp_) dull_slices_ += static_cast<std::size_t>(kBrickEdge - std::popcount(sharp));
 }
 
 std::uint8_t CutSurface::dull(const Volume& volume, int brick) const noexcept {
@@ -141,6 +148,7 @@ int CutSurface::sharpen_slices(const Volume& volume, int brick, std::uint8_t sli
       break;
     }
     slots_sharp_[place] = static_cast<std::uint8_t>(slots_sharp_[place] | 1u << z);
+    --dull_slices_;
     // A dull cell that is not creased may be a sharp one that is: strokes come to a brick without changing all of it.
     slots_[place].stale[z] = ~std::uint64_t{0};
     any = true;

@@ -59,6 +59,8 @@ class CutSurface {
   /// sharpen_slices() comes to them.
   void sharpen(const Volume& volume, bool on) noexcept;
   bool sharpens() const noexcept { return on_; }
+  /// Slices that are dull still, while it sharpens.
+  std::size_t dull_slices() const noexcept { return dull_slices_; }
 
   /// Dull slices of a brick, a bit each. Pre: volume.has_cut(brick).
   std::uint8_t dull(const Volume& volume, int brick) const noexcept;
@@ -78,6 +80,7 @@ class CutSurface {
     std::fill(slots_sharp_.begin(), slots_sharp_.end(), on ? kAllSlices : std::uint8_t{0});
     for (const std::int32_t brick : volume.cut_bricks())
       slots_sharp_[static_cast<std::size_t>(volume.cut_slot(brick))] = sharp_of(brick);
+    count_dull();
     forget();
   }
 
@@ -112,6 +115,7 @@ class CutSurface {
   static constexpr std::uint8_t kAllSlices = 0xff;
 
   void refresh(const Volume& volume, int brick, Slot& slot) noexcept;
+  void count_dull() noexcept;
   void decode(const Volume& volume, IVec3 brick) noexcept;
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
   /// True when the cell is creased: never where it is dull.
@@ -121,6 +125,7 @@ class CutSurface {
   void make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept;
 
   std::vector<Slot> slots_;
+  std::size_t dull_slices_ = 0;            // of the bricks that are cut, while it sharpens
   std::vector<std::uint8_t> slots_sharp_;  // [slot]: a bit for each sharp slice; state, all else is kept for speed
   std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
   std::vector<std::int32_t> free_;

@@ -21,6 +21,10 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
     sharp_ = on;
   }
   if (!on) return;
+  if (cut_.dull_slices() == 0) {
+    sharp_ = true;
+    return;
+  }
   const Vec3 gone = pose - dull_far_.at;
   if (dull_far_.valid && dull_far_.burr == &burr && dull_far_.axis == axis && glm::dot(gone, gone) <= kDullFar * kDullFar) return;
 
