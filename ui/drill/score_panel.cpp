@@ -227,6 +227,7 @@ void ScorePanel::set_exercise(const Scenario& scenario, bool has_target, bool ha
     TissueRow r{t.tissue, new Bar(role_of(t.tissue), this), make_value()};
     const QString name = tissue_name(t.tissue);
     r.bar->setAccessibleName(name);
+    r.bar->setMinimumWidth(px(32));  // gives way to long names
     r.value->setAccessibleDescription(name);
     tissue_grid_->addWidget(new Swatch(on_tooth(t.tissue), this), at, 0);
     tissue_grid_->addWidget(make_label(name), at, 1);

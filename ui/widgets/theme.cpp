@@ -3,7 +3,9 @@
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/widgets/icon.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QFile>
 #include <QFocusFrame>
 #include <QFontDatabase>
@@ -12,6 +14,7 @@
 #include <QPalette>
 #include <QPointer>
 #include <QRegularExpression>
+#include <QSlider>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -203,6 +206,23 @@ class FocusRing : public QObject {
   QPointer<QFocusFrame> frame_;
 };
 
+/// The wheel scrolls the page; it changes a number, a choice or a slider only where that has the focus.
+class PageStyle : public CuspStyle {
+ public:
+  using CuspStyle::polish;
+  void polish(QWidget* widget) override {
+    CuspStyle::polish(widget);
+    if (!qobject_cast<QAbstractSpinBox*>(widget) && !qobject_cast<QComboBox*>(widget) && !qobject_cast<QSlider*>(widget)) return;
+    if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
+    widget->installEventFilter(this);
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return CuspStyle::eventFilter(watched, event);
+    event->ignore();  // whoever it stands in scrolls
+    return true;
+  }
+};
+
 }  // namespace
 
 const Tokens& Tokens::light() {
@@ -233,7 +253,7 @@ void apply_theme(QApplication& app, ColourScheme scheme, int percent) {
   const Tokens& t = dark ? Tokens::dark_theme() : Tokens::light();
   app.setProperty(kScaleProperty, std::clamp(percent, 100, 200));
   if (!app.findChild<QObject*>(u"cusp_focus_ring"_qs)) {
-    QApplication::setStyle(new CuspStyle);
+    QApplication::setStyle(new PageStyle);
     new FocusRing(&app);
   }
   QApplication::setFont(font_of(TextRole::body));
