@@ -180,12 +180,13 @@ void CutSurface::decode(const Volume& volume, IVec3 brick) noexcept {
         const IVec3 to(nx > 0 ? 1 : 7, ny > 0 ? 1 : 7, nz > 0 ? 1 : 7);
         for (int z = from.z; z <= to.z; ++z)
           for (int y = from.y; y <= to.y; ++y) {
-            double* row = &samples_[(nx * 8 + 1) + kSide * ((ny * 8 + y + 1) + kSide * (nz * 8 + z + 1))];
+            double* row = &samples_[(nx * 8 + from.x + 1) + kSide * ((ny * 8 + y + 1) + kSide * (nz * 8 + z + 1))];
+            const int count = to.x - from.x + 1;
             if (values != nullptr) {
-              const std::uint16_t* s = values + (y << 3 | z << 6);
-              for (int x = from.x; x <= to.x; ++x) row[x] = distance_from_solid(s[x]);
+              const std::uint16_t* s = values + (from.x | y << 3 | z << 6);
+              for (int x = 0; x < count; ++x) row[x] = distance_from_solid(s[x]);
             } else {
-              for (int x = from.x; x <= to.x; ++x) row[x] = -kBandVoxels;
+              for (int x = 0; x < count; ++x) row[x] = -kBandVoxels;
             }
           }
       }
@@ -207,13 +208,14 @@ void CutSurface::decode_wide(const Volume& volume, IVec3 brick) noexcept {
         const IVec3 shift = low - at * kBrickEdge;
         for (int z = from.z; z < to.z; ++z)
           for (int y = from.y; y < to.y; ++y) {
-            double* row = &wide_[kWide * (y + kWide * z)];
+            double* row = &wide_[from.x + kWide * (y + kWide * z)];
+            const int count = to.x - from.x;
             if (values == nullptr) {
-              for (int x = from.x; x < to.x; ++x) row[x] = -kBandVoxels;
+              for (int x = 0; x < count; ++x) row[x] = -kBandVoxels;
               continue;
             }
-            const std::uint16_t* s = values + ((y + shift.y) << 3 | (z + shift.z) << 6) + shift.x;
-            for (int x = from.x; x < to.x; ++x) row[x] = distance_from_solid(s[x]);
+            const std::uint16_t* s = values + ((from.x + shift.x) | (y + shift.y) << 3 | (z + shift.z) << 6);
+            for (int x = 0; x < count; ++x) row[x] = distance_from_solid(s[x]);
           }
       }
 }
