@@ -98,6 +98,7 @@ class SurfaceContact {
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
  private:
+  static constexpr double kTolerance = 1e-7;        // mm: planes closer than a tenth of a nanometre count as met
   static constexpr double kLongestStep = 0.08;      // mm: one search looks no further
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
   static constexpr std::uint16_t kNoBurr = 0xffff;  // of a ball that no scene names
