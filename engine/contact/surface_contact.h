@@ -70,10 +70,10 @@ class SurfaceContact {
   }
 
   /// How many candidates the searches from here on may look at together, each at least one search: what is still on its way
-  /// then goes on in the next tick. One takes some 40 ns.
-  static constexpr int kMostLooks = 16000;
+  /// then goes on in the next tick. One takes some 40 ns. Of a head that is no ball: a long flank lies near thousands.
+  static constexpr int kMostLooks = 16000, kMostLooksOfHead = 64000;
   static constexpr int kLooksOfPass = 20;  // what a pass costs besides
-  void allow_looks() noexcept { looks_left_ = kMostLooks; }
+  void allow_looks(bool ball) noexcept { looks_left_ = ball ? kMostLooks : kMostLooksOfHead; }
   bool spent() const noexcept { return looks_left_ <= 0; }
 
   /// Once a tick, before solve(). Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for
