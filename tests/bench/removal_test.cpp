@@ -166,7 +166,8 @@ TEST(RemovalShape, of_a_burr_that_is_no_ball_is_the_swept_burr_upright_or_leanin
     Way way;
   };
   // Measured: mean 0.03 to 0.15 um, at most 4.6; volume within 0.1 %.
-  for (const Stroke& stroke : {Stroke{"330", Way::curved}, {"57", Way::drilled}, {"329", Way::tilted}}) {
+  // The long taper lies near thousands of points: a tick that may not look at all of them cuts nothing (-1.7 % volume).
+  for (const Stroke& stroke : {Stroke{"330", Way::curved}, {"57", Way::drilled}, {"329", Way::tilted}, {"847-016", Way::straight}}) {
     const Cutter cutter{stroke.number, catalogue_burr(stroke.number)->burr};
     const auto points = points_of(stroke.way, cutter, 50.0, 1.0);
     const ShapeLeft left = lead_along(cutter, 10.0 / 128, stroke.way, points, 1.0, 1);
