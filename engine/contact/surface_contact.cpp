@@ -186,6 +186,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     bool rolling = false;
     double next_step = kLongestStep;
     for (int pass = 0; pass < 10; ++pass) {
+      --passes_left_;
       looks_left_ -= kLooksOfPass;
       if (last_moved > kSettledMm) {
         held_.count = 0;

@@ -69,12 +69,16 @@ class SurfaceContact {
     dull_far_.valid = false;
   }
 
-  /// How many candidates the searches from here on may look at together, each at least one search: what is still on its way
-  /// then goes on in the next tick. One takes some 40 ns. Of a head that is no ball: a long flank lies near thousands.
-  static constexpr int kMostLooks = 16000, kMostLooksOfHead = 64000;
+  /// How many passes the searches from here on may take together, or however many look at no more candidates than this, each
+  /// search at least one: what is still on its way then goes on in the next tick. A look takes some 40 ns; a wide burr, or a
+  /// long flank, lies near thousands.
+  static constexpr int kMostPasses = 48, kMostLooks = 16000;
   static constexpr int kLooksOfPass = 20;  // what a pass costs besides
-  void allow_looks(bool ball) noexcept { looks_left_ = ball ? kMostLooks : kMostLooksOfHead; }
-  bool spent() const noexcept { return looks_left_ <= 0; }
+  void allow_passes() noexcept {
+    passes_left_ = kMostPasses;
+    looks_left_ = kMostLooks;
+  }
+  bool spent() const noexcept { return passes_left_ <= 0 && looks_left_ <= 0; }
 
   /// Once a tick, before solve(). Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for
   /// strokes are carved later than they are remembered. On: some of what is still rounded about the burr at `pose` is found
@@ -285,7 +289,7 @@ class SurfaceContact {
   std::uint64_t answered_free_ = 0;
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
-  int looks_left_ = kMostLooks;
+  int passes_left_ = kMostPasses, looks_left_ = kMostLooks;
   bool sharp_ = true;                  // all about the burr is
   /// Nothing dull within kDullFar of here, when valid.
   struct DullFar {

@@ -136,14 +136,14 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   const bool led = !state.last.deferred && moved > 0.0;
   const Vec3 before = state.proxy;
 
-  surface.allow_looks(burr.head.ball());
+  surface.allow_passes();
   // The tick that ends a stroke carves what is left of it; edges are for those after it.
   surface.sharpen(state.volume, burr, axis, state.proxy, !cut && !state.cut_valid, tick.piece_goes);
   Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, ahead, reach, led ? most : kAnyWay);
   if ((contact.active > 0 || contact.deferred) && led && length_of(contact.pose_mm - state.proxy) > most) {
     // The proxy went much further than its device: over an edge perhaps that a device moving evenly would have been held
     // by. The same way once more, in parts.
-    surface.allow_looks(burr.head.ball());
+    surface.allow_passes();
     Vec3 at = state.proxy;
     const Vec3 part = way / static_cast<double>(kParts);
     const double part_reach = kReach * moved / kParts + kReachMm;

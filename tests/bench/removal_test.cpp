@@ -148,6 +148,16 @@ TEST(RemovalShape, is_the_swept_burr_of_known_strokes) {
   }
 }
 
+TEST(RemovalShape, of_a_wide_burr_led_fast_is_the_swept_burr) {
+  // Some thousands of points lie near it: were they what a tick may look at, it would stay 0.4 mm behind.
+  const Cutter cutter = round_cutter(2.3);
+  const ShapeLeft left =
+      lead_along(cutter, 10.0 / 128, Way::straight, points_of(Way::straight, cutter, 200.0, 1.0), 1.0, 1);
+  EXPECT_GT(left.points, 500);
+  EXPECT_LT(left.mean_um, 0.5);  // measured 0.05
+  EXPECT_LT(left.most_um, 10.0);
+}
+
 TEST(RemovalShape, of_a_hole_that_an_acute_rim_leaves_is_the_swept_burr) {
   // By the head's own depth the wall stood 3.2 um too near and 1.3 % of the volume was missing; now 0.03 um, 0.38 %, of
   // which most is at the edges.
