@@ -8,18 +8,15 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStyleOptionButton>
+#include <QTest>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <cmath>
-#include <memory>
 
 #include "ui/widgets/icon.h"
-#include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp {
@@ -156,43 +153,35 @@ TEST(Look, an_icon_follows_the_theme_without_being_made_again) {
   apply_theme(*qApp, ColourScheme::light, 100);
 }
 
-TEST(Look, the_wheel_over_a_number_scrolls_its_page_until_the_number_has_the_focus) {
-  QVBoxLayout* body = nullptr;
-  std::unique_ptr<QWidget> page(make_scroll_page(&body));
+TEST(Look, the_wheel_changes_a_number_a_choice_or_a_slider_only_where_it_has_the_focus) {
+  QWidget page;
+  auto* body = new QVBoxLayout(&page);
   auto* number = new QSpinBox;
   auto* choice = new QComboBox;
   choice->addItems({"a", "b", "c"});
   auto* slider = new QSlider(Qt::Horizontal);
-  for (QWidget* field : {static_cast<QWidget*>(number), static_cast<QWidget*>(choice), static_cast<QWidget*>(slider)})
+  auto* other = new QCheckBox;
+  for (QWidget* field : {static_cast<QWidget*>(number), static_cast<QWidget*>(choice), static_cast<QWidget*>(slider),
+                         static_cast<QWidget*>(other)})
     body->addWidget(field);
-  auto* tall = new QWidget;
-  tall->setFixedHeight(4000);
-  body->addWidget(tall);
-  page->resize(300, 200);
-  page->show();
+  page.show();
+  page.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
   number->setValue(50);
   slider->setValue(50);
-  tall->setFocusPolicy(Qt::StrongFocus);
-  tall->setFocus();
-  auto* bar = static_cast<QScrollArea*>(page.get())->verticalScrollBar();
+  other->setFocus();
   const auto roll = [](QWidget* over) {
     const QPointF at = over->rect().center();
     QWheelEvent down(at, over->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
     QApplication::sendEvent(over, &down);
   };
-  for (QWidget* over : {static_cast<QWidget*>(number), static_cast<QWidget*>(choice), static_cast<QWidget*>(slider)}) {
-    const int before = bar->value();
-    roll(over);
-    EXPECT_GT(bar->value(), before);
-  }
+  for (QWidget* over : {static_cast<QWidget*>(number), static_cast<QWidget*>(choice), static_cast<QWidget*>(slider)}) roll(over);
   EXPECT_EQ(number->value(), 50);
   EXPECT_EQ(choice->currentIndex(), 0);
   EXPECT_EQ(slider->value(), 50);
   number->setFocus();
-  const int stood = bar->value();
   roll(number);
   EXPECT_EQ(number->value(), 49);
-  EXPECT_EQ(bar->value(), stood);
 }
 
 }  // namespace
