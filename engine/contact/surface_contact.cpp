@@ -18,7 +18,6 @@ constexpr double kExpectedMm = 0.005;       // mm: and this far besides
 constexpr double kFurther = 1.5;            // of how far it would go then: what planes are laid for instead
 constexpr double kAsked = 0.3;              // of how far the last pass led: how far the next one may
 constexpr double kAskedMm = 0.002;          // mm: and this far besides
-constexpr double kAnyWay = 1e9;             // mm
 constexpr double kAgainMm = 0.03;           // mm about where a pass has led that planes are laid for, for the next ones
 constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has arrived
 constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge

@@ -36,6 +36,8 @@ class SurfaceContact {
   /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
   SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory);
 
+  static constexpr double kAnyWay = 1e9;  // mm: most_mm where the pose may go as far as it must
+
   /// From `from` (admissible) towards `device`. ahead: how the proxy may be expected to move, where the search begins to
   /// look. reach_mm: how far one search looks, about as long. most_mm: once it has gone further it may stop on its way.
   Contact solve(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, Vec3 from, Vec3 device, Vec3 ahead,

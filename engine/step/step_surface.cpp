@@ -32,7 +32,6 @@ constexpr double kMostLiftMm = 0.05;
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
 constexpr double kOutrunTimes = 2.0, kOutrunMm = 0.02;
 constexpr int kParts = 8;
-constexpr double kAnyWay = 1e9;         // mm
 /// How far one search of contact looks: a little further than the device has moved.
 constexpr double kReach = 1.1, kReachMm = 0.004;
 /// A proxy's move that differs from its device's by this much of it, and this much besides, is taken for what comes next.
@@ -139,7 +138,8 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   surface.allow_passes();
   // The tick that ends a stroke carves what is left of it; edges are for those after it.
   surface.sharpen(state.volume, burr, axis, state.proxy, !cut && !state.cut_valid, tick.piece_goes);
-  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, ahead, reach, led ? most : kAnyWay);
+  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, ahead, reach,
+                                  led ? most : SurfaceContact::kAnyWay);
   if ((contact.active > 0 || contact.deferred) && led && length_of(contact.pose_mm - state.proxy) > most) {
     // The proxy went much further than its device: over an edge perhaps that a device moving evenly would have been held
     // by. The same way once more, in parts.
@@ -149,7 +149,7 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
     const double part_reach = kReach * moved / kParts + kReachMm;
     for (int i = 1; i <= kParts && !(i > 1 && surface.spent()); ++i) {
       const Vec3 to = i < kParts ? state.device + part * static_cast<double>(i) : device;
-      contact = surface.solve(state.volume, scene, out.burr, axis, at, to, part, part_reach, kAnyWay);
+      contact = surface.solve(state.volume, scene, out.burr, axis, at, to, part, part_reach, SurfaceContact::kAnyWay);
       at = contact.pose_mm;
       out.infeasible = out.infeasible || contact.infeasible;
       out.overflow = out.overflow || contact.overflow;
