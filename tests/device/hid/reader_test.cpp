@@ -10,23 +10,16 @@
 #include "device/hid/permissions.h"
 #include "device/hid/settings_text.h"
 #include "tests/device/hid/desk.h"
+#include "tests/eventually.h"
 
 namespace cusp::hid {
 namespace {
 
 using namespace std::chrono_literals;
+using test::eventually;
 using testing::Bytes;
 using testing::bus_of;
 using testing::Desk;
-
-template <class Condition>
-bool eventually(Condition&& condition) {
-  for (int i = 0; i < 60'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return false;
-}
 
 PedalReading latest(const PedalReader& reader) { return reader.latest(std::chrono::steady_clock::now()); }
 

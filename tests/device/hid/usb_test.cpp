@@ -6,27 +6,20 @@
 #include "device/hid/hid_station.h"
 #include "device/hid/transport_hidapi.h"
 #include "tests/device/hid/mock_hid.h"
+#include "tests/eventually.h"
 
 namespace cusp::hid {
 namespace {
 
 using namespace std::chrono_literals;
 using testing::Bytes;
+using test::eventually;
 using testing::MockHid;
 using testing::MockHidBus;
 
 MockHidBus& bus() {
   static MockHidBus made;
   return made;
-}
-
-template <class Condition>
-bool eventually(Condition&& condition) {
-  for (int i = 0; i < 60'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return false;
 }
 
 PedalReading latest(const PedalReader& reader) { return reader.latest(std::chrono::steady_clock::now()); }

@@ -12,6 +12,7 @@
 
 #include "engine/base/haptic_port.h"
 #include "engine/step/step.h"
+#include "tests/eventually.h"
 
 namespace cusp::test {
 
@@ -102,15 +103,5 @@ class DrillingPort : public HapticPort {
   std::atomic<double> last_force_n_{0}, peak_force_n_{0};
   std::atomic<std::uint64_t> writes_{0};
 };
-
-/// Waits for progress, never for a time that a slow machine would miss: up to a minute.
-template <class Condition>
-bool eventually(Condition&& condition) {
-  for (int i = 0; i < 60'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
-}
 
 }  // namespace cusp::test

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <thread>
 
+#include "tests/eventually.h"
 #include "tests/ui/session/gate.h"
 #include "ui/session/background_watch.h"
 
@@ -15,15 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using testing::Gate;
-
-template <class Condition>
-bool eventually(Condition&& condition) {
-  for (int i = 0; i < 30'000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(1ms);
-  }
-  return false;
-}
+using test::eventually;
 
 TEST(Errand, dropping_one_that_hangs_does_not_wait_and_it_is_waited_for_by_who_must) {
   auto gate = std::make_shared<Gate>();
