@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "device/catalogue.h"
-#include "device/falcon/transport_libusb.h"
+#include "device/falcon/transport_watch.h"
 #include "device/inverse/service_probe.h"
 
 namespace cusp {

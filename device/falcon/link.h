@@ -2,6 +2,7 @@
 /// nothing of firmware, frames or forces. One thread uses a link at a time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -28,6 +29,13 @@ struct LinkAsk {
   std::array<std::uint8_t, kPayloadBytes> bytes{};
   std::uint8_t size = 0;
   std::span<const std::uint8_t> payload() const noexcept { return std::span(bytes).first(size); }
+  /// Pre: at most kPayloadBytes.
+  static LinkAsk of_bytes(std::span<const std::uint8_t> sent) noexcept {
+    LinkAsk out{.kind = Kind::send};
+    std::copy(sent.begin(), sent.end(), out.bytes.begin());
+    out.size = static_cast<std::uint8_t>(sent.size());
+    return out;
+  }
 };
 
 /// What the link tells.

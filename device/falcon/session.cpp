@@ -1,3 +1,4 @@
+// The phases, the exchanges and what time means for them. How a Falcon comes to answer is in session_start.cpp.
 #include "device/falcon/session.h"
 
 #include <algorithm>
@@ -10,44 +11,6 @@ namespace {
 
 constexpr LinkTime kNever = LinkTime::max();
 constexpr std::array<std::int16_t, 3> kNoTorque{};
-constexpr std::uint8_t kHello[] = {0x0A, 0x43, 0x0D};
-constexpr std::array<std::uint8_t, 4> kHelloAnswer = {0x0A, 0x44, 0x2C, 0x0D};
-constexpr std::uint8_t kLock = 0x41;  // 'A': the loader measures its bits
-
-// The requests of each phase, in order. DTR and RTS are left alone but for the loader: the edge of DTR arms it.
-constexpr FtdiRequest kSettle[] = {ftdi::kPurge1,  ftdi::kPurge2, ftdi::kLatency1ms,
-                                   ftdi::kBaudRun, ftdi::kPurge1, ftdi::kPurge2};
-constexpr FtdiRequest kArm[] = {ftdi::kPurge1,        ftdi::kPurge2, ftdi::kLatency16ms, ftdi::kBaudHello, ftdi::k8N1,
-                                ftdi::kNoFlowControl, ftdi::kRtsLow, ftdi::kDtrLow,      ftdi::kDtrHigh};
-constexpr FtdiRequest kLockSpeed[] = {ftdi::kDtrLow, ftdi::kBaudUpload};
-constexpr FtdiRequest kSwitch[] = {ftdi::kLatency1ms, ftdi::kBaudRun, ftdi::kPurge1, ftdi::kPurge2};
-constexpr FtdiRequest kSettleEvent[] = {ftdi::kPurge1, ftdi::kPurge2, ftdi::kLatency1ms,     ftdi::kBaudRun,
-                                        ftdi::kPurge1, ftdi::kPurge2, ftdi::kEventOnFrameEnd};
-constexpr FtdiRequest kSwitchEvent[] = {ftdi::kLatency1ms, ftdi::kBaudRun, ftdi::kPurge1, ftdi::kPurge2,
-                                        ftdi::kEventOnFrameEnd};
-
-std::span<const FtdiRequest> script_of(Phase phase, bool event_character) noexcept {
-  switch (phase) {
-    case Phase::settling:
-      return event_character ? std::span<const FtdiRequest>(kSettleEvent) : kSettle;
-    case Phase::arming:
-      return kArm;
-    case Phase::locking:
-      return kLockSpeed;
-    case Phase::switching:
-      return event_character ? std::span<const FtdiRequest>(kSwitchEvent) : kSwitch;
-    default:
-      return {};
-  }
-}
-
-LinkAsk bytes_ask(std::span<const std::uint8_t> bytes) noexcept {
-  LinkAsk out{.kind = LinkAsk::Kind::send};
-  std::copy(bytes.begin(), bytes.end(), out.bytes.begin());
-  out.size = static_cast<std::uint8_t>(bytes.size());
-  return out;
-}
-
 }  // namespace
 
 std::string_view key_of(Phase phase) noexcept {
@@ -99,12 +62,6 @@ void Session::leave_link() noexcept {
   state_.uploaded = state_.upload_size = 0;
 }
 
-void Session::ask_open() noexcept {
-  enter(Phase::opening);
-  ask({.kind = LinkAsk::Kind::open});
-  due_ = kNever;  // the link always answers
-}
-
 LinkTime Session::due() const noexcept {
   if (!exchanging() || !waiting_since_) return due_;
   return std::min(due_, *waiting_since_ + settings_.times.silence);
@@ -117,132 +74,15 @@ void Session::retry() noexcept {
   due_ = LinkTime::min();
 }
 
-void Session::not_opened(Trouble trouble, LinkTime now) noexcept {
-  leave_link();
-  enter(Phase::unplugged);
-  state_.trouble = trouble;
-  due_ = now + settings_.times.reopen;
-}
-
 void Session::unplugged(LinkTime now) noexcept {
   not_opened(Trouble::absent, now);
   state_.attempt = 0;  // whatever comes back is a new device
   ask({.kind = LinkAsk::Kind::close});
 }
 
-void Session::opened(LinkTime now) noexcept {
-  leave_link();
-  if (state_.trouble == Trouble::absent || state_.trouble == Trouble::denied || state_.trouble == Trouble::busy) {
-    state_.trouble = Trouble::none;
-  }
-  begin_script(Phase::settling, now);
-}
-
-void Session::attempt_failed(Trouble trouble, LinkTime now) noexcept {
-  leave_link();
-  ask({.kind = LinkAsk::Kind::close});
-  state_.trouble = trouble;
-  ++state_.attempt;
-  if (state_.attempt >= settings_.times.attempts) {
-    enter(Phase::failed);
-    due_ = now + settings_.times.rest;
-  } else {
-    enter(Phase::unplugged);
-    due_ = now + settings_.times.reopen;
-  }
-}
-
-void Session::begin_script(Phase phase, LinkTime now) noexcept {
-  enter(phase);
-  script_at_ = 0;
-  lock_sent_ = false;
-  state_.lost += unanswered_count_;
-  unanswered_count_ = 0;
-  waiting_since_.reset();
-  next_request(now);
-}
-
-void Session::next_request(LinkTime now) noexcept {
-  const auto script = script_of(state_.phase, settings_.event_character);
-  if (script_at_ < script.size()) {
-    ask({.kind = LinkAsk::Kind::control, .request = script[script_at_++]});
-    due_ = now + settings_.times.request;
-  } else {
-    script_done(now);
-  }
-}
-
-void Session::script_done(LinkTime now) noexcept {
-  parser_.reset();
-  tail_ = {};
-  switch (state_.phase) {
-    case Phase::settling:
-    case Phase::switching:
-      probing_after_upload_ = state_.phase == Phase::switching;
-      enter(Phase::probing);
-      tries_ = 0;
-      probe(now);
-      break;
-    case Phase::arming:
-      enter(Phase::greeting);
-      tries_ = 0;
-      say_hello(now);
-      break;
-    case Phase::locking:
-      ask(bytes_ask(std::span(&kLock, 1)));
-      due_ = now + settings_.times.echo;
-      lock_sent_ = true;
-      break;
-    default:
-      break;
-  }
-}
-
-void Session::probe(LinkTime now) noexcept {
-  if (tries_ == settings_.times.probes) return probe_failed(now);
-  ++tries_;
-  send_frame(kNoTorque, control::kRed, now);
-  due_ = now + settings_.times.probe;
-}
-
-void Session::probe_failed(LinkTime now) noexcept {
-  if (probing_after_upload_) {
-    attempt_failed(Trouble::no_answer, now);
-  } else if (image_) {
-    begin_script(Phase::arming, now);
-  } else {
-    enter(Phase::needs_image);
-    due_ = now + settings_.times.reopen;  // looks for the image
-  }
-}
-
-void Session::say_hello(LinkTime now) noexcept {
-  if (tries_ == settings_.times.hellos) return attempt_failed(Trouble::no_hello, now);
-  ++tries_;
-  ask(bytes_ask(kHello));
-  due_ = now + settings_.times.hello;
-}
-
-void Session::send_chunk(LinkTime now) noexcept {
-  const auto left = image_->bytes().subspan(chunk_end_);
-  if (left.empty()) return begin_script(Phase::switching, now);  // the last echo is there: now the speed may change
-  const auto chunk = left.first(std::min(left.size(), kPayloadBytes));
-  chunk_end_ += chunk.size();
-  ask(bytes_ask(chunk));
-  due_ = now + settings_.times.echo;
-}
-
-void Session::echoed(std::uint8_t byte, LinkTime now) noexcept {
-  // More than was sent is as wrong as something else than was sent.
-  if (state_.uploaded >= chunk_end_ || byte != image_->bytes()[state_.uploaded]) {
-    return attempt_failed(Trouble::wrong_echo, now);
-  }
-  if (++state_.uploaded == chunk_end_) send_chunk(now);
-}
-
 void Session::send_frame(std::array<std::int16_t, 3> torque, std::uint8_t leds, LinkTime now) noexcept {
   // The homing bit stays on all the time: without it the homed bits are not reported.
-  ask(bytes_ask(encode({torque, static_cast<std::uint8_t>(control::kHoming | leds)})));
+  ask(LinkAsk::of_bytes(encode({torque, static_cast<std::uint8_t>(control::kHoming | leds)})));
   sent_torque_ = torque;
   ++state_.sent;
   if (unanswered_count_ == kWindow) {
@@ -348,21 +188,9 @@ void Session::received(std::span<const std::uint8_t> payload, LinkTime now) noex
   for (const std::uint8_t byte : payload) {
     switch (state_.phase) {
       case Phase::greeting:
-        std::copy(tail_.begin() + 1, tail_.end(), tail_.begin());
-        tail_.back() = byte;
-        if (tail_ == kHelloAnswer) begin_script(Phase::locking, now);
-        break;
       case Phase::locking:
-        if (byte == kLock && lock_sent_) {
-          enter(Phase::uploading);
-          state_.uploaded = 0;
-          state_.upload_size = static_cast<std::uint32_t>(image_->bytes().size());
-          chunk_end_ = 0;
-          send_chunk(now);
-        }
-        break;
       case Phase::uploading:
-        echoed(byte, now);
+        heard_loader(byte, now);
         break;
       case Phase::probing:
       case Phase::homing:
@@ -445,7 +273,7 @@ void Session::advance(const LinkEvent& event, LinkTime now) noexcept {
       if (state_.phase == Phase::opening) not_opened(Trouble::busy, now);
       break;
     case LinkEvent::Kind::control_done:
-      if (!script_of(state_.phase, settings_.event_character).empty() && !lock_sent_) next_request(now);
+      request_done(now);
       break;
     case LinkEvent::Kind::failed:
       if (state_.phase != Phase::unplugged && state_.phase != Phase::failed && state_.phase != Phase::opening) {

@@ -136,12 +136,14 @@ class Session {
   void attempt_failed(Trouble trouble, LinkTime now) noexcept;
   void begin_script(Phase phase, LinkTime now) noexcept;
   void next_request(LinkTime now) noexcept;
+  void request_done(LinkTime now) noexcept;
   void script_done(LinkTime now) noexcept;
   void probe(LinkTime now) noexcept;
   void probe_failed(LinkTime now) noexcept;
   void say_hello(LinkTime now) noexcept;
   void send_chunk(LinkTime now) noexcept;
   void received(std::span<const std::uint8_t> payload, LinkTime now) noexcept;
+  void heard_loader(std::uint8_t byte, LinkTime now) noexcept;
   void echoed(std::uint8_t byte, LinkTime now) noexcept;
   void answered(const Frame& frame, LinkTime now) noexcept;
   void fall_silent(LinkTime now) noexcept;

@@ -1,39 +1,16 @@
-/// The link over libusb 1.0, and the Falcons that are plugged in. Asynchronous: three reads are always under way,
-/// writes and requests are submitted and answered by events, all on the thread that calls wait(); no request is sent in
-/// the loop. libusb itself allocates and locks: that lies between two ticks. libusb's header stays in the .cpp.
+/// The link over libusb 1.0. Asynchronous: three reads are always under way, writes and requests are submitted and
+/// answered by events, all on the thread that calls wait(); no request is sent in the loop. libusb itself allocates and
+/// locks: that lies between two ticks. libusb's header stays in transport_*.
 #pragma once
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "device/falcon/link.h"
 #include "engine/base/haptic_port.h"
 #include "engine/base/result.h"
 
 namespace cusp::falcon {
-
-/// One that is plugged in.
-struct FalconOnBus {
-  std::string name;     // what make_usb_link() takes: the serial number if it has one of its own, else the port
-  std::string port;     // "1-4.2": the socket that it hangs on
-  std::string serial;   // empty when it has none, or when it may not be opened
-  bool denied = false;  // this user may not open it (falcon/permissions.h)
-  friend bool operator==(const FalconOnBus&, const FalconOnBus&) = default;
-};
-
-/// Which Falcons there are. One thread, not the haptic one.
-class FalconWatch {
- public:
-  virtual ~FalconWatch() = default;
-  /// In order of their ports. A device is opened once after it came, to read its serial number.
-  virtual std::vector<FalconOnBus> list() = 0;
-  /// Whether one came or went since the last call (true the first time). Does not wait.
-  virtual bool changed() noexcept = 0;
-};
-
-/// Fails with io when libusb does not start.
-Result<std::unique_ptr<FalconWatch>, PortFailure> watch_usb_falcons();
 
 /// A link to the Falcon of that name (FalconOnBus::name or ::port), or to the first there is when `name` is empty. It
 /// is found each time the driver asks to open, so that one that was unplugged is found again. Fails with io when libusb

@@ -12,6 +12,7 @@
 #include "device/falcon/emulated_link.h"
 #include "device/falcon/falcon_port.h"
 #include "device/falcon/transport_libusb.h"
+#include "device/falcon/transport_watch.h"
 #include "tests/device/falcon/images.h"
 
 namespace cusp {

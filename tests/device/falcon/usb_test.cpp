@@ -8,6 +8,7 @@
 #include "device/falcon/falcon_port.h"
 #include "device/falcon/permissions.h"
 #include "device/falcon/transport_libusb.h"
+#include "device/falcon/transport_watch.h"
 #include "tests/device/falcon/images.h"
 #include "tests/device/falcon/mock_usb.h"
 
