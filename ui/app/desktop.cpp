@@ -36,7 +36,8 @@
 namespace cusp {
 namespace {
 
-constexpr int kLeastWidth = 1024, kLeastHeight = 640;   // px; designed for 1280 x 800
+constexpr QSize kLeast{1024, 640}, kUsual{1280, 800};   // px
+constexpr int kFrame = 48;                              // px; what a window manager takes of the height at most
 constexpr const char* kCoverExercise = "class-1-36";    // whose tooth the sign-in shows
 
 std::filesystem::path cache_folder() {
@@ -55,8 +56,11 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   setWindowTitle(QStringLiteral("Cusp"));
   setWindowIcon(icon(u"tooth"_qs, Ink::accent));
   setCentralWidget(stack_);
-  setMinimumSize(kLeastWidth, kLeastHeight);
-  resize(1280, 800);
+  // A full HD screen at 200 % has 960 x 540 to give: there the window takes all of it.
+  const QSize room = screen()->availableSize() - QSize(0, kFrame);
+  setMinimumSize(kLeast.boundedTo(room));
+  resize(kUsual.boundedTo(room));
+  if (size() != kUsual) setWindowState(Qt::WindowMaximized);
   // Qt makes a window anew when it gets its first OpenGL view later: it would flicker and lose its place.
   (new ToothView(this))->hide();
   restoreGeometry(settings_.window());
