@@ -60,10 +60,10 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   const QSize room = screen()->availableSize() - QSize(0, kFrame);
   setMinimumSize(kLeast.boundedTo(room));
   resize(kUsual.boundedTo(room));
-  if (size() != kUsual) setWindowState(Qt::WindowMaximized);
   // Qt makes a window anew when it gets its first OpenGL view later: it would flicker and lose its place.
   (new ToothView(this))->hide();
-  restoreGeometry(settings_.window());
+  winId();  // and forget that it is to fill the screen
+  if (!restoreGeometry(settings_.window()) && size() != kUsual) setWindowState(Qt::WindowMaximized);
   connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::go_anywhere);
   connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, [this] {
     if (page() == shell_ && shell_) {

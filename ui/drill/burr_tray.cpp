@@ -42,6 +42,7 @@ class BurrButton : public QAbstractButton {
     const Tokens& t = tokens();
     QPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
+    p.setLayoutDirection(Qt::LeftToRight);  // a burr with its number is one picture
     const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
     const bool on = isChecked();
     p.setPen(QPen(on ? t.accent : t.line, on ? 2 : 1));

@@ -63,7 +63,7 @@ QFrame* make_card(QWidget* parent) {
 }  // namespace
 
 DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(px(640), px(420));
+  setMinimumSize(px(480), px(320));
   view_ = new ToothView(this);
 
   tools_ = make_card(this);
@@ -83,6 +83,7 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
     cap->setFixedHeight(px(18));
     row->addWidget(cap, 0, Qt::AlignVCenter);
     row->addSpacing(px(6));
+    caps_.emplace_back(button, cap);
   }
   connect(turn_, &QPushButton::clicked, this, [this] {
     preset_ = (preset_ + 1) % static_cast<int>(kTurns.size());
@@ -320,6 +321,11 @@ void DrillStage::place_all() {
     widget->adjustSize();
     widget->move(x, y);
   };
+  // Where the row is too long its keys stand in the tooltips alone.
+  int long_row = tools_->sizeHint().width();
+  for (const auto& [button, cap] : caps_)
+    if (cap->isHidden() && !button->isHidden()) long_row += cap->sizeHint().width() + px(2);
+  for (const auto& [button, cap] : caps_) cap->setVisible(!button->isHidden() && long_row <= w - 2 * gap);
   tools_->adjustSize();
   tools_->move((w - tools_->width()) / 2, gap);
   const QSize depth = depth_->sizeHint(), push = push_->sizeHint();

@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "scenarios/format/scenario.h"
 #include "ui/drill/coach.h"
@@ -66,6 +68,7 @@ class DrillStage : public QWidget {
   QFrame *tools_, *coach_card_, *legend_;
   StopCard* stop_card_;
   QPushButton *turn_, *mirror_, *cutaway_, *above_, *target_;
+  std::vector<std::pair<QPushButton*, QLabel*>> caps_;  // each tool's key
   Gauge *depth_, *push_;
   QLabel *coach_sign_, *coach_, *wanted_push_;
   Compass* compass_;

@@ -108,6 +108,7 @@ void SectionView::paintEvent(QPaintEvent*) {
   }
   p.setFont(font_of(TextRole::caption, true));
   p.setPen(t.text);
+  p.setLayoutDirection(Qt::LeftToRight);  // the sides are the tooth's
   p.drawText(box.adjusted(px(8), 0, -px(8), -px(6)), Qt::AlignLeft | Qt::AlignBottom, left_);
   p.drawText(box.adjusted(px(8), 0, -px(8), -px(6)), Qt::AlignRight | Qt::AlignBottom, right_);
   p.setClipping(false);

@@ -130,6 +130,7 @@ void Gauge::paintEvent(QPaintEvent*) {
   const Tokens& t = tokens();
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
+  p.setLayoutDirection(Qt::LeftToRight);  // scales are not mirrored
   p.setPen(QPen(t.line, 1));
   p.setBrush(t.surface);
   p.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), px(8), px(8));
@@ -137,7 +138,7 @@ void Gauge::paintEvent(QPaintEvent*) {
   const double margin = px(12);
   p.setPen(t.text2);
   p.setFont(font_of(TextRole::caption));
-  p.drawText(QRectF(margin, px(8), width() - 2 * margin, px(16)), Qt::AlignLeading | Qt::AlignVCenter, title_);
+  p.drawText(QRectF(margin, px(8), width() - 2 * margin, px(16)), Qt::AlignLeft | Qt::AlignVCenter, title_);
   p.setPen(t.text);
   p.setFont(font_of(TextRole::live, true));
   const QString number = value_ ? format_number(*value_, decimals_) : QStringLiteral("–");

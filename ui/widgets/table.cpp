@@ -9,6 +9,11 @@
 #include "ui/widgets/icon.h"
 
 namespace cusp {
+namespace {
+
+constexpr int kLeastName = 140;  // px at 100 %: two short words
+
+}  // namespace
 
 void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const Tokens& t = tokens();
@@ -68,6 +73,7 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const int first_width = metrics.horizontalAdvance(shown);
   const bool at_right = right != rtl;
   int x = at_right ? cell.right() + 1 - first_width - gap - second_width : cell.left();
+  painter->setLayoutDirection(Qt::LeftToRight);  // places are reckoned here; the words turn by themselves
   const auto draw = [&](const QString& part, const QFont& f, const QColor& colour, int width) {
     painter->setFont(f);
     painter->setPen(colour);
@@ -75,13 +81,9 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                       part);
     x += width + gap;
   };
-  if (rtl && !second.isEmpty()) {
-    draw(second, font_of(TextRole::body), t.text2, second_width);
-    draw(shown, font, ink, first_width);
-  } else {
-    draw(shown, font, ink, first_width);
-    if (!second.isEmpty()) draw(second, font_of(TextRole::body), t.text2, second_width);
-  }
+  // A number and what belongs to it ("7.5 mm ± 0.3", "3 / 10") read from the left in every language.
+  draw(shown, font, ink, first_width);
+  if (!second.isEmpty()) draw(second, font_of(TextRole::body), t.text2, second_width);
   painter->restore();
 }
 
@@ -133,6 +135,20 @@ void Table::set_stretch_column(int column) {
   for (int i = 0; model() && i < model()->columnCount(); ++i) {
     horizontalHeader()->setSectionResizeMode(i, i == column ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
   }
+  stretch_column_ = column;
+}
+
+void Table::updateGeometries() {
+  QHeaderView* head = horizontalHeader();
+  if (model() && stretch_column_ >= 0 && stretch_column_ < head->count()) {
+    int others = 0;
+    for (int i = 0; i < head->count(); ++i) others += i == stretch_column_ ? 0 : head->sectionSize(i);
+    const bool room = viewport()->width() - others >= px(kLeastName);
+    const QHeaderView::ResizeMode mode = room ? QHeaderView::Stretch : QHeaderView::Fixed;
+    if (head->sectionResizeMode(stretch_column_) != mode) head->setSectionResizeMode(stretch_column_, mode);
+    if (!room && head->sectionSize(stretch_column_) != px(kLeastName)) head->resizeSection(stretch_column_, px(kLeastName));
+  }
+  QTableView::updateGeometries();
 }
 
 void Table::choose_row(int row) {

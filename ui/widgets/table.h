@@ -35,7 +35,7 @@ class Table : public QTableView {
 
  public:
   explicit Table(QWidget* parent = nullptr);
-  /// Column that takes what is left.
+  /// Column that takes what is left; where too little is left to be read, the table scrolls across.
   void set_stretch_column(int column);
   /// Chooses a row also in right-to-left.
   void choose_row(int row);
@@ -52,9 +52,11 @@ class Table : public QTableView {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void updateGeometries() override;
 
  private:
   int rows_shown_ = 0;
+  int stretch_column_ = -1;
 };
 
 }  // namespace cusp
