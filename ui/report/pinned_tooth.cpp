@@ -116,14 +116,20 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   p.setLayoutDirection(Qt::LeftToRight);
-  const double w = std::min<double>(width() - px(40), px(400)), x0 = (width() - w) / 2;
-  p.setFont(font_of(TextRole::caption, true));
+  const double w = std::min<double>(width() - px(56), px(400)), x0 = (width() - w) / 2;
+  const QFont bold = font_of(TextRole::caption, true), plain = font_of(TextRole::caption);
+  const QString low = tr("Left standing"), middle = tr("on target"), high = tr("Cut too far");
+  p.setFont(bold);
   p.setPen(t.text);
-  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignLeft | Qt::AlignVCenter, tr("Left standing"));
-  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignRight | Qt::AlignVCenter, tr("Cut too far"));
-  p.setFont(font_of(TextRole::caption));
+  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignLeft | Qt::AlignVCenter, low);
+  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignRight | Qt::AlignVCenter, high);
+  p.setFont(plain);
   p.setPen(t.text2);
-  p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignCenter, tr("on target"));
+  const QFontMetricsF ends(bold);
+  const double free = w - 2 * std::max(ends.horizontalAdvance(low), ends.horizontalAdvance(high)) - px(16);
+  // Where the words at the ends leave no room, the 0 says it.
+  if (QFontMetricsF(plain).horizontalAdvance(middle) <= free)
+    p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignCenter, middle);
   const QRectF bar(x0, px(22), w, px(13));
   QLinearGradient gradient(bar.topLeft(), bar.topRight());
   gradient.setColorAt(0.0, c.map[0]);

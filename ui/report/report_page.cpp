@@ -24,6 +24,7 @@ namespace {
 constexpr int kToothWidth = 600;     // px at 100 %, of a window of 1280
 constexpr int kPictureSide = 1200;   // of the tooth on paper: 140 dots a cm
 constexpr int kReasonsShown = 3;
+constexpr int kNarrow = 1200;        // px at 100 %; below it the words take more than their share, and stand in one column
 
 }  // namespace
 
@@ -36,24 +37,24 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(make_bar(can_go_again, back_name));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
-  row->addWidget(make_tooth(), 45);
+  halves_ = new QHBoxLayout;
+  halves_->setSpacing(0);
+  halves_->addWidget(make_tooth(), 45);
   QVBoxLayout* body = nullptr;
-  row->addWidget(make_scroll_page(&body), 55);
+  halves_->addWidget(make_scroll_page(&body), 55);
   body->setContentsMargins(px(20), px(16), px(20), px(16));
   body->setSpacing(px(12));
   band_ = new Band;
   body->addWidget(band_);
   body->addWidget(make_score());
   body->addWidget(make_criteria());
-  auto* below = new QHBoxLayout;
-  below->setSpacing(px(12));
-  below->addWidget(make_next_time(), 1);
-  below->addWidget(make_against(), 1);
-  body->addLayout(below);
+  below_ = new QHBoxLayout;
+  below_->setSpacing(px(12));
+  below_->addWidget(make_next_time(), 1);
+  below_->addWidget(make_against(), 1);
+  body->addLayout(below_);
   body->addStretch();
-  column->addLayout(row, 1);
+  column->addLayout(halves_, 1);
 
   const Grade& g = data_.result.grade;
   if (!g.critical.empty()) {
@@ -70,6 +71,14 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
     if (!lost.empty() && model_->criterion(i).id == lost.front()->id) table_->choose_row(i);
   }
   setFocusProxy(table_);
+}
+
+void ReportPage::resizeEvent(QResizeEvent* event) {
+  const bool narrow = width() < px(kNarrow);
+  halves_->setStretch(0, narrow ? 36 : 45);
+  halves_->setStretch(1, narrow ? 64 : 55);
+  below_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  QWidget::resizeEvent(event);
 }
 
 QWidget* ReportPage::make_bar(bool can_go_again, const QString& back_name) {
@@ -106,7 +115,7 @@ QWidget* ReportPage::make_bar(bool can_go_again, const QString& back_name) {
 
 QWidget* ReportPage::make_tooth() {
   auto* left = new QWidget;
-  left->setMinimumWidth(px(360));
+  left->setMinimumWidth(px(300));
   left->setMaximumWidth(px(kToothWidth) * 2);
   auto* column = new QVBoxLayout(left);
   column->setContentsMargins(0, 0, 0, 0);

@@ -7,6 +7,7 @@
 #include "ui/app/ports.h"
 #include "ui/report/report_data.h"
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -32,6 +33,9 @@ class ReportPage : public QWidget {
   void back_wanted();
   void go_again_wanted();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* make_bar(bool can_go_again, const QString& back_name);
   QWidget* make_tooth();
@@ -49,6 +53,7 @@ class ReportPage : public QWidget {
   Table* table_ = nullptr;
   PinnedTooth* tooth_ = nullptr;
   Band* band_ = nullptr;
+  QBoxLayout *halves_, *below_;  // tooth and words; what to do and what was before
 };
 
 }  // namespace cusp
