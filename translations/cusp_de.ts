@@ -5010,6 +5010,14 @@ Ihr bester davor</translation>
             <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann weiter.</translation>
         </message>
         <message>
+            <source>The device answers again</source>
+            <translation>Das Gerät antwortet wieder</translation>
+        </message>
+        <message>
+            <source>The force is off and the clock stands still. Take it in hand, then go on.</source>
+            <translation>Die Kraft ist aus und die Uhr steht. In die Hand nehmen, dann weiter.</translation>
+        </message>
+        <message>
             <source>The record cannot be written</source>
             <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
         </message>

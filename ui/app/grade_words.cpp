@@ -76,11 +76,11 @@ QString with_unit(double value, const QString& unit) {
 }
 
 /// As many decimals as keep value and limit apart, up to three, and never fewer than `least`: "96.97", not "97", of 97.
-QString apart_from(double value, double limit, const QString& unit, int least) {
+int decimals_apart(double value, double limit, int least) {
   int decimals = least;
   const auto same = [&](int n) { return format_number(value, n) == format_number(limit, n); };
   while (decimals < 3 && same(decimals)) ++decimals;
-  return format_value({value, std::nullopt, unit, decimals});
+  return decimals;
 }
 
 }  // namespace
@@ -109,13 +109,14 @@ QString reason_text(const CriterionGrade& g) {
     return Words::tr("Counts only as far as the target is drilled: %1").arg(with_unit(percent, u"%"_qs));
   }
   const double value = arg("value"), limit = arg("limit");
-  const QString v = format({value, std::nullopt, unit, 2}), l = with_unit(limit, unit);
-  const QString apart = format({std::abs(value - limit), std::nullopt, unit, 2});
+  const int decimals = decimals_apart(value, limit, unit == u"%" ? 1 : 2);
+  const QString v = format({value, std::nullopt, unit, decimals}), l = with_unit(limit, unit);
+  const QString apart = format({std::abs(value - limit), std::nullopt, unit, decimals});
   if (g.reason_code == "full") return Words::tr("Full points");
   if (g.reason_code == "not_measured") return Words::tr("Could not be measured");
   if (g.reason_code == "too_deep") return Words::tr("%1, %2 deeper than %3").arg(v, apart, l);
   if (g.reason_code == "too_shallow") return Words::tr("%1, %2 short of %3").arg(v, apart, l);
-  const QString whole = apart_from(value, limit, unit, unit == u"%" ? 1 : 2);
+  const QString whole = format_value({value, std::nullopt, unit, decimals});
   if (g.reason_code == "too_much") return Words::tr("%1; full points up to %2").arg(whole, l);
   if (g.reason_code == "too_dry") return Words::tr("%1 without coolant; full points up to %2").arg(whole, l);
   if (g.reason_code == "too_warm") return Words::tr("%1 warmer; full points up to %2").arg(whole, l);

@@ -265,7 +265,8 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   } else if (live.device == Sample::Status::gone) {
     stop = Stop::device_gone;
   } else if (live.phase == LoopPhase::held) {
-    stop = Stop::fault;
+    const bool was_gone = live.fault == Fault::gone || live.fault == Fault::stale;
+    stop = was_gone && live.device == Sample::Status::fresh ? Stop::device_back : Stop::fault;
   } else if (live.phase == LoopPhase::paused) {
     stop = Stop::paused;
   }

@@ -62,6 +62,10 @@ bool StopCard::show_stop(Stop stop, const QString& where, Fault fault) {
       title = tr("The device does not answer");
       more = tr("The force is off and the clock stands still. Plug it in again, then go on.");
       break;
+    case Stop::device_back:
+      title = tr("The device answers again");
+      more = tr("The force is off and the clock stands still. Take it in hand, then go on.");
+      break;
     case Stop::record:
       title = tr("The record cannot be written");
       more = tr("%1 What you drilled so far is safe; make room on the disk, then go on.").arg(isolate(where));

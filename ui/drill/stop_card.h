@@ -16,7 +16,7 @@ class StopCard : public QFrame {
   Q_OBJECT
 
  public:
-  enum class Stop { none, paused, fault, device_gone, record, behind };
+  enum class Stop { none, paused, fault, device_gone, device_back, record, behind };
 
   explicit StopCard(QWidget* parent = nullptr);
   /// `where`: of the record that cannot be written; `fault`: of Stop::fault. Read out when it is another. True if it was.

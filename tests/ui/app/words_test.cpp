@@ -104,6 +104,8 @@ TEST(Sentences, what_was_too_little_or_too_much_is_said_with_what_earns_full_poi
   EXPECT_EQ(reason(g), "0.2 % removed; full points from 97 %");
   set("target_removed", "%", "too_little", 96.97, 97);
   EXPECT_EQ(reason(g), "96.97 % removed; full points from 97 %");  // never "97.0 %; from 97 %"
+  set("depth_mean", "mm", "too_deep", 1.954, 1.95);
+  EXPECT_EQ(reason(g), "1.954 mm, 0.004 mm deeper than 1.95 mm");  // never "0.00 mm deeper"
   set("remaining_over_pulp", "mm", "too_little", 0.4, 1);
   EXPECT_EQ(reason(g), "0.40 mm; full points from 1 mm");
   set("overcut_beyond_side", "mm3", "too_much", 2.5, 0.3);

@@ -73,5 +73,29 @@ TEST(DrillLayout, in_half_a_full_hd_screen_the_tools_fit_and_nothing_covers_the_
   }
 }
 
+TEST(StopCard, a_device_that_answers_again_is_told_so_and_not_to_look_for_its_cable) {
+  DrillStage stage;
+  stage.resize(800, 600);
+  stage.show();
+  const auto shown = [&stage](const char* words) {
+    for (const QLabel* label : stage.findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(QLatin1String(words))) return true;
+    return false;
+  };
+  LiveView live;
+  live.phase = LoopPhase::held;
+  live.fault = Fault::gone;
+  live.device = Sample::Status::gone;
+  stage.show_values(live);
+  EXPECT_TRUE(shown("does not answer"));
+  live.device = Sample::Status::fresh;
+  stage.show_values(live);
+  EXPECT_TRUE(shown("answers again"));
+  EXPECT_FALSE(shown("cable"));
+  live.fault = Fault::jump;
+  stage.show_values(live);
+  EXPECT_TRUE(shown("jumped"));
+}
+
 }  // namespace
 }  // namespace cusp
