@@ -315,54 +315,6 @@ TEST(Live, AgreesWithTheFinalMeasuresAfterManyPieces) {
   EXPECT_EQ(live.reading().target_removed, 0.0);
 }
 
-TEST(Process, WeightsForceByTimeInContactAndTakesItBeforeTheGuard) {
-  Process p;
-  StepOutput o;
-  o.elapsed_us = 1000;
-  p.add(o);
-  EXPECT_FALSE(p.touched());
-  o.contact = true;
-  o.force_raw_n = {0, 0, 3};
-  o.force_n = {0, 0, 1};
-  o.proxy_mm = {1, 2, 3};
-  o.elapsed_us = 2000;
-  p.add(o);
-  o.force_raw_n = {0, 1, 0};
-  o.elapsed_us = 5000;
-  p.add(o);
-  EXPECT_NEAR(p.time_s(), 0.005, 1e-12);
-  EXPECT_NEAR(p.contact_s(), 0.004, 1e-12);
-  EXPECT_NEAR(p.force_peak_n(), 3.0, 1e-12);
-  EXPECT_NEAR(p.force_mean_n(), (3.0 * 1 + 1.0 * 3) / 4.0, 1e-12);
-  EXPECT_EQ(p.peak_at_mm(), Vec3(1, 2, 3));
-}
-
-TEST(Process, CountsDryCuttingAndKnowsWhereTheToothWasWarmest) {
-  Process p;
-  StepOutput o;
-  o.contact = true;
-  o.elapsed_us = 1000;
-  o.heat_k = 2.0f;
-  o.proxy_mm = {1, 0, 0};
-  o.phenomena = static_cast<std::uint8_t>(PhenomenonSign::dry);
-  p.add(o);
-  o.elapsed_us = 4000;
-  o.heat_k = 5.6f;
-  o.proxy_mm = {2, 0, 0};
-  o.phenomena = static_cast<std::uint8_t>(PhenomenonSign::dry) | static_cast<std::uint8_t>(PhenomenonSign::overheated);
-  p.add(o);
-  o.contact = false;
-  o.elapsed_us = 9000;
-  o.heat_k = 5.0f;
-  o.phenomena = static_cast<std::uint8_t>(PhenomenonSign::coolant);
-  p.add(o);
-  EXPECT_NEAR(p.dry_s(), 0.004, 1e-12);
-  EXPECT_EQ(p.overheated(), 1);
-  EXPECT_EQ(p.overheated_at_mm(), Vec3(2, 0, 0));
-  EXPECT_NEAR(p.heat_peak_k(), 5.6, 1e-6);
-  EXPECT_EQ(p.heat_peak_at_mm(), Vec3(2, 0, 0));
-}
-
 TEST(Measure, TellsOfCoolantOnlyWhereTheExerciseReckonsIt) {
   Process p;
   StepOutput o;

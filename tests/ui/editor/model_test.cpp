@@ -8,24 +8,17 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/library/library.h"
-#include "scenarios/tissues/tissue_facts.h"
 #include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/tissues/tissue_facts.h"
+#include "tests/ui/editor/class_one.h"
 #include "ui/editor/check_sentences.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/points_form.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/target_handles.h"
-#include "ui/editor/tissues_form.h"
 
 namespace cusp {
 namespace {
-
-EditorStart class_one() {
-  const Scenario s = *load_builtin("class-1-36");
-  EditorStart start{s, s, {}};
-  start.draft.version = s.version + 1;
-  return start;
-}
 
 /// What growing the average 36 finds, as far as the checks read it (box from `cusp specimen tooth --fdi 36`, rounded out).
 SpecimenFacts facts_of_36() {
@@ -373,80 +366,6 @@ TEST(editor_model, a_new_tooth_begins_with_the_usual_figures_and_its_critical_ti
   source.seed = 3;
   EXPECT_TRUE(model.set_specimen(source, usual));
   EXPECT_EQ(model.scenario().protected_tissues, std::vector<Tissue>{Tissue::pulp});
-}
-
-TEST(tissues_form, a_figure_that_nobody_verified_says_so_and_one_that_was_set_says_that) {
-  EXPECT_EQ(figure_note(3, 3, "M", false), QStringLiteral("usual, not verified"));
-  EXPECT_EQ(figure_note(0.5, 0.5, "paper", true), QStringLiteral("usual, from the published method"));
-  EXPECT_TRUE(figure_note(2.1, 2.1, "chun-2014", true).contains(QStringLiteral("Chun 2014")));
-  EXPECT_EQ(figure_note(2.2, 2.1, "chun-2014", true), QStringLiteral("set for this exercise"));
-}
-
-TEST(check_sentences, every_code_of_the_checks_has_words) {
-  for (const char* code :
-       {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "no_criteria", "weight_zero",
-        "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
-        "voxel_mismatch", "feature_thin", "burr_small", "head_short", "neck_wider_than_ball", "burr_wider_than_target",
-        "corner_below_burr", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
-        "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp", "two_spindles",
-        "spindle_missing", "heat_missing"}) {
-    const QString said = check_sentence({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
-    EXPECT_TRUE(said.endsWith(u'.')) << code;
-    EXPECT_FALSE(said.contains(QLatin1String(code))) << code;
-    EXPECT_FALSE(said.startsWith(QStringLiteral("Something is wrong"))) << code;
-    EXPECT_FALSE(said.contains(u'%')) << said.toStdString();
-  }
-}
-
-TEST(target_handles, each_handle_moves_what_it_is_named_for_and_nothing_else) {
-  Target t = load_builtin("channel-1")->target;  // 6 mm along x, 1.6 wide, 2 deep, top 0
-  const auto find = [](const Target& of, TargetHandle::Kind kind) {
-    for (const TargetHandle& h : handles_of(of)) {
-      if (h.kind == kind) return h;
-    }
-    return TargetHandle{};
-  };
-  EXPECT_EQ(handles_of(t).size(), 4u);  // two ends, width, depth
-  const Target wide = moved(t, find(t, TargetHandle::Kind::width), {0, 1.0, 0});
-  EXPECT_DOUBLE_EQ(wide.width_mm, 2.0);
-  EXPECT_EQ(wide.paths, t.paths);
-  const Target deep = moved(t, find(t, TargetHandle::Kind::depth), {0, 0, -2.5});
-  EXPECT_DOUBLE_EQ(deep.depth_mm, 2.5);
-  EXPECT_DOUBLE_EQ(deep.paths[0][0].z, -2.5);
-  EXPECT_DOUBLE_EQ(moved(t, find(t, TargetHandle::Kind::depth), {0, 0, 5}).depth_mm, kLeastHandleMm);
-  const Target bent = moved(t, handles_of(t)[0], {-2.504, 1.006, 7});
-  EXPECT_DOUBLE_EQ(bent.paths[0][0].x, -2.5);
-  EXPECT_DOUBLE_EQ(bent.paths[0][0].y, 1.01);
-  EXPECT_DOUBLE_EQ(bent.paths[0][0].z, -2);
-  EXPECT_EQ(bent.paths[0][1], t.paths[0][1]);
-}
-
-TEST(target_handles, where_lines_meet_one_handle_moves_them_all) {
-  const Target t = load_builtin("class-1-36")->target;
-  std::size_t points = 0;
-  for (const auto& path : t.paths) points += path.size();
-  // Three branches begin on points of the long line: 15 points, 12 places; width and depth besides.
-  EXPECT_EQ(points, 15u);
-  ASSERT_EQ(handles_of(t).size(), 14u);
-  for (const TargetHandle& h : handles_of(t)) {
-    if (h.kind != TargetHandle::Kind::point || h.path != 0 || h.point != 5) continue;  // (0.74, 0.05)
-    const Target out = moved(t, h, {0.8, 0.1, t.top_mm});
-    EXPECT_DOUBLE_EQ(out.paths[0][5].x, 0.8);
-    EXPECT_DOUBLE_EQ(out.paths[1][0].x, 0.8);
-    EXPECT_EQ(out.paths[2], t.paths[2]);
-  }
-}
-
-TEST(target_handles, a_box_is_moved_by_its_middle_and_sized_by_its_sides) {
-  EditorModel model(class_one());
-  ASSERT_TRUE(model.set_shape("box"));
-  const Target t = model.scenario().target;
-  const auto handles = handles_of(t);
-  ASSERT_EQ(handles.size(), 4u);
-  const Target longer = moved(t, handles[1], t.paths[0][0] + Vec3(2, 0, 0));
-  EXPECT_DOUBLE_EQ(longer.box_size_mm.x, 4.0);
-  EXPECT_DOUBLE_EQ(longer.box_size_mm.y, t.box_size_mm.y);
-  EXPECT_EQ(moved(t, handles[0], {1, 1, 0}).box_size_mm, t.box_size_mm);
 }
 
 }  // namespace
