@@ -1,6 +1,8 @@
 // Sends damaged files through the import's child and holds it to its promise: read or refused, within ten seconds and a
-// gigabyte, and this program lives. `mutate [COUNT] [SEED] [assimp|dcmtk|niftilib] [SECONDS]`: COUNT files for that
-// library, or for each of the three; within SECONDS each, if given. Fails when a promise is broken, or when time was short.
+// gigabyte, and this program lives. `mutate [COUNT] [SEED] [assimp|dcmtk|niftilib] [SECONDS] [FOLDER]`: COUNT files for that
+// library, or for each of the three; within SECONDS each, if given. FOLDER keeps a line for each file in LIBRARY.csv, with
+// which a later call goes on where this one stopped, and each file whose child crashed. Fails when a promise is broken, or
+// when not all had their turn.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -8,9 +10,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <random>
+#include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -94,15 +99,62 @@ std::string mutated(std::string bytes, std::mt19937_64& random) {
   return bytes;
 }
 
-struct Tally {
-  std::mutex lock;
-  std::map<std::string, std::size_t> ends;  // "stl read", "stl corrupt", ...
-  std::size_t files = 0, read = 0, refused = 0, crashed = 0, out_of_time = 0, broken = 0;
-  double slowest_s = 0.0, most_cpu_s = 0.0;  // of one child
-  std::uint64_t most_bytes = 0;              // resident
+/// What became of one file: of its one child, or of the worse of two.
+struct Fate {
+  std::uint64_t number = 0;
+  std::string end;  // "stl read", "stl read, made", "stl corrupt", ...
+  double wall_s = 0.0, cpu_s = 0.0;
+  std::uint64_t resident_bytes = 0;
+
+  bool has(const char* word) const { return end.find(word) != end.npos; }
+  /// Ended by the clock while other programs had the processor: nothing is known of it, and it has its turn again.
+  bool only_waited() const { return has("time_limit") && cpu_s < 1.0; }
 };
 
-void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally& tally) {
+struct Tally {
+  std::map<std::string, std::size_t> ends;
+  std::size_t files = 0, read = 0, crashed = 0, out_of_time = 0, waited = 0, late_by_clock = 0, broken = 0;
+  double slowest_s = 0.0, most_cpu_s = 0.0;
+  std::uint64_t most_bytes = 0;
+
+  void add(const Fate& fate) {
+    if (fate.only_waited()) {
+      ++waited;
+      return;
+    }
+    ++ends[fate.end];
+    ++files;
+    read += fate.has(" read");
+    crashed += fate.has("crashed");
+    out_of_time += fate.has("time_limit");
+    late_by_clock += fate.wall_s > kPromisedS;
+    slowest_s = std::max(slowest_s, fate.wall_s);
+    most_cpu_s = std::max(most_cpu_s, fate.cpu_s);
+    most_bytes = std::max(most_bytes, fate.resident_bytes);
+    if (fate.cpu_s > kPromisedS || fate.resident_bytes > kMemory) {
+      ++broken;
+      std::fprintf(stderr, "file %llu: %.1f s, %.1f s of a processor, %llu MB\n", static_cast<unsigned long long>(fate.number),
+                   fate.wall_s, fate.cpu_s, static_cast<unsigned long long>(fate.resident_bytes >> 20));
+    }
+  }
+};
+
+/// The lines of LIBRARY.csv: number,wall_s,cpu_s,resident_bytes,end. A broken last line is no line.
+std::vector<Fate> fates_in(const std::filesystem::path& path) {
+  std::vector<Fate> all;
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    Fate fate;
+    char comma = 0;
+    if (words >> fate.number >> comma >> fate.wall_s >> comma >> fate.cpu_s >> comma >> fate.resident_bytes >> comma &&
+        std::getline(words, fate.end) && !fate.end.empty())
+      all.push_back(fate);
+  }
+  return all;
+}
+
+Fate one(const Seed& seed, std::uint64_t number, const TempFolder& folder, const std::filesystem::path& keep) {
   std::mt19937_64 random(number);
   const std::string name = std::to_string(number) + "." + seed.ending;
   // A folder of its own: a slice of a CT looks for its neighbours.
@@ -113,14 +165,17 @@ void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally
   settings.memory_bytes = kMemory;
   settings.wall = kMost;
   settings.cpu = kMost;
-  ChildEnd most;  // of the one child or the two
+  Fate fate;
+  fate.number = number;
   settings.ended = [&](const ChildEnd& child) {
-    most.wall_s = std::max(most.wall_s, child.wall_s);
-    most.cpu_s = std::max(most.cpu_s, child.cpu_s);
-    most.resident_bytes = std::max(most.resident_bytes, child.resident_bytes);
+    fate.wall_s = std::max(fate.wall_s, child.wall_s);
+    fate.cpu_s = std::max(fate.cpu_s, child.cpu_s);
+    fate.resident_bytes = std::max(fate.resident_bytes, child.resident_bytes);
+    if (child.how == ChildEnd::How::crashed)
+      std::fprintf(stderr, "file %s: crashed, signal %d\n%s", name.c_str(), child.code, child.errors.c_str());
   };
   const auto seen = look_in_child({place / name}, settings);
-  std::string end = seen ? "read" : std::string(key_of(seen.error().code));
+  fate.end = seed.ending + " " + (seen ? "read" : std::string(key_of(seen.error().code)));
   // What was read is made into a specimen too, for that is where its numbers are used.
   if (seen && random() % 4 == 0) {
     Result<VoxelVolume, ImportFailure> made = fail(ImportError::cancelled, {});
@@ -136,30 +191,30 @@ void one(const Seed& seed, std::uint64_t number, const TempFolder& folder, Tally
       what.tissues = {{seen->meshes.front().name, Tissue::dentine}};
       made = import_mesh_in_child(what, settings);
     }
-    end += made ? ", made" : ", " + std::string(key_of(made.error().code));
+    fate.end += made ? ", made" : ", " + std::string(key_of(made.error().code));
   }
+  if (!keep.empty() && fate.has("crashed"))
+    std::filesystem::copy_file(place / name, keep / name, std::filesystem::copy_options::overwrite_existing);
   std::filesystem::remove_all(place);
-  const std::lock_guard hold(tally.lock);
-  ++tally.ends[seed.ending + " " + end];
-  ++tally.files;
-  ++(seen ? tally.read : tally.refused);
-  if (end.find("crashed") != end.npos) ++tally.crashed;
-  if (end.find("time_limit") != end.npos) ++tally.out_of_time;
-  tally.slowest_s = std::max(tally.slowest_s, most.wall_s);
-  tally.most_cpu_s = std::max(tally.most_cpu_s, most.cpu_s);
-  tally.most_bytes = std::max(tally.most_bytes, most.resident_bytes);
-  if (most.wall_s > kPromisedS || most.cpu_s > kPromisedS || most.resident_bytes > kMemory) {
-    ++tally.broken;
-    std::fprintf(stderr, "file %llu: %.1f s, %.1f s of a processor, %llu MB\n", static_cast<unsigned long long>(number), most.wall_s,
-                 most.cpu_s, static_cast<unsigned long long>(most.resident_bytes >> 20));
-  }
+  return fate;
 }
 
 /// False when a promise was broken or not all files had their turn.
 bool run(const std::string& library, std::vector<Seed> seeds, std::uint64_t count, std::uint64_t first, double seconds,
-         const TempFolder& folder) {
+         const TempFolder& folder, const std::filesystem::path& keep) {
   std::erase_if(seeds, [&](const Seed& s) { return s.library != library; });
   Tally tally;
+  std::set<std::uint64_t> done;
+  std::ofstream lines;
+  if (!keep.empty()) {
+    const std::filesystem::path path = keep / (library + ".csv");
+    for (const Fate& fate : fates_in(path)) {
+      if (fate.number >= first && fate.number - first < count && done.insert(fate.number).second) tally.add(fate);
+    }
+    lines.open(path, std::ios::app);
+    if (!done.empty()) lines << '\n';  // a call that was killed may have left half a line
+  }
+  std::mutex lock;
   std::atomic<std::uint64_t> next{0};
   const auto start = Clock::now();
   const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -167,17 +222,25 @@ bool run(const std::string& library, std::vector<Seed> seeds, std::uint64_t coun
     std::vector<std::jthread> workers;
     for (unsigned n = 0; n < std::max(1u, std::thread::hardware_concurrency()); ++n)
       workers.emplace_back([&] {
-        for (std::uint64_t i; passed() < seconds && (i = next.fetch_add(1)) < count;)
-          one(seeds[i % seeds.size()], first + i, folder, tally);
+        for (std::uint64_t i; passed() < seconds && (i = next.fetch_add(1)) < count;) {
+          if (done.contains(first + i)) continue;
+          const Fate fate = one(seeds[i % seeds.size()], first + i, folder, keep);
+          const std::lock_guard hold(lock);
+          tally.add(fate);
+          if (lines.is_open() && !fate.only_waited())
+            lines << fate.number << ',' << fate.wall_s << ',' << fate.cpu_s << ',' << fate.resident_bytes << ',' << fate.end << std::endl;
+        }
       });
   }
   const double took = passed();
   for (const auto& [end, n] : tally.ends) std::printf("%7zu  %s\n", n, end.c_str());
-  std::printf("%s: %zu of %llu files, %zu read, %zu refused (%zu crashes of the child, %zu at the limit on time); one child at most "
-              "%.2f s, %.2f s of a processor, %llu MB resident; %.0f s, %.1f files a second\n",
-              library.c_str(), tally.files, static_cast<unsigned long long>(count), tally.read, tally.refused, tally.crashed,
-              tally.out_of_time, tally.slowest_s, tally.most_cpu_s, static_cast<unsigned long long>(tally.most_bytes >> 20), took,
-              static_cast<double>(tally.files) / took);
+  std::printf("%s: %zu of %llu files, %zu read, %zu refused (%zu crashes of the child, %zu at the limit on time; %zu only waited and "
+              "have their turn again); one child at most %.2f s (%zu beyond ten), %.2f s of a processor, %llu MB resident; %.0f s, "
+              "%.1f files a second\n",
+              library.c_str(), tally.files, static_cast<unsigned long long>(count), tally.read, tally.files - tally.read,
+              tally.crashed, tally.out_of_time, tally.waited, tally.slowest_s, tally.late_by_clock, tally.most_cpu_s,
+              static_cast<unsigned long long>(tally.most_bytes >> 20), took,
+              static_cast<double>(tally.files - done.size()) / took);
   std::fflush(stdout);
   return tally.broken == 0 && tally.files == count;
 }
@@ -191,12 +254,14 @@ int main(int argc, char** argv) {
   const std::string wanted = argc > 3 ? argv[3] : "";
   const double seconds = argc > 4 ? std::atof(argv[4]) : 1e9;
   const std::array<std::string, 3> libraries = {"assimp", "dcmtk", "niftilib"};
+  const std::filesystem::path keep = argc > 5 ? argv[5] : "";
   if (count == 0 || !(seconds > 0.0) || (!wanted.empty() && std::ranges::find(libraries, wanted) == libraries.end())) return 2;
   const std::vector<Seed> all = seeds();
   const TempFolder folder;
+  if (!keep.empty()) std::filesystem::create_directories(keep);
   bool good = true;
   for (const std::string& library : libraries) {
-    if (wanted.empty() || wanted == library) good = run(library, all, count, first, seconds, folder) && good;
+    if (wanted.empty() || wanted == library) good = run(library, all, count, first, seconds, folder, keep) && good;
   }
   return good ? 0 : 1;
 }
