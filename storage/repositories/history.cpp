@@ -164,15 +164,15 @@ Stored<int> History::goes(const Actor& actor, UserId student, ScenarioId scenari
   return static_cast<int>(all->size());
 }
 
-Stored<std::vector<Standing>> History::standings(const Actor& actor, UserId student) {
+Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, UserId student) {
   HistoryFilter filter;
   filter.student = student;
   const auto all = list(actor, filter);
   if (!all) return std::unexpected(all.error());
-  std::vector<Standing> out;
+  std::vector<ExerciseStanding> out;
   for (const HistoryRow& row : *all) {
-    auto at = std::ranges::find(out, row.scenario, &Standing::scenario);
-    if (at == out.end()) at = out.insert(at, Standing{row.scenario, 0, std::nullopt, std::nullopt});
+    auto at = std::ranges::find(out, row.scenario, &ExerciseStanding::scenario);
+    if (at == out.end()) at = out.insert(at, ExerciseStanding{row.scenario, 0, std::nullopt, std::nullopt});
     ++at->goes;
     keep_best(at->best, row);
     if (row.score && !at->last) at->last = row;

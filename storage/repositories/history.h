@@ -59,7 +59,7 @@ struct SessionDetails {
 };
 
 /// A student's standing in one scenario.
-struct Standing {
+struct ExerciseStanding {
   ScenarioId scenario;
   int goes = 0;
   std::optional<HistoryRow> best, last;  // graded ones; best by score, the earlier of two alike
@@ -75,7 +75,7 @@ class History {
   /// Of the same student, scenario and device class, started before this session.
   Stored<std::optional<HistoryRow>> best_before(const Actor& actor, SessionId session);
   Stored<int> goes(const Actor& actor, UserId student, ScenarioId scenario);
-  Stored<std::vector<Standing>> standings(const Actor& actor, UserId student);
+  Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);
 
  private:
   StorageContext& c_;

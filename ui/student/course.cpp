@@ -60,7 +60,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
   for (Exercise& exercise : list->exercises) {
     CourseRow row;
     row.exercise = std::move(exercise);
-    for (const Standing& s : *standings) {
+    for (const ExerciseStanding& s : *standings) {
       if (s.scenario != row.exercise.scenario.id) continue;
       row.goes = s.goes;
       row.best = s.best;
