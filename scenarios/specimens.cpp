@@ -26,8 +26,8 @@ bool asks_for(const SpecimenSource& source, std::string_view key) {
   return std::ranges::find(source.around, key) != source.around.end();
 }
 
-Result<VoxelVolume, ImportFailure> tooth(const SpecimenSource& source) {
-  auto grown = make_tooth(tooth_request(source));
+Result<VoxelVolume, ImportFailure> tooth(const SpecimenSource& source, ToothCancel cancel) {
+  auto grown = make_tooth(tooth_request(source), cancel);
   if (!grown) return std::unexpected(refused(grown.error()));
   return std::move(*grown);
 }
@@ -79,15 +79,15 @@ std::vector<Tissue> tissues_of(const SpecimenSource& source) {
   return {out.begin(), out.end()};
 }
 
-Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source) {
+Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source, ToothCancel cancel) {
   if (source.generator != "tooth" || !asks_for(source, "jaw")) return std::vector<Jaw::Standing>{};
-  auto rest = rest_of_jaw(tooth_request(source));
+  auto rest = rest_of_jaw(tooth_request(source), kSceneryStepMm, cancel);
   if (!rest) return std::unexpected(refused(rest.error()));
   return std::move(*rest);
 }
 
 Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
-                                                 const std::filesystem::path& scenario_folder) {
+                                                 const std::filesystem::path& scenario_folder, ToothCancel cancel) {
   if (source.generator.empty()) return from_file(source.volume, scenario_folder);
   if (source.generator == "paper-block") return paper_block();
   if (source.generator == "block" || source.generator == "layered-block") {
@@ -95,7 +95,7 @@ Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
       return fail(ImportError::bad_option, "voxel_mm");
     return source.generator == "block" ? dexterity_block(source.voxel_mm) : layered_block(source.voxel_mm);
   }
-  if (source.generator == "tooth") return tooth(source);
+  if (source.generator == "tooth") return tooth(source, cancel);
   return fail(ImportError::unknown_generator, source.generator);
 }
 

@@ -13,9 +13,11 @@ namespace cusp {
 
 /// Generators: "paper-block" (always the paper's 128^3; voxel_mm is not read), "block" and "layered-block" (voxel_mm), "tooth" (fdi, seed,
 /// voxel_mm). Without a generator `volume` is a plain file name in `scenario_folder` (NRRD). Seconds at most; not for the
-/// haptic thread. `where` of a failure is the key of scenario.json or the file.
+/// haptic thread. `where` of a failure is the key of scenario.json or the file. A tooth stops early, with
+/// ImportError::cancelled, once *cancel is true.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
-                                                               const std::filesystem::path& scenario_folder);
+                                                               const std::filesystem::path& scenario_folder,
+                                                               ToothCancel cancel = nullptr);
 
 /// What a "tooth" source asks of the generator.
 [[nodiscard]] ToothRequest tooth_request(const SpecimenSource& source);
@@ -24,7 +26,8 @@ namespace cusp {
 [[nodiscard]] std::vector<Tissue> tissues_of(const SpecimenSource& source);
 
 /// The rest of the jaw of a source that asks for it, to look at: no voxels. Empty for any other source. Seconds; not for
-/// the haptic thread.
-[[nodiscard]] Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source);
+/// the haptic thread. Cancelled as above.
+[[nodiscard]] Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source,
+                                                                             ToothCancel cancel = nullptr);
 
 }  // namespace cusp

@@ -72,13 +72,14 @@ struct Jaw {
   };
   std::vector<Standing> scenery;  // from the patient's right to the left; gums last
 };
+inline constexpr double kSceneryStepMm = 0.3;  // as fine as a look past the burr needs [M]
 /// As grow_tooth with neighbours; scenery of about `scenery_step_mm`. Pre: 0.1 <= scenery_step_mm <= 1.
-[[nodiscard]] Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm = 0.3,
+[[nodiscard]] Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm = kSceneryStepMm,
                                                  ToothCancel cancel = nullptr, const ToothProgress& progress = {});
 
 /// The scenery of grow_jaw alone.
 [[nodiscard]] Result<std::vector<Jaw::Standing>, ToothFailure> rest_of_jaw(const ToothRequest& request,
-                                                                           double scenery_step_mm = 0.3,
+                                                                           double scenery_step_mm = kSceneryStepMm,
                                                                            ToothCancel cancel = nullptr);
 
 /// grow_tooth for callers that need the voxels alone.

@@ -7,6 +7,7 @@
 
 #include "scenarios/format/scenario.h"
 #include "scenarios/teeth/scenery.h"
+#include "scenarios/teeth/tooth.h"
 #include "ui/render/patch_feed.h"
 
 namespace cusp {
@@ -31,7 +32,7 @@ class SceneryLook {
 };
 
 /// The scenery that a specimen asks for; null where it asks for none, or where none can be grown. Seconds the first time;
-/// the last one asked for is kept, so that drilling, report and picture share it.
-std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source);
+/// the last one asked for is kept, so that drilling, report and picture share it. Null, too, once *cancel is true before it has grown.
+std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, ToothCancel cancel = nullptr);
 
 }  // namespace cusp

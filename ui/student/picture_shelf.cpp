@@ -5,12 +5,12 @@
 #include <QStringList>
 
 #include "scenarios/format/content_hash.h"
+#include "scenarios/specimens.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/patch_store.h"
 #include "ui/render/target_look.h"
 #include "ui/render/tooth_picture.h"
-#include "ui/session/scene_builder.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp {
@@ -23,10 +23,12 @@ Colour linear(const QColor& c) {
   return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF()), 1.0f};
 }
 
-QImage draw(const Scenario& scenario, const std::filesystem::path& folder, PictureShelf::Use use, bool dark) {
-  const auto specimen = build_specimen(scenario, folder);
-  if (!specimen) return {};
-  const Volume volume(*specimen);
+/// Null when told to stop.
+QImage draw(const Scenario& scenario, const std::filesystem::path& folder, PictureShelf::Use use, bool dark,
+            const std::atomic<bool>& stop) {
+  const auto dense = make_specimen(scenario.specimen, folder, &stop);
+  if (!dense) return {};
+  const Volume volume(Specimen::build(*dense, reading_of(scenario.method)));
   const QSize size = use == PictureShelf::Use::card ? kCard : kCover;
   const auto context = EglContext::create(2 * size.width(), 2 * size.height());
   if (!context) return {};
@@ -35,13 +37,15 @@ QImage draw(const Scenario& scenario, const std::filesystem::path& folder, Pictu
   const TargetLook look(scenario.target, scenario.leeway);
   const bool card = use == PictureShelf::Use::card;
   PatchFeed feed(card ? look.feed() : FeedSettings{});
+  if (stop) return {};
   feed.build_all(volume);
   PatchStore patches;
   for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) {
     picture->put(patch);
     patches.put(std::move(patch));
   }
-  const auto scenery = scenery_of(scenario.specimen);
+  const auto scenery = scenery_of(scenario.specimen, &stop);
+  if (stop) return {};
   picture->set_scenery(scenery.get());
   const Box box = patches.bounds().value_or(Box{Vec3(-5.0), Vec3(5.0)});
   Scene3d scene;
@@ -68,6 +72,7 @@ PictureShelf::PictureShelf(std::filesystem::path cache, QObject* parent) : QObje
 }
 
 PictureShelf::~PictureShelf() {
+  closing_ = true;
   pool_.clear();
   pool_.waitForDone();
 }
@@ -80,7 +85,7 @@ QImage PictureShelf::picture(const Exercise& exercise, const std::filesystem::pa
   if (!kept.isNull() || asked_.contains(name)) return kept;
   asked_.insert(name);
   pool_.start([this, scenario = exercise.scenario, folder, use, dark, file] {
-    const QImage drawn = draw(scenario, folder, use, dark);
+    const QImage drawn = draw(scenario, folder, use, dark, closing_);
     if (drawn.isNull()) return;
     // Renamed when whole: a half picture is never read.
     if (!drawn.save(file + u".part"_qs, "PNG")) return;

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QSet>
 #include <QThreadPool>
+#include <atomic>
 #include <filesystem>
 
 #include "ui/student/exercises.h"
@@ -19,6 +20,7 @@ class PictureShelf : public QObject {
   enum class Use { card, cover };  // with the target on it, for lists; the bare tooth, for the sign-in
 
   explicit PictureShelf(std::filesystem::path cache, QObject* parent = nullptr);
+  /// Gives up the picture that is being drawn, and does not wait for it to grow.
   ~PictureShelf() override;
 
   /// The picture, or a null image: then it is being drawn, and ready() comes. Where there is no OpenGL it never comes.
@@ -29,6 +31,7 @@ class PictureShelf : public QObject {
 
  private:
   std::filesystem::path cache_;
+  std::atomic<bool> closing_{false};
   QThreadPool pool_;
   QSet<QString> asked_;
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -32,6 +33,18 @@ void expect_refused(const SpecimenSource& source, ImportError code, const std::s
   ASSERT_FALSE(r);
   EXPECT_EQ(key_of(r.error().code), key_of(code));
   EXPECT_EQ(r.error().where, where);
+}
+
+TEST(MakeSpecimen, AToothAndTheRestOfItsJawAreGivenUpWhenToldTo) {
+  const std::atomic<bool> stop{true};
+  SpecimenSource tooth = generator("tooth", 0.1, 36);
+  tooth.around = {"jaw"};
+  const auto specimen = make_specimen(tooth, {}, &stop);
+  ASSERT_FALSE(specimen);
+  EXPECT_EQ(specimen.error().code, ImportError::cancelled);
+  const auto scenery = make_scenery(tooth, &stop);
+  ASSERT_FALSE(scenery);
+  EXPECT_EQ(scenery.error().code, ImportError::cancelled);
 }
 
 TEST(MakeSpecimen, TheBlocksComeFromTheirGenerators) {

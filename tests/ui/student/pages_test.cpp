@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -37,6 +38,17 @@ struct Pages : ::testing::Test {
   PictureShelf pictures{cache.path().toStdString()};
   QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
 };
+
+TEST_F(Pages, closing_gives_up_the_picture_that_is_being_drawn) {
+  const QTemporaryDir folder;
+  {
+    PictureShelf shelf(folder.path().toStdString());
+    Exercise jaw;
+    jaw.scenario = *load_builtin("class-1-36-jaw");
+    EXPECT_TRUE(shelf.picture(jaw, {}, PictureShelf::Use::card, false).isNull());
+  }
+  EXPECT_TRUE(QDir(folder.path()).isEmpty()) << "it was drawn to its end";
+}
 
 TEST_F(Pages, the_start_page_of_a_new_student_says_what_is_not_there_yet_and_offers_the_first_exercise) {
   const Account lena = records.student("1", "Lena Brandt");
