@@ -882,8 +882,12 @@
             <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Hände spielen sie viele Male, was Minuten dauert</translation>
         </message>
         <message>
-            <source>Goes of each hand, expert and novice</source>
-            <translation>Durchgänge jeder Hand, expert und novice</translation>
+            <source>Goes of each hand: expert, fair and novice</source>
+            <translation>Durchgänge jeder Hand: expert, fair und novice</translation>
+        </message>
+        <message>
+            <source>Only the size of the voxels: seconds to a few minutes</source>
+            <translation>Nur die Größe der Voxel: Sekunden bis wenige Minuten</translation>
         </message>
         <message>
             <source>Write the leanest into the scenario, as its next version</source>

@@ -78,7 +78,8 @@ class Search {
     run.home = report_.scenario;
     run.hands = settings_.hands;
     run.models.push_back({report_.scenario});
-    const auto choices = choices_of(report_.scenario);
+    auto choices = choices_of(report_.scenario);
+    if (settings_.detail_alone) std::erase_if(choices, [](const Choice& c) { return c.aspect != Aspect::voxel; });
     for (const Choice& c : choices) run.models.push_back(with(run.models.front(), c));
     auto played = runner_(run, progress_.next(0.5));
     if (!played) return std::unexpected(played.error());
@@ -130,12 +131,9 @@ class Search {
       if (row.choice.aspect == Aspect::voxel && row.choice.instead < row.choice.as_set) half = &row;
     }
     if (!half || !half->result || half->change.within(report_.tolerance_points)) return {};
-    auto in_mean = mean_change(report_.scenario, at(report_.scenario, half->choice.instead));
-    if (!in_mean) return std::unexpected(in_mean.error());
-    if (*in_mean) {
-      half->change = **in_mean;
-      half->verdict = verdict_of(*half);
-    }
+    const Scenario beside = at(report_.scenario, half->choice.instead);
+    if (auto done = in_mean_if_beyond(half->change, report_.scenario, report_.as_set, beside, *half->result); !done) return done;
+    half->verdict = verdict_of(*half);
     if (half->change.within(report_.tolerance_points)) return {};
     settled_ = false;
     for (const double mm : finer_voxels(report_.scenario)) {
@@ -146,7 +144,7 @@ class Search {
       if (!played) return std::unexpected(played.error());
       if (!(*played)[0] || !(*played)[1]) continue;
       GradeChange change = change_between(*(*played)[0], *(*played)[1]);
-      if (auto done = in_mean_if_beyond(change, finer, *beside); !done) return std::unexpected(done.error());
+      if (auto done = in_mean_if_beyond(change, finer, *(*played)[0], *beside, *(*played)[1]); !done) return std::unexpected(done.error());
       const bool holds = change.within(report_.tolerance_points);
       report_.steps.push_back({{Aspect::voxel, {}, report_.scenario.specimen.voxel_mm, mm}, holds, change});
       if (!holds) continue;
@@ -160,31 +158,23 @@ class Search {
     return {};
   }
 
-  /// The hands feel both, several goes each. nullopt: one of the two cannot be played.
-  Result<std::optional<GradeChange>, AuditFailure> mean_change(const Scenario& from, const Scenario& to) {
+  /// The hands whose goes went beyond feel both, several goes each; what cannot be played stays as it was told.
+  Done in_mean_if_beyond(GradeChange& change, const Scenario& from, const ModelResult& before, const Scenario& to,
+                         const ModelResult& after) {
+    if (change.within(report_.tolerance_points)) return {};
+    const std::vector<std::string> hands = hands_beyond(before, after, report_.tolerance_points);
     AuditRun run;
     run.home = report_.scenario;
     run.models = {{from}, {to}};
-    std::vector<std::string> names;
-    for (const AuditHand& hand : settings_.hands) {
-      if (std::ranges::find(names, hand.hand) == names.end()) names.push_back(hand.hand);
-    }
-    for (const std::string& name : names) {
-      for (int seed = 1; seed <= settings_.goes_for_means; ++seed) run.hands.push_back({name, static_cast<std::uint64_t>(seed)});
+    for (const std::string& hand : hands) {
+      for (int seed = 1; seed <= settings_.goes_for_means; ++seed) run.hands.push_back({hand, static_cast<std::uint64_t>(seed)});
     }
     run.costs = false;
     run.felt = true;
     auto played = runner_(run, progress_.next(0.4));
     if (!played) return std::unexpected(played.error());
-    if (!(*played)[0] || !(*played)[1]) return std::nullopt;
-    return mean_change_between(*(*played)[0], *(*played)[1]);
-  }
-
-  Done in_mean_if_beyond(GradeChange& change, const Scenario& from, const Scenario& to) {
-    if (change.within(report_.tolerance_points)) return {};
-    auto mean = mean_change(from, to);
-    if (!mean) return std::unexpected(mean.error());
-    if (*mean) change = **mean;
+    if ((*played)[0] && (*played)[1])
+      change = joined(mean_change_between(*(*played)[0], *(*played)[1]), before, after, hands);
     return {};
   }
 
@@ -290,7 +280,7 @@ class Search {
     if (!played) return std::unexpected(played.error());
     if (!(*played)[0]) return {};
     report_.at_half_voxel = change_between(*report_.leanest_result, *(*played)[0]);
-    return in_mean_if_beyond(*report_.at_half_voxel, report_.leanest, *beside);
+    return in_mean_if_beyond(*report_.at_half_voxel, report_.leanest, *report_.leanest_result, *beside, *(*played)[0]);
   }
 
   const AuditSettings& settings_;

@@ -42,6 +42,11 @@ struct GradeChange {
 [[nodiscard]] GradeChange change_between(const ModelResult& from, const ModelResult& to);
 /// In the mean over the goes of each hand; passes and critical events are alike when most of its goes have them alike.
 [[nodiscard]] GradeChange mean_change_between(const ModelResult& from, const ModelResult& to);
+/// The hands of which a single go changes by more than the tolerance.
+[[nodiscard]] std::vector<std::string> hands_beyond(const ModelResult& from, const ModelResult& to, double tolerance_points);
+/// The means of those hands together with the single goes of all others: what comes nearest to a tolerance's edge is told.
+[[nodiscard]] GradeChange joined(const GradeChange& means, const ModelResult& from, const ModelResult& to,
+                                 const std::vector<std::string>& hands);
 
 struct AuditRow {
   Choice choice;
@@ -75,10 +80,11 @@ struct AuditReport {
 };
 
 struct AuditSettings {
-  std::vector<AuditHand> hands = {{"expert", 1}, {"expert", 2}, {"novice", 1}, {"novice", 2}};
-  /// Where half the voxels grade a go otherwise by more than the tolerance, each hand has this many goes in both, feeling
-  /// them, and their means are told instead: in a narrow slot two goes part by chance.
+  std::vector<AuditHand> hands = {{"expert", 1}, {"expert", 2}, {"fair", 1}, {"fair", 2}, {"novice", 1}, {"novice", 2}};
+  /// Where half the voxels grade a hand's go otherwise by more than the tolerance, that hand has this many goes in both,
+  /// feeling them, and their mean is told instead: in a narrow slot two goes part by chance.
   int goes_for_means = 8;
+  bool detail_alone = false;  // the size of the voxels, and no other choice
 };
 
 /// What is measured of an exercise: each choice halved or left out, in the order of a table.

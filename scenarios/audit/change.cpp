@@ -77,6 +77,44 @@ GradeChange change_between(const ModelResult& from, const ModelResult& to) {
   return out;
 }
 
+namespace {
+
+/// The goes of the hands that are named, or of all others.
+ModelResult goes_of(const ModelResult& all, const std::vector<std::string>& hands, bool named) {
+  ModelResult out;
+  for (const ModelGo& go : all.goes) {
+    if ((std::ranges::find(hands, go.hand.hand) != hands.end()) == named) out.goes.push_back(go);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> hands_beyond(const ModelResult& from, const ModelResult& to, double tolerance_points) {
+  std::vector<std::string> out;
+  for (const ModelGo& go : from.goes) {
+    const std::vector<std::string> one = {go.hand.hand};
+    if (std::ranges::find(out, one.front()) != out.end()) continue;
+    if (!change_between(goes_of(from, one, true), goes_of(to, one, true)).within(tolerance_points)) out.push_back(one.front());
+  }
+  return out;
+}
+
+GradeChange joined(const GradeChange& means, const ModelResult& from, const ModelResult& to, const std::vector<std::string>& hands) {
+  const GradeChange rest = change_between(goes_of(from, hands, false), goes_of(to, hands, false));
+  GradeChange out = means;
+  if (std::abs(rest.score) > std::abs(out.score) + out.standard_error) {
+    out.score = rest.score;
+    out.standard_error = 0;
+    out.goes_a_hand = 1;
+  }
+  for (const auto& [id, points] : rest.points) keep_larger(out.points[id], points);
+  for (const auto& [id, value] : rest.values) keep_larger(out.values[id], value);
+  out.passes_alike = out.passes_alike && rest.passes_alike;
+  out.measures_alike = out.measures_alike && rest.measures_alike;
+  return out;
+}
+
 GradeChange mean_change_between(const ModelResult& from, const ModelResult& to) {
   GradeChange out;
   out.measures_alike = from.goes.size() == to.goes.size();

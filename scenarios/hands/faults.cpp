@@ -29,6 +29,11 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
       style.patience_s = 1.5;
       style.most_s = 450.0;  // stops when it looks done
       break;
+    case HandFault::fair:
+      errors.deeper_mm = 0.6 * scenario.leeway.floor_mm;
+      errors.shift_mm = {0.4 * scenario.leeway.side_mm, 0.4 * scenario.leeway.side_mm, 0.0};
+      style.muscles.tremor_mm = 0.05;
+      break;
     case HandFault::too_deep:
       errors.deeper_mm = 0.8;
       break;
@@ -57,6 +62,7 @@ std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario
                                  std::uint64_t seed) {
   if (name == "expert") return expert(scenario, specimen, seed);
   if (name == "novice") return faulty(HandFault::novice, scenario, specimen, seed);
+  if (name == "fair") return faulty(HandFault::fair, scenario, specimen, seed);
   if (name == "too_deep") return faulty(HandFault::too_deep, scenario, specimen, seed);
   if (name == "too_shallow") return faulty(HandFault::too_shallow, scenario, specimen, seed);
   if (name == "shaky") return faulty(HandFault::shaky, scenario, specimen, seed);

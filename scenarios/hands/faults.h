@@ -1,4 +1,5 @@
-/// Hands that make mistakes: the novice, who fails for many reasons, and single faults, each of which a grade must find.
+/// Hands that make mistakes: the novice, who fails for many reasons, the fair student between expert and novice, and
+/// single faults, each of which a grade must find.
 #pragma once
 
 #include <optional>
@@ -10,6 +11,7 @@ namespace cusp {
 
 enum class HandFault : std::uint8_t {
   novice,       // shakes, cuts too deep and over the edge, forgets the coolant
+  fair,         // off by less than the exercise tolerates, all round: its marks stand on the slopes of the bands
   too_deep,     // floor 0.8 mm below the target's
   too_shallow,  // floor 0.8 mm above it (at most half the depth)
   shaky,        // the right path with a strong tremor
@@ -20,7 +22,8 @@ enum class HandFault : std::uint8_t {
 
 [[nodiscard]] Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed = 1);
 
-/// "expert", "novice", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry": nullopt for anything else.
+/// "expert", "novice", "fair", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry":
+/// nullopt for anything else.
 [[nodiscard]] std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario,
                                                const Specimen& specimen, std::uint64_t seed = 1);
 

@@ -24,7 +24,7 @@ namespace {
 struct AuditOptions {
   std::string scenario, out;
   int seeds = 2;
-  bool apply = false, progress = false;
+  bool apply = false, detail = false, progress = false;
   JsonOption json;
 };
 
@@ -85,7 +85,8 @@ int audit_verb(const AuditOptions& o) {
 
   AuditSettings settings;
   settings.hands.clear();
-  for (const char* hand : {"expert", "novice"}) {
+  settings.detail_alone = o.detail;
+  for (const char* hand : {"expert", "fair", "novice"}) {
     for (int seed = 1; seed <= o.seeds; ++seed) settings.hands.push_back({hand, static_cast<std::uint64_t>(seed)});
   }
   std::signal(SIGINT, on_interrupt);
@@ -120,9 +121,10 @@ void add_audit(CLI::App& program, Job& job) {
       "audit", help(CliWords::tr("What each part of an exercise’s model costs and changes, and the leanest model that grades the "
                                  "same; scripted hands play it many times, which takes minutes")));
   verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one")))->required();
-  verb->add_option("--seeds", o->seeds, help(CliWords::tr("Goes of each hand, expert and novice")))
+  verb->add_option("--seeds", o->seeds, help(CliWords::tr("Goes of each hand: expert, fair and novice")))
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  verb->add_flag("--detail", o->detail, help(CliWords::tr("Only the size of the voxels: seconds to a few minutes")));
   verb->add_flag("--apply", o->apply, help(CliWords::tr("Write the leanest into the scenario, as its next version")));
   verb->add_option("-o,--out", o->out, help(CliWords::tr("With --apply: write a copy there"))) ->type_name("FILE");
   verb->add_flag("--progress", o->progress, help(CliWords::tr("Print how far it is to stderr")));

@@ -162,6 +162,43 @@ TEST(Search, WhereGoesPartByChanceTheirMeanIsTold) {
   EXPECT_TRUE(report->detail_holds());
 }
 
+/// Only the fair hand parts, by 3 points and less from seed to seed: it alone has eight goes, and the others' single change
+/// of 1.5 is what is told, as the fair one's mean is 0.4.
+TEST(Search, OnlyTheHandsThatPartHaveSeveralGoes) {
+  std::size_t longest = 0;
+  const auto scores = [](const Model& m, const AuditHand& hand) {
+    if (m.scenario.specimen.voxel_mm > 0.06) return std::optional(90.0);
+    if (hand.hand != "fair") return std::optional(91.5);
+    return std::optional(hand.seed == 1 ? 93.2 : 90.0);
+  };
+  Played played;
+  const AuditRunner runner = runner_of(scores, played);
+  const auto report = audit(block(), {}, [&](const AuditRun& r, const AuditWatch& watch) {
+    if (r.felt) {
+      longest = std::max(longest, r.hands.size());
+    }
+    return runner(r, watch);
+  }, {});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(longest, 8u);
+  const AuditRow* half = row(*report, Aspect::voxel, 0.05);
+  ASSERT_TRUE(half);
+  EXPECT_NEAR(half->change.score, 1.5, 1e-9);
+  EXPECT_EQ(half->change.goes_a_hand, 1);
+  EXPECT_TRUE(report->detail_holds());
+}
+
+TEST(Search, ForTheDetailAloneNothingElseIsPlayed) {
+  AuditSettings settings;
+  settings.detail_alone = true;
+  Played played;
+  const auto report = audit(wet(), settings, runner_of([](const Model&, const AuditHand&) { return std::optional(90.0); }, played), {});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->rows.size(), 2u);
+  EXPECT_DOUBLE_EQ(report->leanest.specimen.voxel_mm, 0.15);
+  EXPECT_EQ(report->leanest.phenomena, wet().phenomena);
+}
+
 TEST(Search, AMeanThatMayLieBeyondTheToleranceIsNoProof) {
   GradeChange change;
   change.score = -1.5;

@@ -185,7 +185,7 @@ TEST(Hand, IsTheSameForTheSameSeedAndNotForAnother) {
 TEST(Hand, IsFoundByItsName) {
   const Scenario s = small_slot();
   const auto block = small_block();
-  for (const char* name : {"expert", "novice", "too_deep", "too_shallow", "shaky", "off_outline", "pulp"})
+  for (const char* name : {"expert", "novice", "fair", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"})
     EXPECT_TRUE(hand_by_name(name, s, *block).has_value()) << name;
   EXPECT_FALSE(hand_by_name("Expert", s, *block).has_value());
 }
@@ -209,6 +209,16 @@ TEST(Expert, EarnsTheMarksWithTheOtherMethodsOnABandToo) {
     EXPECT_TRUE(r.grade.passed) << key_of(method) << " " << r.grade.score;  // measured 100 and 100
     EXPECT_EQ(r.overflow, 0u) << key_of(method);
   }
+}
+
+/// What it loses it loses on the bands' slopes: a small change of the cut shows in its marks.
+TEST(Faults, TheFairHandPassesAndLosesMarksWithoutLosingThemAll) {
+  const Bench bench;
+  const go::Result fair = bench.run("fair");
+  EXPECT_TRUE(fair.grade.passed) << fair.grade.score;
+  EXPECT_LT(fair.grade.score, bench.run("expert").grade.score - 3.0);
+  EXPECT_GT(fair.grade.score, bench.run("novice").grade.score + 3.0);
+  EXPECT_NEAR(fair.get("depth_mean").value, 0.8 + 0.6 * bench.scenario.leeway.floor_mm, 0.05);
 }
 
 TEST(Faults, TooDeepIsGradedTooDeep) {
