@@ -103,6 +103,13 @@ std::vector<SceneryPixel> scenery_in_section(const SceneryLook& scenery, const S
     }
     if (!any) continue;
     out.resize(near.size());
+    // A body's line ends where it goes into one that came before it: gums are whole round the teeth that stand in them.
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        SceneryPixel& pixel = out[at(x, y)];
+        if (pixel.tissue == Tissue::empty)
+          pixel.edge = std::max(pixel.edge, static_cast<float>(std::clamp(1.1 - near[at(x, y)].px, 0.0, 1.0)));
+      }
     for (int y = 0; y < height; ++y) {
       std::vector<double>& row = crossings[static_cast<std::size_t>(y)];
       std::ranges::sort(row);
@@ -113,10 +120,6 @@ std::vector<SceneryPixel> scenery_in_section(const SceneryLook& scenery, const S
           if (out[at(x, y)].tissue != Tissue::empty) continue;  // the first body counts: teeth come before gums
           out[at(x, y)].tissue = n.px < skin_px ? n.skin : mesh.within;
         }
-      }
-      for (int x = 0; x < width; ++x) {
-        SceneryPixel& pixel = out[at(x, y)];
-        pixel.edge = std::max(pixel.edge, static_cast<float>(std::clamp(1.1 - near[at(x, y)].px, 0.0, 1.0)));
       }
     }
   }

@@ -149,8 +149,8 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       const double d_px = volume.specimen().reading() == Reading::filled ? (0.5 - s) * voxel_px * 2
                                                                          : (0.5 - s) * 2 * kBandVoxels * voxel_px;
       Colour c{0, 0, 0, 0};
-      // Within the box the voxels know better.
-      if (!scenery.empty() && !grid.contains(v)) {
+      // Where the specimen has or had tissue its voxels know better; round it the scenery goes on.
+      if (!scenery.empty() && volume.specimen().s(v) < kHalf) {
         const SceneryPixel& beside = scenery[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)];
         if (beside.tissue != Tissue::empty) c = colours[index_of(beside.tissue) % kTissueCodes];
         c = over(c, settings.edge, 0.85f * beside.edge);

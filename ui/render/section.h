@@ -39,7 +39,7 @@ struct SectionSettings {
   /// Signed distances to the target and to the outer side of its leeway (below 0 inside); empty: none drawn.
   std::function<double(Vec3 mm)> target;
   std::function<double(Vec3 mm)> leeway;
-  std::shared_ptr<const SceneryLook> scenery;  // drawn under the specimen, beyond its box; null: none
+  std::shared_ptr<const SceneryLook> scenery;  // drawn where the specimen never had tissue; null: none
   std::optional<Burr> burr;
   Vec3 pivot_mm{0.0};
   Vec3 axis{0.0, 0.0, 1.0};

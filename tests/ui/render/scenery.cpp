@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <set>
 
+#include "tests/engine/volume/carved.h"
 #include "tests/ui/render/ball.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/scenery_section.h"
@@ -100,18 +102,36 @@ TEST(Scenery, a_section_through_a_ball_is_a_disc_with_a_skin) {
   EXPECT_TRUE(scenery_in_section(look, settings).empty());
 }
 
-TEST(Scenery, in_a_section_the_specimens_box_is_the_specimens_own) {
-  const Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
+/// Two balls of radius 1 whose middles lie 1 mm apart: where the second goes into the first it has no line.
+TEST(Scenery, a_body_within_another_has_no_line) {
+  SectionSettings settings;
+  settings.plane = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  settings.width = settings.height = 200;
+  settings.mm_per_px = 0.03;
+  const SceneryLook look({ball_mesh({0, 0, 0}, 1.0), ball_mesh({1, 0, 0}, 1.0)});
+  const auto pixels = scenery_in_section(look, settings);
+  const auto edge = [&](double x_mm) { return pixels[static_cast<std::size_t>(100 * 200) + static_cast<std::size_t>(std::lround(99.5 + x_mm / 0.03))].edge; };
+  EXPECT_GT(edge(-1.0), 0.3f);
+  EXPECT_EQ(edge(0.0), 0.0f) << "the second's left end, in the middle of the first";
+  EXPECT_GT(edge(2.0), 0.3f);
+  EXPECT_GT(edge(1.0), 0.3f) << "the first's own right end";
+}
+
+TEST(Scenery, in_a_section_scenery_goes_on_where_the_specimen_never_was_and_not_in_its_cuts) {
+  Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
   SectionSettings settings;
   settings.plane = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
   settings.width = settings.height = 300;
   settings.mm_per_px = 0.03;
+  carved::carve(volume, [](Vec3 p) { return glm::length(p - Vec3(0, 0, 1)) - 0.3; });
   const SectionImage alone = draw_section(volume, settings);
   settings.scenery = std::make_shared<const SceneryLook>(std::vector<SceneryMesh>{ball_mesh({0, 0, 0}, 4.0)});
   const SectionImage both = draw_section(volume, settings);
   const auto at = [](const SectionImage& image, int x, int y) { return image.rgba[static_cast<std::size_t>(300 * y + x)]; };
   EXPECT_EQ(at(both, 150, 150), at(alone, 150, 150));
-  EXPECT_EQ(at(both, 150, 95), at(alone, 150, 95));  // 1.65 mm up: air within the box
+  EXPECT_EQ(at(both, 150, 117) >> 24, 0u);           // 1 mm up: cut away
+  EXPECT_EQ(at(alone, 150, 95) >> 24, 0u);
+  EXPECT_EQ(at(both, 150, 95) >> 24, 255u);          // 1.65 mm up: within the specimen's box, and no tissue of its own
   EXPECT_EQ(at(alone, 150, 60) >> 24, 0u);
   EXPECT_EQ(at(both, 150, 60) >> 24, 255u);          // 2.7 mm up
 }
