@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/device/panel_card.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -25,9 +26,7 @@ void set_text(QLabel* label, const QString& text) {
 }  // namespace
 
 FalconNow::FalconNow(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(px(8));
+  QVBoxLayout* column = make_column(this, 8);
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(px(16));
   grid->setVerticalSpacing(px(8));

@@ -16,6 +16,7 @@
 #include "ui/device/falcon_now.h"
 #include "ui/device/falcon_words.h"
 #include "ui/device/homing_view.h"
+#include "ui/device/panel_card.h"
 #include "ui/device/rights_row.h"
 #include "ui/device/self_test_report.h"
 #include "ui/device/trim_form.h"
@@ -82,9 +83,7 @@ struct FalconPanel::Inner {
 FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWidget* parent)
     : QWidget(parent), inner_(std::make_unique<Inner>(settings, std::move(ports), staff)) {
   Inner& in = *inner_;
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(px(16));
+  QVBoxLayout* column = make_column(this, 16);
   in.band = new Band(this);
   in.again = make_button(tr("Try again"), ButtonKind::standard, QStringLiteral("refresh"));
   connect(in.again, &QPushButton::clicked, this, [this] { set_device(inner_->kind, inner_->name); });

@@ -24,4 +24,11 @@ PanelCard panel_card(QWidget& panel, const QString& title) {
   return out;
 }
 
+QVBoxLayout* make_column(QWidget* part, int gap_px) {
+  auto* column = new QVBoxLayout(part);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(gap_px));
+  return column;
+}
+
 }  // namespace cusp

@@ -8,15 +8,14 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/device/panel_card.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp {
 
 RightsRow::RightsRow(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(px(4));
+  QVBoxLayout* column = make_column(this, 4);
   auto* what = make_label(tr("This user may not open it. Paste this line into a terminal once, then plug it in again:"),
                           TextRole::body, false, "look");
   what->setWordWrap(true);

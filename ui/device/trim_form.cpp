@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/device/panel_card.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -63,9 +64,7 @@ struct TrimForm::Inner {
 
 TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<Inner>()) {
   Inner& in = *inner_;
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(px(12));
+  QVBoxLayout* column = make_column(this, 12);
   auto* live = new QHBoxLayout;
   live->setSpacing(px(12));
   live->addWidget(make_label(tr("Burr, from where a go begins"), TextRole::body, false, "text2"));
