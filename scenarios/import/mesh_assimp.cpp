@@ -101,6 +101,20 @@ bool ply_can_be_true(const std::filesystem::path& path, std::uintmax_t bytes) {
   return false;
 }
 
+/// The library hands a file's own numbers on, and its later steps follow them without a look.
+bool faces_name_their_points(const aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[m];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices == 0) return false;  // taken for a polygon, and counted as a triangle
+      for (unsigned i = 0; i < face.mNumIndices; ++i)
+        if (face.mIndices[i] >= mesh.mNumVertices) return false;
+    }
+  }
+  return true;
+}
+
 Result<std::vector<TriangleMesh>, ImportFailure> read(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   // Of the forty kinds that the library knows these alone are meshes of parts and nothing more.
@@ -119,8 +133,9 @@ Result<std::vector<TriangleMesh>, ImportFailure> read(const std::filesystem::pat
                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS |
                                   aiComponent_MATERIALS);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* scene =
-      importer.ReadFile(path.string(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
+  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  if (scene && !faces_name_their_points(*scene)) return fail(ImportError::corrupt, name, "a face names no point, or one that is not there");
+  if (scene) scene = importer.ApplyPostProcessing(aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
   if (!scene || !scene->mRootNode) return fail(ImportError::corrupt, name, importer.GetErrorString());
   Collector collector(*scene, path.stem().string(), lower(path.extension().string()) == ".3ds");
   collector.visit(*scene->mRootNode, Transform{});

@@ -299,6 +299,12 @@ TEST(ImportMesh, FilesThatAreNoMeshesAreRefused) {
   EXPECT_EQ(code("m.docx", "hello"), "unknown_format");
   EXPECT_EQ(code("m.ply", "hello"), "bad_header");
   // A thousand million points in a file of a hundred bytes: not for assimp to find out.
+  // One point and a face of others; a face of none. The library's own steps crash on the one and stop the program on the other.
+  const std::string three = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                            "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(code("f.ply", three + "3 0 1 99999999\n"), "corrupt");
+  EXPECT_EQ(code("g.ply", three + "3 0 1 -1\n"), "corrupt");
+  EXPECT_EQ(code("h.ply", three + "0\n"), "corrupt");
   EXPECT_EQ(code("n.ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n1\n"), "bad_header");
   EXPECT_EQ(code("m.stl", ""), "corrupt");
   EXPECT_EQ(code("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "corrupt");  // points without a face
