@@ -49,7 +49,8 @@ Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart p
 
 /// The same for any head; pivot from a to b (mm), axis unit and fixed. A ball goes the ball's own way, bit for bit; any
 /// other head is exact to 4e-4 voxel (measured 2.1e-4, a quantum being 8e-5); but within a head whose rim is less than a
-/// right angle it is deeper than the head itself, so that the wall which the rim leaves has its distance (flat_head.h).
+/// right angle it is deeper than the head itself, so that wall and floor which the rim leaves have their distance, to 0.03
+/// voxel at 1.5 of them (flat_head.h).
 /// `start_carved`: the last carving ended at a, with this burr and this axis; then what the head leaves behind is not
 /// looked at again. The volume comes out the same, sooner.
 Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved = false,

@@ -37,6 +37,7 @@ class Carving {
     const Vec3 off = way_ - axis * frame_.way_t;
     const double across_way = std::sqrt(glm::dot(off, off));
     frame_.way_p = across_way;
+    rim_way_ = on_way(head_.rim(), frame_.way_t, frame_.way_p);
     frame_.p = across_way > 1e-9 ? off / across_way : across(axis);
     frame_.q = glm::cross(axis, frame_.p);
     const auto sum = [](Vec3 v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
@@ -199,6 +200,10 @@ class Carving {
     const Lanes foot_t = static_cast<float>(glm::dot(foot, axis_) - (at_end ? frame_.way_t : 0.0)) + step_t_;
     const Lanes foot_p = static_cast<float>(glm::dot(foot, frame_.p) - (at_end ? frame_.way_p : 0.0)) + step_p_;
     const Lanes foot_q = static_cast<float>(glm::dot(foot, frame_.q)) + step_q_;
+    const bool rim = seen.hand.rim && rim_way_.leaves;
+    const Lanes band = all_lanes(static_cast<float>(kBandVoxels));
+    const Lanes back_t = all_lanes(at_end ? static_cast<float>(frame_.way_t) : 0.0f);
+    const Lanes back_p = all_lanes(at_end ? static_cast<float>(frame_.way_p) : 0.0f);
     unsigned columns = 0, rows = 0, slices = 0;
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y) {
@@ -211,8 +216,12 @@ class Carving {
         at.p = foot_p + (fy * axis_y_[1] + fz * axis_z_[1]);
         const Lanes q = foot_q + (fy * axis_y_[2] + fz * axis_z_[2]);
         at.q2 = q * q;
-        const Lanes d = either ? swept(seen.hand, first + IVec3(0, y, z), at, behind)
-                               : look_there(seen.hand, at.t, at.p, at.q2);
+        Lanes d = either ? swept(seen.hand, first + IVec3(0, y, z), at, behind)
+                         : look_there(seen.hand, at.t, at.p, at.q2);
+        if (rim && bits_of((d < 0.0f) & (d > -band)) != 0) {
+          const Lanes deep = behind_rim(head_.rim(), rim_way_, at.t + back_t, at.p + back_p, at.q2);
+          d = d < 0.0f ? least_of(d, -deep) : d;
+        }
         const Lanes s = 0.5f + d * static_cast<float>(1.0 / (2.0 * kBandVoxels));
         const Lanes clamped = most_of(least_of(s, all_lanes(1.0f)), Lanes{});
         const LaneMask solid = __builtin_convertvector(clamped * 65535.0f + 0.5f, LaneMask);
@@ -290,6 +299,7 @@ class Carving {
   Vec3 start_{0.0}, way_{0.0};  // in voxels
   double length_ = 0.0;
   Frame frame_;
+  RimOnWay rim_way_;
   Vec3 spread_{0.0};  // of a cube of half width 1 along t, p and q
   Lanes step_t_{}, step_p_{}, step_q_{};  // of four voxels in a row
   float axis_y_[3], axis_z_[3];           // y and z of t, p and q

@@ -81,16 +81,10 @@ FlatHead::FlatHead(const Profile& profile, double voxel_mm) noexcept : profile_{
                  smooth_[i]};
   }
   if (profile.size() > 1 && !flat_[0].arc && !flat_[1].arc && flat_[0].nt < -1.0f + 1e-6f && flat_[1].nt > 1e-3f) {
-    // Full depth is due where a place is as high over the tip as off the wall; there the flank is cos - sin of that deep.
     const double cosine = flat_[1].nr, sine = flat_[1].nt;
-    const double flank = cosine - sine;
-    constexpr double kLeast = 0.2;  // of it: a rim of less than half a right angle leaves walls that are read as they were
-    if (flank > kLeast) {
-      const double more = 1.0 / flank - 1.0, along = 1.0 + 5.0 * more, off = 2.0 * more * flank;
-      const double t = along * sine + off, r = along * cosine - off, length = std::sqrt(t * t + r * r);
-      rim_ = {static_cast<float>(more), joint_[1].t, joint_[1].rho, flat_[1].nt, flat_[1].nr,
-              static_cast<float>(std::sqrt(2.0) / flank), t / length, r / length};
-    }
+    constexpr double kLeast = 0.2;  // a rim of less than half a right angle leaves walls that are read as they were
+    if (cosine - sine > kLeast)
+      rim_ = {true, joint_[1].t, joint_[1].rho, sine / cosine};
   }
   const FlatPiece &tip = flat_[0], &top = flat_[profile.size() - 1];
   level_tip_ = (tip.arc ? tip.mt : tip.nt) < -1.0f + 1e-6f;
@@ -132,10 +126,11 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
       above[i] = from_start[i] && to_end[i] && away > diagonal + 1.0;
     }
     low[i] = middle - spread;
-    if (i == 1 && rim_.more > 0.0f && low[i] < 0.0) low[i] *= 1.0 + rim_.more;
     high[i] = middle + spread;
     floor = low[i] > floor ? low[i] : floor;
   }
+  out.rim = rim_.any && std::fabs(at.t - rim_.t) < half.t + AcuteRim::kReach &&
+            std::fabs(at.rho - rim_.rho) < half.rho + AcuteRim::kReach;
   bool corner[Profile::kMostPieces + 1] = {};
   int first = -1, last = -1;
   bool smooth = true, round = true;
@@ -149,11 +144,6 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
     }
     round = round && (!flat_[i].arc || flat_[i].radius > kBandVoxels + 0.25);
     out.piece[out.pieces++] = &flat_[i];
-    if (i == 1 && rim_.more > 0.0f) {
-      out.rim = &rim_;
-      out.flank = &flat_[i];
-      between(out, rim_.turned_t, rim_.turned_r);
-    }
     corner[i] = corner[i + 1] = true;
     first = first < 0 ? i : first;
     last = i;
@@ -174,6 +164,91 @@ void FlatHead::at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept {
     out.corner_t[out.corners] = static_cast<float>(c.t / voxel_);
     out.corner_rho[out.corners++] = static_cast<float>(c.rho / voxel_);
   }
+}
+
+RimOnWay on_way(const AcuteRim& rim, double way_t, double way_p) noexcept {
+  constexpr double kLevel = 0.01;  // of a way that goes across the axis the tip leaves the floor, and the flank the walls
+  RimOnWay out;
+  const double length = std::sqrt(way_t * way_t + way_p * way_p);
+  if (!rim.any || !(length > 1e-6) || !(std::fabs(way_t) > kLevel * length)) return out;
+  const double along = way_t / length, aside = way_p / length, steep = std::fabs(along);
+  out.leaves = true;
+  out.length = static_cast<float>(length);
+  out.along = static_cast<float>(along);
+  out.aside = static_cast<float>(aside);
+  out.minor = static_cast<float>(steep) * rim.rho;
+  const double most = rim.lean * steep;
+  out.most = most < aside ? static_cast<float>(most / aside) : 1.0f;
+  return out;
+}
+
+namespace {
+
+/// A rim's ellipse as it is seen along its way, and places that stand still there: x across the plane of the way, y in it.
+struct Ellipse {
+  float major, minor, most;  // half axes, of x and y; the arc ends where y comes to -most of its own
+  Lanes x, y;
+
+  /// How far within the ellipse's tangent the places lie, where that touches at (major tx, minor ty); tx, ty unit.
+  Lanes within_tangent(Lanes tx, Lanes ty) const noexcept {
+    const Lanes nx = minor * tx, ny = major * ty;
+    return (nx * (major * tx - x) + ny * (minor * ty - y)) / sqrt_of(nx * nx + ny * ny + 1e-12f);
+  }
+  /// The least of that over the arc, by circles of curvature, each of which leaves a hundredth of the error.
+  Lanes within_arc() const noexcept {
+    const Lanes zero{}, end = all_lanes(-most);
+    const float focal = major * major - minor * minor, end_x = __builtin_sqrtf(1.0f - most * most);
+    Lanes tx = all_lanes(0.70710678f), ty = tx;
+    for (int i = 0; i < 4; ++i) {
+      const Lanes ex = focal / major * (tx * tx * tx), ey = -focal / minor * (ty * ty * ty);
+      const Lanes rx = major * tx - ex, ry = minor * ty - ey, qx = x - ex, qy = y - ey;
+      const Lanes scale = sqrt_of((rx * rx + ry * ry) / (qx * qx + qy * qy + 1e-12f));
+      tx = most_of((qx * scale + ex) / major, zero);
+      ty = (qy * scale + ey) / minor;
+      const Lanes unit = 1.0f / (sqrt_of(tx * tx + ty * ty) + 1e-12f);
+      tx = tx * unit;
+      ty = ty * unit;
+      const LaneMask past = ty < end;
+      tx = past ? all_lanes(end_x) : tx;
+      ty = past ? end : ty;
+    }
+    return least_of(within_tangent(tx, ty), within_tangent(all_lanes(end_x), end));
+  }
+};
+
+}  // namespace
+
+Lanes behind_rim(const AcuteRim& rim, const RimOnWay& way, Lanes t, Lanes p, Lanes q2) noexcept {
+  constexpr float kRounding = 1e-4f;  // of the way: two ways that follow each other leave no gap
+  const Lanes zero{}, tiny = all_lanes(1e-9f);
+  const Lanes up = t - rim.t;
+  // The rim passes a place where that is as high over the tip as within the rim: at two places of the way at most.
+  const float wt = way.along * way.length, wp = way.aside * way.length, square = wt * wt - wp * wp;
+  const Lanes e = rim.rho - up, half = e * wt + p * wp, last = e * e - p * p - q2;
+  const Lanes under = half * half - square * last;
+  const Lanes root = sqrt_of(most_of(under, zero));
+  const Lanes both = half < 0.0f ? half - root : half + root;
+  const auto passed = [&](Lanes part, Lanes& at_p, Lanes& rho) {
+    at_p = p - part * wp;
+    rho = sqrt_of(at_p * at_p + q2);
+    // Against the way about the axis the flank comes after the rim: that leaves nothing there.
+    const Lanes against = way.along < 0.0f ? at_p : -at_p;
+    return (under >= 0.0f) & (part > -kRounding) & (part < 1.0f + kRounding) & (up - part * wt > 0.0f) &
+           (against <= way.most * rho + 1e-4f);
+  };
+  Lanes first_p, first_rho, second_p, second_rho;
+  const LaneMask first = passed(-last / (both < 0.0f ? both - tiny : both + tiny), first_p, first_rho);
+  const LaneMask second = passed(-both / (square < 0.0f ? square - tiny : square + tiny), second_p, second_rho);
+  const LaneMask open = first | second;
+  if (bits_of(open) == 0) return zero;
+  Ellipse seen{rim.rho, way.minor, way.most, sqrt_of(q2), way.along * p - way.aside * up};
+  if (way.most >= 1.0f) seen.y = most_of(seen.y, -seen.y);
+  // No deeper than the tangent beside it says.
+  const Lanes at_p = first ? first_p : second_p, inverse = 1.0f / ((first ? first_rho : second_rho) + 1e-12f);
+  Lanes beside = at_p * inverse * (way.along < 0.0f ? -1.0f : 1.0f);
+  if (way.most >= 1.0f) beside = most_of(beside, -beside);
+  const Lanes off = least_of(seen.within_arc(), seen.within_tangent(seen.x * inverse, beside));
+  return open ? most_of(off, zero) : zero;
 }
 
 }  // namespace cusp

@@ -7,37 +7,6 @@
 
 namespace cusp {
 
-/// Where a level tip and a straight flank that leans inwards meet: a rim of less than a right angle. Led down its axis, it
-/// leaves the wall, to which the head's own depth is no distance: it grows by 0.78 a voxel off the wall of a common inverted
-/// cone, and a field that has a kink at its zero is read 0.04 voxel off. The flank's depth is taken deeper between rim and
-/// flank, so that the head comes to full depth where it is as high over the tip as off the wall; at the skin it is as it was.
-struct AcuteRim {
-  float more = 0.0f;      // by which part of it the flank's depth grows, at most; 0: there is no such rim
-  float t = 0.0f, rho = 0.0f;
-  float nt = 0.0f, nr = 0.0f;  // of the flank
-  float inverse = 0.0f;   // of the sine of the angle between the flank and where it grows most
-  // Outermost directions that a gradient turns to.
-  double turned_t = 0.0, turned_r = 0.0;
-};
-
-/// Distance within the head to its flank, behind an acute rim: `flank`, and deeper.
-template <bool kGradient>
-inline Lanes behind_rim(const AcuteRim& rim, Lanes t, Lanes rho, Lanes flank, Lanes& gt, Lanes& gr) noexcept {
-  const Lanes up = t - rim.t, in = rim.rho - rho, zero{}, one = all_lanes(1.0f);
-  const Lanes square = up * up + in * in + 1e-12f;
-  const Lanes part = (flank * flank) * (rim.inverse * rim.inverse) / square;
-  const LaneMask within = (up > 0.0f) & (flank < 0.0f);
-  const LaneMask most = part > one;  // as steep as the flank's own, times more
-  const Lanes grows = within ? least_of(part, one) : zero;
-  const Lanes share = rim.more * (grows * grows);
-  if constexpr (kGradient) {
-    const Lanes along = one + share * (most ? one : all_lanes(5.0f)), off = most ? zero : 4.0f * share * flank / square;
-    gt = within ? along * rim.nt - off * up : gt;
-    gr = within ? along * rim.nr + off * in : gr;
-  }
-  return flank * (one + share);
-}
-
 /// A piece of the outline, and what tells the places that stand above it.
 struct FlatPiece {
   bool arc = false;
@@ -62,8 +31,7 @@ struct AtHand {
   /// nearest: joint[i] between piece i - 1 and i.
   bool chain = false;
   const FlatJoint* joint[Profile::kMostPieces];
-  const AcuteRim* rim = nullptr;  // of the second piece of the outline, where that is among them
-  const FlatPiece* flank = nullptr;
+  bool rim = false;  // an acute rim is so near that what it leaves can be
   // What every gradient in the brick lies between.
   double gt_low = 1.0, gt_high = -1.0, gr_low = 1.0, gr_high = 0.0;
 };
@@ -93,12 +61,10 @@ inline Lanes distance_of_one(const FlatPiece& piece, Lanes t, Lanes rho, Lanes& 
 template <bool kGradient>
 inline Lanes distance_of_chain(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt, Lanes& gr) noexcept {
   Lanes d = distance_of_one<kGradient>(*hand.piece[0], t, rho, gt, gr);
-  if (hand.piece[0] == hand.flank) d = behind_rim<kGradient>(*hand.rim, t, rho, d, gt, gr);
   for (int i = 1; i < hand.pieces; ++i) {
     const FlatJoint& joint = *hand.joint[i];
     Lanes nt{}, nr{};
     Lanes next = distance_of_one<kGradient>(*hand.piece[i], t, rho, nt, nr);
-    if (hand.piece[i] == hand.flank) next = behind_rim<kGradient>(*hand.rim, t, rho, next, nt, nr);
     const Lanes ft = t - joint.t, fr = rho - joint.rho;
     const LaneMask past = ft * joint.before_t + fr * joint.before_rho > 0.0f;
     if (joint.smooth) {
@@ -140,7 +106,6 @@ inline Lanes distance_of(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt, Lane
         nt = all_lanes(piece.nt);
         nr = all_lanes(piece.nr);
       }
-      if (hand.piece[i] == hand.flank) d = behind_rim<kGradient>(*hand.rim, t, rho, d, nt, nr);
     } else {
       const Lanes vt = t - piece.ft, vr = rho - piece.fr;
       above = (vr * piece.mt - vt * piece.mr <= 0.0f) & (vt * piece.lr - vr * piece.lt <= 0.0f);
@@ -240,24 +205,18 @@ inline Lanes passing(const AtHand& hand, const FourPlaces& at, bool behind, unsi
   LaneMask open = (low.slope < -kLevel) & (high.slope > kLevel);
   // Between them by turns at the secant of the slopes and where the tangents meet, which is no higher than the least.
   Lanes from = zero, to = one;
-  // Behind an acute rim the distance is not convex: there is no such bound, but it falls and then rises all the same.
-  const bool bent = hand.rim != nullptr;
-  const int most_looks = bent ? 16 : 8;
+  constexpr int kMostLooks = 8;
   for (int i = 0; bits_of(open) != 0; ++i) {
-    if (i == most_looks) {
-      unsure = bent ? 0 : bits_of(open);
+    if (i == kMostLooks) {
+      unsure = bits_of(open);
       break;
     }
     const Lanes width = to - from, rise = open ? high.slope - low.slope : one;
     const Lanes meet = (high.slope * width - (high.d - low.d)) / rise;
-    if (bent) {
-      open = open & (rise * width > kLevel);
-    } else {
-      const Lanes floor = low.d + low.slope * meet;
-      open = open & (out - floor > kLevel);
-    }
-    const Lanes step = bent != (i & 1) ? meet : -low.slope * width / rise;
-    const LaneMask fits = bent && (i & 1) ? LaneMask{} : open & (step > 0.0f) & (step < width);  // else halves
+    const Lanes floor = low.d + low.slope * meet;
+    open = open & (out - floor > kLevel);
+    const Lanes step = i & 1 ? meet : -low.slope * width / rise;
+    const LaneMask fits = open & (step > 0.0f) & (step < width);  // else halves
     const Lanes part = fits ? from + step : from + 0.5f * width;
     const Looked next = look(hand, at, part);
     out = open ? least_of(out, next.d) : out;
@@ -274,6 +233,30 @@ inline Lanes passing(const AtHand& hand, const FourPlaces& at, bool behind, unsi
   return out;
 }
 
+/// Where a level tip and a straight flank that leans inwards meet: a rim of less than a right angle. What it leaves, a wall
+/// where it is led down its axis and a floor where it leans, has no distance by the head's own depth: that grows by 0.62 to
+/// 0.78 a voxel off it, and a field that has a kink at its zero is read 0.04 voxel off. So where the rim passes a place, that
+/// is as deep as it lies off what the rim sweeps on a straight way: the cylinder over the rim's ellipse, seen along the way.
+struct AcuteRim {
+  bool any = false;
+  float t = 0.0f, rho = 0.0f;
+  double lean = 0.0;     // tangent of the flank's angle to the axis
+  static constexpr double kReach = 4.5;  // voxels from the rim that it tells of: of the band, by a head's least depth there
+};
+
+/// The rim on its way, unit direction (along the axis, across it) and length.
+struct RimOnWay {
+  bool leaves = false;  // it goes along its axis enough to leave something
+  float length = 0.0f, along = 0.0f, aside = 0.0f;
+  float minor = 0.0f;   // half axis of its ellipse in the plane of the way; across that plane it is the rim's radius
+  float most = 0.0f;    // cosine about the axis, against the way: where it is more the flank passes after the rim
+};
+RimOnWay on_way(const AcuteRim& rim, double way_t, double way_p) noexcept;
+
+/// How deep places lie off what the rim leaves, where it passes them on this way; else 0. t, p, q2 as in FourPlaces, where the
+/// way begins.
+Lanes behind_rim(const AcuteRim& rim, const RimOnWay& way, Lanes t, Lanes p, Lanes q2) noexcept;
+
 /// A profile in voxels. Refers to the profile it is made of.
 class FlatHead {
  public:
@@ -281,6 +264,8 @@ class FlatHead {
 
   /// The pieces and corners that can be nearest to any place within `half` of `at` (voxels). `out` refers to this.
   void at_hand(OnHalf at, OnHalf half, AtHand& out) const noexcept;
+
+  const AcuteRim& rim() const noexcept { return rim_; }
 
  private:
   const Profile& profile_;
