@@ -12,7 +12,8 @@ struct Uncut {
   Vec3 towards{0.0};      // unit, from the ball's centre to that place
 };
 
-/// Looks on the ball's surface from `towards` (unit) on, uphill and no further than kUncutReachMm. Pre: all that was swept
+/// Looks on the ball's surface from `towards` (unit) on, uphill and about kUncutReachMm at most, at last along the crest that
+/// the nearest strokes have left, which it finds to 0.1 um. Pre: all that was swept
 /// is carved. Nothing is told where the cut's field holds more than the balls' strokes that are known (another head's, a
 /// fragment's, forgotten ones), and where these are more than kUncutStrokes.
 inline constexpr double kUncutReachMm = 0.1;

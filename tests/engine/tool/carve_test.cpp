@@ -157,7 +157,7 @@ TEST(CarveHead, led_any_way_with_a_leaning_axis_leaves_floor_and_wall_whose_fiel
           for (v.x = 0; v.x < grid.size.x; ++v.x) {
             // What lies abreast of the way's middle is passed by all of the head.
             const Vec3 place = grid.centre_mm(v);
-            if (std::fabs(glm::dot(place, along)) > 0.12) continue;
+            if (std::fabs(glm::dot(place, along)) > 0.12 || glm::length(place) > 0.9) continue;
             double t = 0.0;
             const double deep = depth_in_long_sweep(burr, axis, from, along, place, t) / grid.voxel_mm;
             if (deep < 0.0 || deep > 1.5 || t > burr.head.low() + 0.2) continue;
@@ -166,7 +166,8 @@ TEST(CarveHead, led_any_way_with_a_leaning_axis_leaves_floor_and_wall_whose_fiel
             sum += off;
             ++count;
           }
-      // Measured 0.029 and 0.007; by the head's own depth 0.5 and more.
+      EXPECT_GT(count, 80);
+      // Measured 0.029 and 0.007; the head's own depth is 0.62 of that, at some places.
       EXPECT_LT(most, 0.06) << burr.name;
       EXPECT_LT(sum / count, 0.014) << burr.name;
     }
