@@ -12,12 +12,12 @@ namespace cusp {
 
 namespace {
 
-constexpr double kNearMm = 0.02;      // strokes whose surface comes so near to where is looked
-constexpr double kFirstMm = 0.05;     // the first step on the ball's surface, halved to 0.4 um
-constexpr int kHalvings = 8, kMostSteps = 64;
+/// The first step on the ball's surface, and from a place that is near a crest; halved to 6 um.
+constexpr double kFirstMm = 0.05, kBesideMm = 0.0125, kLastMm = 0.006;
+constexpr int kMostSteps = 64;
 /// Then along the crest of what the nearest strokes leave: no further than kCrestMm from where those are told.
-constexpr double kCrestMm = 0.03, kCrestFirstMm = 0.008, kCrestLastMm = 5e-5;
-constexpr int kCrestStrokes = 64, kCrestSteps = 48;
+constexpr double kCrestMm = 0.02, kCrestFirstMm = 0.008, kCrestLastMm = 1e-4, kCrestLeastMm = 0.002;
+constexpr int kCrestStrokes = 64, kCrestSteps = 32;
 constexpr double kUntold = 0.02;      // voxels that a sample may be deeper in the cut than the strokes say
 
 /// Distance of a place to what a stroke took, and the way off it.
@@ -36,170 +36,207 @@ double off_stroke(const CutMemory::Segment& s, Vec3 place) noexcept {
   return off_stroke(s, place, off, away);
 }
 
+}  // namespace
+
 /// What lies beside a place of the ball's surface: strokes, and the face they were cut into.
-struct Beside {
+struct UncutPlace::Crest {
   std::array<const CutMemory::Segment*, kCrestStrokes> stroke;
   int strokes = 0;
   Vec3 face_normal{0.0};
   double face_level = 0.0;  // of the face: its normal times a place of it
 
-  /// How each of them sees a place: how deep it lies in what that one left, and the way on the ball along which that grows.
+  /// How deep a place lies in what each of them left, the least of that, and the way off each.
   struct Seen {
-    std::array<double, kCrestStrokes + 1> depth;
-    std::array<Vec3, kCrestStrokes + 1> slope;
+    std::array<double, kCrestStrokes + 1> depth, away;
+    std::array<Vec3, kCrestStrokes + 1> off;
     double least = 1e300;
-    int lowest = 0;
+    std::size_t lowest = 0;
   };
-  void look(Vec3 x, Vec3 u, Seen& out) const noexcept {
-    out.least = 1e300;
-    for (int i = 0; i <= strokes; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      Vec3 slope = -face_normal;
-      double depth = face_level - glm::dot(face_normal, x);
-      if (i < strokes) {
-        double away;
-        depth = off_stroke(*stroke[k], x, slope, away);
-        slope = away > 0.0 ? slope / away : Vec3(0.0);
+  void look(Vec3 x, Seen& out) const noexcept {
+    const auto last = static_cast<std::size_t>(strokes);
+    for (std::size_t k = 0; k < last; ++k) out.depth[k] = off_stroke(*stroke[k], x, out.off[k], out.away[k]);
+    out.depth[last] = face_level - glm::dot(face_normal, x);
+    out.off[last] = -face_normal;
+    out.away[last] = 1.0;
+    out.least = out.depth[last];
+    out.lowest = last;
+    for (std::size_t k = 0; k < last; ++k)
+      if (out.depth[k] < out.least) {
+        out.least = out.depth[k];
+        out.lowest = k;
       }
-      out.depth[k] = depth;
-      out.slope[k] = slope - u * glm::dot(u, slope);
-      if (depth < out.least) {
-        out.least = depth;
-        out.lowest = i;
-      }
-    }
   }
-  /// The way along which all that bind within `slack` grow: the shortest mean of their slopes.
-  Vec3 uphill(const Seen& seen, double slack) const noexcept {
-    Vec3 way = seen.slope[static_cast<std::size_t>(seen.lowest)];
-    for (int pass = 0; pass < 8; ++pass) {
+  /// The way on the ball about u along which the depth in all that bind within `slack` grows: the shortest mean of their
+  /// slopes, by turning to the one that grows least.
+  /// along: across the two that are most against each other, where there are such.
+  Vec3 uphill(const Seen& seen, Vec3 u, double slack, Vec3& along_crest) const noexcept {
+    constexpr int kBinding = 12, kTurns = 8;
+    std::array<Vec3, kBinding> slope;
+    int binding = 0;
+    const auto take = [&](std::size_t k) {
+      const Vec3 off = seen.off[k] / (seen.away[k] > 1e-12 ? seen.away[k] : 1e-12);
+      slope[static_cast<std::size_t>(binding++)] = off - u * glm::dot(u, off);
+    };
+    take(seen.lowest);
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(strokes) && binding < kBinding; ++k)
+      if (k != seen.lowest && seen.depth[k] <= seen.least + slack) take(k);
+    Vec3 way = slope[0], against = slope[0];
+    double most_against = 1.0;
+    for (int i = 1; i < binding; ++i) {
+      const double cosine = glm::dot(slope[static_cast<std::size_t>(i)], slope[0]);
+      if (cosine >= most_against) continue;
+      most_against = cosine;
+      against = slope[static_cast<std::size_t>(i)];
+    }
+    for (int turn = 0; turn < kTurns; ++turn) {
       double least = 1e300;
-      std::size_t worst = 0;
-      for (int i = 0; i <= strokes; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (seen.depth[k] > seen.least + slack) continue;
-        const double along = glm::dot(seen.slope[k], way);
-        if (along < least) {
-          least = along;
-          worst = k;
-        }
+      Vec3 worst(0.0);
+      for (int i = 0; i < binding; ++i) {
+        const double along = glm::dot(slope[static_cast<std::size_t>(i)], way);
+        if (along >= least) continue;
+        least = along;
+        worst = slope[static_cast<std::size_t>(i)];
       }
       const double square = glm::dot(way, way);
       if (least > square - 1e-4 || square < 1e-8) break;
-      const Vec3 to = seen.slope[worst] - way;
-      double part = -glm::dot(way, to) / glm::dot(to, to);
-      part = part > 1.0 ? 1.0 : part;
-      way += to * part;
+      const Vec3 to = worst - way;
+      const double part = -glm::dot(way, to) / glm::dot(to, to);
+      way += to * (part > 1.0 ? 1.0 : part);
     }
+    const Vec3 apart = slope[0] - against;
+    const double square = glm::dot(apart, apart);
+    if (square > 0.1) along_crest = glm::cross(u, apart) / std::sqrt(square);
     return way;
   }
 };
 
-}  // namespace
-
-Uncut deepest_uncut(const Volume& volume, const CutMemory& memory, double radius_mm, Vec3 pose, Vec3 towards) noexcept {
-  Uncut out;
-  out.towards = towards;
+UncutPlace::UncutPlace(const Volume& volume, const CutMemory& memory, double radius_mm, Vec3 pose, Vec3 towards) noexcept
+    : volume_{volume}, radius_{radius_mm}, pose_{pose}, towards_{towards} {
   const Vec3 foot = pose + towards * radius_mm;
-  std::array<CutMemory::Segment, kUncutStrokes> stroke;
-  const int strokes = memory.reaching(foot - kUncutReachMm, foot + kUncutReachMm, kNearMm, stroke);
-  if (strokes <= 0) return out;
-  // A face is flat enough within the reach.
-  Vec3 normal;
-  const double face = base_distance_mm(volume.specimen(), foot, &normal);
-  // Of a place on the surface; no more than `enough` where it is that or less. The stroke that said so is asked first
-  // then: beside a ridge it mostly says so again.
-  const auto depth = [&](Vec3 u, double enough) {
-    const Vec3 x = pose + u * radius_mm;
-    double least = -(face + glm::dot(normal, x - foot));
-    for (int i = 0; i < strokes && least > enough; ++i) {
-      const double d = off_stroke(stroke[static_cast<std::size_t>(i)], x);
-      least = d < least ? d : least;
-      if (least <= enough) std::swap(stroke[0], stroke[static_cast<std::size_t>(i)]);
-    }
-    return least;
-  };
-  double best = depth(towards, -1e300);
-  double step = kFirstMm / radius_mm;
+  strokes_ = memory.reaching(foot - kReachMm, foot + kReachMm, kNearMm, stroke_);
+  if (strokes_ <= 0) return;
+  const double face = base_distance_mm(volume.specimen(), foot, &normal_);
+  level_ = glm::dot(normal_, foot) - face;
+}
+
+/// Of a place in what the strokes left; no more than `enough` where it is that or less. The stroke that said so is asked first
+/// then: beside a ridge it mostly says so again.
+double UncutPlace::depth(Vec3 place, double enough_mm) noexcept {
+  double least = level_ - glm::dot(normal_, place);
+  for (int i = 0; i < strokes_ && least > enough_mm; ++i) {
+    const double d = off_stroke(stroke_[static_cast<std::size_t>(i)], place);
+    least = d < least ? d : least;
+    if (least <= enough_mm) std::swap(stroke_[0], stroke_[static_cast<std::size_t>(i)]);
+  }
+  return least;
+}
+
+/// In steps to four sides.
+double UncutPlace::climb(Vec3 pose, double first_mm, Vec3& towards) noexcept {
+  double best = depth(pose + towards * radius_, -1e300);
   int steps = 0;
-  for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5)
+  for (double step = first_mm / radius_; step > kLastMm / radius_; step *= 0.5)
     for (bool moved = true; moved && steps < kMostSteps; ++steps) {
       moved = false;
-      const Vec3 one = across(out.towards), other = glm::cross(out.towards, one);
+      const Vec3 one = across(towards), other = glm::cross(towards, one);
       for (const Vec3& side : {one, -one, other, -other}) {
-        Vec3 u = out.towards + side * step;
+        Vec3 u = towards + side * step;
         u = u / std::sqrt(glm::dot(u, u));
-        const Vec3 beside = (u - towards) * radius_mm;
-        if (glm::dot(beside, beside) > kUncutReachMm * kUncutReachMm) continue;
-        const double d = depth(u, best);
+        const Vec3 beside = (u - towards_) * radius_;
+        if (glm::dot(beside, beside) > kReachMm * kReachMm) continue;
+        const double d = depth(pose + u * radius_, best);
         if (d <= best) continue;
         best = d;
-        out.towards = u;
+        towards = u;
         moved = true;
         break;
       }
     }
-  std::array<double, kUncutStrokes> off_about;
-  // The crest of a ridge is a thin line, along which steps to four sides seldom lead.
-  Beside beside;
-  beside.face_normal = normal;
-  beside.face_level = glm::dot(normal, foot) - face;
-  const Vec3 about = pose + out.towards * radius_mm;
-  for (int i = 0; i < strokes; ++i) off_about[static_cast<std::size_t>(i)] = off_stroke(stroke[static_cast<std::size_t>(i)], about);
+  return best;
+}
+
+/// The crest of a ridge is a thin line, along which steps to four sides seldom lead.
+double UncutPlace::along_crest(Vec3 pose, double best, double enough_mm, Vec3& towards, Vec3& along) const noexcept {
+  const Vec3 about = pose + towards * radius_;
+  // Nothing grows faster than it is gone along.
+  if (best + kCrestMm <= enough_mm) return best;
+  Crest crest;
+  crest.face_normal = normal_;
+  crest.face_level = level_;
+  std::array<float, kStrokes> off_about;
+  for (int i = 0; i < strokes_; ++i)
+    off_about[static_cast<std::size_t>(i)] = static_cast<float>(off_stroke(stroke_[static_cast<std::size_t>(i)], about));
   double reach = 2.0 * kCrestMm;
   bool all = false;
-  while (!all && reach > kCrestFirstMm) {
+  while (!all) {
     reach *= 0.5;
+    if (reach < kCrestLeastMm) return best;
     all = true;
-    beside.strokes = 0;
-    for (int i = 0; i < strokes && all; ++i) {
+    crest.strokes = 0;
+    for (int i = 0; i < strokes_ && all; ++i) {
       if (off_about[static_cast<std::size_t>(i)] > best + 2.0 * reach) continue;
-      all = beside.strokes < kCrestStrokes;
-      if (all) beside.stroke[static_cast<std::size_t>(beside.strokes++)] = &stroke[static_cast<std::size_t>(i)];
+      all = crest.strokes < kCrestStrokes;
+      if (all) crest.stroke[static_cast<std::size_t>(crest.strokes++)] = &stroke_[static_cast<std::size_t>(i)];
     }
   }
-  if (all) {
-    Beside::Seen seen, next;
-    beside.look(about, out.towards, seen);
-    double length = kCrestFirstMm;
-    for (int i = 0; i < kCrestSteps && length > kCrestLastMm; ++i) {
-      const Vec3 way = beside.uphill(seen, 1.5 * length);
-      const double steep = std::sqrt(glm::dot(way, way));
-      if (steep < 1e-3) {
-        length *= 0.5;
-        continue;
-      }
-      Vec3 u = out.towards + way * (length / (steep * radius_mm));
-      u = u / std::sqrt(glm::dot(u, u));
-      const Vec3 x = pose + u * radius_mm;
-      const Vec3 off = x - about;
-      beside.look(x, u, next);
-      if (glm::dot(off, off) > reach * reach || !(next.least > seen.least)) {
-        length *= 0.5;
-        continue;
-      }
-      seen = next;
-      out.towards = u;
+  if (best + reach <= enough_mm) return best;
+  Crest::Seen seen, next;
+  crest.look(about, seen);
+  double length = kCrestFirstMm < 0.5 * reach ? kCrestFirstMm : 0.5 * reach;
+  for (int i = 0; i < kCrestSteps && length > kCrestLastMm; ++i) {
+    const Vec3 way = crest.uphill(seen, towards, 1.5 * length, along);
+    const double steep = std::sqrt(glm::dot(way, way));
+    if (steep < 1e-3) {
+      length *= 0.5;
+      continue;
     }
-    best = seen.least > best ? seen.least : best;
+    Vec3 u = towards + way * (length / (steep * radius_));
+    u = u / std::sqrt(glm::dot(u, u));
+    const Vec3 x = pose + u * radius_, off = x - about;
+    crest.look(x, next);
+    if (glm::dot(off, off) > reach * reach || !(next.least > seen.least)) {
+      length *= 0.5;
+      continue;
+    }
+    std::swap(seen, next);
+    towards = u;
   }
-  if (!(best > 0.0)) return out;
-  // All that the field has there must be told by the strokes: else tissue has gone without one that is known.
-  const Grid& grid = volume.grid();
-  const IVec3 cell = cell_of_voxels((pose + out.towards * radius_mm - grid.origin_mm) / grid.voxel_mm);
+  return seen.least > best ? seen.least : best;
+}
+
+/// All that the field has there must be told by the strokes: else tissue has gone without one that is known.
+bool UncutPlace::told(Vec3 place) noexcept {
+  const Grid& grid = volume_.grid();
+  const IVec3 cell = cell_of_voxels((place - grid.origin_mm) / grid.voxel_mm);
+  if (told_ && told_cell_ == cell) return true;
   for (int corner = 0; corner < 8; ++corner) {
     const IVec3 v = cell + IVec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    const double in_cut = field_sample(volume, Field::cut, v);
+    const double in_cut = field_sample(volume_, Field::cut, v);
     if (in_cut <= -kBandVoxels) continue;
-    const Vec3 place = grid.centre_mm(v);
-    double told = -kBandVoxels;
-    for (int i = 0; i < strokes && told < in_cut - kUntold; ++i) {
-      const double d = off_stroke(stroke[static_cast<std::size_t>(i)], place) / grid.voxel_mm;
-      told = -d > told ? -d : told;
+    const double so_near = (kUntold - in_cut) * grid.voxel_mm;
+    const Vec3 at = grid.centre_mm(v);
+    bool known = false;
+    for (int i = 0; i < strokes_ && !known; ++i) {
+      known = off_stroke(stroke_[static_cast<std::size_t>(i)], at) <= so_near;
+      if (known) std::swap(stroke_[0], stroke_[static_cast<std::size_t>(i)]);
     }
-    if (told < in_cut - kUntold) return out;
+    if (!known && -kBandVoxels < in_cut - kUntold) return false;
   }
-  out.depth_mm = best;
+  told_ = true;
+  told_cell_ = cell;
+  return true;
+}
+
+Uncut UncutPlace::deepest(Vec3 pose, Vec3 towards, double enough_mm, bool beside) noexcept {
+  Uncut out;
+  out.towards = towards;
+  if (strokes_ <= 0) return out;
+  double best = climb(pose, beside ? kBesideMm : kFirstMm, out.towards);
+  best = along_crest(pose, best, enough_mm, out.towards, out.along);
+  if (!(best > enough_mm) || !(best > 0.0) || !told(pose + out.towards * radius_)) return out;
+  const Vec3 lifted = pose - pose_;
+  const double known = kNearMm - std::sqrt(glm::dot(lifted, lifted));
+  out.depth_mm = best < known ? best : known;
   return out;
 }
 

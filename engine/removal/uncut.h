@@ -2,6 +2,8 @@
 /// two cuts by up to a third of a voxel. Thread: haptic; wait-free; only + - * / sqrt.
 #pragma once
 
+#include <array>
+
 #include "engine/contact/cut_memory.h"
 #include "engine/volume/volume.h"
 
@@ -9,15 +11,45 @@ namespace cusp {
 
 struct Uncut {
   double depth_mm = 0.0;  // of the ball's surface in what is left, where it is deepest; not above 0: none was found
-  Vec3 towards{0.0};      // unit, from the ball's centre to that place
+  Vec3 towards{0.0};      // unit, from the ball's centre to that place, or to where was looked last
+  Vec3 along{0.0};        // unit, of the crest there; zero: none was seen
 };
 
-/// Looks on the ball's surface from `towards` (unit) on, uphill and about kUncutReachMm at most, at last along the crest that
-/// the nearest strokes have left, which it finds to 0.1 um. Pre: all that was swept
-/// is carved. Nothing is told where the cut's field holds more than the balls' strokes that are known (another head's, a
-/// fragment's, forgotten ones), and where these are more than kUncutStrokes.
-inline constexpr double kUncutReachMm = 0.1;
-inline constexpr int kUncutStrokes = 512;
-Uncut deepest_uncut(const Volume& volume, const CutMemory& memory, double radius_mm, Vec3 pose, Vec3 towards) noexcept;
+/// Looks at one place of a ball's surface, about `towards` (unit), from poses that differ by a few um: the strokes there are
+/// gathered once. 45 KB, to stand on the stack of a tick.
+class UncutPlace {
+ public:
+  static constexpr double kReachMm = 0.16;  // of the place, along the ball
+  static constexpr int kStrokes = 512;
+
+  /// Pre: all that was swept is carved.
+  UncutPlace(const Volume& volume, const CutMemory& memory, double radius_mm, Vec3 pose, Vec3 towards) noexcept;
+
+  /// Uphill on the ball's surface from `towards` on, at last along the crest that the nearest strokes have left, which it finds
+  /// to 0.1 um. Where it is surely no deeper than `enough` it need not be found. Nothing is told where the cut's field holds
+  /// more than the balls' strokes that are known (another head's, a fragment's, forgotten ones), or where these are more
+  /// than kStrokes. Pre: pose within kNearMm of the first.
+  /// kNearMm: no deeper either, for what lies further from the strokes that were gathered is not known.
+  static constexpr double kNearMm = 0.03;
+  /// beside: `towards` is near a crest already, along which there are others, as high perhaps.
+  Uncut deepest(Vec3 pose, Vec3 towards, double enough_mm, bool beside = false) noexcept;
+
+ private:
+  struct Crest;
+  double depth(Vec3 place, double enough_mm) noexcept;
+  double climb(Vec3 pose, double first_mm, Vec3& towards) noexcept;
+  double along_crest(Vec3 pose, double best, double enough_mm, Vec3& towards, Vec3& along) const noexcept;
+  bool told(Vec3 place) noexcept;
+
+  const Volume& volume_;
+  double radius_;
+  Vec3 pose_, towards_;     // at first
+  Vec3 normal_{0.0};        // of the face there, which is flat enough within the reach
+  double level_ = 0.0;      // normal times a place of it
+  int strokes_ = 0;         // -1: more than there is room for
+  IVec3 told_cell_{0};      // where all that the field holds is told by the strokes
+  bool told_ = false;
+  std::array<CutMemory::Segment, kStrokes> stroke_;
+};
 
 }  // namespace cusp

@@ -27,8 +27,7 @@ constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
 /// Sliding over what strokes have left, a ball is lifted out of what no stroke has taken, but for this much more.
 constexpr double kUncutMm = 0.0001;
-constexpr int kLifts = 3;
-constexpr double kMostLiftMm = 0.05;
+constexpr double kAsideMm[] = {0.0, 0.05, -0.05, 0.1, -0.1};  // along a crest, where it looks once more
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
 constexpr double kOutrunTimes = 2.0, kOutrunMm = 0.02;
 constexpr int kParts = 8;
@@ -97,15 +96,18 @@ bool carve_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
 
 /// Moves a ball out of what no stroke has taken until it stands no deeper than allowed_mm.
 void lift_out(const StepState::Inner& state, double radius_mm, Vec3 towards, double allowed_mm, Vec3& pose) noexcept {
-  double lifted = 0.0;
-  for (int i = 0; i < kLifts && lifted < kMostLiftMm; ++i) {
-    const Uncut uncut = deepest_uncut(state.volume, state.memory, radius_mm, pose, towards);
-    const double over = uncut.depth_mm - allowed_mm;
-    if (!(over > 0.0)) return;
-    const double lift = std::min(over, kMostLiftMm - lifted);
-    pose -= uncut.towards * lift;
-    lifted += lift;
-    towards = uncut.towards;
+  UncutPlace place(state.volume, state.memory, radius_mm, pose, towards);
+  const auto lift = [&](Vec3 start, bool beside) {
+    const Uncut uncut = place.deepest(pose, start, allowed_mm, beside);
+    if (uncut.depth_mm > allowed_mm) pose -= uncut.towards * (uncut.depth_mm - allowed_mm);
+    return uncut;
+  };
+  const Uncut first = lift(towards, false);
+  if (first.along == Vec3(0.0)) return;
+  // What many strokes have crossed has a peak between each two of them.
+  for (const double aside : kAsideMm) {
+    const Vec3 start = first.towards + first.along * (aside / radius_mm);
+    lift(start / std::sqrt(glm::dot(start, start)), true);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "engine/base/vec.h"
 #include "tests/bench/frame.h"
+#include "tests/bench/half_spaces.h"
 
 namespace cusp::bench {
 
@@ -15,23 +16,6 @@ struct Capsule {
   Vec3 a{0.0}, b{0.0};
   double radius_mm = 0.0;
 };
-
-using Mat3 = glm::dmat3;
-
-/// n . c >= level is admissible; `bend` is how the normal turns: the second derivative of what it stands for, negated.
-struct HalfSpace {
-  Vec3 n{0.0};
-  double level = 0.0;
-  Mat3 bend{0.0};
-};
-
-/// The minimum of (c - z) . H (c - z) over the half spaces' intersection, given H's inverse. bend: the sum of the
-/// binding ones' bends by their weights.
-struct Found {
-  Vec3 c{0.0};
-  Mat3 bend{0.0};
-};
-Found nearest_in(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& spaces);
 
 class CarvedBlock {
  public:

@@ -44,6 +44,12 @@ std::vector<Cutter> removal_cutters();
 /// one of middling size; or all of the catalogue. Their names hold the shape's key.
 std::vector<Cutter> shape_cutters(bool every);
 
+inline constexpr double kPaperVoxelMm = 10.0 / 128;
+inline constexpr double kLargestBurrMm = 2.3;
+
+/// A run in one material all over, at one push.
+DrillRun run_in(Method method, const Cutter& cutter, double voxel_mm, const RemovalTissue& material, double alpha);
+
 /// The runs of `speed`, before they are run: every pair of factors, or the full product.
 std::vector<DrillRun> speed_runs(const Options& options, Method method);
 
