@@ -171,6 +171,9 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   double stiffness = blended(scene, contact, touched);
   const double push = length_of(device - state.proxy);
 
+  // While contact is still on its way to where it will stand, how hard the burr is pressed is not known: what the device has
+  // run ahead would count as push. Such a tick cuts nothing, and none was met while cutting: balls of 1 to 6 mm on a face and
+  // across a ridge of many strokes, at 50 to 300 mm/s, above which a burr flies (carve.h).
   if (cut && contact.active > 0 && push > 1e-6 && !contact.deferred) {
     const double alpha = wear_coefficient(push, stiffness, scene.full_force_n);
     const Vec3 aim_from = state.cut_valid ? state.cut_pose + slid : state.proxy;
