@@ -106,6 +106,24 @@ TEST(CutVolume, ACapsuleIsItsClosedForm) {
   EXPECT_LT(std::fabs(e.mm2), 0.005);
 }
 
+TEST(CutVolume, AHoleWithAFlatEndKeepsItsSharpCorners) {
+  // Closed form. Each of the two round corners of 90 degrees would lose 0.14 h^2 a mm by the field alone: -2.3 and -1.4 %.
+  // Measured -0.49 and -0.39 %, area -2.9 and -2.2 %.
+  for (const double r : {0.3, 0.5}) {
+    const double length = 0.5, h = 0.078;
+    const Vec3 axis = glm::normalize(Vec3(0.3, 0.45, 0.84));
+    const auto cylinder = [&](Vec3 p) {
+      const double t = glm::dot(p, axis);
+      const double end = std::fabs(t) - 0.5 * length, side = glm::length(p - axis * t) - r;
+      return std::hypot(std::max(end, 0.0), std::max(side, 0.0)) + std::min(std::max(end, side), 0.0);
+    };
+    const Shares e = relative(hole(h, cylinder), kPi * r * r * length, 2.0 * kPi * r * (r + length));
+    std::printf("flat hole r %.1f, h 0.078: volume %+.3f %%, area %+.3f %%\n", r, 100 * e.mm3, 100 * e.mm2);
+    EXPECT_LT(std::fabs(e.mm3), 0.006);
+    EXPECT_LT(std::fabs(e.mm2), 0.032);
+  }
+}
+
 TEST(CutVolume, ABoxLosesOnlyAtItsSharpEdges) {
   const Vec3 half(0.83, 0.61, 1.07);
   const SolidMeasure got =

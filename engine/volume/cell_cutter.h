@@ -1,0 +1,315 @@
+/// One cell of a banded volume, cut by base and cut field into boxes, tetrahedra and faces: how is told in cut_volume.h, whose
+/// inside this is. Not for the haptic thread.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "engine/volume/cell_field.h"
+#include "engine/volume/cut_volume.h"
+#include "engine/volume/sharp_edge.h"
+
+namespace cusp::cell_cutter {
+
+/// A corner of a tetrahedron with both fields in voxels, signed so that the kept side is negative.
+struct Corner {
+  Vec3 p;
+  double base;  // negative in the specimen
+  double cut;   // negative in the void that a burr left
+};
+
+inline Corner between(const Corner& a, const Corner& b, double Corner::* field) noexcept {
+  const double t = a.*field / (a.*field - b.*field);
+  return {a.p + t * (b.p - a.p), a.base + t * (b.base - a.base), a.cut + t * (b.cut - a.cut)};
+}
+
+/// Cuts a tetrahedron where `field` is 0: tetrahedra of the negative side to `solid`, the section to `section` (3 or 4
+/// corners in order round it).
+template <class Solid, class Section>
+void clip(const std::array<Corner, 4>& t, double Corner::* field, Solid&& solid, Section&& section) {
+  std::array<int, 4> in{}, out{};
+  int ins = 0, outs = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (t[static_cast<std::size_t>(i)].*field < 0.0)
+      in[static_cast<std::size_t>(ins++)] = i;
+    else
+      out[static_cast<std::size_t>(outs++)] = i;
+  }
+  const auto at = [&t](int i) -> const Corner& { return t[static_cast<std::size_t>(i)]; };
+  const auto prism = [&solid](const Corner& a0, const Corner& a1, const Corner& a2, const Corner& b0, const Corner& b1,
+                              const Corner& b2) {
+    solid(std::array<Corner, 4>{a0, a1, a2, b2});
+    solid(std::array<Corner, 4>{a0, a1, b1, b2});
+    solid(std::array<Corner, 4>{a0, b0, b1, b2});
+  };
+  if (ins == 4) {
+    solid(t);
+  } else if (ins == 1) {
+    const Corner& a = at(in[0]);
+    const std::array<Corner, 4> s{between(a, at(out[0]), field), between(a, at(out[1]), field),
+                                  between(a, at(out[2]), field), a};
+    solid(s);
+    section(std::array<Corner, 4>{s[0], s[1], s[2], s[2]}, 3);
+  } else if (ins == 3) {
+    const Corner& a = at(out[0]);
+    const Corner b = between(at(in[0]), a, field);
+    const Corner c = between(at(in[1]), a, field);
+    const Corner d = between(at(in[2]), a, field);
+    prism(at(in[0]), at(in[1]), at(in[2]), b, c, d);
+    section(std::array<Corner, 4>{b, c, d, d}, 3);
+  } else if (ins == 2) {
+    const Corner& a = at(in[0]);
+    const Corner& b = at(in[1]);
+    const Corner ac = between(a, at(out[0]), field);
+    const Corner ad = between(a, at(out[1]), field);
+    const Corner bc = between(b, at(out[0]), field);
+    const Corner bd = between(b, at(out[1]), field);
+    prism(a, ac, ad, b, bc, bd);
+    section(std::array<Corner, 4>{ac, ad, bd, bc}, 4);
+  }
+}
+
+inline double tetrahedron_mm3(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) noexcept {
+  return std::fabs(glm::dot(b - a, glm::cross(c - a, d - a))) / 6.0;
+}
+
+inline void emit_solid(const std::array<Corner, 4>& t, Tissue tissue, PieceSink& sink) {
+  const double mm3 = tetrahedron_mm3(t[0].p, t[1].p, t[2].p, t[3].p);
+  if (mm3 > 0.0) sink.tetrahedron({t[0].p, t[1].p, t[2].p, t[3].p}, mm3, tissue);
+}
+inline void emit_face(const std::array<Corner, 4>& c, int corners, Tissue tissue, PieceSink& sink) {
+  for (std::size_t i = 2; i < static_cast<std::size_t>(corners); ++i) {
+    const double mm2 = 0.5 * glm::length(glm::cross(c[i - 1].p - c[0].p, c[i].p - c[0].p));
+    if (mm2 > 0.0) sink.face({c[0].p, c[i - 1].p, c[i].p}, mm2, tissue);
+  }
+}
+
+/// Further from the surface than this, in voxels, a cell's corners are not looked at more closely: between corners the
+/// surface of the least radius that can be meant (3 voxels) rises by at most 0.25 (diagonal sqrt 3, sagitta d²/8r = 0.125).
+inline constexpr double kNearVoxels = 0.3;
+
+/// Cells that bend more, voxels, are looked at for an edge; and by how much their corners may be off two faces, summed.
+inline constexpr double kBent = 0.2, kMostOff = 1.6;
+/// Normals that differ by less are no edge: cosine of 45 degrees.
+inline constexpr double kEdgeCosine = 0.7;
+
+/// One field on the 27 half-voxel lattice places of a cell, and its means over the octants.
+class Lattice {
+ public:
+  void fill(double value) noexcept {
+    constant_ = true;
+    value_ = value;
+  }
+  void sample(const CellField& field, double sign) noexcept {
+    constant_ = sharp_ = false;
+    field_ = &field;
+    sign_ = sign;
+    Vec3 g;
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+          at_[static_cast<std::size_t>(i + 3 * (j + 3 * k))] = sign * field.eval(Vec3(i, j, k) * 0.5, g);
+  }
+  /// Where two faces meet in a sharp edge, their own places instead of the field's: `of` tells them by fractions of the cell.
+  template <class Of>
+  void sample_edge(const Of& of) noexcept {
+    constant_ = sharp_ = false;
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) at_[static_cast<std::size_t>(i + 3 * (j + 3 * k))] = of(Vec3(i, j, k) * 0.5);
+    sharp_ = true;
+  }
+  double at(IVec3 l) const noexcept {
+    return constant_ ? value_ : at_[static_cast<std::size_t>(l.x + 3 * (l.y + 3 * l.z))];
+  }
+  /// What to add to the corners of an octant, so that the mean of the six linear tetrahedra becomes the field's own mean
+  /// (for a quadratic: two thirds of the centre and a third of the corners' mean). 0 where nothing crosses.
+  double shift(const std::array<double, 8>& corner, IVec3 octant) const noexcept {
+    if (constant_ || sharp_) return 0.0;
+    double sum = 0.0, least = corner[0], most = corner[0];
+    for (const double c : corner) {
+      sum += c;
+      least = std::fmin(least, c);
+      most = std::fmax(most, c);
+    }
+    if (least > 0.25 || most < -0.25) return 0.0;
+    Vec3 g;
+    const double centre = sign_ * field_->eval(Vec3(octant) * 0.5 + 0.25, g);
+    const double linear = (corner[0] + corner[7]) / 4.0 + (sum - corner[0] - corner[7]) / 12.0;
+    return (2.0 * centre + sum / 8.0) / 3.0 - linear;
+  }
+
+ private:
+  bool constant_ = true, sharp_ = false;
+  double value_ = 0, sign_ = 1;
+  const CellField* field_ = nullptr;
+  std::array<double, 27> at_{};
+};
+
+/// Paths from the first corner (its voxel) to the last (the cell's centre) of an octant, bit a = axis a.
+inline constexpr std::array<std::array<std::size_t, 4>, 6> kTetrahedra = {
+    {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
+
+class CellCutter {
+ public:
+  CellCutter(const Specimen& specimen, const Volume* volume, PieceSink& sink)
+      : specimen_(specimen), volume_(volume), sink_(sink) {}
+
+  void cell(IVec3 cell) {
+    double base_least = 1e9, base_most = -1e9, cut_least = 1e9, cut_most = -1e9;
+    for (int i = 0; i < 8; ++i) {
+      const IVec3 v = cell + IVec3(i & 1, i >> 1 & 1, i >> 2);
+      const double b = distance_from_solid(specimen_.s(v));
+      base_least = std::fmin(base_least, b);
+      base_most = std::fmax(base_most, b);
+      if (volume_ == nullptr) continue;
+      const double c = -distance_from_solid(volume_->cut(v));
+      cut_least = std::fmin(cut_least, c);
+      cut_most = std::fmax(cut_most, c);
+    }
+    if (volume_ == nullptr) cut_least = cut_most = -kBandVoxels;
+    if (base_least > kNearVoxels || cut_least > kNearVoxels) return;
+
+    const Grid& grid = specimen_.grid();
+    low_ = grid.centre_mm(cell);
+    half_mm_ = 0.5 * grid.voxel_mm;
+    sink_.cell(low_, low_ + grid.voxel_mm);
+    bool one_tissue = true;
+    for (int i = 0; i < 8; ++i) {
+      tissue_[static_cast<std::size_t>(i)] = specimen_.tissue(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
+      one_tissue = one_tissue && tissue_[static_cast<std::size_t>(i)] == tissue_[0];
+    }
+    if (base_most < -kNearVoxels && cut_most < -kNearVoxels) {
+      if (one_tissue) {
+        sink_.box(low_, low_ + grid.voxel_mm, tissue_[0]);
+      } else {
+        for (int o = 0; o < 8; ++o) octant_box(o);
+      }
+      return;
+    }
+    fill_empty_tissues(cell);
+    base_.fill(base_most);
+    if (base_most >= -kNearVoxels) {
+      base_field_.load(specimen_, cell);
+      base_.sample(base_field_, 1.0);
+    }
+    cut_.fill(cut_most);
+    if (cut_most >= -kNearVoxels) {
+      cut_field_.load(*volume_, Field::cut, cell);
+      cut_.sample(cut_field_, -1.0);
+      if (cut_field_.crossed() && cut_field_.most_bent() > kBent) sharpen(cell);
+    }
+    for (int o = 0; o < 8; ++o) octant(o);
+  }
+
+ private:
+  /// The void's samples as tissue has them: positive outside.
+  void load_turned(IVec3 cell, CellField& to) const {
+    std::array<double, 64> d;
+    for (int i = 0; i < 64; ++i)
+      d[static_cast<std::size_t>(i)] = -distance_from_solid(volume_->cut(cell - 1 + IVec3(i & 3, i >> 2 & 3, i >> 4)));
+    to.load(d.data(), 4, 16);
+  }
+  /// Where a head's rim or corner has left a sharp one, the field rounds it: the faces beside it do not.
+  void sharpen(IVec3 cell) {
+    CellField turned;
+    load_turned(cell, turned);
+    const Creased crease = creased(
+        turned, kMostOff, [&](IVec3 offset, CellField& to) {
+          load_turned(cell + offset, to);
+          return true;
+        }, true);
+    if (crease.kind == Creased::Kind::face) {
+      if (glm::dot(crease.normal, crease.other_normal) > kEdgeCosine) return;
+      cut_.sample_edge([&](Vec3 f) {
+        const Vec3 off = f - crease.point;
+        return std::fmax(glm::dot(crease.normal, off), crease.other_d + glm::dot(crease.other_normal, off));
+      });
+      return;
+    }
+    if (crease.kind != Creased::Kind::edge || crease.sides == 0) return;
+    if (glm::dot(crease.side[0].normal, crease.side[0].other_normal) > kEdgeCosine) return;
+    const Vec3 a = crease.side[0].normal, b = crease.side[0].other_normal;
+    cut_.sample_edge([&](Vec3 f) {
+      const double t = glm::dot(f - crease.edge.at, crease.edge.tangent);
+      const Vec3 off = f - (crease.edge.at + crease.edge.tangent * t + crease.edge.bend * (t * t));
+      return std::fmax(glm::dot(a, off), glm::dot(b, off));
+    });
+  }
+  void octant_box(int o) {
+    const Vec3 low = low_ + half_mm_ * Vec3(o & 1, o >> 1 & 1, o >> 2);
+    sink_.box(low, low + half_mm_, tissue_[static_cast<std::size_t>(o)]);
+  }
+  /// A voxel outside the band has no tissue of its own; a corrected field can still bulge into its octant.
+  void fill_empty_tissues(IVec3 cell) {
+    int best = -1;
+    Tissue tissue = Tissue::empty;
+    for (int i = 0; i < 8; ++i) {
+      const int s = specimen_.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
+      if (s > best && tissue_[static_cast<std::size_t>(i)] != Tissue::empty) {
+        best = s;
+        tissue = tissue_[static_cast<std::size_t>(i)];
+      }
+    }
+    for (Tissue& t : tissue_)
+      if (t == Tissue::empty) t = tissue;
+  }
+  void octant(int o) {
+    const IVec3 which(o & 1, o >> 1 & 1, o >> 2);
+    std::array<double, 8> base{}, cut{};
+    std::array<Corner, 8> corner;
+    bool all_in = true, base_out = true, cut_out = true;
+    for (int i = 0; i < 8; ++i) {
+      // Local bit 0 is the voxel's side, 1 the cell's centre.
+      const IVec3 bits(i & 1, i >> 1 & 1, i >> 2);
+      const IVec3 l = which * 2 + bits * (1 - 2 * which);
+      const auto n = static_cast<std::size_t>(i);
+      base[n] = base_.at(l);
+      cut[n] = cut_.at(l);
+      corner[n].p = low_ + half_mm_ * Vec3(l);
+    }
+    const double base_shift = base_.shift(base, which);
+    const double cut_shift = cut_.shift(cut, which);
+    for (std::size_t n = 0; n < 8; ++n) {
+      corner[n].base = base[n] + base_shift;
+      corner[n].cut = cut[n] + cut_shift;
+      all_in = all_in && corner[n].base < 0.0 && corner[n].cut < 0.0;
+      base_out = base_out && corner[n].base >= 0.0;
+      cut_out = cut_out && corner[n].cut >= 0.0;
+    }
+    if (base_out || cut_out) return;
+    if (all_in) {
+      octant_box(o);
+      return;
+    }
+    const Tissue tissue = tissue_[static_cast<std::size_t>(o)];
+    for (const auto& path : kTetrahedra) {
+      const std::array<Corner, 4> t{corner[path[0]], corner[path[1]], corner[path[2]], corner[path[3]]};
+      clip(
+          t, &Corner::base,
+          [&](const std::array<Corner, 4>& inside) {
+            if (volume_ == nullptr) {
+              emit_solid(inside, tissue, sink_);
+              return;
+            }
+            clip(
+                inside, &Corner::cut, [&](const std::array<Corner, 4>& gone) { emit_solid(gone, tissue, sink_); },
+                [&](const std::array<Corner, 4>& c, int corners) { emit_face(c, corners, tissue, sink_); });
+          },
+          [&](const std::array<Corner, 4>& c, int corners) {
+            if (volume_ == nullptr) emit_face(c, corners, tissue, sink_);
+          });
+    }
+  }
+
+  const Specimen& specimen_;
+  const Volume* volume_;
+  PieceSink& sink_;
+  Vec3 low_{0.0};
+  double half_mm_ = 0;
+  std::array<Tissue, 8> tissue_{};
+  CellField base_field_, cut_field_;
+  Lattice base_, cut_;
+};
+
+}  // namespace cusp::cell_cutter
