@@ -77,6 +77,13 @@ struct Row {
   std::int64_t runs = -1;             // stability: approaches, presses or ways, of which samples are the ticks
   double k_max_n_per_mm = kAbsent;    // stability: see the laboratory's measures.h for this and all that follow
   double k_exact_n_per_mm = kAbsent;  // k_max of the exact proxy on the same shape, with the same hand and device
+  std::int64_t k_sets = -1;           // sets of seeds whose medians k_max and k_exact are; where there are more than one:
+  double k_first_n_per_mm = kAbsent;  // k_max of the first set, and from least to most
+  double k_least_n_per_mm = kAbsent;
+  double k_most_n_per_mm = kAbsent;
+  double k_exact_first_n_per_mm = kAbsent;  // the exact proxy's
+  double k_exact_least_n_per_mm = kAbsent;
+  double k_exact_most_n_per_mm = kAbsent;
   double k_exact_out_n_per_mm = kAbsent;  // of the exact proxy all 0.1 um further out: how fine k_max itself is
   double energy_mj = kAbsent;
   double energy_exact_mj = kAbsent;
@@ -178,6 +185,13 @@ void for_each_field(R& row, Visit&& visit) {
   visit("runs", row.runs);
   visit("k_max_n_per_mm", row.k_max_n_per_mm);
   visit("k_exact_n_per_mm", row.k_exact_n_per_mm);
+  visit("k_sets", row.k_sets);
+  visit("k_first_n_per_mm", row.k_first_n_per_mm);
+  visit("k_least_n_per_mm", row.k_least_n_per_mm);
+  visit("k_most_n_per_mm", row.k_most_n_per_mm);
+  visit("k_exact_first_n_per_mm", row.k_exact_first_n_per_mm);
+  visit("k_exact_least_n_per_mm", row.k_exact_least_n_per_mm);
+  visit("k_exact_most_n_per_mm", row.k_exact_most_n_per_mm);
   visit("k_exact_out_n_per_mm", row.k_exact_out_n_per_mm);
   visit("energy_mj", row.energy_mj);
   visit("energy_exact_mj", row.energy_exact_mj);

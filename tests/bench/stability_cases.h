@@ -60,7 +60,7 @@ struct CaseRun {
   double budget_s = 1.0;  // of the core's time: no further run is begun after it; one always is
   std::int64_t most_runs = kMostRuns;
   std::uint64_t seed = 1;
-  bool place_by_place = false;  // a k_max beyond 15 % of the exact one is found again at every place of the grid
+  bool settle = false;  // a k_max that five seeds leave open is found again with more (stability_sets.h)
 };
 
 /// One row. Pre: the key is of kWayCases, kFaultCases or kTaskCases.

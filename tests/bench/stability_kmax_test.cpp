@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/bench/frame.h"
+#include "tests/bench/stability_sets.h"
 
 namespace cusp::bench {
 namespace {
@@ -206,6 +207,53 @@ TEST(KMax, of_a_penalty_that_a_press_goes_through_is_none_because_it_left) {
   const KMax k = find_k_max(c);
   EXPECT_EQ(k.k_max_n_per_mm, 0.0);
   EXPECT_TRUE(k.left);
+}
+
+KMax found(double k) {
+  KMax out;
+  out.k_max_n_per_mm = k;
+  out.cycle_um = 100.0 * k;
+  return out;
+}
+
+TEST(KMaxSets, leave_a_cell_that_agrees_with_one_set) {
+  int asked = 0;
+  const auto more = [&asked](int) { return ++asked, KMaxPair{found(9.0), found(9.0)}; };
+  for (const double own : {0.91, 1.0, 1.09}) {
+    const KMaxSets sets = settle(false, {found(own), found(1.0)}, kMostSets, more);
+    EXPECT_EQ(sets.sets, 1);
+    EXPECT_EQ(sets.own.k_max_n_per_mm, own);
+    EXPECT_EQ(sets.own_spread.median, own);
+    EXPECT_EQ(sets.exact_spread.median, 1.0);
+  }
+  // Behind a guard more is no fault; and nothing is found anew where one set was asked for.
+  EXPECT_EQ(settle(true, {found(3.0), found(1.0)}, kMostSets, more).sets, 1);
+  EXPECT_EQ(settle(false, {found(3.0), found(1.0)}, 1, more).own_spread.median, 3.0);
+  EXPECT_EQ(asked, 0);
+}
+
+TEST(KMaxSets, give_the_medians_of_five_where_the_first_is_off_by_more_than_a_tenth) {
+  // By hand: the medians of these are 1.2 and 1.1, which no set has together; the first set is found anew as well.
+  const double own[] = {1.5, 1.0, 1.2, 1.3, 1.1}, exact[] = {1.0, 1.1, 1.3, 0.9, 1.2};
+  const auto more = [&](int i) { return KMaxPair{found(own[i]), found(exact[i])}; };
+  for (const bool guard : {false, true})
+    for (const double first : {0.89, 1.11}) {
+      const KMaxSets sets = settle(guard, {found(first), found(1.0)}, kMostSets, more);
+      EXPECT_EQ(sets.sets, guard && first > 1.0 ? 1 : 5);
+      if (sets.sets == 1) continue;
+      EXPECT_EQ(sets.own_spread.median, 1.2);
+      EXPECT_EQ(sets.own_spread.first, 1.5);
+      EXPECT_EQ(sets.own_spread.least, 1.0);
+      EXPECT_EQ(sets.own_spread.most, 1.5);
+      EXPECT_EQ(sets.exact_spread.median, 1.1);
+      EXPECT_EQ(sets.exact_spread.first, 1.0);
+      EXPECT_EQ(sets.exact_spread.least, 0.9);
+      EXPECT_EQ(sets.exact_spread.most, 1.3);
+      EXPECT_EQ(sets.own.cycle_um, 120.0);  // of the set that is the median
+    }
+  // Where the exact proxy is stable at no stiffness and the method is at some.
+  EXPECT_TRUE(unsettled(false, 0.1, 0.0));
+  EXPECT_FALSE(unsettled(false, 0.0, 0.0));
 }
 
 TEST(KMax, cells_are_those_that_the_laboratory_sweeps) {

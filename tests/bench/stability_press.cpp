@@ -1,0 +1,116 @@
+// How stiff a wall may be in one place, for a method and for the exact proxy; and what is met at half of that.
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "tests/bench/stability.h"
+#include "tests/bench/stability_kmax.h"
+#include "tests/bench/stability_sets.h"
+
+namespace cusp::bench {
+
+namespace {
+
+constexpr int kSeeds = 5, kFewSeeds = 2;
+/// How far out the exact proxy is put to see how fine k_max itself is.
+constexpr double kOutMm = 1e-4;
+
+KMaxCase k_max_case(const CaseRun& what) {
+  KMaxCase out;
+  out.place = what.key;
+  out.guard = what.guard;
+  out.burr_radius_mm = what.burr_radius_mm;
+  out.voxel_mm = what.voxel_mm;
+  out.device = what.setting.device();
+  out.transport = what.setting.transport(what.seed);
+  out.grip = what.setting.hand();
+  out.seeds = what.budget_s < kWholeBudgetS ? kFewSeeds : kSeeds;
+  out.first_seed = (what.seed - 1) * kSeeds + 1;
+  return out;
+}
+
+/// k_max of the exact proxy, which no method, guard or voxel changes: found once.
+const KMax& exact_k_max(const CaseRun& what, double out_mm = 0.0, bool every = false) {
+  using Key = std::tuple<std::string, double, double, double, double, double, std::string, std::uint64_t, double, bool>;
+  static std::map<Key, KMax> known;
+  const Setting& s = what.setting;
+  const Key key{std::string(what.key), what.burr_radius_mm, s.mass_kg, s.damping_ns_per_m, s.friction_n, s.delay_ms,
+                std::string(s.grip),   what.seed,           out_mm,    every};
+  auto found = known.find(key);
+  if (found == known.end()) {
+    KMaxCase exact = k_max_case(what);
+    exact.method.reset();
+    exact.guard = false;
+    exact.out_mm = out_mm;
+    exact.every = every;
+    found = known.emplace(key, find_k_max(exact)).first;
+  }
+  return found->second;
+}
+
+/// Of the first set, and of more where that leaves it open and `what` wants them.
+KMaxSets k_max_sets(PressBench& bench, const KMaxCase& own, const CaseRun& what) {
+  const KMaxPair first{find_k_max(bench, own), exact_k_max(what)};
+  const double near = first.own.k_max_n_per_mm;
+  return settle(what.guard, first, what.settle ? kMostSets : 1, [&](int i) {
+    CaseRun set = what;
+    set.seed += static_cast<std::uint64_t>(i);
+    KMaxCase with = own;
+    with.first_seed = k_max_case(set).first_seed;
+    with.every = true;
+    return KMaxPair{find_k_max(bench, with, near), exact_k_max(set, 0.0, true)};
+  });
+}
+
+}  // namespace
+
+Row press_row(const CaseRun& what) {
+  Row row = row_of(what);
+  row.shape = what.key;
+  KMaxCase own = k_max_case(what);
+  own.method = what.method;
+  PressBench bench(own);
+  const KMaxSets found = k_max_sets(bench, own, what);
+  row.k_max_n_per_mm = found.own_spread.median;
+  row.k_exact_n_per_mm = found.exact_spread.median;
+  row.k_sets = found.sets;
+  if (found.sets > 1) {
+    row.k_first_n_per_mm = found.own_spread.first;
+    row.k_least_n_per_mm = found.own_spread.least;
+    row.k_most_n_per_mm = found.own_spread.most;
+    row.k_exact_first_n_per_mm = found.exact_spread.first;
+    row.k_exact_least_n_per_mm = found.exact_spread.least;
+    row.k_exact_most_n_per_mm = found.exact_spread.most;
+  }
+  row.cycle_um = found.own.cycle_um;
+  row.cycle_hz = found.own.cycle_hz;
+  row.k_exact_out_n_per_mm = exact_k_max(what, kOutMm).k_max_n_per_mm;
+  // At half of what it may be, with every seed that stands in it.
+  const double half = 0.5 * std::min(row.k_max_n_per_mm, row.k_exact_n_per_mm);
+  row.runs = own.seeds * found.sets;
+  row.passed_through = row.stuck = 0;
+  if (!(half > 0.0)) return row;
+  bench.use(own);
+  KMaxCase exact = own;
+  exact.method.reset();
+  exact.guard = false;
+  PressBench reference(exact);
+  row.energy_mj = row.energy_exact_mj = row.force_step_mn = row.guard_step_mn = row.penetration_um = 0.0;
+  row.stuck_ms = 0.0;
+  for (int set = 0; set < found.sets; ++set)
+    for (int nth = 0; nth < own.seeds; ++nth) {
+      const std::uint64_t seed = own.first_seed + static_cast<std::uint64_t>(set * kSeeds + nth);
+      const PressRun run = bench.run(half, seed, false, true);
+      row.energy_mj = std::max(row.energy_mj, run.energy_mj);
+      row.energy_exact_mj = std::max(row.energy_exact_mj, reference.run(half, seed).energy_mj);
+      row.force_step_mn = std::max(row.force_step_mn, run.force_step_mn);
+      row.guard_step_mn = std::max(row.guard_step_mn, run.guard_step_mn);
+      row.penetration_um = std::max(row.penetration_um, run.penetration_um);
+      row.passed_through += run.off_um > 1000.0 * what.burr_radius_mm ? 1 : 0;
+      row.stuck += stuck_for_ms(run.stuck_ms) > 0 ? 1 : 0;
+      row.stuck_ms = std::max(row.stuck_ms, static_cast<double>(stuck_for_ms(run.stuck_ms)));
+    }
+  return row;
+}
+
+}  // namespace cusp::bench
