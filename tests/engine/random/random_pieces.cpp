@@ -4,9 +4,8 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sstream>
-
-#include "engine/step/scene.h"
 
 namespace cusp::test {
 
@@ -17,6 +16,24 @@ void each(auto& counts, Visit&& visit) {
   for (auto* member : {&counts.ticks, &counts.contacts, &counts.faults, &counts.cutting, &counts.cut_bricks,
                        &counts.infeasible, &counts.deferred, &counts.stalled, &counts.overheated})
     visit(*member);
+}
+
+/// Writes the engine's name into a folder that is still empty. The name of the one that the folder is of, where that is
+/// another.
+std::string claim(const std::filesystem::path& folder, const std::string& engine) {
+  const auto file = folder / "engine.txt";
+  if (!std::filesystem::exists(file)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".txt" && entry.path() != file) return "an unnamed engine";
+    // Whole at once, for programs that begin together.
+    const auto own = folder / ("engine." + std::to_string(std::random_device{}()));
+    std::ofstream(own) << engine << '\n';
+    std::filesystem::rename(own, file);
+  }
+  std::string of;
+  std::ifstream in(file);
+  std::getline(in, of);
+  return of == engine ? "" : of.empty() ? "an unnamed engine" : of;
 }
 
 }  // namespace
@@ -44,21 +61,22 @@ std::optional<Seeds> piece_of(Seeds all, std::string_view piece) {
   return Seeds{all.first + all.count() * (which - 1) / pieces, all.first + all.count() * which / pieces - 1};
 }
 
-Done::Done(const std::string& folder, std::string_view method) {
+Done::Done(const std::string& folder, std::string_view method, const std::string& engine) {
   if (folder.empty()) return;
   std::filesystem::create_directories(folder);
+  other_engine_ = claim(folder, engine);
+  if (!other_engine_.empty()) return;
   path_ = folder + "/" + std::string(method) + ".txt";
   std::ifstream in(path_);
   std::string line;
   while (std::getline(in, line)) {
     std::istringstream words(line);
     Line one{};
-    int engine = 0;
-    words >> engine >> one.seed;
+    words >> one.seed;
     each(one.counts, [&](std::uint64_t& n) { words >> n; });
     // A line that a stopped program has left half lacks its full stop.
     std::string stop;
-    if (words >> stop && stop == "." && engine == kEngineVersion && !has(one.seed)) lines_.push_back(one);
+    if (words >> stop && stop == "." && !has(one.seed)) lines_.push_back(one);
   }
 }
 
@@ -69,7 +87,7 @@ bool Done::has(std::uint64_t seed) const {
 void Done::add(std::uint64_t seed, const Counts& counts) {
   if (!has(seed)) lines_.push_back({seed, counts});
   if (path_.empty()) return;
-  std::string line = std::to_string(kEngineVersion) + ' ' + std::to_string(seed);
+  std::string line = std::to_string(seed);
   each(counts, [&](const std::uint64_t& n) { line += ' ' + std::to_string(n); });
   // One write, at the end of the file: of several programs no line ends within another's. The break before it ends a line
   // that was left half.

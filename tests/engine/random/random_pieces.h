@@ -29,11 +29,15 @@ struct Seeds {
 std::optional<Seeds> piece_of(Seeds all, std::string_view piece);
 
 /// Seeds that are done, in a file of the method's own in a folder: a line for each, written when it has passed. Several
-/// programs may add to it. Without a folder nothing is kept.
+/// programs may add to it. Without a folder nothing is kept. A folder is of one engine, whose name stands in its
+/// engine.txt: what another one has passed says nothing of this one.
 class Done {
  public:
-  /// Lines of another engine version do not count.
-  Done(const std::string& folder, std::string_view method);
+  /// engine: names the engine (one line), by its version and a hash of what it was built from.
+  Done(const std::string& folder, std::string_view method, const std::string& engine);
+  /// The engine that the folder is of where that is another; empty where it is this one, and all may go on. A folder
+  /// that holds seeds and does not say of which engine is of "an unnamed engine".
+  const std::string& other_engine() const { return other_engine_; }
   bool has(std::uint64_t seed) const;
   void add(std::uint64_t seed, const Counts& counts);
   /// Of the seeds of a piece that are done.
@@ -45,7 +49,7 @@ class Done {
     std::uint64_t seed;
     Counts counts;
   };
-  std::string path_;
+  std::string path_, other_engine_;
   std::vector<Line> lines_;
 };
 

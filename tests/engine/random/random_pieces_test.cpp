@@ -23,30 +23,48 @@ TEST(RandomPieces, hold_each_seed_once) {
   for (const char* none : {"", "3", "0/4", "5/4", "a/b", "1/4x", "-1/4", "1/0"}) EXPECT_FALSE(piece_of(all, none)) << none;
 }
 
-TEST(RandomPieces, that_are_done_are_remembered_and_half_a_line_is_not) {
-  const auto folder = (std::filesystem::path(testing::TempDir()) / "cusp_random_pieces").string();
+std::string folder_of(const char* name) {
+  const auto folder = (std::filesystem::path(testing::TempDir()) / name).string();
   std::filesystem::remove_all(folder);
+  return folder;
+}
+
+TEST(RandomPieces, that_are_done_are_remembered_and_half_a_line_is_not) {
+  const auto folder = folder_of("cusp_random_pieces");
   Counts counts;
   counts.ticks = kTicksOfASeed;
   counts.contacts = 7;
   counts.overheated = 3;
-  Done first(folder, "surface");
+  Done first(folder, "surface", "one");
   first.add(4, counts);
-  std::ofstream(folder + "/surface.txt", std::ios::app) << "4 5 20000 1";  // stopped in the middle
-  Done second(folder, "surface");
+  std::ofstream(folder + "/surface.txt", std::ios::app) << "5 20000 1";  // stopped in the middle
+  Done second(folder, "surface", "one");
   EXPECT_TRUE(second.has(4));
   EXPECT_FALSE(second.has(5));
   second.add(5, counts);
   second.add(9, counts);
-  const Done third(folder, "surface");
+  const Done third(folder, "surface", "one");
   EXPECT_EQ(third.count({1, 8}), 2u);
   EXPECT_EQ(third.sum({1, 9}).ticks, 3u * kTicksOfASeed);
   EXPECT_EQ(third.sum({4, 4}).contacts, 7u);
   EXPECT_EQ(third.sum({4, 4}).overheated, 3u);
-  EXPECT_EQ(Done(folder, "ray").count({1, 9}), 0u);
-  // Of another engine: not done.
-  std::ofstream(folder + "/surface.txt") << "0 4 20000 1 1 1 1 1 1 1 1 .\n";
-  EXPECT_EQ(Done(folder, "surface").count({1, 9}), 0u);
+  EXPECT_EQ(Done(folder, "ray", "one").count({1, 9}), 0u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RandomPieces, of_another_engine_are_not_gone_on_with) {
+  const auto folder = folder_of("cusp_random_engine");
+  Done(folder, "surface", "one").add(4, Counts{});
+  const Done other(folder, "surface", "two");
+  EXPECT_EQ(other.other_engine(), "one");
+  EXPECT_EQ(other.count({1, 9}), 0u);
+  EXPECT_EQ(Done(folder, "ray", "two").other_engine(), "one");
+  EXPECT_EQ(Done(folder, "surface", "one").other_engine(), "");
+  EXPECT_EQ(Done(folder, "surface", "one").count({1, 9}), 1u);
+  // Seeds, and nobody says of which engine.
+  std::filesystem::remove(folder + "/engine.txt");
+  EXPECT_EQ(Done(folder, "surface", "one").other_engine(), "an unnamed engine");
+  EXPECT_EQ(Done("", "surface", "two").other_engine(), "");
   std::filesystem::remove_all(folder);
 }
 

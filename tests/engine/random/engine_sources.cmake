@@ -1,0 +1,10 @@
+# Writes OUT, a header with a hash of the files NAMES (commas between them) below ROOT.
+string(REPLACE "," ";" names "${NAMES}")
+set(all "")
+foreach(name IN LISTS names)
+  file(SHA256 ${ROOT}/${name} one)
+  string(APPEND all "${one} ${name}\n")
+endforeach()
+string(SHA256 whole "${all}")
+string(SUBSTRING ${whole} 0 16 short)
+file(WRITE ${OUT} "#pragma once\n\nnamespace cusp::test {\ninline constexpr const char* kEngineSources = \"${short}\";\n}\n")
