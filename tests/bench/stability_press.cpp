@@ -84,7 +84,8 @@ Row press_row(const CaseRun& what) {
   }
   row.cycle_um = found.own.cycle_um;
   row.cycle_hz = found.own.cycle_hz;
-  row.k_exact_out_n_per_mm = exact_k_max(what, kOutMm).k_max_n_per_mm;
+  // Where sets are taken they show how fine the measure is.
+  if (!what.settle) row.k_exact_out_n_per_mm = exact_k_max(what, kOutMm).k_max_n_per_mm;
   // At half of what it may be, with every seed that stands in it.
   const double half = 0.5 * std::min(row.k_max_n_per_mm, row.k_exact_n_per_mm);
   row.runs = own.seeds * found.sets;
