@@ -11,9 +11,13 @@ namespace {
 constexpr double kMostOff = 0.3;
 /// Voxels: another surface this far from a point does not end its plane, which is believed 0.8 beside it.
 constexpr double kBeside = 1.6;
-const std::uint16_t kDeep = solid_from_distance(-kBeside);
-/// s of the specimen so far out that none of it is in a cell whose corners all are: half a voxel.
-const std::uint16_t kAir = solid_from_distance(0.5);
+const double kDeep = distance_from_solid(solid_from_distance(-kBeside));
+/// The specimen so far out that none of it is in a cell whose corners all are: half a voxel.
+const double kAir = distance_from_solid(solid_from_distance(0.5));
+/// Voxels: where all corners of a cell are this far in the void, or in the tissue, its field is further than kShallow or
+/// kBeside everywhere: second differences of samples within the band move it by no more than 3/8 of 2 and of 0.8 voxel, and
+/// a tenth of a voxel outside the cell by 0.3 and 0.12 more.
+constexpr double kTaken = 1.6, kUntouched = 2.2;
 /// Voxels: a scratch up to this deep holds a cutting burr though no cell of the cut has it.
 constexpr double kShallow = 0.15;
 
@@ -42,15 +46,29 @@ Tissue tissue_under(const Volume& volume, IVec3 cell, Vec3 place) noexcept {
 
 bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i) noexcept {
   if (made_count_ == made_.size()) return true;
+  ++cells_made_;
   const int o = points.normal[i].cell();
   const IVec3 local(o & 7, o >> 3 & 7, o >> 6);
   const Vec3f place(points.x[i], points.y[i], points.z[i]);
+  const double* low = &samples_[local.x + kSide * (local.y + kSide * local.z)];
+  const double* corners = low + 1 + kSide + kSide * kSide;
+  double least = corners[0], most = corners[0];
+  for (int k = 1; k < 8; ++k) {
+    const double d = corners[(k & 1) + (k >> 1 & 1) * kSide + (k >> 2) * kSide * kSide];
+    least = d < least ? d : least;
+    most = d > most ? d : most;
+  }
+  if (!sharp_ && least > kTaken) return false;
   Made& made = made_[made_count_];
   made = Made{};
   made.at = place;
   base_feature(volume.specimen().surface(), points, i, volume.grid().voxel_mm, made.feature);
+  if (!sharp_ && most < -kUntouched) {
+    ++made_count_;
+    return false;
+  }
   CellField cut;
-  cut.load(&samples_[local.x + kSide * (local.y + kSide * local.z)], kSide, kSide * kSide);
+  cut.load(low, kSide, kSide * kSide);
   Vec3 g;
   const double d = cut.eval(Vec3(place) - Vec3(local), g);
   if (sharp_ && cut.crease_near() && !made.feature.edge && strokes_ != nullptr && stroke_cells_.explain(local, cut, 2)) {
@@ -113,6 +131,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   bool crossed = false;
   for (int i = 1; i < 8; ++i)
     crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
+  cells_made_ += crossed;
   // A thin ridge may pass between corners that are all in the void.
   if (!crossed && !(sharp_ && inside && strokes_ != nullptr && stroke_cells_.several())) return false;
   // Deep in the specimen its own surface is so far from all corners that it ends no plane: nothing of it to keep. Out in the
@@ -121,17 +140,22 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset) noexc
   bool deep = true, air = true;
   const int brick = specimen.brick_index({cell.x >> 3, cell.y >> 3, cell.z >> 3});
   const bool solid = local.x < 7 && local.y < 7 && local.z < 7 && specimen.s_of(brick) == nullptr && specimen.s_in(brick, 0) == kSolid;
-  for (int i = 0; i < 8 && (deep || air) && !solid; ++i) {
-    const std::uint16_t s = specimen.s(cell + IVec3(i & 1, i >> 1 & 1, i >> 2));
-    deep = deep && s >= kDeep;
-    air = air && s <= kAir;
+  const double* base_low = &base_[low - samples_];
+  if (!solid) {
+    if (!base_ready_) decode_base(specimen, {corner.x >> 3, corner.y >> 3, corner.z >> 3});
+    const double* corners = base_low + 1 + kSide + kSide * kSide;
+    for (int i = 0; i < 8 && (deep || air); ++i) {
+      const double d = corners[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide];
+      deep = deep && d <= kDeep;
+      air = air && d >= kAir;
+    }
   }
   if (air && !solid) return false;
   CellField cut;
   cut.load(low, kSide, kSide * kSide);
   if (!crossed && !cut.crease_near()) return false;
   CellField base;
-  if (!deep) base.load(volume, Field::base, cell);
+  if (!deep) base.load(base_low, kSide, kSide * kSide);
   const double voxel = volume.grid().voxel_mm;
   const bool mouth = !deep && base.crossed();  // the cut meets the specimen's own surface
   const auto add_edge = [&](const SharpEdge& edge) {

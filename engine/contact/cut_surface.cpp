@@ -1,6 +1,7 @@
 #include "engine/contact/cut_surface.h"
 
 #include <bit>
+#include <utility>
 
 namespace cusp {
 
@@ -40,7 +41,6 @@ CutSurface::CutSurface(const Volume& volume, const CutMemory* strokes)
     : slots_(volume.cut_capacity()),
       slots_sharp_(volume.cut_capacity(), kAllSlices),
       made_(kMostFeatures),
-      merged_(kMostFeatures),
       strokes_(strokes),
       kept_pages_(std::min(kPages, volume.cut_capacity() * 8)) {
   pages_.resize(kept_pages_ + kMostFeatures / kPage);
@@ -137,7 +137,7 @@ int CutSurface::sharpen_slices(const Volume& volume, int brick, std::uint8_t sli
   const std::uint16_t* values = volume.cut_of(brick);
   const BasePoints points = volume.specimen().surface().in(brick);
   int point = 0;
-  bool any = false;
+  std::uint8_t made = 0;
   for (int z = 0; z < kBrickEdge && budget > 0; ++z) {
     int cost = 0;
     for (; point < points.count && points.normal[point].cell() >> 6 <= z; ++point) cost += points.normal[point].cell() >> 6 == z;
@@ -151,45 +151,62 @@ int CutSurface::sharpen_slices(const Volume& volume, int brick, std::uint8_t sli
     --dull_slices_;
     // A dull cell that is not creased may be a sharp one that is: strokes come to a brick without changing all of it.
     slots_[place].stale[z] = ~std::uint64_t{0};
-    any = true;
+    made = static_cast<std::uint8_t>(made | 1u << z);
     budget -= cost;
   }
-  if (any) static_cast<void>(first(volume, brick));
+  if (made != 0) static_cast<void>(first(volume, brick, [made] { return CellsNear::all().of(made); }));
   return budget;
 }
 
-std::int32_t CutSurface::first(const Volume& volume, int brick) noexcept {
-  Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
-  std::uint64_t any = 0;
-  for (const std::uint64_t word : slot.stale) any |= word;
-  if (any != 0) refresh(volume, brick, slot);
-  return slot.first;
+int CutSurface::prepare(const Volume& volume, int brick, const CellsNear& cells, int budget) noexcept {
+  const Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
+  std::uint8_t slices = 0;
+  for (int z = 0; z < kBrickEdge && budget >= 0; ++z) {
+    const std::uint64_t stale = slot.stale[z] & cells.slice[z];
+    if (stale == 0) continue;
+    budget -= std::popcount(stale);
+    slices = static_cast<std::uint8_t>(slices | 1u << z);
+  }
+  if (slices != 0) refresh(volume, brick, cells.of(slices));
+  return budget;
 }
 
-void CutSurface::decode(const Volume& volume, IVec3 brick) noexcept {
-  const Specimen& specimen = volume.specimen();
-  const auto values_of = [&](IVec3 at) {
-    const int b = specimen.brick_index(at);
-    return b < 0 ? nullptr : volume.cut_of(b);
-  };
+/// The samples of a brick's cells from those of it and its neighbours: source(brick) gives 512 values, or nullptr and what
+/// stands for all of them.
+template <class Source>
+void CutSurface::decode(const Specimen& specimen, IVec3 brick, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept {
   for (int nz = -1; nz <= 1; ++nz)
     for (int ny = -1; ny <= 1; ++ny)
       for (int nx = -1; nx <= 1; ++nx) {
-        const std::uint16_t* values = values_of(brick + IVec3(nx, ny, nz));
+        const auto [values, uniform] = source(specimen.brick_index(brick + IVec3(nx, ny, nz)));
         const IVec3 from(nx < 0 ? 7 : 0, ny < 0 ? 7 : 0, nz < 0 ? 7 : 0);
         const IVec3 to(nx > 0 ? 1 : 7, ny > 0 ? 1 : 7, nz > 0 ? 1 : 7);
         for (int z = from.z; z <= to.z; ++z)
           for (int y = from.y; y <= to.y; ++y) {
-            double* row = &samples_[(nx * 8 + from.x + 1) + kSide * ((ny * 8 + y + 1) + kSide * (nz * 8 + z + 1))];
+            double* row = &samples[(nx * 8 + from.x + 1) + kSide * ((ny * 8 + y + 1) + kSide * (nz * 8 + z + 1))];
             const int count = to.x - from.x + 1;
             if (values != nullptr) {
               const std::uint16_t* s = values + (from.x | y << 3 | z << 6);
               for (int x = 0; x < count; ++x) row[x] = distance_from_solid(s[x]);
             } else {
-              for (int x = 0; x < count; ++x) row[x] = -kBandVoxels;
+              for (int x = 0; x < count; ++x) row[x] = uniform;
             }
           }
       }
+}
+
+void CutSurface::decode_cut(const Volume& volume, IVec3 brick) noexcept {
+  decode(volume.specimen(), brick, samples_, [&volume](int b) {
+    return std::pair<const std::uint16_t*, double>(b < 0 ? nullptr : volume.cut_of(b), -kBandVoxels);
+  });
+}
+
+void CutSurface::decode_base(const Specimen& specimen, IVec3 brick) noexcept {
+  base_ready_ = true;
+  decode(specimen, brick, base_, [&specimen](int b) {
+    return std::pair<const std::uint16_t*, double>(b < 0 ? nullptr : specimen.s_of(b),
+                                                   distance_from_solid(b < 0 ? std::uint16_t{0} : specimen.s_in(b, 0)));
+  });
 }
 
 void CutSurface::decode_wide(const Volume& volume, IVec3 brick) noexcept {
@@ -220,83 +237,98 @@ void CutSurface::decode_wide(const Volume& volume, IVec3 brick) noexcept {
       }
 }
 
-void CutSurface::refresh(const Volume& volume, int brick, Slot& slot) noexcept {
+void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept {
+  Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
+  std::uint64_t any = 0;
+  for (int z = 0; z < kBrickEdge; ++z) any |= slot.stale[z] & cells.slice[z];
+  if (any == 0) return;
   const IVec3 at = volume.specimen().brick_at(brick);
   const IVec3 corner = at * kBrickEdge;
   const std::uint16_t* values = volume.cut_of(brick);
-  const auto is_stale = [&slot](int o) { return slot.stale[o >> 6] >> (o & 63) & 1; };
+  ++revision_;
 
-  // What is still true, in cell order; its pages are free for the new list.
-  std::size_t old = 0;
-  for (std::int32_t p = slot.first; p >= 0;) {
-    const Page& page = pages_[static_cast<std::size_t>(p)];
-    for (int i = 0; i < page.count; ++i)
-      if (!is_stale(page.feature[i].cell)) made_[old++] = {{page.x[i], page.y[i], page.z[i]}, page.feature[i]};
-    if (p < static_cast<std::int32_t>(kept_pages_)) free_.push_back(p);
-    p = page.next;
-  }
-  made_count_ = old;
-
-  // The cells that are not, in cell order.
+  // The cells that are no longer true, of those that are asked for, in cell order.
+  made_count_ = 0;
   if (strokes_ != nullptr) stroke_cells_.turn_to(*strokes_, volume.grid(), corner);
   bool decoded = false;
-  wide_ready_ = false;
+  wide_ready_ = base_ready_ = false;
   const std::uint8_t sharp = slots_sharp_[static_cast<std::size_t>(volume.cut_slot(brick))];
   const BasePoints points = volume.specimen().surface().in(brick);
   int next_point = 0;
   for (int z = 0; z < 8; ++z) {
     sharp_ = (sharp >> z & 1) != 0;
-    for (std::uint64_t left = slot.stale[z]; left != 0; left &= left - 1) {
+    for (std::uint64_t left = slot.stale[z] & cells.slice[z]; left != 0; left &= left - 1) {
       const int o = z << 6 | std::countr_zero(left);
       slot.creased[z] &= ~(std::uint64_t{1} << (o & 63));
       while (next_point < points.count && points.normal[next_point].cell() < o) ++next_point;
       while (next_point < points.count && points.normal[next_point].cell() == o) {
-        if (!decoded) decode(volume, at);
+        if (!decoded) decode_cut(volume, at);
         decoded = true;
         if (make_base(volume, points, next_point)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
         ++next_point;
       }
       if (values[o] < kLeast || values[o] > kMost) continue;
-      if (!decoded) decode(volume, at);
+      if (!decoded) decode_cut(volume, at);
       decoded = true;
       if (make_cell(volume, corner, o)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
     }
-    slot.stale[z] = 0;
   }
+  put(slot);
 
-  // Both in cell order: merge.
-  std::size_t a = 0, b = old, n = 0;
-  while (a < old || b < made_count_) {
-    const bool take_old = b >= made_count_ || (a < old && made_[a].feature.cell < made_[b].feature.cell);
-    merged_[n++] = take_old ? made_[a++] : made_[b++];
-  }
+  // Where no room was left they serve until the next brick is asked for.
+  for (int z = 0; z < 8; ++z) slot.stale[z] = slot.first < 0 || kept(slot.first) ? slot.stale[z] & ~cells.slice[z] : ~std::uint64_t{0};
+}
 
-  // Into pages; where no room is left, into those that serve one brick until the next is asked.
-  const std::size_t needed = (n + kPage - 1) / kPage;
-  const bool room = needed <= free_.size();
-  slot.first = -1;
-  std::int32_t* link = &slot.first;
-  for (std::size_t i = 0, k = 0; i < n; i += kPage, ++k) {
-    std::int32_t p = static_cast<std::int32_t>(kept_pages_ + k);
-    if (room) {
-      p = free_.back();
-      free_.pop_back();
+/// What is still true of a brick's features, and what was made, in cell order: into new pages; where no room is left for them,
+/// into those that serve one brick.
+void CutSurface::put(Slot& slot) noexcept {
+  std::size_t old_count = 0;
+  if (!kept(slot.first)) slot.first = -1;
+  for (std::int32_t p = slot.first; p >= 0; p = pages_[static_cast<std::size_t>(p)].next)
+    old_count += static_cast<std::size_t>(pages_[static_cast<std::size_t>(p)].count);
+  const bool room = (old_count + made_count_ + kPage - 1) / kPage <= free_.size();
+  std::int32_t from = slot.first, last = -1;
+  std::size_t spare = kept_pages_;
+  std::int32_t first = -1;
+  const auto add = [&](float x, float y, float z, const CutFeature& feature) {
+    if (last < 0 || pages_[static_cast<std::size_t>(last)].count == kPage) {
+      std::int32_t p = static_cast<std::int32_t>(spare);
+      if (room) {
+        p = free_.back();
+        free_.pop_back();
+      } else {
+        ++spare;
+      }
+      (last < 0 ? first : pages_[static_cast<std::size_t>(last)].next) = p;
+      pages_[static_cast<std::size_t>(p)].count = 0;
+      pages_[static_cast<std::size_t>(p)].next = -1;
+      last = p;
     }
-    Page& page = pages_[static_cast<std::size_t>(p)];
-    page.count = static_cast<std::int32_t>(std::min<std::size_t>(kPage, n - i));
-    page.next = -1;
-    for (int j = 0; j < page.count; ++j) {
-      const Made& m = merged_[i + static_cast<std::size_t>(j)];
-      page.x[j] = m.at.x;
-      page.y[j] = m.at.y;
-      page.z[j] = m.at.z;
-      page.feature[j] = m.feature;
+    Page& page = pages_[static_cast<std::size_t>(last)];
+    page.x[page.count] = x;
+    page.y[page.count] = y;
+    page.z[page.count] = z;
+    page.feature[page.count++] = feature;
+  };
+  std::size_t next = 0;
+  const auto add_made_before = [&](int cell) {
+    for (; next < made_count_ && made_[next].feature.cell <= cell; ++next)
+      add(made_[next].at.x, made_[next].at.y, made_[next].at.z, made_[next].feature);
+  };
+  while (from >= 0) {
+    const Page& page = pages_[static_cast<std::size_t>(from)];
+    for (int i = 0; i < page.count; ++i) {
+      const int cell = page.feature[i].cell;
+      if ((slot.stale[cell >> 6] >> (cell & 63) & 1) != 0) continue;
+      add_made_before(cell);
+      add(page.x[i], page.y[i], page.z[i], page.feature[i]);
     }
-    *link = p;
-    link = &page.next;
+    const std::int32_t done = from;
+    from = page.next;
+    free_.push_back(done);
   }
-  if (!room)
-    for (std::uint64_t& word : slot.stale) word = ~std::uint64_t{0};
+  add_made_before(kBrickVoxels);
+  slot.first = first;
 }
 
 }  // namespace cusp

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/contact/cells_near.h"
 #include "engine/contact/stroke_cells.h"
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
@@ -84,19 +85,34 @@ class CutSurface {
     forget();
   }
 
-  /// First page of a brick's features, brought up to date; -1 when it has none. Valid until the next call.
-  /// Pre: volume.has_cut(brick).
-  std::int32_t first(const Volume& volume, int brick) noexcept;
+  /// First page of a brick's features, brought up to date for cells() (CellsNear); -1 when it has none. Of other cells what
+  /// has changed is left out. Valid until the next call. Pre: volume.has_cut(brick).
+  template <class Cells>
+  std::int32_t first(const Volume& volume, int brick, Cells&& cells) noexcept {
+    const Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
+    std::uint64_t any = 0;
+    for (const std::uint64_t stale : slot.stale) any |= stale;
+    if (any != 0) refresh(volume, brick, cells());
+    return slot.first;
+  }
+  /// Brings cells up to date, slice by slice, while `budget` lasts (of cells looked at); returns what is left of it, less than
+  /// 0 when some have to wait. Pre: volume.has_cut(brick).
+  int prepare(const Volume& volume, int brick, const CellsNear& cells, int budget) noexcept;
   const Page& page(std::int32_t i) const noexcept { return pages_[static_cast<std::size_t>(i)]; }
 
+  /// Rises whenever a brick's features are put anew: pages read before no longer hold.
+  std::uint64_t revision() const noexcept { return revision_; }
+
   /// False for a page that holds one brick's features only until the next brick is asked for: room has run out.
-  bool kept(std::int32_t i) const noexcept { return static_cast<std::size_t>(i) < kept_pages_; }
+  bool kept(std::int32_t i) const noexcept { return i >= 0 && static_cast<std::size_t>(i) < kept_pages_; }
 
   /// Everything is to be read anew (after the volume was loaded). Which slices are sharp stays.
   void forget() noexcept;
 
-  /// Cells whose edges have been looked for so far, the costliest work there is here; for tests and benches.
+  /// Cells whose edges have been looked for so far, the costliest work there is here, and all that the surface passes or
+  /// the specimen has a point in; for tests and benches.
   std::uint64_t cells_sharpened() const noexcept { return cells_sharpened_; }
+  std::uint64_t cells_made() const noexcept { return cells_made_; }
 
  private:
   struct Slot {
@@ -114,9 +130,13 @@ class CutSurface {
   static constexpr int kWide = 15;
   static constexpr std::uint8_t kAllSlices = 0xff;
 
-  void refresh(const Volume& volume, int brick, Slot& slot) noexcept;
+  void refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept;
   void count_dull() noexcept;
-  void decode(const Volume& volume, IVec3 brick) noexcept;
+  void put(Slot& slot) noexcept;
+  void decode_cut(const Volume& volume, IVec3 brick) noexcept;
+  void decode_base(const Specimen& specimen, IVec3 brick) noexcept;
+  template <class Source>
+  static void decode(const Specimen& specimen, IVec3 brick, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept;
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
   /// True when the cell is creased: never where it is dull.
   bool make_cell(const Volume& volume, IVec3 corner, int offset) noexcept;
@@ -130,16 +150,16 @@ class CutSurface {
   std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
   std::vector<std::int32_t> free_;
   std::vector<Made> made_;    // of the brick being refreshed
-  std::vector<Made> merged_;
   const CutMemory* strokes_;
   StrokeCells stroke_cells_;
   bool on_ = true;
   bool sharp_ = true;        // the slice of the cell being made
   bool wide_ready_ = false;  // wide_ is of the brick being refreshed
-  std::uint64_t cells_sharpened_ = 0;
+  bool base_ready_ = false;  // base_ is
+  std::uint64_t cells_sharpened_ = 0, cells_made_ = 0, revision_ = 0;
   std::size_t made_count_ = 0;
   std::size_t kept_pages_ = 0;
-  double samples_[kSide * kSide * kSide];
+  double samples_[kSide * kSide * kSide], base_[kSide * kSide * kSide];
   double wide_[kWide * kWide * kWide];
 };
 

@@ -36,6 +36,7 @@ class SurfaceContact {
   /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
   SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory);
 
+  static constexpr int kAnyCells = 1 << 30;
   static constexpr double kAnyWay = 1e9;  // mm: most_mm where the pose may go as far as it must
 
   /// From `from` (admissible) towards `device`. ahead: how the proxy may be expected to move, where the search begins to
@@ -184,6 +185,7 @@ class SurfaceContact {
     std::uint16_t burr = 0;
     bool valid = false;
     Vec3 axis{0.0};
+    std::uint64_t revision = 0;  // of the cut's surface
   };
   /// Poses known to be free: within margin of centre, the whole burr beyond a plane that no tissue nearby passes.
   struct FreeSpace {
@@ -214,10 +216,13 @@ class SurfaceContact {
   void features_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, Visit&& visit) noexcept;
   template <class Visit>
   void head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm, Visit&& visit) const noexcept;
-  template <class Choose, class Visit>
-  void features(const Volume& volume, int brick, IVec3 at, Choose&& choose, Visit&& visit) noexcept;
-  template <class Choose>
-  void gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, bool shank, Choose&& near) noexcept;
+  template <class Cells, class Choose, class Visit>
+  void features(const Volume& volume, int brick, IVec3 at, Cells&& cells, Choose&& choose, Visit&& visit) noexcept;
+  /// Brings the cells of the cut that two cylinders reach up to date while `budget` lasts; what is left of it.
+  int prepare_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, int budget) noexcept;
+  template <class Cells, class Choose>
+  void gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, bool shank, Cells&& cells,
+                   Choose&& near) noexcept;
   void gather_shank(const Volume& volume, const Tool& tool, Vec3 centre, double reach) noexcept;
   template <class Visit>
   void ball_bricks(const Volume& volume, Vec3 centre, double reach, Visit&& visit) const noexcept;
@@ -240,8 +245,9 @@ class SurfaceContact {
   void lay_faces(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
   void lay(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
   void lay_plane(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept;
+  CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
-  bool nearest_to_ball(const Volume& volume, double radius_mm, Vec3 pose, Vec3& n) noexcept;
+  bool nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
   bool nearest_to_head(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
   void find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept;
   void foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 device) noexcept;

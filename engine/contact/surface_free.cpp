@@ -12,20 +12,39 @@ namespace {
 constexpr double kFreeMargin = 0.5;   // mm: how far a look for free space goes
 constexpr double kCloseMm = 0.2;      // mm: the nearest point is looked for first so near
 constexpr double kLeastFree = 0.02;   // mm: less is not worth keeping
+constexpr int kCellsATick = 400;      // looked at anew for it: some 0.1 ms
 constexpr int kPause = 16;            // looks that are skipped where there was too little
 
 }  // namespace
 
 void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
   free_.valid = false;
+  // What has changed about the burr is made out some a tick; until then a search answers.
+  int budget = kCellsATick;
+  if (tool.ball()) {
+    ball_bricks(volume, pose, tool.burr->radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
+      const Vec3 corner = volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge);
+      if (budget >= 0 && volume.has_cut(brick)) budget = cut_.prepare(volume, brick, cells_free(tool, pose, corner), budget);
+    });
+  } else {
+    budget = prepare_within(volume, tool.axis, pose, head_within(tool, kFreeMargin), budget);
+  }
+  if (budget >= 0) budget = prepare_within(volume, tool.axis, pose, shank_within(tool, kFreeMargin), budget);
+  if (budget < 0) return;
   // The plane of the nearest point, moved up to the highest point of every brick in reach of head, neck and shank, and
   // half a voxel more for what stands between points.
   Vec3 n = tool.axis;
   if (tool.ball())
-    nearest_to_ball(volume, tool.burr->radius_mm, pose, n);
+    nearest_to_ball(volume, tool, pose, n);
   else
     nearest_to_head(volume, tool, pose, n);
   if (!raise_free(volume, tool, pose, n)) free_pause_ = kPause;
+}
+
+/// Cells of a brick within the margin of a ball.
+CellsNear SurfaceContact::cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept {
+  const double per_mm = 1.0 / voxel_mm_;
+  return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.burr->radius_mm + kFreeMargin) * per_mm + kLoose));
 }
 
 /// Normal of the surface's point that is nearest to a head that is no ball; false, and n as it was, where none is near.
@@ -45,7 +64,8 @@ bool SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec
 }
 
 /// The same of a ball.
-bool SurfaceContact::nearest_to_ball(const Volume& volume, double r, Vec3 pose, Vec3& n) noexcept {
+bool SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
+  const double r = tool.burr->radius_mm;
   double nearest2 = 1e300;
   Vec3 nearest(0.0);
   for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
@@ -78,7 +98,7 @@ bool SurfaceContact::nearest_to_ball(const Volume& volume, double r, Vec3 pose, 
         });
         return;
       }
-      for (std::int32_t p = cut_.first(volume, brick); p >= 0; p = cut_.page(p).next) {
+      for (std::int32_t p = cut_.first(volume, brick, [&] { return cells_free(tool, pose, corner_mm); }); p >= 0; p = cut_.page(p).next) {
         const CutSurface::Page& page = cut_.page(p);
         look(page.x, page.y, page.z, page.count, corner_mm,
              [&](int i) -> const CutFeature& { return page.feature[i]; });
@@ -96,7 +116,7 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
   FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false, tool.axis};
   double highest = -1e300;
   const Vec3f slim_n(n);
-  const auto raise = [&](int brick, IVec3 at) {
+  const auto raise = [&](int brick, IVec3 at, auto&& cells) {
     // Its highest corner along n is not above what there is.
     if (found.bounded && !volume.has_cut(brick)) {
       const PointsBox& box = boxes_[static_cast<std::size_t>(brick)];
@@ -107,7 +127,7 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
       if (top <= highest) return;
     }
     features(
-        volume, brick, at,
+        volume, brick, at, cells,
         [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&&) {
           if (count == 0) return;
           found.bounded = true;
@@ -116,8 +136,22 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
         },
         [](Vec3, const CutFeature&) {});
   };
-  head_bricks(volume, tool, pose, kFreeMargin, raise);
-  bricks_within(volume, tool.axis, pose, shank_within(tool, kFreeMargin), raise);
+  const auto raise_in = [&](const Reach& reach) {
+    TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
+    bricks_within(volume, tool.axis, pose, reach, [&](int brick, IVec3 at) {
+      raise(brick, at, [&](Vec3 corner_mm) {
+        shape.at = Vec3f((pose - corner_mm) * (1.0 / voxel_mm_));
+        return CellsNear::cylinders(shape);
+      });
+    });
+  };
+  if (tool.ball())
+    ball_bricks(volume, pose, burr.radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
+      raise(brick, at, [&](Vec3 corner_mm) { return cells_free(tool, pose, corner_mm); });
+    });
+  else
+    raise_in(head_within(tool, kFreeMargin));
+  raise_in(shank_within(tool, kFreeMargin));
   if (found.bounded) {
     const double up = glm::dot(n, tool.axis);
     if (up < 0.0) return false;

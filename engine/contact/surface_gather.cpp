@@ -10,8 +10,17 @@ namespace cusp {
 namespace {
 
 // What is gathered serves while the burr stays this near: some steps' way.
-constexpr double kStepsAhead = 8.0;
+constexpr double kStepsAhead = 8.0, kStepsCutting = 2.0;
 constexpr double kLeastMargin = 0.06, kMostMargin = 0.4;  // mm
+
+/// Cells that two cylinders reach, of a brick in which they stand at a place.
+auto cells_of(TwoCylinders shape) noexcept {
+  return [shape](Vec3f local) {
+    TwoCylinders there = shape;
+    there.at = local;
+    return CellsNear::cylinders(there);
+  };
+}
 
 }  // namespace
 
@@ -83,11 +92,11 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
   }
 }
 
-/// Candidates from a brick, not made yet. near(x, y, z, count, local, sharp, pass): which places to take; local: the centre
-/// in voxels from the brick's corner; sharp: edges may be among them.
-template <class Choose>
+/// Candidates from a brick, not made yet. near(x, y, z, count, local, sharp, pass): which places to take, in cells(local);
+/// local: the centre in voxels from the brick's corner; sharp: edges may be among them.
+template <class Cells, class Choose>
 void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, bool shank,
-                                 Choose&& near) noexcept {
+                                 Cells&& cells, Choose&& near) noexcept {
   const bool cut = volume.has_cut(brick);
   const bool sharp = cut || boxes_[static_cast<std::size_t>(brick)].edges;
   edges_ = edges_ || sharp;
@@ -103,7 +112,7 @@ void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 ce
     gather_near(points.x, points.y, points.z, points.count, nullptr);
     return;
   }
-  for (std::int32_t p = cut_.first(volume, brick); p >= 0; p = cut_.page(p).next) {
+  for (std::int32_t p = cut_.first(volume, brick, [&] { return cells(local); }); p >= 0; p = cut_.page(p).next) {
     const CutSurface::Page& page = cut_.page(p);
     const std::size_t before = count_;
     gather_near(page.x, page.y, page.z, page.count, &page);
@@ -123,11 +132,14 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const double edge_mm = 0.7 * voxel_mm_;
   edges_ = false;
   const double per_mm = 1.0 / voxel_mm_;
+  // With the shank's cells in the same bricks: what brings a brick's cells up to date moves its pages.
+  const Reach beside = shank_within(tool, margin_mm);
+  const auto shank_cells = cells_of(cylinders_of(beside.from, beside.wide_from, beside.to, beside.slim, beside.thick, tool.axis, per_mm));
   if (!tool.ball()) {
     const Reach reach = head_within(tool, margin_mm + std::max(edge_mm, kPlaneReach * voxel_mm_));
     TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, per_mm);
     bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
-      gather_from(volume, tool, centre, brick, at, false,
+      gather_from(volume, tool, centre, brick, at, false, [&](Vec3f local) { return cells_of(shape)(local) | shank_cells(local); },
                   [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
                     shape.at = local;
                     for_inside(x, y, z, count, shape, pass);
@@ -139,6 +151,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const double edge_reach = reach + edge_mm;
   ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
     gather_from(volume, tool, centre, brick, at, false,
+                [&](Vec3f local) { return CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kLoose)) | shank_cells(local); },
                 [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool sharp, auto&& pass) {
                   const double wide = (sharp ? edge_reach : reach) * per_mm + kLoose;
                   for_near(x, y, z, count, local, static_cast<float>(wide * wide), pass);
@@ -167,7 +180,7 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
   TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, tool.axis, 1.0 / voxel_mm_);
   const bool edges = edges_;  // an edge of theirs is a point
   bricks_within(volume, tool.axis, centre, reach, [&](int brick, IVec3 at) {
-    gather_from(volume, tool, centre, brick, at, true,
+    gather_from(volume, tool, centre, brick, at, true, cells_of(shape),
                 [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool, auto&& pass) {
                   shape.at = local;
                   for_inside(x, y, z, count, shape, pass);
@@ -176,21 +189,34 @@ void SurfaceContact::gather_shank(const Volume& volume, const Tool& tool, Vec3 c
   edges_ = edges;
 }
 
+int SurfaceContact::prepare_within(const Volume& volume, Vec3 axis, Vec3 centre, const Reach& reach, int budget) noexcept {
+  const double per_mm = 1.0 / voxel_mm_;
+  TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, axis, per_mm);
+  bricks_within(volume, axis, centre, reach, [&](int brick, IVec3 at) {
+    if (budget < 0 || !volume.has_cut(brick)) return;
+    shape.at = Vec3f((centre - (volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * per_mm);
+    budget = cut_.prepare(volume, brick, CellsNear::cylinders(shape), budget);
+  });
+  return budget;
+}
+
 /// Brings what a search of one step from `centre` may touch to hand: a little more than that, for the next few.
 void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre, double step) noexcept {
   const auto reaches = [&](const Gathered& g) {
     const Vec3 off = centre - g.centre;
     const double left = g.margin_mm - step;
-    return g.valid && g.burr == tool.index && g.axis == tool.axis && left >= 0.0 && glm::dot(off, off) <= left * left;
+    return g.valid && g.revision == cut_.revision() && g.burr == tool.index && g.axis == tool.axis && left >= 0.0 && glm::dot(off, off) <= left * left;
   };
   if (!reaches(gathered_)) {
-    const double margin = step + std::min(kMostMargin, std::max(kLeastMargin, kStepsAhead * step));
+    // While the burr cuts it serves until the next piece is carved, no longer.
+    const double ahead = cut_.sharpens() ? kStepsAhead : kStepsCutting;
+    const double margin = step + std::min(kMostMargin, std::max(kLeastMargin, ahead * step));
     count_ = 0;
-    gathered_ = {centre, margin, tool.index, true, tool.axis};
     gather_head(volume, tool, centre, margin);
     ball_count_ = count_;
     gather_shank(volume, tool, centre, margin);
     shank_count_ = count_ - ball_count_;
+    gathered_ = {centre, margin, tool.index, true, tool.axis, cut_.revision()};
   }
   count_ = ball_count_ + shank_count_;
 }

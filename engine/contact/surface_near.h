@@ -42,9 +42,10 @@ inline TwoCylinders cylinders_of(double from, double wide_from, double to, doubl
 }
 
 /// Calls chosen(x, y, z, count, corner mm, visit(i)) with the places of a brick's points and edges, in voxels from its
-/// first voxel, in cell order, and visit(place mm, feature) for those that it lets through.
-template <class Choose, class Visit>
-void SurfaceContact::features(const Volume& volume, int brick, IVec3 at, Choose&& choose, Visit&& visit) noexcept {
+/// first voxel, in cell order, and visit(place mm, feature) for those that it lets through. Of a brick that was cut at
+/// least those of cells(corner mm).
+template <class Cells, class Choose, class Visit>
+void SurfaceContact::features(const Volume& volume, int brick, IVec3 at, Cells&& cells, Choose&& choose, Visit&& visit) noexcept {
   const Grid& grid = volume.grid();
   const Vec3 corner_mm = grid.origin_mm + grid.voxel_mm * Vec3(at * kBrickEdge);
   if (!volume.has_cut(brick)) {
@@ -56,7 +57,7 @@ void SurfaceContact::features(const Volume& volume, int brick, IVec3 at, Choose&
     });
     return;
   }
-  for (std::int32_t p = cut_.first(volume, brick); p >= 0;) {
+  for (std::int32_t p = cut_.first(volume, brick, [&] { return cells(corner_mm); }); p >= 0;) {
     const CutSurface::Page& page = cut_.page(p);
     choose(page.x, page.y, page.z, page.count, corner_mm, [&](int i) {
       visit(corner_mm + grid.voxel_mm * Vec3(page.x[i], page.y[i], page.z[i]), page.feature[i]);
@@ -177,10 +178,14 @@ void SurfaceContact::features_within(const Volume& volume, Vec3 axis, Vec3 centr
   const double per_mm = 1.0 / voxel_mm_;
   TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, axis, per_mm);
   bricks_within(volume, axis, centre, reach, [&](int brick, IVec3 at) {
+    const auto place = [&](Vec3 corner_mm) {
+      shape.at = Vec3f((centre - corner_mm) * per_mm);
+      return shape;
+    };
     features(
-        volume, brick, at,
+        volume, brick, at, [&](Vec3 corner_mm) { return CellsNear::cylinders(place(corner_mm)); },
         [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
-          shape.at = Vec3f((centre - corner_mm) * per_mm);
+          static_cast<void>(place(corner_mm));
           for_inside(x, y, z, count, shape, pass);
         },
         visit);
