@@ -19,7 +19,8 @@ Vec3 nearest_on(const CutMemory::Segment& s, Vec3 y) noexcept {
 }
 }  // namespace
 
-CutMemory::CutMemory() : segments_(kSegments), blocks_(kSegments / kBlock), nodes_(kNodes), heads_(kBuckets, -1) {}
+CutMemory::CutMemory()
+    : segments_(kSegments), nodes_of_(kSegments), blocks_(kSegments / kBlock), nodes_(kNodes), heads_(kBuckets, -1) {}
 
 std::size_t CutMemory::bucket(IVec3 c) noexcept {
   const auto h = static_cast<std::uint32_t>(c.x) * 73856093u ^ static_cast<std::uint32_t>(c.y) * 19349663u ^
@@ -27,35 +28,54 @@ std::size_t CutMemory::bucket(IVec3 c) noexcept {
   return (h ^ h >> 15) & (kBuckets - 1);
 }
 
-void CutMemory::link(std::int32_t index) noexcept {
-  const Segment& s = segments_[static_cast<std::size_t>(index)];
+void CutMemory::link(std::size_t place) noexcept {
+  const Segment& s = segments_[place];
   const IVec3 low = cell_of(glm::min(s.a, s.b) - kReachMm, kCellMm);
   const IVec3 high = cell_of(glm::max(s.a, s.b) + kReachMm, kCellMm);
   for (int z = low.z; z <= high.z; ++z)
     for (int y = low.y; y <= high.y; ++y)
       for (int x = low.x; x <= high.x; ++x) {
+        if (nodes_of_[place] == kMostCells) return;
         const std::size_t b = bucket({x, y, z});
-        if (nodes_used_ == kNodes) return;
         // A growing segment is linked again at each step: once a bucket is enough.
-        if (heads_[b] >= 0 && nodes_[static_cast<std::size_t>(heads_[b])].segment == index) continue;
-        nodes_[nodes_used_] = {index, heads_[b]};
-        heads_[b] = static_cast<std::int32_t>(nodes_used_++);
+        const std::int32_t head = heads_[b];
+        const bool known = head >= 0 && age(head) <= node_count_ && nodes_[static_cast<std::size_t>(head)].bucket == b;
+        if (known && nodes_[static_cast<std::size_t>(head)].segment == place) continue;
+        while (node_count_ == kNodes) forget_oldest();
+        nodes_[next_node_] = {known ? head : -1, static_cast<std::uint16_t>(place), static_cast<std::uint16_t>(b)};
+        heads_[b] = static_cast<std::int32_t>(next_node_);
+        next_node_ = next_node_ + 1 == kNodes ? 0 : next_node_ + 1;
+        ++node_count_;
+        ++nodes_of_[place];
       }
 }
 
-void CutMemory::rebuild() noexcept {
-  std::fill(heads_.begin(), heads_.end(), -1);
-  std::fill(blocks_.begin(), blocks_.end(), Block{});
-  nodes_used_ = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    link(static_cast<std::int32_t>(i));
-    enclose(i);
-  }
+/// Its nodes are the oldest as well.
+void CutMemory::forget_oldest() noexcept {
+  node_count_ -= nodes_of_[first_];
+  nodes_of_[first_] = 0;
+  first_ = (first_ + 1) % kSegments;
+  --count_;
 }
 
-void CutMemory::enclose(std::size_t i) noexcept {
-  const Segment& s = segments_[i];
-  Block& block = blocks_[i / kBlock];
+void CutMemory::append(const Segment& segment) noexcept {
+  if (count_ == kSegments) forget_oldest();
+  ++count_;
+  const std::size_t place = newest();
+  segments_[place] = segment;
+  if (place % kBlock == 0) {
+    // The box anew: of the places that are left of it.
+    blocks_[place / kBlock] = Block{};
+    if (count_ > kSegments - kBlock)
+      for (std::size_t i = place + 1; i < place + kBlock; ++i) enclose(i);
+  }
+  link(place);
+  enclose(place);
+}
+
+void CutMemory::enclose(std::size_t place) noexcept {
+  const Segment& s = segments_[place];
+  Block& block = blocks_[place / kBlock];
   if (s.by.head != Sweeper::kBall) return;
   block.low = glm::min(block.low, glm::min(s.a, s.b) - s.by.radius_mm);
   block.high = glm::max(block.high, glm::max(s.a, s.b) + s.by.radius_mm);
@@ -71,11 +91,13 @@ int CutMemory::reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment>
   const Vec3 half = 0.5 * (high - low);
   const double around = std::sqrt(glm::dot(half, half)) + reach_mm;
   std::size_t found = 0, last = 0;
-  for (std::size_t block = 0; block * kBlock < count_; ++block) {
-    if (apart(blocks_[block].low, blocks_[block].high)) continue;
-    const std::size_t end = std::min(count_, (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) {
-      const Segment& s = segments_[i];
+  for (std::size_t from = 0, to = 0; from < count_; from = to) {
+    // As far as a block goes, in the order of time.
+    const std::size_t place = (first_ + from) % kSegments;
+    to = std::min(count_, from + kBlock - place % kBlock);
+    if (apart(blocks_[place / kBlock].low, blocks_[place / kBlock].high)) continue;
+    for (std::size_t i = from; i < to; ++i) {
+      const Segment& s = segment(i);
       if (s.by.head != Sweeper::kBall) continue;
       if (apart(glm::min(s.a, s.b) - s.by.radius_mm, glm::max(s.a, s.b) + s.by.radius_mm)) continue;
       const Vec3 off = nearest_on(s, middle) - middle;
@@ -100,15 +122,8 @@ int CutMemory::reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment>
 }
 
 bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
-  if (count_ == kSegments || nodes_used_ > kNodes - kMostCells) {
-    const std::size_t keep = count_ / 2;
-    std::copy(segments_.begin() + static_cast<std::ptrdiff_t>(count_ - keep),
-              segments_.begin() + static_cast<std::ptrdiff_t>(count_), segments_.begin());
-    count_ = keep;
-    rebuild();
-  }
   if (open_ && count_ > 0) {
-    Segment& last = segments_[count_ - 1];
+    Segment& last = segments_[newest()];
     const Vec3 gap = from - last.b;
     if (last.by == by && glm::dot(gap, gap) < kStraightMm * kStraightMm) {
       const Segment longer{last.a, to, by};
@@ -116,24 +131,20 @@ bool CutMemory::add(Vec3 from, Vec3 to, const Sweeper& by) noexcept {
       const Vec3 off = nearest_on(longer, last.b) - last.b;
       if (glm::dot(along, along) <= kLongestMm * kLongestMm && glm::dot(off, off) < kStraightMm * kStraightMm) {
         last.b = to;
-        enclose(count_ - 1);
-        link(static_cast<std::int32_t>(count_ - 1));
+        enclose(newest());
+        link(newest());
         return true;
       }
     }
   }
-  segments_[count_] = {from, to, by};
-  link(static_cast<std::int32_t>(count_));
-  if (count_ % kBlock == 0) blocks_[count_ / kBlock] = Block{};
-  enclose(count_);
-  ++count_;
+  append({from, to, by});
   open_ = true;
   return false;
 }
 
 bool CutMemory::straight_from(Vec3 p) const noexcept {
   if (count_ == 0) return false;
-  const Vec3 off = nearest_on(segments_[count_ - 1], p) - p;
+  const Vec3 off = nearest_on(segments_[newest()], p) - p;
   return glm::dot(off, off) < kStraightMm * kStraightMm;
 }
 
@@ -141,12 +152,18 @@ int CutMemory::near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) c
   int found = 0;
   std::int32_t last = -1;
   int visited = 0;
-  for (std::int32_t n = heads_[bucket(cell_of(y, kCellMm))]; n >= 0 && found + 1 < kMost && visited < 256; ++visited) {
+  const std::size_t b = bucket(cell_of(y, kCellMm));
+  std::int32_t n = heads_[b];
+  if (n >= 0 && nodes_[static_cast<std::size_t>(n)].bucket != b) n = -1;
+  for (std::size_t before = 0; n >= 0 && found + 1 < kMost && visited < 256; ++visited) {
+    const std::size_t now = age(n);
+    if (now <= before || now > node_count_) break;
+    before = now;
     const Node& node = nodes_[static_cast<std::size_t>(n)];
     n = node.next;
     if (node.segment == last) continue;
     last = node.segment;
-    const Segment& s = segments_[static_cast<std::size_t>(node.segment)];
+    const Segment& s = segments_[node.segment];
     if (!s.by.holds(tool)) continue;
     // The part of the segment inside the ball of reach about y.
     const Vec3 along = s.b - s.a;
@@ -172,10 +189,13 @@ int CutMemory::near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) c
 }
 
 void CutMemory::load(const std::vector<Segment>& segments, bool open) noexcept {
-  count_ = std::min(segments.size(), kSegments);
-  std::copy_n(segments.begin(), count_, segments_.begin());
+  first_ = count_ = next_node_ = node_count_ = 0;
+  std::fill(heads_.begin(), heads_.end(), -1);
+  std::fill(nodes_of_.begin(), nodes_of_.end(), std::uint16_t{0});
+  std::fill(blocks_.begin(), blocks_.end(), Block{});
+  const std::size_t skip = segments.size() > kSegments ? segments.size() - kSegments : 0;
+  for (std::size_t i = skip; i < segments.size(); ++i) append(segments[i]);
   open_ = open;
-  rebuild();
 }
 
 }  // namespace cusp

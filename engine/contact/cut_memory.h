@@ -1,6 +1,6 @@
 /// Where the burr has been while cutting: a pose that has cut is admissible for ever, since the burr fitted there.
-/// Segments of past cut poses, merged while straight, found by place. Fixed memory; when it is full the oldest half is
-/// forgotten (a jam may then return at an old hole, never a wrong force). Thread: haptic.
+/// Segments of past cut poses, merged while straight, found by place. Fixed memory, as rings: when it is full each new
+/// segment takes the oldest one's place (a jam may then return at an old hole, never a wrong force). Thread: haptic.
 #pragma once
 
 #include <array>
@@ -53,39 +53,50 @@ class CutMemory {
   /// -1 when `out` has no room for them.
   int reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment> out) const noexcept;
 
-  /// For saving and hashing: oldest first. load() replaces all.
+  static constexpr std::size_t kSegments = 32768;
+  /// For saving and hashing: oldest first. load() replaces all, with the newest of what there is room for.
   std::size_t size() const noexcept { return count_; }
-  const Segment& segment(std::size_t i) const noexcept { return segments_[i]; }
+  const Segment& segment(std::size_t i) const noexcept { return segments_[(first_ + i) % kSegments]; }
   bool open() const noexcept { return open_; }
   void load(const std::vector<Segment>& segments, bool open) noexcept;
 
  private:
+  /// Segments near a cell, newest first. Places in the ring are taken anew in turn: `next` holds while it is older than this
+  /// one and not yet forgotten, a bucket's head while it is of that bucket besides.
   struct Node {
-    std::int32_t segment = -1;
     std::int32_t next = -1;
+    std::uint16_t segment = 0, bucket = 0;
   };
-  static constexpr std::size_t kSegments = 32768;
   static constexpr std::size_t kNodes = kSegments * 12;  // 0.1 mm and reach touch some 8 cells
   static constexpr std::size_t kMostCells = 4096;        // of one segment: 7 mm across the grain of the cells
   static constexpr std::size_t kBuckets = 16384;
+  static_assert(kSegments <= 65536 && kBuckets <= 65536, "their numbers are kept in 16 bits");
   static constexpr double kCellMm = 0.15;
 
-  /// Box about the swept balls of kBlock segments, in order.
+  /// Box about the swept balls of kBlock places in a row, of which some may hold no segment any more.
   static constexpr std::size_t kBlock = 64;
   struct Block {
     Vec3 low{1e300}, high{-1e300};
   };
-  void enclose(std::size_t segment) noexcept;
-  void link(std::int32_t segment) noexcept;
-  void rebuild() noexcept;
+  std::size_t newest() const noexcept { return (first_ + count_ - 1) % kSegments; }
+  void append(const Segment& segment) noexcept;
+  void forget_oldest() noexcept;
+  void enclose(std::size_t place) noexcept;
+  void link(std::size_t place) noexcept;
+  /// Ticks of the ring since a node was written, from 1 on.
+  std::size_t age(std::int32_t node) const noexcept {
+    const auto n = static_cast<std::size_t>(node);
+    return next_node_ > n ? next_node_ - n : next_node_ + kNodes - n;
+  }
   static std::size_t bucket(IVec3 cell) noexcept;
 
-  std::vector<Segment> segments_;
+  std::vector<Segment> segments_;            // a ring
+  std::vector<std::uint16_t> nodes_of_;      // [place]: how many
   std::vector<Block> blocks_;
-  std::vector<Node> nodes_;
+  std::vector<Node> nodes_;                  // a ring
   std::vector<std::int32_t> heads_;
-  std::size_t count_ = 0;
-  std::size_t nodes_used_ = 0;
+  std::size_t first_ = 0, count_ = 0;        // of segments_
+  std::size_t next_node_ = 0, node_count_ = 0;
   bool open_ = false;  // the last segment may grow
 };
 
