@@ -1,11 +1,12 @@
 /// The surface of a brick that a burr has reached, as points and edges in cell order: what is left of the specimen's own
 /// points, the cut's points, and the edges where surfaces meet. Computed when contact asks for a brick, kept until a voxel
-/// that it was read from changes. What it answers depends on the volume, the strokes that made it and on which slices are
+/// that it was read from changes. What it answers depends on the volume, the strokes that made it and on which parts are
 /// sharp alone, so that an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features.
 ///
-/// A slice (eight of a brick, along z) is *sharp* where ridges between cuts are found to their edge, *dull* where they are
-/// rounded as the field has them. While the burr cuts all are dull; afterwards they are sharpened some a tick
-/// (sharpen_slices), for an edge costs ten times a smooth cell. Which are sharp is part of the step's state.
+/// A part (sixteen of a brick: halves of its slices, four rows of eight cells each) is *sharp* where ridges between cuts are
+/// found to their edge, *dull* where they are rounded as the field has them. While the burr cuts all are dull; afterwards
+/// they are sharpened some a tick (sharpen_parts), for an edge costs ten times a smooth cell. Which are sharp is part of the
+/// step's state.
 /// Thread: haptic.
 #pragma once
 
@@ -56,29 +57,33 @@ class CutSurface {
   /// The same, and dulled: for changes too large to be made out to their edges at once.
   void changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
-  /// Off: every slice is dull from now on. On: bricks that are cut from now on are sharp; those that were stay dull until
-  /// sharpen_slices() comes to them.
+  /// Off: every part is dull from now on. On: bricks that are cut from now on are sharp; those that were stay dull until
+  /// sharpen_parts() comes to them.
   void sharpen(const Volume& volume, bool on) noexcept;
   bool sharpens() const noexcept { return on_; }
-  /// Slices that are dull still, while it sharpens.
-  std::size_t dull_slices() const noexcept { return dull_slices_; }
+  /// Parts that are dull still, while it sharpens.
+  std::size_t dull_parts() const noexcept { return dull_parts_; }
 
-  /// Dull slices of a brick, a bit each. Pre: volume.has_cut(brick).
-  std::uint8_t dull(const Volume& volume, int brick) const noexcept;
-  /// What may be sharpened in a tick, or one slice if that is more: a cell that strokes tell takes up to 20 us.
-  static constexpr int kSharpenATick = 32;
-  /// Sharpens dull slices of a brick among `slices`, lowest first, and makes them out at once, while `budget` lasts (of
-  /// kSharpenATick); returns what is left of it, 0 when a slice has to wait. A slice costs its voxels that the cut's surface
+  /// Parts of a brick: bit 2 z of the rows 0 to 3 of slice z, the next one of the rows 4 to 7.
+  using Parts = std::uint16_t;
+  static constexpr Parts kAllParts = 0xffff;
+  static constexpr Parts parts_of_slice(int z) noexcept { return static_cast<Parts>(3u << (2 * z)); }
+  /// Dull parts of a brick. Pre: volume.has_cut(brick).
+  Parts dull(const Volume& volume, int brick) const noexcept;
+  /// What may be sharpened in a tick, or one part if that is more: a cell that strokes tell takes up to 20 us.
+  static constexpr int kSharpenATick = 24;
+  /// Sharpens dull parts of a brick among `parts`, lowest first, and makes them out at once, while `budget` lasts (of
+  /// kSharpenATick); returns what is left of it, 0 when a part has to wait. A part costs its voxels that the cut's surface
   /// passes, and its points of the specimen's.
-  int sharpen_slices(const Volume& volume, int brick, std::uint8_t slices, int budget) noexcept;
+  int sharpen_parts(const Volume& volume, int brick, Parts parts, int budget) noexcept;
 
-  /// For saving: sharp slices of a brick, a bit each.
-  std::uint8_t sharp(const Volume& volume, int brick) const noexcept { return static_cast<std::uint8_t>(~dull(volume, brick)); }
+  /// For saving: sharp parts of a brick.
+  Parts sharp(const Volume& volume, int brick) const noexcept { return static_cast<Parts>(~dull(volume, brick)); }
   /// Replaces which are sharp, of all of volume.cut_bricks(): sharp_of(brick). Everything is to be read anew.
   template <class SharpOf>
   void load_sharp(const Volume& volume, bool on, SharpOf&& sharp_of) noexcept {
     on_ = on;
-    std::fill(slots_sharp_.begin(), slots_sharp_.end(), on ? kAllSlices : std::uint8_t{0});
+    std::fill(slots_sharp_.begin(), slots_sharp_.end(), on ? kAllParts : Parts{0});
     for (const std::int32_t brick : volume.cut_bricks())
       slots_sharp_[static_cast<std::size_t>(volume.cut_slot(brick))] = sharp_of(brick);
     count_dull();
@@ -106,7 +111,7 @@ class CutSurface {
   /// False for a page that holds one brick's features only until the next brick is asked for: room has run out.
   bool kept(std::int32_t i) const noexcept { return i >= 0 && static_cast<std::size_t>(i) < kept_pages_; }
 
-  /// Everything is to be read anew (after the volume was loaded). Which slices are sharp stays.
+  /// Everything is to be read anew (after the volume was loaded). Which parts are sharp stays.
   void forget() noexcept;
 
   /// Cells whose edges have been looked for so far, the costliest work there is here, and all that the surface passes or
@@ -128,9 +133,13 @@ class CutSurface {
   static constexpr int kSide = 11;
   /// Three more below, four above: what an edge's look at the cells two away reads.
   static constexpr int kWide = 15;
-  static constexpr std::uint8_t kAllSlices = 0xff;
 
   void refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept;
+  /// Cells of these parts in a slice.
+  static std::uint64_t cells_of(Parts parts, int z) noexcept {
+    const unsigned both = parts >> (2 * z) & 3u;
+    return (both & 1u ? 0xffffffffull : 0) | (both & 2u ? 0xffffffff00000000ull : 0);
+  }
   void count_dull() noexcept;
   void put(Slot& slot) noexcept;
   void decode_cut(const Volume& volume, IVec3 brick) noexcept;
@@ -139,21 +148,20 @@ class CutSurface {
   static void decode(const Specimen& specimen, IVec3 brick, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept;
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
   /// True when the cell is creased: never where it is dull.
-  bool make_cell(const Volume& volume, IVec3 corner, int offset) noexcept;
+  bool make_cell(const Volume& volume, IVec3 corner, int offset, bool sharp) noexcept;
   /// The same.
-  bool make_base(const Volume& volume, const BasePoints& points, int i) noexcept;
+  bool make_base(const Volume& volume, const BasePoints& points, int i, bool sharp) noexcept;
   void make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept;
 
   std::vector<Slot> slots_;
-  std::size_t dull_slices_ = 0;            // of the bricks that are cut, while it sharpens
-  std::vector<std::uint8_t> slots_sharp_;  // [slot]: a bit for each sharp slice; state, all else is kept for speed
+  std::size_t dull_parts_ = 0;      // of the bricks that are cut, while it sharpens
+  std::vector<Parts> slots_sharp_;  // [slot]: sharp parts; state, all else is kept for speed
   std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
   std::vector<std::int32_t> free_;
   std::vector<Made> made_;    // of the brick being refreshed
   const CutMemory* strokes_;
   StrokeCells stroke_cells_;
   bool on_ = true;
-  bool sharp_ = true;        // the slice of the cell being made
   bool wide_ready_ = false;  // wide_ is of the brick being refreshed
   bool base_ready_ = false;  // base_ is
   std::uint64_t cells_sharpened_ = 0, cells_made_ = 0, revision_ = 0;

@@ -10,7 +10,7 @@ namespace cusp {
 namespace {
 
 // What is gathered serves while the burr stays this near: some steps' way.
-constexpr double kStepsAhead = 8.0, kStepsCutting = 2.0;
+constexpr double kStepsAhead = 8.0, kStepsMeanwhile = 2.0;
 constexpr double kLeastMargin = 0.06, kMostMargin = 0.4;  // mm
 
 /// Cells that two cylinders reach, of a brick in which they stand at a place.
@@ -208,8 +208,8 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
     return g.valid && g.revision == cut_.revision() && g.burr == tool.index && g.axis == tool.axis && left >= 0.0 && glm::dot(off, off) <= left * left;
   };
   if (!reaches(gathered_)) {
-    // While the burr cuts it serves until the next piece is carved, no longer.
-    const double ahead = cut_.sharpens() ? kStepsAhead : kStepsCutting;
+    // While the burr cuts it serves until the next piece is carved, while edges are found until the next tick.
+    const double ahead = sharp_ ? kStepsAhead : kStepsMeanwhile;
     const double margin = step + std::min(kMostMargin, std::max(kLeastMargin, ahead * step));
     count_ = 0;
     gather_head(volume, tool, centre, margin);

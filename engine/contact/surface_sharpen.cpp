@@ -21,7 +21,7 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
     sharp_ = on;
   }
   if (!on) return;
-  if (cut_.dull_slices() == 0) {
+  if (cut_.dull_parts() == 0) {
     sharp_ = true;
     return;
   }
@@ -30,15 +30,16 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
 
   const Tool tool{&burr, axis};
   const double side = voxel_mm_;
-  // Slices of a brick near the head of a ball; of another head all.
+  // Parts of a brick near the head of a ball; of another head all.
   const auto near = [&](IVec3 at, double margin) {
-    if (!tool.ball()) return std::uint8_t{0xff};
-    std::uint8_t out = 0;
+    if (!tool.ball()) return CutSurface::kAllParts;
+    CutSurface::Parts out = 0;
     const Vec3 corner = volume.grid().origin_mm + side * Vec3(at * kBrickEdge);
     const double reach = burr.radius_mm + margin;
-    for (int z = 0; z < kBrickEdge; ++z) {
-      const Vec3 low = corner + Vec3(-0.2, -0.2, z - 0.2) * side, high = corner + Vec3(8.2, 8.2, z + 1.2) * side;
-      out = static_cast<std::uint8_t>(out | (box_distance2(pose, low, high) <= reach * reach ? 1u << z : 0u));
+    for (int part = 0; part < 2 * kBrickEdge; ++part) {
+      const double y = part % 2 * 4.0, z = part / 2;
+      const Vec3 low = corner + Vec3(-0.2, y - 0.2, z - 0.2) * side, high = corner + Vec3(8.2, y + 4.2, z + 1.2) * side;
+      out = static_cast<CutSurface::Parts>(out | (box_distance2(pose, low, high) <= reach * reach ? 1u << part : 0u));
     }
     return out;
   };
@@ -47,13 +48,13 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
   // The head first, then the shank.
   head_bricks(volume, tool, pose, kSharpenWithin + kDullFar, [&](int brick, IVec3 at) {
     if (!volume.has_cut(brick)) return;
-    const std::uint8_t dull = cut_.dull(volume, brick);
+    const CutSurface::Parts dull = cut_.dull(volume, brick);
     if (dull == 0 || (dull & near(at, kSharpenWithin + kDullFar)) == 0) return;
     far = true;
-    const auto wanted = static_cast<std::uint8_t>(dull & near(at, kSharpenWithin));
+    const auto wanted = static_cast<CutSurface::Parts>(dull & near(at, kSharpenWithin));
     if (wanted == 0) return;
     any = true;
-    if (budget > 0) budget = cut_.sharpen_slices(volume, brick, wanted, budget);
+    if (budget > 0) budget = cut_.sharpen_parts(volume, brick, wanted, budget);
   });
   const auto shank = [&](double margin, auto&& visit) {
     bricks_within(volume, axis, pose, shank_within(tool, margin), [&](int brick, IVec3) {
@@ -63,7 +64,7 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
   if (budget > 0)
     shank(kSharpenWithin, [&](int brick) {
       any = true;
-      if (budget > 0) budget = cut_.sharpen_slices(volume, brick, 0xff, budget);
+      if (budget > 0) budget = cut_.sharpen_parts(volume, brick, CutSurface::kAllParts, budget);
     });
   if (any) {
     gathered_.valid = free_.valid = false;

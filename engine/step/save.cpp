@@ -212,7 +212,7 @@ std::vector<std::byte> StepState::save() const {
     w.u(cut.sharpens() ? 1 : 0, 1);
     std::vector<std::int32_t> bricks(s.volume.cut_bricks().begin(), s.volume.cut_bricks().end());
     std::sort(bricks.begin(), bricks.end());
-    for (const std::int32_t brick : bricks) w.u(cut.sharp(s.volume, brick), 1);
+    for (const std::int32_t brick : bricks) w.u(cut.sharp(s.volume, brick), 2);
   }
   return w.take();
 }
@@ -275,7 +275,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   if (s.surface) {
     // Loaded bricks come in index order, as they were written.
     const bool on = r.u(1) != 0;
-    s.surface->load_sharp(s.volume, on, [&r](std::int32_t) { return static_cast<std::uint8_t>(r.u(1)); });
+    s.surface->load_sharp(s.volume, on, [&r](std::int32_t) { return static_cast<CutSurface::Parts>(r.u(2)); });
   }
   if (!r.done()) return std::nullopt;
   s.method->reload(s);

@@ -102,10 +102,10 @@ std::uint64_t StepState::hash() const noexcept {
     h.add(cut.sharpens() ? 1u : 0u);
     std::uint64_t sum = 0;
     for (const std::int32_t brick : s.volume.cut_bricks()) {
-      const std::uint8_t sharp = cut.sharp(s.volume, brick);
-      if (sharp == (cut.sharpens() ? 0xff : 0)) continue;
+      const CutSurface::Parts sharp = cut.sharp(s.volume, brick);
+      if (sharp == (cut.sharpens() ? CutSurface::kAllParts : 0)) continue;
       Hash64 one;
-      one.add(static_cast<std::uint64_t>(brick) << 8 | sharp);
+      one.add(static_cast<std::uint64_t>(brick) << 16 | sharp);
       sum += one.value();
     }
     h.add(sum);

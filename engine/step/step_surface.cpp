@@ -196,10 +196,12 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
 
     // Sliding: a burr that moves this far in a tick may stand only so deep, if nothing recedes faster than it wears.
     const double slide = length_of(slid);
+    bool carved = false;
     if (slide > kLeastSlideMm && advance > 0.0) {
       const double tau = slide_depth(burr, axis, direction, slid, advance);
       if (tau < kShallowTauMm) {
         out.overflow = !carve_pending(state, out.burr) || out.overflow;
+        carved = true;
         Vec3 out_pose;
         const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
         if (surface.push_out(state.volume, burr, axis, pose, shallow, out_pose)) {
@@ -244,8 +246,9 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
     }
     state.cut_valid = true;
 
-    // Before contact is looked for again: how the proxy moves because the field has changed is no slide.
-    if (state.owed_piece.next >= 0) out.overflow = !carve_some(state, bricks_a_tick(state)) || out.overflow;
+    // Before contact is looked for again: how the proxy moves because the field has changed is no slide. Once a tick: what
+    // is about the burr is made out anew after it.
+    if (state.owed_piece.next >= 0 && !carved) out.overflow = !carve_some(state, bricks_a_tick(state)) || out.overflow;
     contact = surface.after_cut(state.volume, scene, out.burr, axis, contact, device, advance);
     out.infeasible = out.infeasible || contact.infeasible;
     out.overflow = out.overflow || contact.overflow;

@@ -31,7 +31,7 @@ constexpr int kScratching = 7 * 200 - 100;
 
 std::uint64_t sharpened(StepState& state) { return state.inner().surface->cut_surface().cells_sharpened(); }
 
-int dull_slices(StepState& state) {
+int dull_parts(StepState& state) {
   int count = 0;
   for (const std::int32_t brick : state.volume().cut_bricks())
     count += std::popcount(state.inner().surface->cut_surface().dull(state.volume(), brick));
@@ -56,15 +56,15 @@ TEST(Sharpening, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has
   StepState state = scratched(block());
   ASSERT_GT(state.volume().cut_bricks().size(), 8u);
   std::uint64_t before = sharpened(state), most = 0, all = 0;
-  int dull = dull_slices(state), most_slices = 0, busy = 0;
+  int dull = dull_parts(state), most_parts = 0, busy = 0;
   for (int k = 0; k < 300; ++k) {
     step(state, resting());
     const std::uint64_t now = sharpened(state);
     most = std::max(most, now - before);
     all += now - before;
     before = now;
-    const int left = dull_slices(state);
-    most_slices = std::max(most_slices, dull - left);
+    const int left = dull_parts(state);
+    most_parts = std::max(most_parts, dull - left);
     busy += left < dull;
     dull = left;
   }
@@ -74,17 +74,17 @@ TEST(Sharpening, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has
   EXPECT_GT(all, 20u);
   EXPECT_LE(2 * most, all);
   EXPECT_GE(busy, 4) << "measured " << busy;
-  EXPECT_LT(most_slices, 60);
+  EXPECT_LT(most_parts, 60);
 }
 
 TEST(Sharpening, all_about_the_burr_is_sharp_soon_after) {
   StepState state = scratched(block());
-  ASSERT_GT(dull_slices(state), 0);
-  int ticks = 0, left = dull_slices(state), last = -1;
+  ASSERT_GT(dull_parts(state), 0);
+  int ticks = 0, left = dull_parts(state), last = -1;
   for (; left != last || ticks < 5; ++ticks) {
     last = left;
     step(state, resting());
-    left = dull_slices(state);
+    left = dull_parts(state);
     ASSERT_LT(ticks, 200);
   }
   // What is far from the burr waits until it comes there.
@@ -98,10 +98,10 @@ TEST(Sharpening, a_key_state_taken_half_way_goes_on_to_the_same_hash) {
   const auto scene = block();
   StepState whole = scratched(scene);
   for (int k = 0; k < 4; ++k) step(whole, resting());
-  const int dull = dull_slices(whole);
+  const int dull = dull_parts(whole);
   auto resumed = StepState::restore(scene, whole.save());
   ASSERT_TRUE(resumed);
-  EXPECT_EQ(dull_slices(*resumed), dull);
+  EXPECT_EQ(dull_parts(*resumed), dull);
   EXPECT_EQ(resumed->hash(), whole.hash());
   EXPECT_EQ(resumed->save(), whole.save());
   for (int k = 0; k < 400; ++k) {
@@ -113,7 +113,7 @@ TEST(Sharpening, a_key_state_taken_half_way_goes_on_to_the_same_hash) {
     ASSERT_EQ(x.proxy_mm, y.proxy_mm) << k;
     ASSERT_EQ(x.force_n, y.force_n) << k;
     if (k == 20) {
-      EXPECT_LT(dull_slices(whole), dull);  // it goes on
+      EXPECT_LT(dull_parts(whole), dull);  // it goes on
     }
   }
   EXPECT_EQ(resumed->hash(), whole.hash());
@@ -126,7 +126,7 @@ TEST(Sharpening, what_is_sharp_is_in_the_hash) {
   auto b = StepState::restore(a.inner().scene, a.save());
   ASSERT_TRUE(b);
   ASSERT_EQ(a.hash(), b->hash());
-  b->inner().surface->load_sharp(b->volume(), true, [](std::int32_t) { return std::uint8_t{0xff}; });
+  b->inner().surface->load_sharp(b->volume(), true, [](std::int32_t) { return CutSurface::kAllParts; });
   EXPECT_NE(a.hash(), b->hash());
 }
 
