@@ -78,6 +78,7 @@ class SurfaceContact {
   static constexpr int kMostPasses = 48, kMostLooks = 16000;
   static constexpr int kLooksOfPass = 20;  // what a pass costs besides
   void allow_passes() noexcept {
+    looked_ = looks();
     passes_left_ = kMostPasses;
     looks_left_ = kMostLooks;
   }
@@ -101,6 +102,8 @@ class SurfaceContact {
 
   /// Ticks that the cached clearance answered; for benches.
   std::uint64_t answered_free() const noexcept { return answered_free_; }
+  /// Candidates that searches have looked at, passes counted as so many more; for tests and benches.
+  std::int64_t looks() const noexcept { return looked_ + kMostLooks - looks_left_; }
   /// Most candidates that one search has looked at; for benches.
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
@@ -298,6 +301,7 @@ class SurfaceContact {
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
   int passes_left_ = kMostPasses, looks_left_ = kMostLooks;
+  std::int64_t looked_ = 0;
   bool sharp_ = true;                  // all about the burr is
   /// Nothing dull within kDullFar of here, when valid.
   struct DullFar {
