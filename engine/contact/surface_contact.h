@@ -73,9 +73,9 @@ class SurfaceContact {
   }
 
   /// How many passes the searches from here on may take together, or however many look at no more candidates than this, each
-  /// search at least one: what is still on its way then goes on in the next tick. A look takes some 40 ns; a wide burr, or a
-  /// long flank, lies near thousands.
-  static constexpr int kMostPasses = 48, kMostLooks = 16000;
+  /// search at least one: what is still on its way then goes on in the next tick. A look takes some 25 ns, and up to as much
+  /// again what follows of it; a wide burr, or a long flank, lies near thousands.
+  static constexpr int kMostPasses = 48, kMostLooks = 10000;
   static constexpr int kLooksOfPass = 20;  // what a pass costs besides
   void allow_passes() noexcept {
     looked_ = looks();
