@@ -36,7 +36,6 @@ class SurfaceContact {
   /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
   SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory);
 
-  static constexpr int kAnyCells = 1 << 30;
   static constexpr double kAnyWay = 1e9;  // mm: most_mm where the pose may go as far as it must
 
   /// From `from` (admissible) towards `device`. ahead: how the proxy may be expected to move, where the search begins to
@@ -302,7 +301,7 @@ class SurfaceContact {
   bool overflow_ = false;
   int passes_left_ = kMostPasses, looks_left_ = kMostLooks;
   std::int64_t looked_ = 0;
-  bool sharp_ = true;                  // all about the burr is
+  bool sharp_ = true;                  // no part about the burr is dull
   /// Nothing dull within kDullFar of here, when valid.
   struct DullFar {
     Vec3 at{0.0}, axis{0.0};

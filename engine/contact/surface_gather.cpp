@@ -205,7 +205,8 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   const auto reaches = [&](const Gathered& g) {
     const Vec3 off = centre - g.centre;
     const double left = g.margin_mm - step;
-    return g.valid && g.revision == cut_.revision() && g.burr == tool.index && g.axis == tool.axis && left >= 0.0 && glm::dot(off, off) <= left * left;
+    return g.valid && g.revision == cut_.revision() && g.burr == tool.index && g.axis == tool.axis && left >= 0.0 &&
+           glm::dot(off, off) <= left * left;
   };
   if (!reaches(gathered_)) {
     // While the burr cuts it serves until the next piece is carved, while edges are found until the next tick.

@@ -178,14 +178,10 @@ void SurfaceContact::features_within(const Volume& volume, Vec3 axis, Vec3 centr
   const double per_mm = 1.0 / voxel_mm_;
   TwoCylinders shape = cylinders_of(reach.from, reach.wide_from, reach.to, reach.slim, reach.thick, axis, per_mm);
   bricks_within(volume, axis, centre, reach, [&](int brick, IVec3 at) {
-    const auto place = [&](Vec3 corner_mm) {
-      shape.at = Vec3f((centre - corner_mm) * per_mm);
-      return shape;
-    };
+    shape.at = Vec3f((centre - (volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * per_mm);
     features(
-        volume, brick, at, [&](Vec3 corner_mm) { return CellsNear::cylinders(place(corner_mm)); },
-        [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& pass) {
-          static_cast<void>(place(corner_mm));
+        volume, brick, at, [&](Vec3) { return CellsNear::cylinders(shape); },
+        [&](const float* x, const float* y, const float* z, int count, Vec3, auto&& pass) {
           for_inside(x, y, z, count, shape, pass);
         },
         visit);
