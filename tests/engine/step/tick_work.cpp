@@ -15,7 +15,7 @@ using namespace test;
 
 constexpr double kRadius = 0.5;
 
-/// What was counted, as microseconds of a Xeon at 2.6 GHz: measured over a session of ten minutes there.
+/// What was counted, as microseconds of an EPYC at 2.6 GHz: measured over a session of ten minutes there.
 struct Work {
   std::int64_t looks = 0;
   std::uint64_t made = 0, sharpened = 0;
