@@ -246,9 +246,12 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
     }
     state.cut_valid = true;
 
-    // Before contact is looked for again: how the proxy moves because the field has changed is no slide. Once a tick: what
-    // is about the burr is made out anew after it.
-    if (state.owed_piece.next >= 0 && !carved) out.overflow = !carve_some(state, bricks_a_tick(state)) || out.overflow;
+    // Before contact is looked for again: how the proxy moves because the field has changed is no slide. A small burr's piece
+    // only once a tick: what is about the burr is made out anew after it.
+    if (state.owed_piece.next >= 0) {
+      const int bricks = bricks_a_tick(state);
+      if (!carved || bricks != kAllBricks) out.overflow = !carve_some(state, bricks) || out.overflow;
+    }
     contact = surface.after_cut(state.volume, scene, out.burr, axis, contact, device, advance);
     out.infeasible = out.infeasible || contact.infeasible;
     out.overflow = out.overflow || contact.overflow;
