@@ -20,29 +20,19 @@ constexpr int kMostSteps = 64;
 constexpr double kGainMm = 0.004;     // that the crest is deeper than where steps to four sides end: measured 1.4 um at most
 constexpr double kCrestMm = 0.02, kCrestFirstMm = 0.008, kCrestLastMm = 1e-4, kCrestLeastMm = 0.002;
 constexpr int kCrestStrokes = 64, kCrestSteps = 32;
+constexpr int kMostAsked = 30000;     // distances to strokes, some 4 ns each: then where it has come to is deep enough
 constexpr double kUntold = 0.02;      // voxels that a sample may be deeper in the cut than the strokes say
-
-/// Distance of a place to what a stroke took, and the way off it.
-double off_stroke(const CutMemory::Segment& s, Vec3 place, Vec3& off, double& away) noexcept {
-  const Vec3 along = s.b - s.a, from = place - s.a;
-  const double square = glm::dot(along, along);
-  double part = square > 1e-18 ? glm::dot(from, along) / square : 0.0;
-  part = part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
-  off = from - along * part;
-  away = std::sqrt(glm::dot(off, off));
-  return away - s.by.radius_mm;
-}
-double off_stroke(const CutMemory::Segment& s, Vec3 place) noexcept {
-  Vec3 off;
-  double away;
-  return off_stroke(s, place, off, away);
-}
 
 }  // namespace
 
+double UncutPlace::Taken::off(Vec3 place) const noexcept {
+  const Vec3 from_axis = off_axis(place);
+  return std::sqrt(glm::dot(from_axis, from_axis)) - radius_mm;
+}
+
 /// What lies beside a place of the ball's surface: strokes, and the face they were cut into.
 struct UncutPlace::Crest {
-  std::array<const CutMemory::Segment*, kCrestStrokes> stroke;
+  std::array<const Taken*, kCrestStrokes> stroke;
   int strokes = 0;
   Vec3 face_normal{0.0};
   double face_level = 0.0;  // of the face: its normal times a place of it
@@ -56,7 +46,11 @@ struct UncutPlace::Crest {
   };
   void look(Vec3 x, Seen& out) const noexcept {
     const auto last = static_cast<std::size_t>(strokes);
-    for (std::size_t k = 0; k < last; ++k) out.depth[k] = off_stroke(*stroke[k], x, out.off[k], out.away[k]);
+    for (std::size_t k = 0; k < last; ++k) {
+      out.off[k] = stroke[k]->off_axis(x);
+      out.away[k] = std::sqrt(glm::dot(out.off[k], out.off[k]));
+      out.depth[k] = out.away[k] - stroke[k]->radius_mm;
+    }
     out.depth[last] = face_level - glm::dot(face_normal, x);
     out.off[last] = -face_normal;
     out.away[last] = 1.0;
@@ -115,8 +109,14 @@ struct UncutPlace::Crest {
 UncutPlace::UncutPlace(const Volume& volume, const CutMemory& memory, double radius_mm, Vec3 pose, Vec3 towards) noexcept
     : volume_{volume}, radius_{radius_mm}, pose_{pose}, towards_{towards} {
   const Vec3 foot = pose + towards * radius_mm;
-  strokes_ = memory.reaching(foot - kReachMm, foot + kReachMm, kNearMm, stroke_);
+  std::array<CutMemory::Segment, kStrokes> found;
+  strokes_ = memory.reaching(foot - kReachMm, foot + kReachMm, kNearMm, found);
   if (strokes_ <= 0) return;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(strokes_); ++i) {
+    const Vec3 along = found[i].b - found[i].a;
+    const double square = glm::dot(along, along);
+    stroke_[i] = {found[i].a, along, square > 1e-18 ? 1.0 / square : 0.0, found[i].by.radius_mm};
+  }
   const double face = base_distance_mm(volume.specimen(), foot, &normal_);
   level_ = glm::dot(normal_, foot) - face;
 }
@@ -127,7 +127,12 @@ double UncutPlace::depth(Vec3 place, double enough_mm) noexcept {
   double least = level_ - glm::dot(normal_, place);
   for (int i = 0; i < at_hand_ && least > enough_mm; ++i) {
     std::uint16_t& which = order_[static_cast<std::size_t>(i)];
-    const double d = off_stroke(stroke_[which], place);
+    const Taken& taken = stroke_[which];
+    const Vec3 off = taken.off_axis(place);
+    const double off2 = glm::dot(off, off), reach = least + taken.radius_mm;
+    ++asked_;
+    if (reach > 0.0 && off2 >= reach * reach) continue;  // it is not the nearest: no root
+    const double d = std::sqrt(off2) - taken.radius_mm;
     least = d < least ? d : least;
     if (least <= enough_mm) std::swap(order_[0], which);
   }
@@ -140,7 +145,7 @@ void UncutPlace::take_at_hand(Vec3 place, double reach_mm) noexcept {
   float least = 1e30f;
   for (int i = 0; i < strokes_ && reach_mm >= 0.0; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    off[k] = static_cast<float>(off_stroke(stroke_[k], place));
+    off[k] = static_cast<float>(stroke_[k].off(place));
     least = off[k] < least ? off[k] : least;
   }
   at_hand_ = 0;
@@ -156,7 +161,7 @@ double UncutPlace::climb(Vec3 pose, bool beside, Vec3& towards) noexcept {
   double best = depth(pose + towards * radius_, -1e300);
   int steps = 0;
   for (double step = (beside ? kBesideMm : kFirstMm) / radius_; step > kLastMm / radius_; step *= 0.5)
-    for (bool moved = true; moved && steps < kMostSteps; ++steps) {
+    for (bool moved = true; moved && steps < kMostSteps && asked_ < kMostAsked; ++steps) {
       moved = false;
       const Vec3 one = across(towards), other = glm::cross(towards, one);
       for (const Vec3& side : {one, -one, other, -other}) {
@@ -185,7 +190,7 @@ double UncutPlace::along_crest(Vec3 pose, double best, double enough_mm, Vec3& t
   std::array<float, kStrokes> off_about;
   for (int i = 0; i < at_hand_; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    off_about[k] = static_cast<float>(off_stroke(stroke_[order_[k]], about));
+    off_about[k] = static_cast<float>(stroke_[order_[k]].off(about));
   }
   double reach = 2.0 * kCrestMm;
   bool all = false;
@@ -238,7 +243,7 @@ bool UncutPlace::told(Vec3 place) noexcept {
     const Vec3 at = grid.centre_mm(v);
     bool known = false;
     for (int i = 0; i < strokes_ && !known; ++i) {
-      known = off_stroke(stroke_[static_cast<std::size_t>(i)], at) <= so_near;
+      known = stroke_[static_cast<std::size_t>(i)].off(at) <= so_near;
       if (known) std::swap(stroke_[0], stroke_[static_cast<std::size_t>(i)]);
     }
     if (!known && -kBandVoxels < in_cut - kUntold) return false;

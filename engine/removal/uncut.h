@@ -38,6 +38,18 @@ class UncutPlace {
 
  private:
   struct Crest;
+  /// What a ball took, with what its distance needs.
+  struct Taken {
+    Vec3 a{0.0}, along{0.0};
+    double inverse = 0.0, radius_mm = 0.0;  // inverse: 1 / |along|^2, 0 where it stood still
+    /// From its axis to a place.
+    Vec3 off_axis(Vec3 place) const noexcept {
+      const Vec3 from = place - a;
+      const double part = glm::dot(from, along) * inverse;
+      return from - along * (part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part);
+    }
+    double off(Vec3 place) const noexcept;
+  };
   double depth(Vec3 place, double enough_mm) noexcept;
   void take_at_hand(Vec3 place, double reach_mm) noexcept;
   double climb(Vec3 pose, bool beside, Vec3& towards) noexcept;
@@ -52,9 +64,10 @@ class UncutPlace {
   int strokes_ = 0;         // -1: more than there is room for
   IVec3 told_cell_{0};      // where all that the field holds is told by the strokes
   bool told_ = false;
-  std::array<CutMemory::Segment, kStrokes> stroke_;
+  std::array<Taken, kStrokes> stroke_;
   std::array<std::uint16_t, kStrokes> order_;  // the first at_hand_ of them: strokes that are looked at
   int at_hand_ = 0;
+  int asked_ = 0;  // distances to strokes
 };
 
 }  // namespace cusp
