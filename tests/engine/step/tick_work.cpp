@@ -72,12 +72,12 @@ TEST(TickWork, a_dense_cavity_and_a_full_memory_cost_a_tick_no_more_than_is_told
   }
   EXPECT_TRUE(full) << "of " << state.inner().memory.size();
   EXPECT_GT(state.volume().cut_bricks().size(), 30u);
-  // Measured 26, 586, 7,415 and 323 us. A part of 32 cells is the most that is sharpened at once; two searches may take all
+  // Measured 26, 586, 11,021 and 430 us. A part of 32 cells is the most that is sharpened at once; two searches may take all
   // their looks, the second where the proxy outruns its device.
   EXPECT_LE(most.sharpened, 32u);
   EXPECT_LE(most.made, 900u);
   EXPECT_LE(most.looks, 2 * SurfaceContact::kMostLooks);
-  EXPECT_LT(worst, 450.0) << "in tick " << worst_at;
+  EXPECT_LT(worst, 500.0) << "in tick " << worst_at;
 }
 
 }  // namespace
