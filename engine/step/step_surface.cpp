@@ -29,7 +29,7 @@ constexpr double kLeastTauMm = 0.00005;
 constexpr double kUncutMm = 0.0001;
 constexpr double kAsideMm[] = {0.0, 0.05, -0.05, 0.1, -0.1};  // along a crest, where it looks once more
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
-constexpr double kOutrunTimes = 2.0, kOutrunMm = 0.02;
+constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
 constexpr int kParts = 8;
 /// How far one search of contact looks: a little further than the device has moved.
 constexpr double kReach = 1.1, kReachMm = 0.004;
