@@ -131,8 +131,8 @@ class Search {
       if (row.choice.aspect == Aspect::voxel && row.choice.instead < row.choice.as_set) half = &row;
     }
     if (!half || !half->result || half->change.within(report_.tolerance_points)) return {};
-    const Scenario beside = at(report_.scenario, half->choice.instead);
-    if (auto done = in_mean_if_beyond(half->change, report_.scenario, report_.as_set, beside, *half->result); !done) return done;
+    const Scenario half_of_it = at(report_.scenario, half->choice.instead);
+    if (auto done = in_mean_if_beyond(half->change, report_.scenario, report_.as_set, half_of_it, *half->result); !done) return done;
     half->verdict = verdict_of(*half);
     if (half->change.within(report_.tolerance_points)) return {};
     settled_ = false;

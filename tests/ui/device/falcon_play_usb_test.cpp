@@ -60,7 +60,7 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_goes_on_and_keeps_the_sess
   Child child({program, "play", "channel-1", "--device", "falcon:FT000002", "--seconds", "3", "--out", out, "--json", json});
 
   // The hand: homes it, then presses the burr into the block and slides to and fro, cutting.
-  enum class Plug { in_first, out, in_again } plug = Plug::in_first;
+  enum class Plug { in_first, pulled, in_again } plug = Plug::in_first;
   double y = 0.0;
   std::uint64_t at_unplug = 0, since = 0;
   std::optional<int> status;
@@ -70,7 +70,7 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_goes_on_and_keeps_the_sess
         const auto turn = static_cast<double>(i % 400);
         falcon.set_grip({0.0, 0.0, 0.09 + 0.00035 * (turn < 200 ? turn : 400 - turn)});
       } else {
-        if (plug != Plug::out) y = std::max(y - 0.00001, -0.012);
+        if (plug != Plug::pulled) y = std::max(y - 0.00001, -0.012);
         const double x = 0.004 * static_cast<double>(i % 1000 < 500 ? i % 500 : 500 - i % 500) / 500.0;
         falcon.set_grip({x, y, 0.125});
         falcon.set_buttons(falcon::status::kCentre);
@@ -78,11 +78,11 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_goes_on_and_keeps_the_sess
       return falcon.frames();
     });
     if (plug == Plug::in_first && y < -0.008 && frames > 500) {
-      plug = Plug::out;
+      plug = Plug::pulled;
       at_unplug = frames;
       since = i;
       device.unplug();
-    } else if (plug == Plug::out && i > since + 200) {
+    } else if (plug == Plug::pulled && i > since + 200) {
       plug = Plug::in_again;
       device.plug();
     }
