@@ -93,8 +93,11 @@ GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, const Burr&
     // On a feature sharper than the burr the iteration swings: then half the way.
     if (glm::dot(change, before) < 0.0) change *= 0.5;
     before = change;
-    n += change;
-    n /= length_of(n);
+    // Half the way to the other side of a thin ridge is no direction at all.
+    const Vec3 turned = n + change;
+    const double length = length_of(turned);
+    if (length < 1e-9) break;
+    n = turned / length;
     if (glm::dot(change, change) < kFootSettled * kFootSettled) break;
   }
   out.n = n;
