@@ -20,11 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kStabilityFull = "stability-full.csv";
+constexpr const char* kRemovalFull = "removal-full.csv";
+
 /// Rows of one report go to their kinds, each with the report's commit and machine.
 void sort_in(Evidence& to, const Report& report) {
   for (const Row& row : report.rows) {
-    Report& kind = !row.measure.empty()      ? to.removal
-                   : !row.case_name.empty()   ? to.stability
+    const bool full = row.sweep == kFullSweep;
+    Report& kind = !row.measure.empty()     ? full ? to.removal_full : to.removal
+                   : !row.case_name.empty() ? full ? to.stability_full : to.stability
                    : row.volume_voxels >= 0 ? to.scale
                    : !row.task.empty()      ? to.rate
                                             : to.accuracy;
@@ -109,7 +113,7 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
       files.emplace_back(name);
       continue;
     }
-    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "pace.csv", "motion.csv"})
+    for (const char* table : {"accuracy.csv", "rate.csv", "scale.csv", "stability.csv", "removal.csv", "pace.csv", "motion.csv", kStabilityFull, kRemovalFull})
       if (fs::exists(fs::path(name) / table, none)) files.push_back(fs::path(name) / table);
   }
   Evidence out;
@@ -150,14 +154,29 @@ Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence
     if (!picture) return std::unexpected(picture.error());
     out[name] = *picture;
   }
+  if (!evidence.stability_full.rows.empty()) {
+    out[kStabilityFull] = to_csv(evidence.stability_full);
+    const auto full = from_csv(out[kStabilityFull]);
+    if (!full) return fail(ChartError::cannot_read, "a row", full.error().where);
+    const auto picture = stiffness_by_cell(*full);
+    if (!picture) return std::unexpected(picture.error());
+    out["stability-cells.svg"] = *picture;
+  }
   // Tables of before there was such a report have none of it.
   if (evidence.removal.rows.empty()) return out;
   out["removal.csv"] = to_csv(evidence.removal);
   const auto removal = from_csv(out["removal.csv"]);
   if (!removal) return fail(ChartError::cannot_read, "a row", removal.error().where);
+  Report full;
+  if (!evidence.removal_full.rows.empty()) {
+    out[kRemovalFull] = to_csv(evidence.removal_full);
+    auto read = from_csv(out[kRemovalFull]);
+    if (!read) return fail(ChartError::cannot_read, "a row", read.error().where);
+    full = std::move(*read);
+  }
   for (const auto& [name, picture] : {std::pair<const char*, Picture>{"drilling-depth.svg", depth_over_time(*removal)},
                                       {"drilling-speed-error.svg", speed_error(*removal)},
-                                      {"removal.md", removal_table(*removal)}}) {
+                                      {"removal.md", removal_table_with(*removal, full)}}) {
     if (!picture) return std::unexpected(picture.error());
     out[name] = *picture;
   }
@@ -174,6 +193,12 @@ int run_chart(const Options& options) {
   const bool measures = options.from.empty() || evidence.pace.samples.empty();
   if (measures && !pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   if (options.from.empty()) evidence = measure_all(options);
+  for (const auto& [name, report] : {std::pair{kStabilityFull, &Evidence::stability_full}, {kRemovalFull, &Evidence::removal_full}}) {
+    std::error_code none;
+    const fs::path before = fs::path(options.out) / name;
+    if (!(evidence.*report).rows.empty() || !fs::exists(before, none)) continue;
+    if (const auto read = read_file(before, evidence); !read) return failed(read.error());
+  }
   // No report of --json holds these two, and they take seconds.
   if (evidence.pace.samples.empty()) evidence.pace = record_pace();
   if (evidence.motion.samples.empty()) evidence.motion = record_motion();
@@ -190,7 +215,8 @@ int run_chart(const Options& options) {
   }
   if (!options.json.empty()) {
     Report all{evidence.rate.commit, evidence.rate.machine, evidence.accuracy.rows};
-    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal})
+    for (const Report* more : {&evidence.rate, &evidence.scale, &evidence.stability, &evidence.removal, &evidence.stability_full,
+                               &evidence.removal_full})
       all.rows.insert(all.rows.end(), more->rows.begin(), more->rows.end());
     if (const auto written = print_json(all, options.json); !written)
       return failed({ChartError::cannot_write, written.error().where, ""});

@@ -14,6 +14,7 @@ namespace cusp::bench {
 /// All that the pictures are drawn from.
 struct Evidence {
   Report accuracy, rate, scale, stability, removal;
+  Report stability_full, removal_full;  // of --full, which takes long: drawn where they are, never measured by chart
   PaceReport pace;
   MotionReport motion;
 };
@@ -37,7 +38,7 @@ inline constexpr std::string_view kStabilityEnd = "<!-- /stability -->\n";
 inline constexpr std::string_view kRemovalBegin = "<!-- removal: written by cusp-bench chart -->\n";
 inline constexpr std::string_view kRemovalEnd = "<!-- /removal -->\n";
 
-/// Records pace and motion where nothing that was read holds them.
+/// Records pace and motion where nothing that was read holds them. What --full once left in --out is drawn again.
 int run_chart(const Options& options);
 
 }  // namespace cusp::bench

@@ -164,6 +164,62 @@ TEST(Chart, marks_what_failed_and_how_stiff_a_wall_may_be) {
   EXPECT_EQ(tinted(*stability_map(whole)), 0u);
 }
 
+/// Rows of --full: every place in two cells, one of them settled by five sets, and one that has no exact proxy to compare with.
+Report full_stability() {
+  Report out{"fedcba9876543210", "A CPU", {}};
+  for (const CaseName& place : kPressCases)
+    for (const double exact : {0.5, 2.0, 0.0}) {
+      Row& row = out.rows.emplace_back();
+      row.method = "surface";
+      row.case_name = place.key;
+      row.guard = "off";
+      row.sweep = kFullSweep;
+      row.k_exact_n_per_mm = exact;
+      row.k_max_n_per_mm = 1.05 * exact;
+      row.k_sets = exact == 2.0 ? 5 : 1;
+      if (row.k_sets > 1) {
+        row.k_first_n_per_mm = 2.5;
+        row.k_exact_first_n_per_mm = 2.0;
+      }
+    }
+  return out;
+}
+
+TEST(Chart, draws_every_cell_of_a_full_sweep_where_there_was_one) {
+  Evidence evidence = made_up();
+  EXPECT_EQ(draw_all(evidence)->count("stability-cells.svg"), 0u);
+  evidence.stability_full = full_stability();
+  const auto drawn = draw_all(evidence);
+  ASSERT_TRUE(drawn);
+  const std::string& picture = drawn->at("stability-cells.svg");
+  EXPECT_NE(picture.find("12 cells"), std::string::npos);
+  EXPECT_NE(picture.find("Beyond 15 %: 0."), std::string::npos);
+  EXPECT_NE(picture.find("6 cells by the medians"), std::string::npos);
+  EXPECT_NE(picture.find("by their first set 6 would be beyond"), std::string::npos);
+  // Its rows are of no account to the map, which is of the usual device.
+  EXPECT_EQ(drawn->at("stability-map.svg"), draw_all(made_up())->at("stability-map.svg"));
+  evidence.stability_full.rows.front().k_max_n_per_mm = 0.6;
+  EXPECT_NE(stiffness_by_cell(evidence.stability_full)->find("Beyond 15 %: 1."), std::string::npos);
+  std::erase_if(evidence.stability_full.rows, [](const Row& r) { return r.case_name == "pit"; });
+  EXPECT_NE(stiffness_by_cell(evidence.stability_full).error().where.find("pit"), std::string::npos);
+}
+
+TEST(Chart, keeps_the_tables_of_a_full_sweep_apart_and_finds_them_again) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_chart_full";
+  std::filesystem::create_directories(folder);
+  Evidence evidence = made_up();
+  evidence.stability_full = full_stability();
+  const auto drawn = draw_all(evidence);
+  ASSERT_TRUE(drawn);
+  for (const auto& [name, text] : *drawn) std::ofstream(folder / name, std::ios::binary) << text;
+  const auto read = read_evidence({folder.string()});
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->stability_full.rows.size(), full_stability().rows.size());
+  EXPECT_EQ(read->stability.rows.size(), evidence.stability.rows.size());
+  EXPECT_EQ(*draw_all(*read), *drawn);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Chart, names_commit_and_machine_in_every_file) {
   const auto files = draw_all(made_up());
   ASSERT_TRUE(files);

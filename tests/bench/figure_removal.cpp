@@ -164,7 +164,9 @@ Picture speed_error(const Report& removal) {
   return svg.str();
 }
 
-Picture removal_table(const Report& removal) {
+Picture removal_table(const Report& removal) { return removal_table_with(removal, {}); }
+
+Picture removal_table_with(const Report& removal, const Report& full) {
   const auto every = [&](std::string_view measure, Method method, double Row::* field) {
     return worst(removal, field, [&](const Row& r) { return is(r, measure, method) && !r.unresolved; });
   };
@@ -206,14 +208,36 @@ Picture removal_table(const Report& removal) {
   // Tables from before strokes were weighed have no such rows.
   if (!std::isnan(stroke))
     lines.insert(lines.begin() + 3, {"volume of one stroke, with every shape of burr", "0.5 %", stroke, percent(stroke), "\u2013"});
+  // What --full found, where it was run: it stands below the line that it widens.
+  const auto of_full = [&](std::string_view measure, double Row::* field) {
+    return worst(full, field, [&](const Row& r) { return is(r, measure, Method::surface) && !r.unresolved; });
+  };
+  const auto beside = [&](std::string_view below, std::string what, std::string goal, double value, std::string text) {
+    const auto at = std::ranges::find(lines, below, &Line::what);
+    if (!std::isnan(value) && at != lines.end()) lines.insert(at + 1, {std::move(what), std::move(goal), value, std::move(text), "\u2013"});
+  };
+  const auto count = [&](std::string_view measure) {
+    return std::ranges::count_if(full.rows, [&](const Row& r) { return is(r, measure, Method::surface); });
+  };
+  const std::string speeds = lines.front().what, most_line = "and at most", volume_line = "volume of one stroke, with every shape of burr";
+  std::set<std::string> shaped;
+  for (const Row& row : full.rows)
+    if (row.measure == "shape") shaped.insert(row.burr);
+  const double full_speed = of_full("speed", &Row::error_percent), full_stroke = of_full("volume", &Row::error_percent),
+               full_mean = of_full("shape", &Row::deviation_um_mean), full_most = of_full("shape", &Row::deviation_um_max);
+  beside(speeds, fmt::format("all {} of the 1.0 mm round burr at 0.1 mm", count("speed")), "1 %", full_speed, percent(full_speed));
+  beside(volume_line, fmt::format("with all {} burrs", shaped.size()), "0.5 %", full_stroke, percent(full_stroke));
+  beside(most_line, fmt::format("all {} burrs, at most", shaped.size()), "10 \u00b5m", full_most, um(full_most));
+  beside(most_line, fmt::format("all {} burrs, mean", shaped.size()), "0.5 \u00b5m", full_mean, um(full_mean));
   std::string out = "| the worst of | wanted | surface proxy (Cusp) | occupancy proxy (the paper) |\n|---|---|---|---|\n";
   for (const Line& line : lines) {
     if (std::isnan(line.value)) return fail(ChartError::missing_rows, "removal: " + line.what);
     out += fmt::format("| {} | {} | {} | {} |\n", line.what, line.goal, line.text, line.occupancy);
   }
-  return out + fmt::format("\n{}, commit {:.10}: round burrs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 to 0.2 mm; burrs under three voxels "
+  const std::string of_the_full = full.rows.empty() || full.commit == removal.commit ? "" : fmt::format(" (--full: {:.10})", full.commit);
+  return out + fmt::format("\n{}, commit {:.10}{}: round burrs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 to 0.2 mm; burrs under three voxels "
                            "of radius are left out.{}\n",
-                           removal.machine, removal.commit,
+                           removal.machine, removal.commit, of_the_full,
                            std::isnan(stroke) ? "" : fmt::format(" Shapes and volumes of strokes: {} burrs.", burrs.size()));
 }
 

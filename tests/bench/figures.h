@@ -37,6 +37,8 @@ Picture method_table(const Report& accuracy, const Report& rate);
 Picture stability_map(const Report& stability);
 /// k_max of the surface proxy on a face against the device's damping, beside the bounds that promise passivity.
 Picture stiffness_against_damping(const Report& stability);
+/// k_max of the surface proxy over the exact one's in every cell of `stability --full`, place by place. Pre: rows of --full.
+Picture stiffness_by_cell(const Report& stability_full);
 /// The worst of every method with the guard on, as a Markdown table with where it is from.
 Picture stability_table(const Report& stability);
 
@@ -46,6 +48,8 @@ Picture depth_over_time(const Report& removal);
 Picture speed_error(const Report& removal);
 /// What the cut keeps of what was promised, as a Markdown table with where it is from.
 Picture removal_table(const Report& removal);
+/// The same with lines for what `removal --full` found. full: its rows, or none.
+Picture removal_table_with(const Report& removal, const Report& full);
 
 /// Order p of error = c h^p, by least squares on the logarithms. Pre: at least two points, all positive.
 double fitted_order(const std::vector<std::pair<double, double>>& h_and_error);

@@ -300,7 +300,10 @@ std::vector<Row> removal_rows(const Options& options) {
   }
   if (surface && wants("shape")) add_shapes(options, rows);
   if (surface && wants("volume")) add_volumes(options, rows);
-  if (options.full) return rows;
+  if (options.full) {
+    for (Row& row : rows) row.sweep = kFullSweep;
+    return rows;
+  }
   if (wants("density") && asked(methods, key_of(Method::occupancy))) add_densities(rows);
   if (!surface) return rows;
   if (wants("order")) add_orders(rows);

@@ -13,11 +13,13 @@
 namespace cusp::bench {
 
 inline constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+inline constexpr const char* kFullSweep = "full";  // Row::sweep of every row of --full
 
 /// A number that is NaN, a count below zero and an empty string are absent: left out of JSON, empty in CSV.
 struct Row {
   std::string method;              // occupancy, occupancy-pivot, ray, penalty, gradient, surface
   std::string case_name;           // stability: "case", see stability_cases.h
+  std::string sweep;               // full: a row of --full, which has tables of its own
   std::string guard;               // stability: on, off
   std::string device;              // stability: falcon-like, or what the laboratory's device was
   std::string grip;                // stability: none, soft, firm; scripted where no hand was in the loop
@@ -126,6 +128,7 @@ template <class R, class Visit>
 void for_each_field(R& row, Visit&& visit) {
   visit("method", row.method);
   visit("case", row.case_name);
+  visit("sweep", row.sweep);
   visit("guard", row.guard);
   visit("device", row.device);
   visit("grip", row.grip);

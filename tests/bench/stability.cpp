@@ -204,7 +204,10 @@ std::vector<Row> stability_rows(const Options& options) {
       each(name.key, settings_of(options.grips.empty() && !options.full ? soft : every, options), voxels_of(name.key, options),
            press_row);
     }
-  if (options.full) return rows;
+  if (options.full) {
+    for (Row& row : rows) row.sweep = kFullSweep;
+    return rows;
+  }
   if (options.grips.empty() && !asks_for_a_device(options)) sweep_damping(what, options, rows);
   for (const double radius : chosen(options.burr_radii_mm, {0.25})) {
     what.burr_radius_mm = radius;
