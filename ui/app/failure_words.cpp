@@ -1,21 +1,15 @@
 #include "ui/app/failure_words.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 #include <variant>
 
 #include "ui/app/sentences.h"
+#include "ui/app/words.h"
 #include "ui/widgets/format.h"
 
 namespace cusp {
 namespace {
-
-struct Words {
-  Q_DECLARE_TR_FUNCTIONS(cusp::Sentences)
-};
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
 
 /// "/target/depth_mm" or "scenario.json#/target/depth_mm" as it stands; a path is shown whole.
 QString place(const std::string& where) { return isolate(text(where)); }

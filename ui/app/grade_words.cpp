@@ -1,21 +1,12 @@
 #include "ui/app/grade_words.h"
 
-#include <QCoreApplication>
 #include <cmath>
 
 #include "ui/app/sentences.h"
+#include "ui/app/words.h"
 #include "ui/widgets/format.h"
 
 namespace cusp {
-namespace {
-
-struct Words {
-  Q_DECLARE_TR_FUNCTIONS(cusp::Sentences)
-};
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
-}  // namespace
 
 QString metric_name(const std::string& m) {
   if (m == "target_removed") return Words::tr("Target removed");

@@ -1,20 +1,10 @@
 #include "ui/app/sentences.h"
 
-#include <QCoreApplication>
-
 #include "scenarios/teeth/own_tissues.h"
 #include "ui/app/language.h"
+#include "ui/app/words.h"
 
 namespace cusp {
-namespace {
-
-struct Words {
-  Q_DECLARE_TR_FUNCTIONS(cusp::Sentences)
-};
-
-QString text(const std::string& s) { return QString::fromStdString(s); }
-
-}  // namespace
 
 QString local(const LocalText& texts) {
   const std::string code = current_language().toStdString();

@@ -41,8 +41,9 @@ std::array<bool, kTissueCodes> tissues_in(const Specimen& specimen) {
 
 }  // namespace
 
-Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder) {
-  auto dense = make_specimen(scenario.specimen, folder);
+Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder,
+                                                    const std::atomic<bool>* stop) {
+  auto dense = make_specimen(scenario.specimen, folder, stop);
   if (!dense) return run_fail(RunError::specimen, dense.error());
   return Specimen::build(*dense, reading_of(scenario.method));
 }

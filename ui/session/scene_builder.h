@@ -1,6 +1,7 @@
 /// Scenario and device to what the engine runs.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 
@@ -12,7 +13,9 @@
 namespace cusp {
 
 /// The scenario's voxels in the reading of its method. Up to seconds. `folder`: where a volume that it names lies.
-Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder);
+/// stop: told from another thread, it ends early and fails (specimen); may be null.
+Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder,
+                                                    const std::atomic<bool>* stop = nullptr);
 
 /// What a device leaves of a scenario's stiffness: all tissues get the same share, so that they stay told apart.
 struct StiffnessCut {

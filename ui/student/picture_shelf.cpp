@@ -5,12 +5,12 @@
 #include <QStringList>
 
 #include "scenarios/format/content_hash.h"
-#include "scenarios/specimens.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/patch_store.h"
 #include "ui/render/target_look.h"
 #include "ui/render/tooth_picture.h"
+#include "ui/session/scene_builder.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp {
@@ -26,9 +26,9 @@ Colour linear(const QColor& c) {
 /// Null when told to stop.
 QImage draw(const Scenario& scenario, const std::filesystem::path& folder, PictureShelf::Use use, bool dark,
             const std::atomic<bool>& stop) {
-  const auto dense = make_specimen(scenario.specimen, folder, &stop);
-  if (!dense) return {};
-  const Volume volume(Specimen::build(*dense, reading_of(scenario.method)));
+  const auto specimen = build_specimen(scenario, folder, &stop);
+  if (!specimen) return {};
+  const Volume volume(*specimen);
   const QSize size = use == PictureShelf::Use::card ? kCard : kCover;
   const auto context = EglContext::create(2 * size.width(), 2 * size.height());
   if (!context) return {};
