@@ -26,8 +26,8 @@ bool asks_for(const SpecimenSource& source, std::string_view key) {
   return std::ranges::find(source.around, key) != source.around.end();
 }
 
-Result<VoxelVolume, ImportFailure> tooth(const SpecimenSource& source, ToothCancel cancel) {
-  auto grown = make_tooth(tooth_request(source), cancel);
+Result<VoxelVolume, ImportFailure> tooth(const SpecimenSource& source, ToothCancel cancel, const ToothProgress& progress) {
+  auto grown = make_tooth(tooth_request(source), cancel, progress);
   if (!grown) return std::unexpected(refused(grown.error()));
   return std::move(*grown);
 }
@@ -87,7 +87,8 @@ Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSou
 }
 
 Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
-                                                 const std::filesystem::path& scenario_folder, ToothCancel cancel) {
+                                                 const std::filesystem::path& scenario_folder, ToothCancel cancel,
+                                                 const ToothProgress& progress) {
   if (source.generator.empty()) return from_file(source.volume, scenario_folder);
   if (source.generator == "paper-block") return paper_block();
   if (source.generator == "block" || source.generator == "layered-block") {
@@ -95,7 +96,7 @@ Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
       return fail(ImportError::bad_option, "voxel_mm");
     return source.generator == "block" ? dexterity_block(source.voxel_mm) : layered_block(source.voxel_mm);
   }
-  if (source.generator == "tooth") return tooth(source, cancel);
+  if (source.generator == "tooth") return tooth(source, cancel, progress);
   return fail(ImportError::unknown_generator, source.generator);
 }
 

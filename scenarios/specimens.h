@@ -14,10 +14,11 @@ namespace cusp {
 /// Generators: "paper-block" (always the paper's 128^3; voxel_mm is not read), "block" and "layered-block" (voxel_mm), "tooth" (fdi, seed,
 /// voxel_mm). Without a generator `volume` is a plain file name in `scenario_folder` (NRRD). Seconds at most; not for the
 /// haptic thread. `where` of a failure is the key of scenario.json or the file. A tooth stops early, with
-/// ImportError::cancelled, once *cancel is true.
+/// ImportError::cancelled, once *cancel is true, and tells how far it is.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
                                                                const std::filesystem::path& scenario_folder,
-                                                               ToothCancel cancel = nullptr);
+                                                               ToothCancel cancel = nullptr,
+                                                               const ToothProgress& progress = {});
 
 /// What a "tooth" source asks of the generator.
 [[nodiscard]] ToothRequest tooth_request(const SpecimenSource& source);

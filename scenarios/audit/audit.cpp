@@ -186,13 +186,20 @@ class Search {
       const Scenario coarser = at(report_.leanest, mm);
       const auto beside = halved(coarser);
       if (!beside || adds_findings(report_.scenario, coarser)) continue;
-      auto played = play({coarser, *beside}, 0.15);
+      auto played = play({coarser}, 0.1);
       if (!played) return std::unexpected(played.error());
-      if (!(*played)[0] || !(*played)[1]) continue;
+      if (!(*played)[0]) continue;
       AuditStep step{{Aspect::voxel, {}, ground_scenario_.specimen.voxel_mm, mm}, false, change_between(ground_, *(*played)[0])};
-      const GradeChange half = change_between(*(*played)[0], *(*played)[1]);
-      step.taken = step.change.within(report_.tolerance_points) && half.within(report_.tolerance_points);
-      if (!half.within(report_.tolerance_points) && std::abs(half.score) > std::abs(step.change.score)) step.change.score = half.score;
+      if (!step.change.within(report_.tolerance_points)) {  // its half, eight times the voxels, need not be known
+        report_.steps.push_back(step);
+        continue;
+      }
+      auto finer = play({*beside}, 0.1);
+      if (!finer) return std::unexpected(finer.error());
+      if (!(*finer)[0]) continue;
+      const GradeChange half = change_between(*(*played)[0], *(*finer)[0]);
+      step.taken = half.within(report_.tolerance_points);
+      if (!step.taken && std::abs(half.score) > std::abs(step.change.score)) step.change.score = half.score;
       report_.steps.push_back(step);
       if (!step.taken) continue;
       report_.leanest = coarser;

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/step/scene.h"
+
 namespace cusp {
 namespace {
 
@@ -74,7 +76,9 @@ Json json_of(const ModelResult& result) {
 std::string audit_json(const AuditReport& report) {
   const double tolerance = report.tolerance_points;
   Json out;
-  out["scenario"] = {{"id", report.scenario.id.text()}, {"version", report.scenario.version}, {"key", report.scenario.key}};
+  out["scenario"] = {{"id", report.scenario.id.text()}, {"version", report.scenario.version}, {"key", report.scenario.key},
+                     {"voxel_mm", report.scenario.specimen.voxel_mm}};
+  out["engine_version"] = kEngineVersion;
   out["tolerance_points"] = tolerance;
   out["as_set"] = json_of(report.as_set);
   Json rows = Json::array();

@@ -42,6 +42,7 @@ struct Model {
   double band_voxels = kBandVoxels;
   bool near_target_only = false;
   std::vector<Tissue> left_out = {};  // become the tissue that they touch most
+  friend bool operator==(const Model&, const Model&) = default;
 };
 
 /// The model with the choice made.

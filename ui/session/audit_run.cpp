@@ -1,6 +1,7 @@
 #include "ui/session/audit_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <deque>
 #include <memory>
@@ -36,11 +37,15 @@ struct Table {
   std::uint64_t bytes = 0;
 };
 
-Run<Table> lay(const Model& model, const std::filesystem::path& folder) {
+/// Told how far it is, in [0, 1]; false: stop.
+using Onwards = std::function<bool(double share)>;
+
+Run<Table> lay(const Model& model, const std::filesystem::path& folder, const Onwards& onwards) {
   Table out;
   out.scenario = model.scenario;
   const double began = thread_cpu_s();
-  auto dense = make_specimen(model.scenario.specimen, folder);
+  std::atomic<bool> stop = false;
+  auto dense = make_specimen(model.scenario.specimen, folder, &stop, [&](double share) { stop = stop || !onwards(share); });
   if (!dense) return run_fail(RunError::specimen, dense.error());
   const double grown = thread_cpu_s();
   *dense = prepared(std::move(*dense), model);
@@ -61,6 +66,8 @@ Run<Table> lay(const Model& model, const std::filesystem::path& folder) {
   out.reference = std::make_shared<const Reference>(out.scenario, out.specimen);
   return out;
 }
+
+using Tables = std::vector<std::shared_ptr<const Table>>;  // null: cannot be played
 
 /// A hand that sways its handpiece where the exercise lets it turn.
 class Swaying final : public HapticPort {
@@ -184,7 +191,7 @@ Path path_for_costs(const Table& table) {
 }
 
 /// The models take the path in blocks, one after another in turn: whatever slows the machine slows all of a block's.
-void take_costs(const std::vector<std::optional<Table>>& tables, std::vector<std::optional<ModelResult>>& results) {
+void take_costs(const Tables& tables, std::vector<std::optional<ModelResult>>& results) {
   const FpGuard fp;
   const Path path = path_for_costs(*tables.front());
   struct Lane {
@@ -249,15 +256,45 @@ class Player {
     AuditHand hand;
     Go go;
   };
+  /// A model is grown once for as long as runs ask for it, and for one run longer: a jaw of fine voxels takes half a
+  /// minute. The exercise as it is stays.
+  struct Laid {
+    Model model;
+    std::shared_ptr<const Table> table;
+    std::size_t asked_in = 0;
+  };
+  Run<std::shared_ptr<const Table>> laid(const Model& model, const Onwards& onwards);
+  void put_away(const AuditRun& run);
   /// The hand's own go at home; played once.
   Result<const Go*, AuditFailure> at_home(const Scenario& home, const AuditHand& who, const std::function<bool()>& go_on);
   Result<std::optional<Go>, AuditFailure> felt(const Table& table, const AuditHand& who, const std::function<bool()>& go_on);
 
   std::filesystem::path folder_;
   Scenario home_;
-  std::optional<Table> home_table_;
+  std::shared_ptr<const Table> home_table_;
   std::deque<Known> known_;
+  std::vector<Laid> laid_;
+  std::size_t run_ = 0;
 };
+
+Run<std::shared_ptr<const Table>> Player::laid(const Model& model, const Onwards& onwards) {
+  for (Laid& one : laid_) {
+    if (!(one.model == model)) continue;
+    one.asked_in = run_;
+    return one.table;
+  }
+  auto table = lay(model, folder_, onwards);
+  if (!table) return std::unexpected(table.error());
+  laid_.push_back({model, std::make_shared<const Table>(std::move(*table)), run_});
+  return laid_.back().table;
+}
+
+void Player::put_away(const AuditRun& run) {
+  ++run_;
+  std::erase_if(laid_, [&](const Laid& one) {
+    return one.asked_in + 1 < run_ && one.table != home_table_ && std::ranges::find(run.models, one.model) == run.models.end();
+  });
+}
 
 Result<std::optional<Go>, AuditFailure> Player::felt(const Table& table, const AuditHand& who, const std::function<bool()>& go_on) {
   auto hand = hand_by_name(who.hand, table.scenario, *table.specimen, who.seed);
@@ -268,7 +305,9 @@ Result<std::optional<Go>, AuditFailure> Player::felt(const Table& table, const A
 
 Result<const Go*, AuditFailure> Player::at_home(const Scenario& home, const AuditHand& who, const std::function<bool()>& go_on) {
   if (!home_table_ || !(home_ == home)) {
-    auto table = lay({home}, folder_);
+    bool stop = false;
+    auto table = laid({home}, [&](double) { return !(stop = stop || !go_on()); });
+    if (stop) return fail(AuditError::cancelled, {});
     if (!table) return fail(AuditError::unplayable, std::string(key_of(table.error().code)), table.error().where);
     home_table_ = std::move(*table);
     home_ = home;
@@ -284,16 +323,23 @@ Result<const Go*, AuditFailure> Player::at_home(const Scenario& home, const Audi
 }
 
 Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(const AuditRun& run, const AuditWatch& watch) {
-  std::vector<std::optional<Table>> tables;
+  put_away(run);
+  Tables tables;
   std::vector<std::optional<ModelResult>> results;
   const auto stopped = [] { return fail(AuditError::cancelled, {}); };
   // Laying the tables is taken for a tenth, the goes for the rest.
   const double goes = static_cast<double>(run.models.size() * run.hands.size());
   for (const Model& model : run.models) {
-    if (watch && !watch(0.1 * static_cast<double>(tables.size()) / static_cast<double>(run.models.size()))) return stopped();
-    auto table = lay(model, folder_);
+    bool stop = false;
+    const auto onwards = [&](double share) {
+      stop = stop || (watch && !watch(0.1 * (static_cast<double>(tables.size()) + share) / static_cast<double>(run.models.size())));
+      return !stop;
+    };
+    if (!onwards(0.0)) return stopped();
+    auto table = laid(model, onwards);
+    if (stop) return stopped();
     if (!table && tables.empty()) return fail(AuditError::unplayable, std::string(key_of(table.error().code)), table.error().where);
-    tables.push_back(table ? std::optional<Table>(std::move(*table)) : std::nullopt);
+    tables.push_back(table ? *table : nullptr);
     results.push_back(tables.back() ? std::optional<ModelResult>(ModelResult{}) : std::nullopt);
   }
   if (run.costs) take_costs(tables, results);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "engine/step/scene.h"
 #include "scenarios/audit/audit_json.h"
 #include "scenarios/library/library.h"
 
@@ -188,6 +189,25 @@ TEST(Search, OnlyTheHandsThatPartHaveSeveralGoes) {
   EXPECT_TRUE(report->detail_holds());
 }
 
+/// 0.15 mm grades ten points lower, 0.125 as 0.1 does.
+TEST(Search, HalfOfACoarserVoxelIsAskedForOnlyWhereTheCoarserGradesTheSame) {
+  std::vector<double> sizes;
+  AuditSettings settings;
+  settings.detail_alone = true;
+  Played played;
+  const Scores scores = [](const Model& m, const AuditHand&) { return std::optional(m.scenario.specimen.voxel_mm > 0.13 ? 80.0 : 90.0); };
+  const AuditRunner runner = runner_of(scores, played);
+  const auto report = audit(block(), settings, [&](const AuditRun& r, const AuditWatch& watch) {
+    for (const Model& m : r.models) sizes.push_back(m.scenario.specimen.voxel_mm);
+    return runner(r, watch);
+  }, {});
+  ASSERT_TRUE(report);
+  EXPECT_DOUBLE_EQ(report->leanest.specimen.voxel_mm, 0.125);
+  EXPECT_EQ(std::ranges::count(sizes, 0.15), 1);
+  EXPECT_EQ(std::ranges::count(sizes, 0.075), 0);
+  EXPECT_EQ(std::ranges::count(sizes, 0.0625), 1);
+}
+
 TEST(Search, ForTheDetailAloneNothingElseIsPlayed) {
   AuditSettings settings;
   settings.detail_alone = true;
@@ -298,6 +318,8 @@ TEST(Json, HasEveryChoiceWithItsVerdict) {
   EXPECT_EQ(json["choices"].size(), choices_of(wet()).size());
   EXPECT_EQ(json["leanest"]["search"], "greedy");
   EXPECT_EQ(json["tolerance_points"], 2.0);
+  EXPECT_EQ(json["scenario"]["voxel_mm"], 0.1);
+  EXPECT_EQ(json["engine_version"], kEngineVersion);
   EXPECT_TRUE(json["as_set"]["cost"]["instructions_a_tick"].is_null());  // the runner counted none
   EXPECT_EQ(json["choices"][0]["choice"]["aspect"], "voxel");
   EXPECT_EQ(json["choices"][0]["verdict"], "unresolved");

@@ -83,6 +83,36 @@ TEST(AuditRun, StopsInTheMiddleOfAGo) {
   EXPECT_EQ(asked, 10);
 }
 
+TEST(AuditRun, StopsWhileAToothGrows) {
+  Scenario tooth = *load_builtin("class-1-36");
+  tooth.specimen.voxel_mm = 0.4;
+  AuditRun run;
+  run.home = tooth;
+  run.models = {{tooth}};
+  run.hands = {{"expert", 1}};
+  double last = 0;
+  const auto results = audit_runner({})(run, [&](double share) {
+    last = share;
+    return share == 0.0;  // until it begins
+  });
+  ASSERT_FALSE(results);
+  EXPECT_EQ(results.error().code, AuditError::cancelled);
+  EXPECT_GT(last, 0.0);
+  EXPECT_LT(last, 0.1) << "the goes begin there";
+}
+
+/// The CPU time of a start is never the same twice: what has the same was not made again.
+TEST(AuditRun, WhatTheRunBeforeHasMadeIsNotMadeAgain) {
+  AuditRun run;
+  run.home = small();
+  run.models = {{small()}, with({small()}, {Aspect::region, {}, 1, 0})};
+  const AuditRunner runner = audit_runner({});
+  const auto first = runner(run, {}), second = runner(run, {});
+  ASSERT_TRUE(first && second);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ((*first)[i]->cost.start_s, (*second)[i]->cost.start_s) << i;
+  EXPECT_NE((*first)[0]->cost.start_s, (*first)[1]->cost.start_s) << "another model";
+}
+
 TEST(AuditRun, AnExerciseThatCannotBePlayedIsRefused) {
   Scenario s = small();
   s.instruments.clear();
