@@ -458,8 +458,8 @@
             <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
         </message>
         <message>
-            <source>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
-            <translation>expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
+            <source>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
+            <translation>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
         </message>
         <message>
             <source>Of the hand's tremor</source>

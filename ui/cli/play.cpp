@@ -1,4 +1,4 @@
-// cusp play SCENARIO --script expert|novice|FILE [--db DB] [--as NAME] --out DIR
+// cusp play SCENARIO --script expert|fair|novice|FILE [--db DB] [--as NAME] --out DIR
 
 #include <csignal>
 #include <cstdio>
@@ -126,7 +126,7 @@ void add_play(CLI::App& program, Job& job) {
   verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one: %1").arg(builtins())))
       ->required();
   verb->add_option("--script", o->script,
-                   help(CliWords::tr("expert, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
+                   help(CliWords::tr("expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
   verb->add_option("--seed", o->seed, help(CliWords::tr("Of the hand's tremor")))->capture_default_str();
