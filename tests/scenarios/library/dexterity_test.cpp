@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
+#include <utility>
 
 #include "engine/volume/specimen.h"
 #include "scenarios/hands/faults.h"
@@ -11,10 +13,10 @@
 namespace cusp {
 namespace {
 
-/// Each block once for all tests of this program.
+/// Each block in each size of voxels once for all tests of this program.
 std::shared_ptr<const Specimen> block(const SpecimenSource& source) {
-  static std::map<std::string, std::shared_ptr<const Specimen>> made;
-  auto& out = made[source.generator];
+  static std::map<std::pair<std::string, double>, std::shared_ptr<const Specimen>> made;
+  auto& out = made[{source.generator, source.voxel_mm}];
   if (!out) out = Specimen::build(make_specimen(source, {}).value(), Reading::banded);
   return out;
 }
