@@ -1,5 +1,5 @@
-/// Hands that make mistakes: the novice, who fails for many reasons, the fair student between expert and novice, and
-/// single faults, each of which a grade must find.
+/// Hands that make mistakes: the novice, who fails for many reasons, the fair one between expert and novice, and single
+/// faults, each of which a grade must find.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@ namespace cusp {
 
 enum class HandFault : std::uint8_t {
   novice,       // shakes, cuts too deep and over the edge, forgets the coolant
-  fair,         // off by less than the exercise tolerates, all round: its marks stand on the slopes of the bands
+  fair,         // off by 0.6 of the leeway in depth and 0.4 at the side: its marks stand on the slopes of the bands, so
+                // that an audit sees what voxels change; in many exercises below their pass mark
   too_deep,     // floor 0.8 mm below the target's
   too_shallow,  // floor 0.8 mm above it (at most half the depth)
   shaky,        // the right path with a strong tremor
