@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenarios/teeth/noise.h"
+#include "scenarios/teeth/shared_shape.h"
 #include "scenarios/teeth/tables.h"
 
 namespace cusp {
@@ -65,11 +66,11 @@ Gap gap_between(const ToothBody& a, const ToothBody& b, Vec3 way, Vec3 about) {
   return best;
 }
 
-std::unique_ptr<ToothShape> shape_in_mouth(int fdi, std::uint64_t mouth_seed, double voxel_mm) {
-  return std::make_unique<ToothShape>(*table_for(fdi)->table, seed_in_mouth(mouth_seed, fdi), voxel_mm);
+std::shared_ptr<const ToothShape> shape_in_mouth(int fdi, std::uint64_t mouth_seed, double voxel_mm) {
+  return shared_shape(*table_for(fdi)->table, seed_in_mouth(mouth_seed, fdi), voxel_mm);
 }
 
-Standing stand_beside(const Standing& before, bool mesial, std::unique_ptr<ToothShape> shape) {
+Standing stand_beside(const Standing& before, bool mesial, std::shared_ptr<const ToothShape> shape) {
   Standing out;
   out.fdi = neighbour_fdi(before.fdi, mesial);
   out.shape = std::move(shape);

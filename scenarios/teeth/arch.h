@@ -14,7 +14,7 @@ inline constexpr double kContactGapMm = 0.01;
 
 struct Standing {
   int fdi = 0;
-  std::unique_ptr<ToothShape> shape;
+  std::shared_ptr<const ToothShape> shape;
   ToothPlace place;
   Vec3 contact_mm{0.0};  // where it touches the tooth before it in the row
   double gap_mm = 0.0;   // there
@@ -27,11 +27,11 @@ int neighbour_fdi(int fdi, bool mesial) noexcept;
 std::uint64_t seed_in_mouth(std::uint64_t seed, int fdi) noexcept;
 
 /// The fields of a tooth of that mouth. Pre: fdi is a tooth's.
-std::unique_ptr<ToothShape> shape_in_mouth(int fdi, std::uint64_t mouth_seed, double voxel_mm);
+std::shared_ptr<const ToothShape> shape_in_mouth(int fdi, std::uint64_t mouth_seed, double voxel_mm);
 
 /// The neighbour of a standing tooth, standing: turned as the arch turns there, its contact on the tooth's.
 /// Pre: neighbour_fdi(before.fdi, mesial) != 0.
-Standing stand_beside(const Standing& before, bool mesial, std::unique_ptr<ToothShape> shape);
+Standing stand_beside(const Standing& before, bool mesial, std::shared_ptr<const ToothShape> shape);
 
 /// Nearest two bodies come along `way` (unit, from a towards b, horizontal) about a place: the gap, negative where they
 /// overlap, and the middle of it.

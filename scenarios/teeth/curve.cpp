@@ -100,24 +100,43 @@ Line2::Line2(std::vector<Vec2> points) : points_(std::move(points)), along_(poin
     low_ = glm::min(low_, points_[i]);
     high_ = glm::max(high_, points_[i]);
   }
+  constexpr std::size_t kRun = 6;
+  for (std::size_t i = 0; i + 1 < points_.size(); i += kRun) {
+    Run run{i, std::min(i + kRun, points_.size() - 1), points_[i], points_[i]};
+    for (std::size_t k = i; k <= run.end; ++k) {
+      run.low = glm::min(run.low, points_[k]);
+      run.high = glm::max(run.high, points_[k]);
+    }
+    runs_.push_back(run);
+  }
 }
 
 Line2::Nearest Line2::nearest(Vec2 p) const noexcept {
   Nearest best;
   best.point = points_.front();
   double best2 = glm::dot(p - best.point, p - best.point);
-  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-    const Vec2 a = points_[i], ab = points_[i + 1] - a;
-    const double len2 = glm::dot(ab, ab);
-    double t = len2 > 0.0 ? glm::dot(p - a, ab) / len2 : 0.0;
-    t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
-    const Vec2 c = a + t * ab;
-    const double d2 = glm::dot(p - c, p - c);
-    if (d2 < best2) {
-      best2 = d2;
-      best.point = c;
-      best.segment = i;
-      best.share = t;
+  // The line comes at least as near as to the far corner of any run's box.
+  double bound = best2;
+  for (const Run& run : runs_) {
+    const Vec2 furthest = glm::max(glm::abs(p - run.low), glm::abs(p - run.high));
+    bound = std::min(bound, glm::dot(furthest, furthest));
+  }
+  for (const Run& run : runs_) {
+    const Vec2 off = glm::max(glm::max(run.low - p, p - run.high), Vec2(0.0));
+    if (glm::dot(off, off) > (1.0 + 1e-9) * std::min(bound, best2) + 1e-12) continue;  // with room for rounding
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const Vec2 a = points_[i], ab = points_[i + 1] - a;
+      const double len2 = glm::dot(ab, ab);
+      double t = len2 > 0.0 ? glm::dot(p - a, ab) / len2 : 0.0;
+      t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
+      const Vec2 c = a + t * ab;
+      const double d2 = glm::dot(p - c, p - c);
+      if (d2 < best2) {
+        best2 = d2;
+        best.point = c;
+        best.segment = i;
+        best.share = t;
+      }
     }
   }
   best.distance = std::sqrt(best2);

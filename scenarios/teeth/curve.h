@@ -88,8 +88,14 @@ class Line2 {
   Vec2 high() const noexcept { return high_; }
 
  private:
+  /// Segments in a row, with a box about them: most are too far away to be looked at one by one.
+  struct Run {
+    std::size_t begin = 0, end = 0;
+    Vec2 low{0.0}, high{0.0};
+  };
   std::vector<Vec2> points_;
   std::vector<double> along_;
+  std::vector<Run> runs_;
   Vec2 low_{0.0}, high_{0.0};
 };
 

@@ -69,12 +69,15 @@ AboutTooth distance_about(const ToothBody& tooth, Vec3 origin, IVec3 nodes) {
           const IVec3 v(order & 1 ? n.x - 1 - a : a, order & 2 ? n.y - 1 - b : b, order & 4 ? n.z - 1 - c : c);
           const int k = v.x * step.x + v.y * step.y + v.z * step.z;
           if (known[static_cast<std::size_t>(k)]) continue;
+          float& own = out.distance[static_cast<std::size_t>(k)];
           double u[3];
           for (int axis = 0; axis < 3; ++axis) {
             const double before = v[axis] > 0 ? double(out.distance[static_cast<std::size_t>(k - step[axis])]) : kFarMm;
             const double behind = v[axis] + 1 < n[axis] ? double(out.distance[static_cast<std::size_t>(k + step[axis])]) : kFarMm;
             u[axis] = std::min(before, behind);
           }
+          // What comes from a neighbour is at least step / sqrt(3) more than it has.
+          if (std::min({u[0], u[1], u[2]}) + 0.5 * kStepMm >= double(own)) continue;
           std::sort(u, u + 3);
           double d = u[0] + kStepMm;
           if (d > u[1]) {
@@ -84,7 +87,6 @@ AboutTooth distance_about(const ToothBody& tooth, Vec3 origin, IVec3 nodes) {
               d = (sum + std::sqrt(std::max(0.0, sum * sum - 3.0 * (squares - kStepMm * kStepMm)))) / 3.0;
             }
           }
-          float& own = out.distance[static_cast<std::size_t>(k)];
           own = std::min(own, static_cast<float>(d));
         }
       }

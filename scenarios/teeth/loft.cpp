@@ -131,14 +131,21 @@ Wall::Section Wall::section(double z) const noexcept {
   return s;
 }
 
+Wall::InPlane Wall::in_plane(Vec3 p, const Section& s) const noexcept {
+  InPlane r;
+  r.y = p.y - s.y0;
+  r.widen = std::max(0.3, 1.0 + s.taper * r.y / s.half);
+  r.x = (p.x - s.x0 - s.shear * r.y) / r.widen;
+  r.b = r.y > 0.0 ? s.buccal : s.lingual;
+  r.side = {r.x / s.a, r.y / r.b};
+  return r;
+}
+
 Wall::Value Wall::value(Vec3 p, const Section& s) const noexcept {
-  const double y = p.y - s.y0;
-  const double widen = std::max(0.3, 1.0 + s.taper * y / s.half);
-  const double x = (p.x - s.x0 - s.shear * y) / widen;
-  const double b = y > 0.0 ? s.buccal : s.lingual;
+  const auto [x, y, b, widen, side] = in_plane(p, s);
   Value r;
-  r.u = x / s.a;
-  r.v = y / b;
+  r.u = side.u;
+  r.v = side.v;
   const double n = s.n[static_cast<std::size_t>((x > 0.0 ? 0 : 1) + (y > 0.0 ? 0 : 2))];
   const double au = std::max(std::fabs(r.u), 1e-9), av = std::max(std::fabs(r.v), 1e-9);
   const double un = std::pow(au, n), vn = std::pow(av, n), sum = un + vn;
@@ -156,7 +163,8 @@ Wall::Value Wall::value(Vec3 p, const Section& s) const noexcept {
   return r;
 }
 
-WallPlace Wall::at(Vec3 p) const noexcept {
+template <bool kSoft>
+WallPlace Wall::place(Vec3 p) const noexcept {
   const Value here = value(p, section(p.z));
   const Vec3 up = p + Vec3(0.0, 0.0, kSlopeStepMm);
   const double dz = (value(up, section(up.z)).g - here.g) / kSlopeStepMm;
@@ -173,10 +181,12 @@ WallPlace Wall::at(Vec3 p) const noexcept {
     if (weight == 0.0 || faces_[k].all.empty()) continue;
     const double along = k < 2 ? p.y : p.x;
     out.featured -= weight * faces_[k].all.at(along, p.z);
-    if (!faces_[k].soft.empty()) out.soft -= weight * faces_[k].soft.at(along, p.z);
+    if (kSoft && !faces_[k].soft.empty()) out.soft -= weight * faces_[k].soft.at(along, p.z);
   }
   return out;
 }
+template WallPlace Wall::place<true>(Vec3) const noexcept;
+template WallPlace Wall::place<false>(Vec3) const noexcept;
 
 void Wall::build_faces(const ToothTable& table, double min_half_width_mm) {
   for (std::size_t k = 0; k < 4; ++k) {

@@ -34,11 +34,14 @@ class Loft {
   double cos_ = 1.0, sin_ = 0.0;
 };
 
-/// Where a point lies within the wall's cross-section.
-struct WallPlace {
-  double plain = 0.0;       // distance to the wall without its features
-  Vec3 normal{0.0};         // in which that distance grows
-  double u = 0.0, v = 0.0;  // ±1 at the mesial/distal and buccal/lingual side
+/// Where a point lies within the wall's cross-section: ±1 at the mesial/distal (u) and buccal/lingual (v) side.
+struct WallSide {
+  double u = 0.0, v = 0.0;
+};
+
+struct WallPlace : WallSide {
+  double plain = 0.0;     // distance to the wall without its features
+  Vec3 normal{0.0};       // in which that distance grows
   double featured = 0.0;  // distance with all features
   double soft = 0.0;      // distance without narrow grooves: what the dentine below follows
 };
@@ -46,7 +49,11 @@ struct WallPlace {
 class Wall {
  public:
   explicit Wall(const ToothTable& table, double min_half_width_mm);
-  WallPlace at(Vec3 p) const noexcept;
+  WallPlace at(Vec3 p) const noexcept { return place<true>(p); }
+  /// The same less `soft`, and quicker.
+  WallPlace outside_at(Vec3 p) const noexcept { return place<false>(p); }
+  /// A fraction of the work.
+  WallSide side_at(Vec3 p) const noexcept { return in_plane(p, section(p.z)).side; }
   /// Lowest z of the table: apex of a single-rooted tooth, else the bottom of the trunk.
   double bottom_z() const noexcept { return bottom_z_; }
 
@@ -58,6 +65,13 @@ class Wall {
   struct Value {
     double g = 0, dx = 0, dy = 0, u = 0, v = 0;
   };
+  struct InPlane {
+    double x = 0, y = 0, b = 1, widen = 1;
+    WallSide side;
+  };
+  template <bool kSoft>
+  WallPlace place(Vec3 p) const noexcept;
+  InPlane in_plane(Vec3 p, const Section& s) const noexcept;
   Section section(double z) const noexcept;
   Value value(Vec3 p, const Section& s) const noexcept;
   void build_faces(const ToothTable& table, double min_half_width_mm);

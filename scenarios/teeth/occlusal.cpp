@@ -1,5 +1,7 @@
 #include "scenarios/teeth/occlusal.h"
 
+#include <algorithm>
+
 #include "scenarios/teeth/noise.h"
 
 namespace cusp {
@@ -16,7 +18,17 @@ struct Roof {
   Line2 line;
   std::vector<double> z;  // at the line's points
   const RidgeTable* table;
+  double highest;  // of z
 };
+
+/// No less than roof_height there.
+double roof_at_most(const Roof& roof, Vec2 p) {
+  const RidgeTable& t = *roof.table;
+  const Vec2 off = glm::max(glm::max(roof.line.low() - p, p - roof.line.high()), Vec2(0.0));
+  const double slope = std::max(0.0, std::min(t.inner_slope, t.outer_slope)), r = t.rounding_mm;
+  constexpr double kRoundingMm = 1e-9;
+  return roof.highest - slope * (std::sqrt(glm::dot(off, off) + r * r) - r) + kRoundingMm;
+}
 
 double roof_height(const Roof& roof, Vec2 p, Vec2 centre) {
   const Line2::Nearest near = roof.line.nearest(p);
@@ -113,7 +125,8 @@ Occlusal::Occlusal(const ToothTable& table, std::uint64_t seed, double min_half_
       low = glm::min(low, flat.back());
       high = glm::max(high, flat.back());
     }
-    roofs.push_back({Line2(std::move(flat)), std::move(z), &r});
+    const double highest = *std::max_element(z.begin(), z.end());
+    roofs.push_back({Line2(std::move(flat)), std::move(z), &r, highest});
   }
   const Vec2 centre = 0.5 * (low + high);
   Map2 bare(Vec2(-kHalfExtentMm), Vec2(kHalfExtentMm));
@@ -122,7 +135,10 @@ Occlusal::Occlusal(const ToothTable& table, std::uint64_t seed, double min_half_
     for (int i = 0; i < bare.width(); ++i) {
       const Vec2 p = bare.place(i, j);
       double h = table.floor_z;
-      for (const Roof& roof : roofs) h = smax(h, roof_height(roof, p, centre), table.ridge_blend_mm);
+      for (const Roof& roof : roofs) {
+        if (roof_at_most(roof, p) <= h - table.ridge_blend_mm) continue;  // then it adds nothing, to the bit
+        h = smax(h, roof_height(roof, p, centre), table.ridge_blend_mm);
+      }
       if (seed != 0) h += kBumpMm * bump.at({p.x, p.y, 0.0});
       bare.cell(i, j) = static_cast<float>(h);
     }

@@ -11,6 +11,7 @@ constexpr double kGrooveVoxels = 1.8, kCanalVoxels = 0.8, kCoatVoxels = 1.2;
 constexpr double kRootTopMm = 1.2;       // roots end in a round top inside the crown
 constexpr double kTrunkCutMm = 1.2;      // rounding of the trunk's lower end
 constexpr double kWarpMm = 0.18, kWarpLengthMm = 3.6;  // a seed's sideways variation
+constexpr double kPastMm = 1e-6;  // a search for the outermost place goes so far past the best one, for rounding
 constexpr double kMdBlSpread = 0.05, kCrownSpread = 0.06, kRootSpread = 0.09;  // one sigma, as shares (teeth.md)
 
 ToothDims varied(ToothDims d, std::uint64_t seed) {
@@ -100,13 +101,12 @@ double ToothShape::crown(Vec3 t, const WallPlace& wall) const noexcept {
 
 double ToothShape::outside(Vec3 p) const noexcept {
   const Vec3 t = to_table(p);
-  if (roots_.empty()) return crown(t, wall_.at(t));
-  if (t.z > 0.0) return crown(t, wall_.at(t));
+  if (roots_.empty() || t.z > 0.0) return crown(t, wall_.outside_at(t));
   // Trunk: the wall, cut off below.
   Sided trunk{wall_.bottom_z() - t.z, {0, 0, -1}};
   double neck = trunk.d;
   if (trunk.d < 2.5) {
-    const WallPlace wall = wall_.at(t);
+    const WallPlace wall = wall_.outside_at(t);
     neck = wall.featured;
     const double share = std::clamp(0.5 + (wall.featured - trunk.d) / (2.0 * kTrunkCutMm), 0.0, 1.0);
     trunk = {smax(wall.featured, trunk.d, kTrunkCutMm), glm::normalize(glm::mix(trunk.n, wall.normal, share))};
@@ -120,7 +120,7 @@ double ToothShape::outside(Vec3 p) const noexcept {
   return root + f * (neck - root);
 }
 
-double ToothShape::cej_height(const WallPlace& w) const noexcept {
+double ToothShape::cej_height(const WallSide& w) const noexcept {
   const double u2 = w.u * w.u, q = u2 / (u2 + w.v * w.v + 1e-12);
   const double proximal = w.u > 0.0 ? table_.cej_m : table_.cej_d;
   const double facial = w.v > 0.0 ? table_.cej_b : table_.cej_l;
@@ -130,7 +130,7 @@ double ToothShape::cej_height(const WallPlace& w) const noexcept {
 
 double ToothShape::above_cej(Vec3 p) const noexcept {
   const Vec3 t = to_table(p);
-  return t.z - cej_height(wall_.at(t));
+  return t.z - cej_height(wall_.side_at(t));
 }
 
 double ToothShape::dentine(Vec3 p, double outside_mm) const noexcept {
@@ -140,9 +140,9 @@ double ToothShape::dentine(Vec3 p, double outside_mm) const noexcept {
     const double apex_share = std::clamp(t.z / -table_.dims.root_length, 0.0, 1.0);
     return outside_mm + std::max(coat, 0.04 + 0.16 * apex_share);
   }
-  const WallPlace w = wall_.at(t);
-  const double h = t.z - cej_height(w);
+  const double h = t.z - cej_height(wall_.side_at(t));
   if (h <= 0.0) return outside_mm + std::max(coat, 0.04 * std::min(1.0, -h / 0.3));
+  const WallPlace w = wall_.at(t);
   const EnamelTable& e = table_.enamel;
   const double rise = 1.0 - std::exp(-h / e.tau);
   const double u2 = w.u * w.u, q = u2 / (u2 + w.v * w.v + 1e-12);
@@ -190,7 +190,7 @@ Vec3 ToothShape::furthest(Vec3 way, double z_from, double z_to) const {
   const auto look = [&](double s, double z) {
     if (z < z_from - 1e-9 || z > z_to + 1e-9) return;
     const Vec3 from = across * s + Vec3(0, 0, z) + way * 9.0;
-    const auto d = march(from, -way, 9.0);
+    const auto d = march(from, -way, std::min(9.0, 9.0 - best_reach + kPastMm));
     if (d && 9.0 - *d > best_reach) {
       best_reach = 9.0 - *d;
       best = from - way * *d;
@@ -231,8 +231,9 @@ void ToothShape::measure() {
       const Vec3 at = tip;
       for (int i = -2; i <= 2; ++i) {
         for (int j = -2; j <= 2; ++j) {
-          const auto p = top_at(at.x + i * step, at.y + j * step);
-          if (p && p->z > z) z = p->z, tip = *p;
+          const Vec3 from{at.x + i * step, at.y + j * step, high_.z + 0.3};
+          const auto d = march(from, {0, 0, -1}, std::min(8.0, from.z - z + kPastMm));
+          if (d && from.z - *d > z) z = from.z - *d, tip = {from.x, from.y, z};
         }
       }
     }
@@ -252,7 +253,7 @@ void ToothShape::measure() {
       for (int i = -2; i <= 2; ++i) {
         for (int j = -2; j <= 2; ++j) {
           const Vec3 from{at.x + i * step, at.y + j * step, -t.dims.root_length * 1.3 - 1.0};
-          const auto d = march(from, {0, 0, 1}, 12.0);
+          const auto d = march(from, {0, 0, 1}, std::min(12.0, z - from.z + kPastMm));
           if (d && from.z + *d < z) z = from.z + *d, tip = {from.x, from.y, z};
         }
       }

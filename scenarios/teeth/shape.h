@@ -24,7 +24,7 @@ class ToothShape {
   double above_cej(Vec3 p) const noexcept;
 
   /// Distance to the side walls alone: negative on the biting surface, by how far the rim is away.
-  double beyond_rim(Vec3 p) const noexcept { return wall_.at(to_table(p)).featured; }
+  double beyond_rim(Vec3 p) const noexcept { return wall_.outside_at(to_table(p)).featured; }
 
   /// Place in the table's frame, before the seed's warp and the fit.
   Vec3 to_table(Vec3 p) const noexcept;
@@ -48,7 +48,7 @@ class ToothShape {
     double x_crown = 1, x_neck = 1, y_crown = 1, y_neck = 1, z_crown = 1, z_root = 1;
   };
   double crown(Vec3 table_place, const WallPlace& wall) const noexcept;
-  double cej_height(const WallPlace& wall) const noexcept;
+  double cej_height(const WallSide& wall) const noexcept;
   void fit();
   void measure();
   Vec3 furthest(Vec3 way, double z_from, double z_to) const;

@@ -7,6 +7,7 @@
 #include "scenarios/teeth/find_landmarks.h"
 #include "scenarios/teeth/gums.h"
 #include "scenarios/teeth/own_tissues.h"
+#include "scenarios/teeth/shared_shape.h"
 #include "scenarios/teeth/tables.h"
 #include "scenarios/teeth/two_threads.h"
 #include "scenarios/teeth/voxels.h"
@@ -52,10 +53,10 @@ Result<Row, ToothFailure> stand(const ToothRequest& request, ToothCancel cancel)
       if (const int beside = neighbour_fdi(fdi, mesial)) fdis.push_back(beside);
     }
   }
-  std::vector<std::unique_ptr<ToothShape>> shapes(fdis.size());
+  std::vector<std::shared_ptr<const ToothShape>> shapes(fdis.size());
   in_two_threads(static_cast<int>(fdis.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
-    shapes[at] = i == 0 ? std::make_unique<ToothShape>(*choice->table, request.seed, request.voxel_mm)
+    shapes[at] = i == 0 ? shared_shape(*choice->table, request.seed, request.voxel_mm)
                         : shape_in_mouth(fdis[at], request.seed, request.voxel_mm);
   });
   Standing own;
@@ -175,7 +176,7 @@ Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& req
       fdis.push_back(next);
     }
   }
-  std::vector<std::unique_ptr<ToothShape>> shapes(fdis.size());
+  std::vector<std::shared_ptr<const ToothShape>> shapes(fdis.size());
   in_two_threads(static_cast<int>(fdis.size()), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     shapes[at] = shape_in_mouth(fdis[at], request.seed, kSceneryVoxelMm);

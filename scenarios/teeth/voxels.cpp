@@ -158,9 +158,23 @@ class Maker {
   /// Pass 3. Above a fissure a Newton path may end on the farther wall; a distance grows by no more than the way walked
   /// (1 % for rounding), so such a voxel is taken back to what its neighbours allow. Two sweeps: its neighbours are right.
   void settle() {
-    const int count = static_cast<int>(out_.grid.voxels());
-    for (int i = 0; i < count; ++i) settle(i);
-    for (int i = count - 1; i >= 0; --i) settle(i);
+    const IVec3 low(kPad), high = field_.size - kPad;
+    for (int z = low.z; z < high.z; ++z) {
+      for (int y = low.y; y < high.y; ++y) {
+        for (int x = low.x; x < high.x; ++x) {
+          if (near(x, y, z)) settle(x, y, z);
+          else x |= kBlock - 1;  // to the block's end
+        }
+      }
+    }
+    for (int z = high.z - 1; z >= low.z; --z) {
+      for (int y = high.y - 1; y >= low.y; --y) {
+        for (int x = high.x - 1; x >= low.x; --x) {
+          if (near(x, y, z)) settle(x, y, z);
+          else x &= ~(kBlock - 1);
+        }
+      }
+    }
   }
 
   /// Pass 4. A canal that ends near the apex, or a coat one voxel thin, may cut off a few voxels: they join the tissue
@@ -243,11 +257,9 @@ class Maker {
     }
   }
 
-  void settle(int i) {
+  void settle(int x, int y, int z) {
     const IVec3 size = field_.size;
-    const int z = i / (size.x * size.y), y = i / size.x % size.y, x = i % size.x;
-    const auto at = static_cast<std::size_t>(i);
-    if (!inner({x, y, z}) || kind_[block_of({x, y, z})] != Kind::near) return;
+    const std::size_t at = field_.index(x, y, z);
     const int own = out_.s[at];
     if (own == 0 || own == kSolid) {  // far from the surface, unless a face neighbour is not
       const std::size_t row = static_cast<std::size_t>(size.x), slice = row * static_cast<std::size_t>(size.y);
@@ -278,9 +290,8 @@ class Maker {
     if (own == 0) out_.tissue[at] = out_.tissue[from];
   }
 
-  std::size_t block_of(IVec3 v) const noexcept {
-    const IVec3 b = v / kBlock;
-    return static_cast<std::size_t>(b.x + blocks_.x * (b.y + blocks_.y * b.z));
+  bool near(int x, int y, int z) const noexcept {
+    return kind_[static_cast<std::size_t>(x / kBlock + blocks_.x * (y / kBlock + blocks_.y * (z / kBlock)))] == Kind::near;
   }
 
   bool inner(IVec3 v) const noexcept {
