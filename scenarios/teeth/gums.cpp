@@ -29,10 +29,12 @@ struct AboutTooth {
   std::size_t at(IVec3 v) const noexcept {
     return static_cast<std::size_t>(v.x - low.x + size.x * (v.y - low.y + size.y * (v.z - low.z)));
   }
-  bool holds(IVec3 v) const noexcept {
+  /// Below them too: bone goes on below a short root as far as below the longest.
+  bool holds_column(IVec3 v) const noexcept {
     const IVec3 q = v - low;
-    return q.x >= 0 && q.y >= 0 && q.z >= 0 && q.x < size.x && q.y < size.y && q.z < size.z;
+    return q.x >= 0 && q.y >= 0 && q.x < size.x && q.y < size.y && q.z < size.z;
   }
+  double at_node(IVec3 v) const noexcept { return v.z < low.z ? kFarMm : double(distance[at(v)]); }
 };
 
 /// Away from its surface a tooth's field is no distance; it is carried outwards from where it is one, by fast sweeping
@@ -130,9 +132,9 @@ Gums::Gums(const std::vector<const ToothBody*>& teeth, Parts parts) : parts_(par
     high_ = glm::max(high_, t->high());
     neck = std::min(neck, t->place().move_mm.z);
   }
-  const double floor = parts.bone ? low_.z - kBelowApexMm : neck - kNeckOnlyMm;
+  floor_ = parts.bone ? low_.z - kBelowApexMm : neck - kNeckOnlyMm;
   const double wide = kThickestMm + 0.25 * kSideBlendMm + 0.2;  // where two teeth meet the blend bulges by a quarter
-  low_ = Vec3(low_.x - wide, low_.y - wide, floor - 0.2);
+  low_ = Vec3(low_.x - wide, low_.y - wide, floor_ - 0.2);
   high_ += Vec3(wide, wide, -1.0);
   for (Coarse* c : {&surface_, &bone_, &tooth_}) {
     c->low = low_ - 3.0 * kStepMm;
@@ -150,8 +152,8 @@ Gums::Gums(const std::vector<const ToothBody*>& teeth, Parts parts) : parts_(par
         const Vec3 p = surface_.low + kStepMm * Vec3(i, j, k);
         double side = 1e9, margin = 1e9, crest = 1e9, nearest = 1e9, second = 1e9;
         for (std::size_t t = 0; t < teeth.size(); ++t) {
-          if (!about[t].holds({i, j, k})) continue;
-          const double d = double(about[t].distance[about[t].at({i, j, k})]), clear = std::max(d, 0.0);
+          if (!about[t].holds_column({i, j, k})) continue;
+          const double d = about[t].at_node({i, j, k}), clear = std::max(d, 0.0);
           if (d >= kFarMm && about[t].neck(i, j) >= kFarMm) continue;
           const double h = teeth[t]->above_cej(p), over = p.z - teeth[t]->place().move_mm.z;
           // About the crown along it; below, a column about the neck: it fills what lies between the roots.
@@ -166,7 +168,7 @@ Gums::Gums(const std::vector<const ToothBody*>& teeth, Parts parts) : parts_(par
         if (nearest > 1e8) nearest = side = margin = crest = kFarMm;
         const double both = std::max(nearest, 0.0) + second;
         if (both < 4.0) margin -= kPapillaMm * std::exp(-(both / kPapillaReachMm) * (both / kPapillaReachMm));
-        const double below = floor - p.z;
+        const double below = floor_ - p.z;
         const double gum = smax(smax(margin, side, 0.5), below, 0.5);
         const double bone = smax(smax(crest, side + (parts_.gingiva ? kMucosaMm : 0.0), 0.8), below + (parts_.gingiva ? 0.3 : 0.0), 0.5);
         const auto at = static_cast<std::size_t>(i + surface_.size.x * (j + surface_.size.y * k));

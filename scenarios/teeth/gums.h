@@ -28,6 +28,8 @@ class Gums final : public Body {
   Tissue whole(Vec3 p, double far) const noexcept override;
   Vec3 low() const noexcept override { return low_; }
   Vec3 high() const noexcept override { return high_; }
+  /// The height (z) at which they end below, rounded over the last half millimetre.
+  double floor_mm() const noexcept { return floor_; }
 
  private:
   /// A field sampled on a coarse grid and read with cubic weights.
@@ -38,6 +40,7 @@ class Gums final : public Body {
     double at(Vec3 p) const noexcept;
   };
   Parts parts_;
+  double floor_ = 0.0;
   Vec3 low_{0.0}, high_{0.0};
   Coarse surface_, bone_, tooth_;  // distances: to the outer surface, to the bone's, to the nearest tooth
 };

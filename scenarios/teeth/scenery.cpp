@@ -10,6 +10,11 @@ constexpr int kSkip = 4;           // cells on a side of what is passed over whe
 constexpr double kSlopeMost = 1.5; // of the fields, away from fissures
 constexpr double kFissureMm = 0.35;
 
+Vec3 slope_of(const Body& body, Vec3 p, double step) {
+  const auto d = [&](Vec3 o) { return body.outside(p + o) - body.outside(p - o); };
+  return Vec3(d({step, 0, 0}), d({0, step, 0}), d({0, 0, step})) / (2.0 * step);
+}
+
 /// Light from around that reaches a place of the surface: how far the field has grown along the normal, near and far.
 std::uint8_t ambient_at(const Body& body, Vec3 at, Vec3 normal) {
   constexpr double kReach[] = {0.4, 1.0, 2.2};  // mm: a fissure, a fossa, the space between two roots
@@ -43,11 +48,6 @@ SceneryMesh mesh_of(const Body& body, double step) {
   }
   SceneryMesh out;
   std::vector<std::int32_t> point(f.size(), -1);
-  const auto slope = [&](Vec3 p) {
-    const double h = 0.2 * step;
-    const auto d = [&](Vec3 o) { return body.outside(p + o) - body.outside(p - o); };
-    return Vec3(d({h, 0, 0}), d({0, h, 0}), d({0, 0, h})) / (2.0 * h);
-  };
   for (int z = 0; z + 1 < n.z; ++z) {
     for (int y = 0; y + 1 < n.y; ++y) {
       for (int x = 0; x + 1 < n.x; ++x) {
@@ -68,7 +68,7 @@ SceneryMesh mesh_of(const Body& body, double step) {
         const Vec3 home = low + step * (Vec3(x, y, z) + sum / double(crossings));
         Vec3 p = home, g(0, 0, 1);
         for (int round = 0; round < 2; ++round) {
-          g = slope(p);
+          g = slope_of(body, p, 0.2 * step);
           p -= g * (body.outside(p) / std::max(glm::dot(g, g), 0.05));
         }
         if (glm::length(p - home) > step) p = home;
@@ -117,6 +117,22 @@ void cover(SceneryMesh& mesh, const Body& by, double margin) {
   mesh.seen = open.size();
   open.insert(open.end(), covered.begin(), covered.end());
   mesh.triangles = std::move(open);
+}
+
+void tuck_in(SceneryMesh& mesh, const Body& under, double under_mm) {
+  std::vector<std::uint8_t> of(mesh.points_mm.size(), 0);  // 1: of what lies open, 2: of the rest
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) of[mesh.triangles[k]] |= k < mesh.seen ? 1 : 2;
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    if (of[i] != 3) continue;
+    Vec3 p(mesh.points_mm[i]);
+    for (int round = 0; round < 3; ++round) {
+      const double above = under.outside(p) + under_mm;
+      if (above <= 0.0) break;
+      const Vec3 g = slope_of(under, p, 0.05);
+      p -= g * (above / std::max(glm::dot(g, g), 0.25));
+    }
+    mesh.points_mm[i] = glm::vec3(p);
+  }
 }
 
 void mirror(SceneryMesh& mesh) noexcept {

@@ -32,4 +32,8 @@ SceneryMesh mesh_of(const Body& body, double step_mm);
 /// Triangles whose corners are all nearer than `margin_mm` to a body, or within it, no longer lie open.
 void cover(SceneryMesh& mesh, const Body& by, double margin_mm);
 
+/// Where what lies open ends over a body that covers the rest, its edge would stand off: it goes `under_mm` below that
+/// body's surface, so that nobody looks between the two.
+void tuck_in(SceneryMesh& mesh, const Body& under, double under_mm);
+
 }  // namespace cusp

@@ -18,7 +18,9 @@ namespace {
 constexpr double kShapeShare = 0.25;     // of the time, measured at 0.1 mm
 constexpr double kSceneryVoxelMm = 0.2;  // what the grooves of scenery are widened for
 constexpr double kGumStepMm = 0.6;       // of scenery: gums have no finer form than 0.4 mm
-constexpr double kSeamMm = 0.12;         // nearer to the gums of voxels those of the scenery are not drawn
+constexpr double kSeamMm = 0.05;         // nearer to the gums of voxels those of the scenery are not drawn
+constexpr double kFootMm = 0.8;          // more than the rounding of their lower edge
+constexpr double kTuckMm = 0.15;         // so far their edge goes below: its chords of 0.6 mm stay within
 
 bool stopped(ToothCancel cancel) { return cancel != nullptr && cancel->load(); }
 
@@ -145,6 +147,21 @@ std::vector<int> beyond(int neighbour, bool mesial) {
   return out;
 }
 
+/// Gums of voxels less their rounded lower edge, over which those of the jaw go straight on.
+class WithoutFoot final : public Body {
+ public:
+  explicit WithoutFoot(const Gums& gums) : gums_(gums) {}
+  double outside(Vec3 p) const noexcept override { return std::max(gums_.outside(p), gums_.floor_mm() + kFootMm - p.z); }
+  Tissue inside(Vec3 p, double outside_mm) const noexcept override { return gums_.inside(p, outside_mm); }
+  Tissue skin(Vec3 p) const noexcept override { return gums_.skin(p); }
+  Tissue whole(Vec3 p, double far) const noexcept override { return gums_.whole(p, far); }
+  Vec3 low() const noexcept override { return gums_.low(); }
+  Vec3 high() const noexcept override { return gums_.high(); }
+
+ private:
+  const Gums& gums_;
+};
+
 /// The gums of a whole jaw where they are no voxels; what of the teeth stands in them is covered.
 SceneryMesh gums_of(const ToothRequest& request, const Row& row, const std::vector<ToothBody>& rest,
                     std::vector<SceneryMesh>& meshes) {
@@ -158,7 +175,9 @@ SceneryMesh gums_of(const ToothRequest& request, const Row& row, const std::vect
   const Gums whole(all, parts);
   SceneryMesh out = mesh_of(whole, kGumStepMm);
   out.within = request.bone ? Tissue::bone : Tissue::gingiva;
-  cover(out, Gums(voxels, parts), kSeamMm);
+  const Gums own(voxels, parts);
+  cover(out, WithoutFoot(own), kSeamMm);
+  tuck_in(out, own, kTuckMm);
   in_two_threads(static_cast<int>(meshes.size()), [&](int i) { cover(meshes[static_cast<std::size_t>(i)], whole, -kGumStepMm); });
   return out;
 }

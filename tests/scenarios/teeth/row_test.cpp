@@ -305,6 +305,68 @@ TEST(Jaw, HasSixteenTeethInARowOfWhichThreeAreVoxelsAndGumsInOnePiece) {
   EXPECT_EQ(pieces.size(), 1u);
 }
 
+/// s between the voxels' centres, linear; above kHalf is within.
+double solid_at(const VoxelVolume& v, Vec3 p) {
+  const Vec3 q = (p - v.grid.origin_mm) / v.grid.voxel_mm, t = q - glm::floor(q);
+  const IVec3 low(glm::floor(q));
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const IVec3 o(corner & 1, corner >> 1 & 1, corner >> 2), at = low + o;
+    if (glm::any(glm::lessThan(at, IVec3(0))) || glm::any(glm::greaterThanEqual(at, v.grid.size))) continue;
+    const Vec3 share = glm::mix(1.0 - t, t, Vec3(o));
+    sum += share.x * share.y * share.z * double(v.s[v.grid.index(at)]);
+  }
+  return sum;
+}
+
+/// Its edge once stood up to 0.12 mm off the voxels, with a slit to look through.
+TEST(Jaw, HasGumsWhoseOpenEdgeLiesWithinTheVoxels) {
+  for (const int fdi : {36, 41}) {
+    ToothRequest request{fdi, 0, 0.3};
+    request.gingiva = request.bone = true;
+    const auto jaw = grow_jaw(request, 0.8);
+    ASSERT_TRUE(jaw.has_value());
+    const SceneryMesh& gums = jaw->scenery.back().mesh;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (std::size_t k = 0; k < gums.seen; k += 3) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(gums.triangles[k + i], gums.triangles[k + (i + 1) % 3]);
+        ++edges[{a, b}];
+      }
+    }
+    int open = 0, standing_off = 0;
+    for (const auto& [edge, uses] : edges) {
+      if (uses != 1) continue;
+      ++open;
+      const Vec3 a(gums.points_mm[edge.first]), b(gums.points_mm[edge.second]);
+      for (const double t : {0.0, 0.25, 0.5, 0.75}) standing_off += solid_at(jaw->tooth.volume, glm::mix(a, b, t)) < kHalf;
+    }
+    EXPECT_GT(open, 100) << fdi;
+    EXPECT_EQ(standing_off, 0) << fdi << ": of " << 4 * open << " places";
+  }
+}
+
+/// Below a short root, too: the gums of teeth with long ones reach deeper than 4 mm below it, and once left a pit there.
+TEST(Jaw, HasGumsWithALevelBase) {
+  for (const int fdi : {36, 14}) {
+    ToothRequest request{fdi, 0, 0.4};
+    request.gingiva = request.bone = true;
+    const auto rest = rest_of_jaw(request, 0.8);
+    ASSERT_TRUE(rest.has_value());
+    const SceneryMesh& gums = rest->back().mesh;
+    float lowest = 0.0f;
+    for (const glm::vec3& p : gums.points_mm) lowest = std::min(lowest, p.z);
+    int base = 0, pits = 0;
+    for (std::size_t i = 0; i < gums.points_mm.size(); ++i) {
+      if (gums.normals[i].z > -0.95f) continue;
+      ++base;
+      pits += gums.points_mm[i].z > lowest + 0.3f;
+    }
+    EXPECT_GT(base, 1000) << fdi;
+    EXPECT_EQ(pits, 0) << fdi << ": of " << base;
+  }
+}
+
 /// Between the central fossae of the first molars, and the tips of the canines: from voxels and scenery alike, by the
 /// middle of each crown. Literature, average adults [M]: lower 42 and 26 mm, upper 47 and 34 mm.
 TEST(Jaw, IsAsWideAsJawsAre) {

@@ -3,15 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 
+#include "scenarios/specimens.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/ui/render/ball.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/scenery_section.h"
 #include "ui/render/snapshot.h"
+#include "ui/render/tooth_picture.h"
 
 namespace cusp {
 namespace {
@@ -134,6 +137,59 @@ TEST(Scenery, in_a_section_scenery_goes_on_where_the_specimen_never_was_and_not_
   EXPECT_EQ(at(both, 150, 95) >> 24, 255u);          // 1.65 mm up: within the specimen's box, and no tissue of its own
   EXPECT_EQ(at(alone, 150, 60) >> 24, 0u);
   EXPECT_EQ(at(both, 150, 60) >> 24, 255u);          // 2.7 mm up
+}
+
+/// Pixels of a row of gums, from the side and about their lower edge, through which the background is seen although
+/// something lies all about them.
+int specks(const Volume& volume, const std::shared_ptr<const SceneryLook>& scenery, double yaw, double pitch, double look_z) {
+  constexpr int kSize = 500;
+  const auto context = EglContext::create(kSize, kSize);
+  const auto picture = ToothPicture::create();
+  PatchFeed feed({});
+  feed.build_all(volume);
+  for (const BakedPatch& patch : feed.take(~std::size_t{0}).patches) picture->put(patch);
+  picture->set_scenery(scenery.get());
+  Scene3d scene;
+  scene.camera = Camera::about({0.0, 2.0, look_z}, 9.0);
+  scene.camera.set_angles(yaw, pitch);
+  const auto shot = [&](std::uint32_t colour) {
+    scene.background_middle = scene.background_edge = colour_of(colour);
+    picture->draw(scene, kSize, kSize);
+    return context->read_rgba();
+  };
+  const auto light = shot(0xFFFFFF), dark = shot(0x000000);
+  std::vector<std::uint8_t> through(static_cast<std::size_t>(kSize * kSize));
+  for (std::size_t i = 0; i < through.size(); ++i) through[i] = light[4 * i] != dark[4 * i];
+  std::vector<int> outside;
+  const auto reach = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= kSize || y >= kSize || through[static_cast<std::size_t>(kSize * y + x)] == 0) return;
+    through[static_cast<std::size_t>(kSize * y + x)] = 0;
+    outside.push_back(kSize * y + x);
+  };
+  for (int i = 0; i < kSize; ++i) {
+    for (const int far : {0, kSize - 1}) reach(i, far), reach(far, i);
+  }
+  for (std::size_t k = 0; k < outside.size(); ++k) {
+    const int x = outside[k] % kSize, y = outside[k] / kSize;
+    reach(x - 1, y), reach(x + 1, y), reach(x, y - 1), reach(x, y + 1);
+  }
+  return static_cast<int>(std::count(through.begin(), through.end(), std::uint8_t{1}));
+}
+
+TEST(Scenery, no_background_shines_through_between_the_gums_of_voxels_and_those_of_the_jaw) {
+  if (!EglContext::create(16, 16)) GTEST_SKIP() << "no OpenGL on this machine";
+  SpecimenSource source;
+  source.generator = "tooth";
+  source.fdi = 36;
+  source.voxel_mm = 0.25;
+  source.around = {"neighbours", "gingiva", "bone", "jaw"};
+  const auto dense = make_specimen(source, {});
+  ASSERT_TRUE(dense.has_value());
+  const Volume volume(Specimen::build(*dense, Reading::banded));
+  const auto scenery = scenery_of(source);
+  ASSERT_TRUE(scenery);
+  for (const double yaw : {-0.4, 0.0, 0.4})
+    for (const double pitch : {0.2, 0.5, 0.9}) EXPECT_EQ(specks(volume, scenery, yaw, pitch, -14.0), 0) << yaw << ' ' << pitch;
 }
 
 TEST(Scenery, only_a_specimen_that_asks_for_a_jaw_has_any) {
