@@ -27,6 +27,9 @@ constexpr double kShallowTauMm = 0.005;
 constexpr double kLeastTauMm = 0.00005;
 /// Sliding over what strokes have left, a ball is lifted out of what no stroke has taken, but for this much more.
 constexpr double kUncutMm = 0.0001;
+/// There wear that is less than this a tick enters as this much, in as many ticks as make it up: each stroke over the edge of a
+/// ridge takes a little besides, as straight as it is led, and hundreds of them are more than contact tells apart.
+constexpr double kEntersMm = 0.0001;
 constexpr double kAsideMm[] = {0.0, 0.05, -0.05, 0.1, -0.1};  // along a crest, where it looks once more
 /// A proxy that goes this many times as far as its device, and this much besides, is led there in kParts parts.
 constexpr double kOutrunTimes = 1.5, kOutrunMm = 0.02;
@@ -92,6 +95,13 @@ bool owe_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
 bool carve_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
   const bool room = !state.cut_pending || owe_pending(state, burr);
   return carve_some(state, kAllBricks) && room;
+}
+
+/// What enters of a ball's wear in this tick: even over any stretch of ticks, by the golden ratio's multiples.
+double entering(double advance_mm, std::int64_t tick) noexcept {
+  if (!(advance_mm > 0.0) || advance_mm >= kEntersMm) return advance_mm;
+  const auto turn = static_cast<std::uint32_t>(static_cast<std::uint64_t>(tick) * 2654435769u);
+  return static_cast<double>(turn) * 0x1p-32 * kEntersMm < advance_mm ? kEntersMm : 0.0;
 }
 
 /// Moves a ball out of what no stroke has taken until it stands no deeper than allowed_mm.
@@ -210,7 +220,11 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
           pose = state.proxy;
           advance = 0.0;
         }
-        if (burr.head.ball()) lift_out(state, burr.radius_mm, direction, shallow + kUncutMm, pose);
+        if (burr.head.ball()) {
+          lift_out(state, burr.radius_mm, direction, shallow + kUncutMm, pose);
+          out.cutting = advance > 0.0;
+          advance = entering(advance, static_cast<std::int64_t>(out.tick));
+        }
         to_device = device - pose;
         gap = length_of(to_device);
         direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);

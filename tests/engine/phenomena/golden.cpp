@@ -45,10 +45,10 @@ std::uint64_t run(Method method, Handpiece handpiece) {
 }
 
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_surface_proxy) {
-  EXPECT_EQ(run(Method::surface, Handpiece::turbine), 17432512202542235197ull);
+  EXPECT_EQ(run(Method::surface, Handpiece::turbine), 11500879459261064801ull);
 }
 TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_papers_proxy) {
-  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), 5160895982337027402ull);
+  EXPECT_EQ(run(Method::occupancy, Handpiece::slow), 15026700731731152360ull);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "engine/removal/carve.h"
 #include "engine/removal/wear.h"
+#include "engine/step/state.h"
 #include "tests/engine/step/scenes.h"
 
 namespace cusp {
@@ -120,6 +121,51 @@ TEST(SurfaceRemoval, never_adds_tissue) {
     for (std::size_t i = 0; i < after.s.size(); ++i) ASSERT_LE(after.s[i], before.s[i]);
     before = after;
   }
+}
+
+/// What a tick's wear comes to while a ball slides round on a face, pressed all it can be.
+struct Slid {
+  double entered_um = 0.0, deepest_um = 0.0;
+  int cutting = 0, entering = 0;
+  std::size_t strokes = 0;
+};
+Slid slide_round(double speed_mm_s, int ticks) {
+  constexpr double kRound = 0.4, kEach = 0.02, kBall = 0.5;
+  const auto scene = scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.8, 1.8, 1.4)); }),
+                              Method::surface, kBall, speed_mm_s);
+  StepState state(scene);
+  const auto at = [](int k) { return Vec3(kRound * std::cos(kEach / kRound * k), kRound * std::sin(kEach / kRound * k), 1.4 + kBall - 0.32); };
+  approach(state, at(0) + Vec3(0.0, 0.0, 0.6), at(0));
+  Slid out;
+  for (int k = 0; k < ticks; ++k) {
+    const StepOutput got = step(state, input_at(at(k), true));
+    out.cutting += got.cutting;
+    out.entering += got.advance_mm > 0.0;
+    out.entered_um += got.advance_mm * 1e3;
+    if (got.advance_mm > 0.0) out.deepest_um = std::max(out.deepest_um, (1.4 + kBall - state.inner().cut_pose.z) * 1e3);
+  }
+  out.strokes = state.inner().memory.size();
+  return out;
+}
+
+TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_enters_in_few_ticks_and_in_full) {
+  // 4000 ticks of 0.01, 0.001 and 0.0003 mm/s: 40, 4 and 1.2 um, a tenth of a micrometre at a time, evenly to within one each
+  // way. Entered in each tick, the memory held some 3900 strokes, each a little deeper than the last.
+  for (const double speed : {0.01, 0.001, 0.0003}) {
+    const Slid slid = slide_round(speed, 4000);
+    const double whole_um = speed * 4000.0;
+    EXPECT_NEAR(slid.entered_um, whole_um, 0.2 + 0.03 * whole_um) << speed;
+    EXPECT_LE(slid.entering, static_cast<int>(10.3 * whole_um) + 2) << speed;
+    EXPECT_LE(slid.strokes, static_cast<std::size_t>(slid.entering)) << speed;
+    EXPECT_GT(slid.cutting, 3900) << "it says that it cuts all the time";
+    EXPECT_LT(slid.deepest_um, 1.0) << speed;
+  }
+}
+
+TEST(SurfaceRemoval, wear_of_a_sliding_ball_that_a_tick_can_tell_enters_in_each) {
+  const Slid slid = slide_round(0.3, 1000);
+  EXPECT_GT(slid.entering, 980);
+  EXPECT_NEAR(slid.entered_um, 300.0, 9.0);
 }
 
 TEST(OccupancyRemoval, drills_at_the_papers_speeds_along_an_axis) {
