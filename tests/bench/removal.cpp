@@ -238,14 +238,15 @@ void add_slides(std::uint64_t seed, std::vector<Row>& rows) {
 }
 
 void add_ridges(std::vector<Row>& rows) {
-  for (const double diameter : {1.0, kLargestBurrMm})
-    for (const bool after : {false, true}) {
-      const Cutter cutter = round_cutter(diameter);
-      Row& row = rows.emplace_back(way_row("ridge", cutter, kPaperVoxelMm, Way::straight));
-      row.speed_mm_s = 50.0;
-      row.variant = after ? "after 40 passes" : "between two cuts";
-      const RidgeKept kept = ridge_between(cutter, kPaperVoxelMm, 50.0);
-      row.ridge_um = after ? kept.after_um : kept.felt_um;
+  for (const double speed : {50.0, 10.0})
+    for (const Cutter& cutter : ridge_cutters()) {
+      const RidgeKept kept = ridge_between(cutter, kPaperVoxelMm, speed);
+      for (const bool after : {false, true}) {
+        Row& row = rows.emplace_back(way_row("ridge", cutter, kPaperVoxelMm, Way::straight));
+        row.speed_mm_s = speed;
+        row.variant = after ? "after 40 passes" : "between two cuts";
+        row.ridge_um = after ? kept.after_um : kept.felt_um;
+      }
     }
 }
 

@@ -44,6 +44,9 @@ std::vector<Cutter> removal_cutters();
 /// one of middling size; or all of the catalogue. Their names hold the shape's key.
 std::vector<Cutter> shape_cutters(bool every);
 
+/// A ball of every diameter that the catalogue has round burrs of, smallest first: the ridge is kept under each.
+std::vector<Cutter> ridge_cutters();
+
 inline constexpr double kPaperVoxelMm = 10.0 / 128;
 inline constexpr double kLargestBurrMm = 2.3;
 

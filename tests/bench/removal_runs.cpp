@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <set>
 
 #include "scenarios/burrs/burr_catalogue.h"
 #include "tests/bench/frame.h"
@@ -60,6 +61,15 @@ std::vector<std::string> direction_names() {
 std::vector<Cutter> removal_cutters() {
   return {round_cutter(0.5), round_cutter(1.0), round_cutter(kLargestBurrMm), fissure_cutter(1.0, false),
           fissure_cutter(1.0, true)};
+}
+
+std::vector<Cutter> ridge_cutters() {
+  std::set<double> diameters;
+  for (const CatalogueBurr& entry : burr_catalogue())
+    if (entry.burr.head.ball()) diameters.insert(2.0 * entry.burr.radius_mm);
+  std::vector<Cutter> out;
+  for (const double diameter : diameters) out.push_back(round_cutter(diameter));
+  return out;
 }
 
 std::vector<Cutter> shape_cutters(bool every) {

@@ -22,6 +22,7 @@ constexpr double kTremorMm = 0.02;    // of the hand, 9 Hz, and
 constexpr double kNoiseMm = 0.002;    // of its device, from tick to tick
 constexpr double kSlideS = 1.5;
 constexpr double kRidgeWearMmS = 1e-3;
+constexpr int kRestTicks = 100;
 constexpr int kSkip = 3;              // every so many ticks the exact excess is looked for
 
 /// Where the burr has been, as far as removal goes; found by place.
@@ -175,7 +176,8 @@ RidgeKept ridge_between(const Cutter& cutter, double voxel_mm, double speed_mm_s
     step(state, input_at(place(half), false));
     lead(state, step, place(half) + f.z * (2.0 * r), 0.2);
   }
-  // The finer ball goes over it from groove to groove; its highest place is the ridge's.
+  // The finer ball goes over it from groove to groove; its highest place is the ridge's. In the first groove it rests until
+  // the edges about it have been made out, some a tick.
   const auto felt = [&](StepState& over) {
     double most = 0.0;
     const double radius = fine.burr.radius_mm;
@@ -192,6 +194,7 @@ RidgeKept ridge_between(const Cutter& cutter, double voxel_mm, double speed_mm_s
         step(over, input);
       };
       for (double z = 2.0; z > 0.0; z -= 0.05) to({-0.5 * apart, y, ridge + radius - 0.1 + z});
+      for (int k = 0; k < (i == 0 ? kRestTicks : 0); ++k) to({-0.5 * apart, y, ridge + radius - 0.1});
       double highest = -1e9;
       for (double x = -0.5 * apart; x <= 0.5 * apart; x += 0.004) highest = std::max(highest, f.to_local(way(x)).z - radius);
       for (double z = 0.0; z < 2.0; z += 0.05) to({0.5 * apart, y, ridge + radius - 0.1 + z});
