@@ -16,9 +16,11 @@ struct Uncut {
 };
 
 /// Looks at one place of a ball's surface, about `towards` (unit), from poses that differ by a few um: the strokes there are
-/// gathered once. 47 KB, to stand on the stack of a tick. Cost of a tick's looks, six at most, by instructions (callgrind, ball of
-/// 2.3 mm at 50 mm/s): sliding on a face that it wears 0.3 million, most 1.2; to and fro over the ridge between two strokes, with
-/// some 350 strokes about the place, 1.0 million, most 2.8. Only ticks that slide further than they wear pay it.
+/// gathered once. 34 KB, to stand on the stack of a tick, and 37 more while they are gathered. Cost of a tick's gathering and
+/// looks, six at most, by instructions (callgrind, ball of 2.3 mm at 50 mm/s): sliding on a face that it wears 0.16 million,
+/// most 0.95; to and fro over the ridge between two strokes in tissue that all but resists 0.07, most 0.25, and with some 350
+/// strokes about the place, as where wear enters in every tick, 0.7, most 2.0. Only ticks that slide further than they wear
+/// pay it.
 class UncutPlace {
  public:
   static constexpr double kReachMm = 0.16;  // of the place, along the ball

@@ -207,7 +207,7 @@ Picture removal_table_with(const Report& removal, const Report& full) {
       {"shape left by known strokes at 1, 50 and 200 mm/s, mean", "0.5 \u00b5m", mean, um(mean), "\u2013"},
       {"and at most", "10 \u00b5m", most, um(most), "\u2013"},
       {"sliding while cutting: beyond what wear allows a tick, at most", "0.5 \u00b5m", excess, um(excess), "\u2013"},
-      {"a ridge between two cuts, after 40 passes over it, beyond what wear allows", "5 \u00b5m", ridge, um(ridge), "\u2013"},
+      {"a ridge between two cuts, after 40 passes over it", "5 \u00b5m", ridge, um(ridge), "\u2013"},
       {"a cutting tick with the largest burr, p99", "250 \u00b5s", cost(Method::surface),
        fmt::format("{:.0f} \u00b5s", cost(Method::surface)), fmt::format("{:.0f} \u00b5s", cost(Method::occupancy))}};
   std::set<std::string> burrs;

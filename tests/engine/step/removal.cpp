@@ -134,7 +134,10 @@ Slid slide_round(double speed_mm_s, int ticks) {
   const auto scene = scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.8, 1.8, 1.4)); }),
                               Method::surface, kBall, speed_mm_s);
   StepState state(scene);
-  const auto at = [](int k) { return Vec3(kRound * std::cos(kEach / kRound * k), kRound * std::sin(kEach / kRound * k), 1.4 + kBall - 0.32); };
+  const auto at = [](int k) {
+    const double angle = kEach / kRound * k;
+    return Vec3(kRound * std::cos(angle), kRound * std::sin(angle), 1.4 + kBall - 0.32);
+  };
   approach(state, at(0) + Vec3(0.0, 0.0, 0.6), at(0));
   Slid out;
   for (int k = 0; k < ticks; ++k) {
