@@ -165,6 +165,26 @@ TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_enters_in_few_ticks_and_in_full
   }
 }
 
+TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_goes_on_from_a_key_state_with_the_same_bits) {
+  const auto scene = scene_of(block(0.1), Method::surface, 0.5, 0.01);
+  const auto at = [](int k) { return Vec3(0.6 * std::sin(0.03 * k), 0.0005 * k, 2.18); };
+  StepState state(scene);
+  approach(state, at(0) + Vec3(0.0, 0.0, 0.6), at(0));
+  for (int k = 0; k < 333; ++k) step(state, input_at(at(k), true));
+  auto again = StepState::restore(scene, state.save());
+  ASSERT_TRUE(again);
+  int entering = 0;
+  for (int k = 333; k < 1000; ++k) {
+    const StepOutput one = step(state, input_at(at(k), true)), other = step(*again, input_at(at(k), true));
+    ASSERT_EQ(one.advance_mm, other.advance_mm) << k;
+    ASSERT_EQ(one.force_n, other.force_n) << k;
+    entering += one.advance_mm > 0.0;
+  }
+  EXPECT_GT(entering, 30) << "of 67";
+  EXPECT_LT(entering, 200);
+  EXPECT_EQ(state.save(), again->save());
+}
+
 TEST(SurfaceRemoval, wear_of_a_sliding_ball_that_a_tick_can_tell_enters_in_each) {
   const Slid slid = slide_round(0.3, 1000);
   EXPECT_GT(slid.entering, 980);
