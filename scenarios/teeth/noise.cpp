@@ -17,10 +17,20 @@ double unit(std::uint64_t bits) noexcept { return static_cast<double>(bits >> 11
 
 }  // namespace
 
-double ValueNoise::corner(int x, int y, int z) const noexcept {
-  std::uint64_t h = mix(seed_ ^ static_cast<std::uint32_t>(x));
-  h = mix(h ^ static_cast<std::uint32_t>(y));
-  h = mix(h ^ static_cast<std::uint32_t>(z));
+ValueNoise::ValueNoise(std::uint64_t seed, double wavelength_mm, Vec3 reach_mm)
+    : seed_(seed), scale_(1.0 / wavelength_mm), far_(glm::ceil(reach_mm * scale_)) {
+  IVec3 i;
+  for (i.z = -far_.z; i.z <= far_.z; ++i.z) {
+    for (i.y = -far_.y; i.y <= far_.y; ++i.y) {
+      for (i.x = -far_.x; i.x <= far_.x; ++i.x) corners_.push_back(corner(i));
+    }
+  }
+}
+
+double ValueNoise::corner(IVec3 at) const noexcept {
+  std::uint64_t h = mix(seed_ ^ static_cast<std::uint32_t>(at.x));
+  h = mix(h ^ static_cast<std::uint32_t>(at.y));
+  h = mix(h ^ static_cast<std::uint32_t>(at.z));
   return 2.0 * unit(h) - 1.0;
 }
 
@@ -29,11 +39,13 @@ double ValueNoise::at(Vec3 p) const noexcept {
   const IVec3 i(base);
   const auto fade = [](double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); };
   const double fx = fade(f.x), fy = fade(f.y), fz = fade(f.z);
+  const bool kept = glm::all(glm::lessThanEqual(-far_, i)) && glm::all(glm::lessThan(i, far_));
   double value = 0.0;
   for (int dz = 0; dz < 2; ++dz) {
     for (int dy = 0; dy < 2; ++dy) {
       for (int dx = 0; dx < 2; ++dx) {
-        value += (dx ? fx : 1.0 - fx) * (dy ? fy : 1.0 - fy) * (dz ? fz : 1.0 - fz) * corner(i.x + dx, i.y + dy, i.z + dz);
+        const IVec3 at = i + IVec3(dx, dy, dz);
+        value += (dx ? fx : 1.0 - fx) * (dy ? fy : 1.0 - fy) * (dz ? fz : 1.0 - fz) * (kept ? corners_[index(at)] : corner(at));
       }
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "engine/base/vec.h"
 
@@ -9,14 +10,21 @@ namespace cusp {
 
 class ValueNoise {
  public:
-  ValueNoise(std::uint64_t seed, double wavelength_mm) : seed_(seed), scale_(1.0 / wavelength_mm) {}
+  /// Quick no further than `reach_mm` from the origin, along each axis; the same beyond.
+  ValueNoise(std::uint64_t seed, double wavelength_mm, Vec3 reach_mm);
   /// Within [-1, 1], zero mean, twice differentiable.
   double at(Vec3 p) const noexcept;
 
  private:
-  double corner(int x, int y, int z) const noexcept;
+  double corner(IVec3 at) const noexcept;
+  std::size_t index(IVec3 at) const noexcept {
+    const IVec3 q = at + far_;
+    return static_cast<std::size_t>(q.x + (2 * far_.x + 1) * (q.y + (2 * far_.y + 1) * q.z));
+  }
   std::uint64_t seed_;
   double scale_;
+  IVec3 far_{0};               // of the corners that are kept
+  std::vector<double> corners_;
 };
 
 /// The n-th draw of a seed: roughly normal, zero mean, unit variance, cut at two sigma.

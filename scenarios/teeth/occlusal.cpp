@@ -8,6 +8,7 @@ namespace cusp {
 namespace {
 
 constexpr double kHalfExtentMm = 7.2;  // beyond the widest crown (BL 11 mm) and a seed's spread
+const Vec3 kMapMm{kHalfExtentMm + 0.1, kHalfExtentMm + 0.1, 0.1};
 constexpr double kFanBlurMm = 0.11;    // nearest-point fans leave ribs without it (teeth.md)
 constexpr double kDentineBlurMm = 0.42;
 constexpr double kWanderMm = 0.07, kWanderLengthMm = 0.8;  // below a fissure's half width: by eye
@@ -63,9 +64,9 @@ class Fissures {
   /// A bottom sharper than half a voxel would ring in the cubic reading of the samples, two voxels to either side.
   Fissures(const ToothTable& table, std::uint64_t seed, double min_half_width_mm)
       : bottom_(0.3 * min_half_width_mm),
-        wander_x_(seed * 5 + 11, kWanderLengthMm),
-        wander_y_(seed * 5 + 12, kWanderLengthMm),
-        uneven_(seed * 5 + 13, 2.0 * kWanderLengthMm) {
+        wander_x_(seed * 5 + 11, kWanderLengthMm, kMapMm),
+        wander_y_(seed * 5 + 12, kWanderLengthMm, kMapMm),
+        uneven_(seed * 5 + 13, 2.0 * kWanderLengthMm, kMapMm) {
     for (const GrooveTable& g : table.grooves) {
       lines_.push_back({Line2(smooth_line<Vec2>(g.path, 8)), g.depth_mm, std::max(g.half_width_mm, min_half_width_mm)});
     }
@@ -130,7 +131,7 @@ Occlusal::Occlusal(const ToothTable& table, std::uint64_t seed, double min_half_
   }
   const Vec2 centre = 0.5 * (low + high);
   Map2 bare(Vec2(-kHalfExtentMm), Vec2(kHalfExtentMm));
-  const ValueNoise bump(seed * 3 + 2, kBumpLengthMm);
+  const ValueNoise bump(seed * 3 + 2, kBumpLengthMm, kMapMm);
   for (int j = 0; j < bare.height(); ++j) {
     for (int i = 0; i < bare.width(); ++i) {
       const Vec2 p = bare.place(i, j);

@@ -12,6 +12,7 @@ constexpr double kRootTopMm = 1.2;       // roots end in a round top inside the 
 constexpr double kTrunkCutMm = 1.2;      // rounding of the trunk's lower end
 constexpr double kWarpMm = 0.18, kWarpLengthMm = 3.6;  // a seed's sideways variation
 constexpr double kPastMm = 1e-6;  // a search for the outermost place goes so far past the best one, for rounding
+const Vec3 kToothMm{9.0, 9.0, 24.0};  // no tooth, nor the space about it that is asked for, is longer
 constexpr double kMdBlSpread = 0.05, kCrownSpread = 0.06, kRootSpread = 0.09;  // one sigma, as shares (teeth.md)
 
 ToothDims varied(ToothDims d, std::uint64_t seed) {
@@ -43,8 +44,8 @@ ToothShape::ToothShape(const ToothTable& table, std::uint64_t seed, double voxel
       voxel_mm_(voxel_mm),
       wall_(table_, kGrooveVoxels * voxel_mm),
       occlusal_(table_, seed, kGrooveVoxels * voxel_mm),
-      warp_x_(seed * 3, kWarpLengthMm),
-      warp_y_(seed * 3 + 1, kWarpLengthMm) {
+      warp_x_(seed * 3, kWarpLengthMm, kToothMm),
+      warp_y_(seed * 3 + 1, kWarpLengthMm, kToothMm) {
   for (const LoftTable& root : table.roots) roots_.emplace_back(root, kRootTopMm, kRootTopMm);
   for (const LoftTable& loft : table.chambers) pulp_.emplace_back(loft, kCanalVoxels * voxel_mm);
   for (const LoftTable& loft : table.canals) pulp_.emplace_back(loft, kCanalVoxels * voxel_mm);
