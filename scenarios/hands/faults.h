@@ -12,7 +12,7 @@ namespace cusp {
 enum class HandFault : std::uint8_t {
   novice,       // shakes, cuts too deep and over the edge, forgets the coolant
   fair,         // off by 0.6 of the leeway in depth and 0.4 at the side: its marks stand on the slopes of the bands, so
-                // that an audit sees what voxels change; in many exercises below their pass mark
+                // that an audit sees what voxels change; whether it passes is the exercise's: at level 1 it fails
   too_deep,     // floor 0.8 mm below the target's
   too_shallow,  // floor 0.8 mm above it (at most half the depth)
   shaky,        // the right path with a strong tremor
