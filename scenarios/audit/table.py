@@ -83,12 +83,12 @@ def verdict(report):
     if voxel_row(report, True) is None and voxel_row(report, False) is None:
         return "as set"
     if not lean["detail_holds"] and not lean["changed"]:
-        return "does not hold, and no finer size was found"
+        return "does not hold, and no finer size was taken"
     if not lean["changed"]:
         tried = "; ".join(f"{mm(s['choice']['instead'])}: {change(s['change'], points)}" for s in lean["steps"])
         return "as set" + (f" ({tried})" if tried else "")
-    word = "would do" if lean["voxel_mm"] > now else "is needed"
-    return f"{mm(lean['voxel_mm'])} {word}: {change(lean['change'], points)}, at half of it {change(lean['at_half_voxel'], points)}"
+    word = "{} would do" if lean["voxel_mm"] > now else "does not hold; {} would"
+    return f"{word.format(mm(lean['voxel_mm']))}: {change(lean['change'], points)}, at half of it {change(lean['at_half_voxel'], points)}"
 
 
 def row_of(report):
