@@ -14,6 +14,9 @@ constexpr double kClimbedMm = 0.05;      // this high above it, the foot leaves 
 constexpr double kLeastSpeedMmS = 0.05; // but no less
 constexpr double kProgressMm = 0.02;    // less than this in the hand's patience is none
 constexpr double kTravelArriveMm = 0.1;
+constexpr double kFurtherRadii = 0.5;    // set down anew so much further on, in radii of the burr's head
+constexpr std::size_t kTimesAnew = 12;   // on one stroke
+constexpr double kHeldN = 0.3;           // pressed by more than this and no way made: held; by less: merely slow
 }  // namespace
 
 Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
@@ -21,6 +24,7 @@ Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
       style_(style),
       muscles_(style.muscles, plan_.start_mm),
       full_force_n_(scenario.device.full_force_n),
+      radius_mm_(plan_.burr < scenario.instruments.size() ? scenario.instruments[plan_.burr].radius_mm : 0.0),
       coolant_(style.coolant && has_phenomenon(scenario.phenomena, "heat")),
       from_mm_(plan_.start_mm),
       lag_s_(style.muscles.delay_s +
@@ -31,11 +35,35 @@ Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
   turn_to(0, plan_.start_mm);
 }
 
-void Hand::turn_to(std::size_t stroke, Vec3 from) noexcept {
-  stroke_ = stroke;
+void Hand::begin(Vec3 from) noexcept {
   from_mm_ = from;
   since_s_ = clock_s_;
-  if (stroke_ < plan_.strokes.size()) least_left_mm_ = glm::length(plan_.strokes[stroke_].to_mm - from);
+  if (stroke_ < plan_.strokes.size()) least_left_mm_ = glm::length(now().to_mm - from);
+}
+
+void Hand::turn_to(std::size_t stroke, Vec3 from) noexcept {
+  stroke_ = stroke;
+  times_anew_ = 0;
+  anew_ = kAnew;
+  begin(from);
+}
+
+bool Hand::set_down_anew(Vec3 proxy) noexcept {
+  const Stroke& stroke = plan_.strokes[stroke_];
+  if (!stroke.cut || times_anew_ >= kTimesAnew) return false;
+  const Vec3 to_end = stroke.to_mm - proxy;
+  const double left = std::hypot(to_end.x, to_end.y);
+  // Nothing is further on than the end, straight down least of all.
+  const double further = kFurtherRadii * radius_mm_;
+  if (left <= further) return false;
+  ++times_anew_;
+  const Vec3 there = proxy + further / left * to_end;
+  way_anew_ = {{{Vec3(proxy.x, proxy.y, plan_.start_mm.z), true},
+                {Vec3(there.x, there.y, plan_.start_mm.z), false},
+                {Vec3(there.x, there.y, stroke.to_mm.z), true}}};
+  anew_ = 0;
+  begin(proxy);
+  return true;
 }
 
 const TissueFeel& Hand::feel(double stiffness) const noexcept {
@@ -46,7 +74,7 @@ const TissueFeel& Hand::feel(double stiffness) const noexcept {
 }
 
 Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
-  const Stroke& stroke = plan_.strokes[stroke_];
+  const Stroke& stroke = now();
   const Vec3 proxy = last.proxy_mm;
   const Vec3 whole = stroke.to_mm - from_mm_;
   const double length = glm::length(whole);
@@ -97,7 +125,7 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
 }
 
 double Hand::carried_on() const noexcept {
-  if (stroke_ + 1 >= plan_.strokes.size()) return 0.0;
+  if (stroke_ + 1 >= plan_.strokes.size() || anew_ < kAnew) return 0.0;
   const Stroke& now = plan_.strokes[stroke_];
   const Stroke& next = plan_.strokes[stroke_ + 1];
   if (!now.cut || !next.cut) return 0.0;
@@ -107,17 +135,17 @@ double Hand::carried_on() const noexcept {
 }
 
 bool Hand::arrived(Vec3 proxy) const noexcept {
-  const Stroke& now = plan_.strokes[stroke_];
-  const Vec3 to_end = now.to_mm - proxy;
+  const Stroke& stroke = now();
+  const Vec3 to_end = stroke.to_mm - proxy;
   const double left = glm::length(to_end);
-  if (!now.cut) return left <= kTravelArriveMm;
+  if (!stroke.cut) return left <= kTravelArriveMm;
   if (left <= style_.arrive_mm) return true;
   // Past the end, and near enough for the next stroke to bring it back to its own line.
-  return carried_on() > 0.0 && left <= style_.wander_mm && glm::dot(to_end, now.to_mm - from_mm_) <= 0.0;
+  return carried_on() > 0.0 && left <= style_.wander_mm && glm::dot(to_end, stroke.to_mm - from_mm_) <= 0.0;
 }
 
 bool Hand::slipped(Vec3 proxy) const noexcept {
-  const Vec3 whole = plan_.strokes[stroke_].to_mm - from_mm_;
+  const Vec3 whole = now().to_mm - from_mm_;
   const double square = glm::dot(whole, whole);
   const double done = square > 1e-12 ? std::clamp(glm::dot(proxy - from_mm_, whole) / square, 0.0, 1.0) : 0.0;
   const Vec3 off = proxy - (from_mm_ + done * whole);
@@ -128,24 +156,30 @@ Sample Hand::next(const StepOutput& last, double dt_s) {
   clock_s_ += dt_s;
   Vec3 goal = muscles_.position_mm();
   if (!done()) {
-    const Stroke& now = plan_.strokes[stroke_];
-    const double left = glm::length(now.to_mm - last.proxy_mm);
+    const double left = glm::length(now().to_mm - last.proxy_mm);
     if (left < least_left_mm_ - kProgressMm) {
       least_left_mm_ = left;
       since_s_ = clock_s_;
     }
     const bool blocked = clock_s_ - since_s_ > style_.patience_s;
-    if (arrived(last.proxy_mm) || blocked) {
-      given_up_ += blocked ? 1 : 0;
+    if (anew_ < kAnew && (arrived(last.proxy_mm) || blocked)) {
+      const Vec3 from = blocked ? last.proxy_mm : now().to_mm;
+      if (blocked) times_anew_ = kTimesAnew;  // held there too: not again
+      ++anew_;
+      begin(from);
+    } else if (arrived(last.proxy_mm)) {
+      turn_to(stroke_ + 1, now().to_mm);
+    } else if (blocked && !(glm::length(last.force_n) > kHeldN && set_down_anew(last.proxy_mm))) {
+      ++given_up_;
       // After a stroke that was left the next line starts where the burr really is.
-      turn_to(stroke_ + 1, blocked ? last.proxy_mm : now.to_mm);
+      turn_to(stroke_ + 1, last.proxy_mm);
     }
     if (!done()) goal = wanted(last, dt_s);
   }
   Sample sample;
   sample.status = Sample::Status::fresh;
   sample.position_mm = muscles_.advance(goal, last.force_n, dt_s);
-  sample.buttons = !done() && plan_.strokes[stroke_].cut && !slipped(last.proxy_mm) ? StepInput::kCut : std::uint16_t{0};
+  sample.buttons = !done() && now().cut && !slipped(last.proxy_mm) ? StepInput::kCut : std::uint16_t{0};
   if (coolant_) sample.buttons |= StepInput::kCoolant;
   sample.burr = plan_.burr;
   return sample;

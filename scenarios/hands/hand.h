@@ -1,9 +1,12 @@
 /// A scripted student: follows a plan by what it feels. It wants the burr to move along the stroke at a speed; what of
 /// that speed points against the felt force is a push in proportion (the tissue gives way to it), the rest is a movement
 /// along the face that it slides on. So a ball neither climbs over what it is to cut nor digs in. It waits until the burr
-/// gets there, gives up a stroke that is blocked, and stops after a bounded time.
+/// gets there. Where it is held (a ledge stops the neck) it lifts the burr out and sets it down a little further on along
+/// the stroke; what that does not help either it gives up. It stops after a bounded time.
 /// Deterministic by its seed. Thread: the one that plays.
 #pragma once
+
+#include <array>
 
 #include "engine/base/haptic_port.h"
 #include "engine/lab/hand_model.h"
@@ -23,7 +26,7 @@ struct HandStyle {
   double wander_mm = 0.06;         // this far off the line the burr hardly goes on along it
   double blunt_mm = 0.002;         // a force over less than this has no sure direction
   double feel_s = 0.004;           // how long it feels for a force's direction
-  double patience_s = 2.0;         // without progress: leave the stroke
+  double patience_s = 2.0;         // without progress: set down anew further on, in the end leave the stroke
   double most_s = 1200.0;          // of the whole go
   bool coolant = true;             // runs it, where the exercise reckons heat
 };
@@ -44,7 +47,11 @@ class Hand {
   double clock_s() const noexcept { return clock_s_; }
 
  private:
+  /// Lifts out above `proxy` and comes down again on what is left of the stroke. False: it has been tried often enough.
+  bool set_down_anew(Vec3 proxy) noexcept;
+  const Stroke& now() const noexcept { return anew_ < kAnew ? way_anew_[anew_] : plan_.strokes[stroke_]; }
   void turn_to(std::size_t stroke, Vec3 from) noexcept;
+  void begin(Vec3 from) noexcept;
   /// Stiffness and speed of the tissue that feels like this.
   const TissueFeel& feel(double stiffness_n_per_mm) const noexcept;
   Vec3 wanted(const StepOutput& last, double dt_s) noexcept;
@@ -59,8 +66,13 @@ class Hand {
   HandModel muscles_;
   std::vector<TissueFeel> feels_;
   double full_force_n_;
+  double radius_mm_;  // of the burr's head
   bool coolant_;
+  static constexpr std::size_t kAnew = 3;  // up, over, down
   std::size_t stroke_ = 0, given_up_ = 0;
+  std::array<Stroke, kAnew> way_anew_;
+  std::size_t anew_ = kAnew;     // of them; kAnew: on the stroke itself
+  std::size_t times_anew_ = 0;   // on this stroke
   Vec3 from_mm_;
   Vec3 felt_{0.0};  // direction against the force, about a unit; 0 while nothing is touched
   double lag_s_;  // of the muscles: by so much what is wanted runs ahead of a free movement

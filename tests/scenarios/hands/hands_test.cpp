@@ -140,6 +140,48 @@ TEST(Plan, GoesByTheReadingOfTheMethod) {
   EXPECT_NE(strokes(Method::ray), strokes(Method::surface));
 }
 
+/// A world with a ledge at x = 0: below the block's top nothing passes it from left to right but what came from above.
+/// `lids`: nor from above. The strokes that the expert left out, and how often it was above the block again.
+struct LedgeGo {
+  std::size_t left_out = 0, lifts = 0;
+  double clock_s = 0;
+};
+LedgeGo over_a_ledge(bool lids) {
+  const Scenario s = small_slot();
+  Hand hand = expert(s, *small_block());
+  StepOutput o;
+  o.proxy_mm = o.device_mm = hand.start_mm();
+  LedgeGo out;
+  bool above = true, was_above = true;
+  while (!hand.done()) {
+    const Sample sample = hand.next(o, 0.002);
+    Vec3 to = sample.position_mm;
+    above = o.proxy_mm.z > 0.4;
+    if (!above && o.proxy_mm.x <= 0.0 && to.x > 0.0) to = Vec3(0.0, to.y, to.z);
+    if (lids && above) to.z = std::max(to.z, 0.41);
+    out.lifts += above && !was_above ? 1 : 0;
+    was_above = above;
+    o.device_mm = sample.position_mm;
+    o.proxy_mm = to;
+    o.contact = glm::length(to - sample.position_mm) > 1e-9;
+    o.stiffness_n_per_mm = o.contact ? 2.0 : 0.0;
+    o.force_n = o.contact ? 2.0 * (to - sample.position_mm) : Vec3(0.0);
+  }
+  out.left_out = hand.strokes_left_out();
+  out.clock_s = hand.clock_s();
+  return out;
+}
+TEST(Hand, LiftsTheBurrOutWhereItIsHeldAndSetsItDownFurtherOn) {
+  const LedgeGo go = over_a_ledge(false);
+  EXPECT_EQ(go.left_out, 0u);
+  EXPECT_GT(go.lifts, 2u);
+}
+TEST(Hand, GivesUpAStrokeThatCannotBeReachedFromAboveEither) {
+  const LedgeGo go = over_a_ledge(true);
+  EXPECT_GT(go.left_out, 0u);
+  EXPECT_LT(go.clock_s, 1200.0) << "it was through before its time was";
+}
+
 /// A world in which the proxy follows the device no faster than `speed`.
 std::size_t left_out_at(double speed_mm_s, double& clock_s, std::uint64_t seed = 1) {
   const Scenario s = small_slot();
