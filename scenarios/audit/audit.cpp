@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "scenarios/format/validate.h"
 
@@ -163,19 +164,41 @@ class Search {
                          const ModelResult& after) {
     if (change.within(report_.tolerance_points)) return {};
     const std::vector<std::string> hands = hands_beyond(before, after, report_.tolerance_points);
+    std::vector<AuditHand> goes;
+    for (const std::string& hand : hands) add_goes(goes, hand, 1, settings_.goes_for_means);
+    auto played = play_felt({{from}, {to}}, goes, 0.3);
+    if (!played) return std::unexpected(played.error());
+    if (!(*played)[0] || !(*played)[1]) return {};
+    ModelResult &a = *(*played)[0], &b = *(*played)[1];
+    goes.clear();
+    for (const std::string& hand : hands) {
+      const int wanted = goes_to_decide(a, b, hand, report_.tolerance_points);
+      add_goes(goes, hand, settings_.goes_for_means + 1, std::min(wanted, settings_.most_goes_for_means));
+    }
+    const GradeChange had = mean_change_between(a, b);
+    const bool beyond = !had.within(report_.tolerance_points) && had.decided(report_.tolerance_points);
+    if (!goes.empty() && !beyond) {  // one hand that is beyond decides for all
+      auto more = play_felt({{from}, {to}}, goes, 0.4);
+      if (!more) return std::unexpected(more.error());
+      if (!(*more)[0] || !(*more)[1]) return {};
+      std::ranges::move((*more)[0]->goes, std::back_inserter(a.goes));
+      std::ranges::move((*more)[1]->goes, std::back_inserter(b.goes));
+    }
+    change = joined(mean_change_between(a, b), before, after, hands);
+    return {};
+  }
+
+  static void add_goes(std::vector<AuditHand>& goes, const std::string& hand, int first, int last) {
+    for (int seed = first; seed <= last; ++seed) goes.push_back({hand, static_cast<std::uint64_t>(seed)});
+  }
+  Result<Played, AuditFailure> play_felt(std::vector<Model> models, std::vector<AuditHand> hands, double part) {
     AuditRun run;
     run.home = report_.scenario;
-    run.models = {{from}, {to}};
-    for (const std::string& hand : hands) {
-      for (int seed = 1; seed <= settings_.goes_for_means; ++seed) run.hands.push_back({hand, static_cast<std::uint64_t>(seed)});
-    }
+    run.models = std::move(models);
+    run.hands = std::move(hands);
     run.costs = false;
     run.felt = true;
-    auto played = runner_(run, progress_.next(0.4));
-    if (!played) return std::unexpected(played.error());
-    if ((*played)[0] && (*played)[1])
-      change = joined(mean_change_between(*(*played)[0], *(*played)[1]), before, after, hands);
-    return {};
+    return runner_(run, progress_.next(part));
   }
 
   /// The coarsest voxels that grade as the ground does, and as their own half does.
@@ -256,13 +279,7 @@ class Search {
 
   /// The hands feel the leanest: who passed passes, who failed fails. Else it is not taken.
   Done play_leanest() {
-    AuditRun run;
-    run.home = report_.scenario;
-    run.models = {{report_.leanest}};
-    run.hands = settings_.hands;
-    run.costs = false;
-    run.felt = true;
-    auto played = runner_(run, progress_.next(0.6));
+    auto played = play_felt({{report_.leanest}}, settings_.hands, 0.6);
     if (!played) return std::unexpected(played.error());
     if ((*played)[0]) report_.leanest_goes = (*played)[0]->goes;
     if ((*played)[0] && change_between(report_.as_set, *(*played)[0]).passes_alike) return {};

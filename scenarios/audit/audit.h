@@ -3,6 +3,7 @@
 /// Deterministic but for the times, which only decide in which order the search tries. Any thread; minutes.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -38,12 +39,19 @@ struct GradeChange {
     return passes_alike && measures_alike && score + standard_error <= tolerance_points &&
            score - standard_error >= -tolerance_points;
   }
+  /// Twice the standard error leaves no doubt on which side of the tolerance the mean lies.
+  bool decided(double tolerance_points) const noexcept {
+    return std::abs(std::abs(score) - tolerance_points) >= 2.0 * standard_error;
+  }
 };
 [[nodiscard]] GradeChange change_between(const ModelResult& from, const ModelResult& to);
 /// In the mean over the goes of each hand; passes and critical events are alike when most of its goes have them alike.
 [[nodiscard]] GradeChange mean_change_between(const ModelResult& from, const ModelResult& to);
 /// The hands of which a single go changes by more than the tolerance.
 [[nodiscard]] std::vector<std::string> hands_beyond(const ModelResult& from, const ModelResult& to, double tolerance_points);
+/// How many goes a hand needs until its mean's standard error is a quarter of the tolerance (that of those it has had says
+/// how many: Stein's two stages); 0 where those it has had decide, either way.
+[[nodiscard]] int goes_to_decide(const ModelResult& from, const ModelResult& to, const std::string& hand, double tolerance_points);
 /// The means of those hands together with the single goes of all others: what comes nearest to a tolerance's edge is told.
 [[nodiscard]] GradeChange joined(const GradeChange& means, const ModelResult& from, const ModelResult& to,
                                  const std::vector<std::string>& hands);
@@ -82,8 +90,9 @@ struct AuditReport {
 struct AuditSettings {
   std::vector<AuditHand> hands = {{"expert", 1}, {"expert", 2}, {"fair", 1}, {"fair", 2}, {"novice", 1}, {"novice", 2}};
   /// Where half the voxels grade a hand's go otherwise by more than the tolerance, that hand has this many goes in both,
-  /// feeling them, and their mean is told instead: in a narrow slot two goes part by chance.
-  int goes_for_means = 8;
+  /// feeling them, and their mean is told instead: in a narrow slot two goes part by chance. Where those cannot tell on
+  /// which side of the tolerance the mean lies, as many as are needed for that, up to the second number.
+  int goes_for_means = 8, most_goes_for_means = 96;
   bool detail_alone = false;  // the size of the voxels, and no other choice
 };
 

@@ -100,6 +100,14 @@ std::vector<std::string> hands_beyond(const ModelResult& from, const ModelResult
   return out;
 }
 
+int goes_to_decide(const ModelResult& from, const ModelResult& to, const std::string& hand, double tolerance_points) {
+  const std::vector<std::string> one = {hand};
+  const GradeChange had = mean_change_between(goes_of(from, one, true), goes_of(to, one, true));
+  if (had.decided(tolerance_points) || !had.passes_alike || !had.measures_alike) return 0;
+  const double ratio = had.standard_error / (0.25 * tolerance_points);
+  return static_cast<int>(std::ceil(ratio * ratio * had.goes_a_hand - 1e-9));
+}
+
 GradeChange joined(const GradeChange& means, const ModelResult& from, const ModelResult& to, const std::vector<std::string>& hands) {
   const GradeChange rest = change_between(goes_of(from, hands, false), goes_of(to, hands, false));
   GradeChange out = means;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
 
 #include "engine/step/scene.h"
 #include "scenarios/audit/audit_json.h"
@@ -146,12 +148,12 @@ TEST(Search, TakesTheCoarsestVoxelsThatStillResolveTheBurrsAndGradeTheSame) {
   EXPECT_TRUE(report->detail_holds());
 }
 
-/// At half the voxel's edge odd seeds score 3 points more, even ones 3 less: go by go beyond the 2 points that are allowed,
-/// in the mean nothing. Over 8 goes the standard error is sqrt(8 * 9 / 7 / 8) = 1.134.
+/// At half the voxel's edge odd seeds score 2.4 points more, even ones as much less: go by go beyond the 2 points that are
+/// allowed, in the mean nothing. Over 8 goes the standard error is sqrt(8 * 2.4² / 7 / 8) = 0.907, twice that below 2.
 TEST(Search, WhereGoesPartByChanceTheirMeanIsTold) {
   const auto report = run(block(), [](const Model& m, const AuditHand& hand) {
     if (m.scenario.specimen.voxel_mm > 0.06) return std::optional(90.0);
-    return std::optional(hand.seed % 2 == 1 ? 93.0 : 87.0);
+    return std::optional(hand.seed % 2 == 1 ? 92.4 : 87.6);
   });
   ASSERT_TRUE(report);
   const AuditRow* half = row(*report, Aspect::voxel, 0.05);
@@ -159,7 +161,7 @@ TEST(Search, WhereGoesPartByChanceTheirMeanIsTold) {
   EXPECT_EQ(half->verdict, Verdict::shown);
   EXPECT_NEAR(half->change.score, 0.0, 1e-9);
   EXPECT_EQ(half->change.goes_a_hand, 8);
-  EXPECT_NEAR(half->change.standard_error, std::sqrt(72.0 / 7.0 / 8.0), 1e-9);
+  EXPECT_NEAR(half->change.standard_error, 2.4 / std::sqrt(7.0), 1e-9);
   EXPECT_TRUE(report->detail_holds());
 }
 
@@ -187,6 +189,67 @@ TEST(Search, OnlyTheHandsThatPartHaveSeveralGoes) {
   EXPECT_NEAR(half->change.score, 1.5, 1e-9);
   EXPECT_EQ(half->change.goes_a_hand, 1);
   EXPECT_TRUE(report->detail_holds());
+}
+
+/// Half the voxels: seeds in turn 3 and -2 points, mean 0.5; over 8 goes the standard error is sqrt(8 * 2.5² / 7 / 8) =
+/// 0.945, which leaves 2 points open. A quarter of them is 0.5: 8 * (0.945 / 0.5)² = 28.6 goes.
+TEST(Search, WhereEightGoesCannotTellAsManyArePlayedAsCan) {
+  std::set<std::tuple<double, std::string, std::uint64_t>> felt;  // by the half's voxel
+  std::size_t runs = 0;
+  Played played;
+  const AuditRunner runner = runner_of(
+      [](const Model& m, const AuditHand& hand) {
+        if (m.scenario.specimen.voxel_mm > 0.06 || hand.hand != "novice") return std::optional(50.0);
+        return std::optional(hand.seed % 2 == 1 ? 53.0 : 48.0);
+      },
+      played);
+  AuditSettings settings;
+  settings.detail_alone = true;
+  const auto watched = [&](const AuditRun& r, const AuditWatch& watch) {
+    const bool means = r.felt && r.models.size() == 2;  // not the proof of the leanest
+    runs += means ? 1 : 0;
+    for (const AuditHand& h : r.hands)
+      if (means) {
+        EXPECT_TRUE(felt.insert({r.models.back().scenario.specimen.voxel_mm, h.hand, h.seed}).second) << "no go twice";
+      }
+    return runner(r, watch);
+  };
+  const auto report = audit(block(), settings, watched, {});
+  ASSERT_TRUE(report);
+  const AuditRow* half = row(*report, Aspect::voxel, 0.05);
+  ASSERT_TRUE(half);
+  EXPECT_EQ(runs, 2u);
+  EXPECT_EQ(half->change.goes_a_hand, 29);
+  EXPECT_NEAR(half->change.score, (15 * 3.0 - 14 * 2.0) / 29.0, 1e-9);
+  EXPECT_LT(half->change.standard_error, 0.5);
+  EXPECT_EQ(half->verdict, Verdict::shown);
+
+  settings.most_goes_for_means = 20;
+  felt.clear();
+  const auto fewer = audit(block(), settings, watched, {});
+  ASSERT_TRUE(fewer);
+  EXPECT_EQ(row(*fewer, Aspect::voxel, 0.05)->change.goes_a_hand, 20);
+}
+
+TEST(Search, AHandThatIsBeyondHasNoMoreGoes) {
+  const auto goes = [](std::initializer_list<double> scores) {
+    ModelResult out;
+    for (const double score : scores) out.goes.push_back({{"novice", 1}, {}, 0, 0}), out.goes.back().grade.score = score;
+    return out;
+  };
+  const ModelResult from = goes({50, 50, 50, 50});
+  EXPECT_EQ(goes_to_decide(from, goes({55, 54, 55, 54}), "novice", 2.0), 0);  // 4.5 ± 0.3: beyond
+  EXPECT_EQ(goes_to_decide(from, goes({51, 50, 51, 50}), "novice", 2.0), 0);  // 0.5 ± 0.3: within
+  EXPECT_EQ(goes_to_decide(from, goes({53, 51, 53, 51}), "novice", 2.0), 6);  // 2 ± 0.577: 4 * (0.577 / 0.5)² = 5.3
+  EXPECT_EQ(goes_to_decide(from, goes({53, 50, 52, 49}), "novice", 2.0), 14);  // 1 ± 0.913: within, but by one error alone
+  GradeChange change;
+  change.score = -3.2;
+  change.standard_error = 0.6;
+  EXPECT_TRUE(change.decided(2.0));
+  change.score = -3.1;
+  EXPECT_FALSE(change.decided(2.0));
+  change.score = 0.8;
+  EXPECT_TRUE(change.decided(2.0));
 }
 
 /// 0.15 mm grades ten points lower, 0.125 as 0.1 does.
