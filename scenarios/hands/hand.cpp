@@ -126,10 +126,10 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
 
 double Hand::carried_on() const noexcept {
   if (stroke_ + 1 >= plan_.strokes.size() || anew_ < kAnew) return 0.0;
-  const Stroke& now = plan_.strokes[stroke_];
+  const Stroke& here = plan_.strokes[stroke_];
   const Stroke& next = plan_.strokes[stroke_ + 1];
-  if (!now.cut || !next.cut) return 0.0;
-  const Vec3 a = now.to_mm - from_mm_, b = next.to_mm - now.to_mm;
+  if (!here.cut || !next.cut) return 0.0;
+  const Vec3 a = here.to_mm - from_mm_, b = next.to_mm - here.to_mm;
   const double size = glm::length(a) * glm::length(b);
   return size > 1e-12 ? std::max(0.0, glm::dot(a, b) / size) : 0.0;
 }
