@@ -13,6 +13,7 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
     case HandFault::novice:
       errors.deeper_mm = 0.9;
       style.coolant = false;
+      style.light = false;
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
       if (reading_of(scenario.method) == Reading::banded) {
         errors.shift_mm = {0.25, 0.35, 0.0};

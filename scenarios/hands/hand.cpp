@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "engine/removal/spindle.h"
 #include "scenarios/format/keys.h"
 
 namespace cusp {
@@ -17,6 +19,16 @@ constexpr double kTravelArriveMm = 0.1;
 constexpr double kFurtherRadii = 0.5;    // set down anew so much further on, in radii of the burr's head
 constexpr std::size_t kTimesAnew = 12;   // on one stroke
 constexpr double kHeldN = 0.3;           // pressed by more than this and no way made: held; by less: merely slow
+constexpr double kStandsS = 0.4;         // no way made for so long, and the handpiece may stand: let up for as long, push again
+constexpr double kOfStall = 0.8;         // nearer to what stalls a handpiece nobody pushes who hears it
+
+/// The push that removes most. Removal goes with push times speed, and the speed falls in proportion to the push by `sag`
+/// at the stall (engine/removal/spindle.h): F (1 - sag F / F_stall) is largest at F_stall / (2 sag).
+double push_that_removes_most_n(const SpindleSettings& handpiece, double radius_mm) {
+  if (!(handpiece.stall_n > 0.0) || !(radius_mm > 0.0)) return std::numeric_limits<double>::infinity();
+  const double stall_n = handpiece.stall_n * kStallRadiusMm / radius_mm;
+  return stall_n * (handpiece.sag > 0.0 ? std::min(kOfStall, 0.5 / handpiece.sag) : kOfStall);
+}
 }  // namespace
 
 Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
@@ -25,6 +37,8 @@ Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
       muscles_(style.muscles, plan_.start_mm),
       full_force_n_(scenario.device.full_force_n),
       radius_mm_(plan_.burr < scenario.instruments.size() ? scenario.instruments[plan_.burr].radius_mm : 0.0),
+      hardest_push_n_(style.light ? push_that_removes_most_n(settings_of(phenomena_from_keys(scenario.phenomena).handpiece), radius_mm_)
+                              : std::numeric_limits<double>::infinity()),
       coolant_(style.coolant && has_phenomenon(scenario.phenomena, "heat")),
       from_mm_(plan_.start_mm),
       lag_s_(style.muscles.delay_s +
@@ -117,7 +131,11 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
   // Sideways no harder than a hand can stop when the burr breaks through; down, the tissue below holds it.
   const double down = std::clamp(-into.z, 0.0, 1.0);
   const double hardest = style_.side_push_n + down * down * std::max(0.0, full_force_n_ - style_.side_push_n);
-  const double push_n = std::min(full_force_n_ * deeper / std::max(tissue.speed_mm_s, kLeastSpeedMmS), hardest);
+  // What stalls goes on once the push is off it.
+  const bool lets_up = std::isfinite(hardest_push_n_) && std::fmod(clock_s_ - since_s_, 2.0 * kStandsS) > kStandsS;
+  if (lets_up) return proxy;
+  const double push_n =
+      std::min({full_force_n_ * deeper / std::max(tissue.speed_mm_s, kLeastSpeedMmS), hardest, hardest_push_n_});
   const Vec3 slide = velocity - glm::dot(velocity, into) * into;
   // A push of F holds the wanted place F (1/K + 1/grip) from the proxy.
   return proxy + into * (push_n * (1.0 / stiffness + 1.0 / muscles_.stiffness_n_per_mm())) +

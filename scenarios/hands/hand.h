@@ -2,7 +2,8 @@
 /// that speed points against the felt force is a push in proportion (the tissue gives way to it), the rest is a movement
 /// along the face that it slides on. So a ball neither climbs over what it is to cut nor digs in. It waits until the burr
 /// gets there. Where it is held (a ledge stops the neck) it lifts the burr out and sets it down a little further on along
-/// the stroke; what that does not help either it gives up. It stops after a bounded time.
+/// the stroke; what that does not help either it gives up. With a handpiece that slows under load it is light, and lets up
+/// where it may have stalled. It stops after a bounded time.
 /// Deterministic by its seed. Thread: the one that plays.
 #pragma once
 
@@ -27,7 +28,8 @@ struct HandStyle {
   double blunt_mm = 0.002;         // a force over less than this has no sure direction
   double feel_s = 0.004;           // how long it feels for a force's direction
   double patience_s = 2.0;         // without progress: set down anew further on, in the end leave the stroke
-  double most_s = 1200.0;          // of the whole go
+  double most_s = 3600.0;          // of the whole go
+  bool light = true;               // hears its handpiece: pushes no harder than removes most, lets up where it stands
   bool coolant = true;             // runs it, where the exercise reckons heat
 };
 
@@ -67,6 +69,7 @@ class Hand {
   std::vector<TissueFeel> feels_;
   double full_force_n_;
   double radius_mm_;  // of the burr's head
+  double hardest_push_n_;  // whatever holds it
   bool coolant_;
   static constexpr std::size_t kAnew = 3;  // up, over, down
   std::size_t stroke_ = 0, given_up_ = 0;

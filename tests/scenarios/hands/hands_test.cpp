@@ -182,6 +182,39 @@ TEST(Hand, GivesUpAStrokeThatCannotBeReachedFromAboveEither) {
   EXPECT_LT(go.clock_s, 1200.0) << "it was through before its time was";
 }
 
+/// The fair hand in a tissue as hard as enamel, with a turbine that little more than the full force stalls; the first two minutes.
+struct TurbineGo {
+  double stood_s = 0;  // pressed, and the handpiece still
+  std::size_t left_out = 0;
+};
+TurbineGo with_a_turbine(bool light) {
+  Bench bench;
+  bench.scenario.tissues = {{Tissue::dentine, 3, 0.5}, {Tissue::pulp, 1, 4}};
+  bench.scenario.device.full_force_n = 3.9;  // stalls at 2.5 N x 0.5 mm / 0.3 mm
+  bench.scenario.phenomena = {"spindle-turbine"};
+  HandStyle style = steady_style(bench.scenario, *bench.specimen, 1);
+  style.muscles.tremor_mm = 0.05;
+  style.light = light;
+  style.most_s = 120.0;
+  HandPort port(Hand(plan_target(bench.scenario, *bench.specimen, {}), style, bench.scenario), 0.008);
+  StepState state(go::scene_of(bench.scenario, bench.specimen));
+  StepInput last;
+  TurbineGo out;
+  for (Sample sample = port.wait({}); sample.status != Sample::Status::gone; sample = port.wait({})) {
+    last = quantise(sample, 8000, last);
+    const StepOutput o = step(state, last);
+    if (last.cutting() && o.contact && !(o.spindle_rpm > 0.0f)) out.stood_s += 0.008;
+    port.write({o.force_n, o.proxy_mm, o.stiffness_n_per_mm, Vec3(0, 0, 1), o.contact, o.faulted});
+  }
+  out.left_out = port.hand().strokes_left_out();
+  return out;
+}
+TEST(Hand, LeansOnATurbineNoHarderThanRemovesMostAndLetsUpWhereItStands) {
+  const TurbineGo light = with_a_turbine(true), heavy = with_a_turbine(false);
+  EXPECT_LT(light.stood_s, 0.2 * heavy.stood_s);  // 1.6 and 24.2 s of 120
+  EXPECT_LT(light.left_out, heavy.left_out);      // 7 and 10
+}
+
 /// A world in which the proxy follows the device no faster than `speed`.
 std::size_t left_out_at(double speed_mm_s, double& clock_s, std::uint64_t seed = 1) {
   const Scenario s = small_slot();
