@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <string>
+#include <string_view>
 
 namespace cusp {
 namespace {
@@ -13,6 +15,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kHeader = "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n";
+
+std::string with_header(std::string_view rows) {
+  std::string text = kHeader;
+  return text.append(rows);
+}
 
 TraceError error_of(const std::string& text, std::string* where = nullptr) {
   const auto rows = parse_trace(text);
@@ -32,7 +39,7 @@ std::filesystem::path file_with(const std::string& text) {
 }
 
 TEST(CsvTrace, ReadsTheStepsOwnIntegers) {
-  const auto rows = parse_trace(std::string(kHeader) + "1000,-12345,0,2147483647,0,0,0,32767,1,65535\r\n");
+  const auto rows = parse_trace(with_header("1000,-12345,0,2147483647,0,0,0,32767,1,65535\r\n"));
   ASSERT_TRUE(rows);
   ASSERT_EQ(rows->size(), 1u);
   const TraceRow row = rows->front();
@@ -106,8 +113,7 @@ TEST(CsvTrace, NoTextBreaksTheReader) {
   const unsigned seed = 11;
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
-  const std::string good =
-      std::string(kHeader) + "1000,-5,6,7,0,0,0,32767,1,65535\r\n1000,-5,6,8,0,0,0,32767,1,65535\n";
+  const std::string good = with_header("1000,-5,6,7,0,0,0,32767,1,65535\r\n1000,-5,6,8,0,0,0,32767,1,65535\n");
   for (int round = 0; round < 20000; ++round) {
     std::string text = good;
     for (int change = 0; change < 3; ++change) {
@@ -125,8 +131,7 @@ TEST(CsvTrace, NoTextBreaksTheReader) {
 }
 
 TEST(CsvPort, PlaysEachRowOnceAndIsGoneAtTheEnd) {
-  const auto path =
-      file_with(std::string(kHeader) + "1000,10000,0,0,0,0,0,32767,0,0\n1000,20000,0,0,0,0,0,32767,1,0\n");
+  const auto path = file_with(with_header("1000,10000,0,0,0,0,0,32767,0,0\n1000,20000,0,0,0,0,0,32767,1,0\n"));
   CsvPort port(path, Pacing::at_once);
   ASSERT_TRUE(port.open());
   EXPECT_EQ(port.wait({}).position_mm.x, 1);
@@ -168,7 +173,7 @@ TEST(CsvPort, SaysWhatIsWrongWithAFile) {
   const auto folder = CsvPort(std::filesystem::temp_directory_path(), Pacing::at_once).open();
   ASSERT_FALSE(folder);
   EXPECT_EQ(folder.error().code, PortError::io);
-  const auto path = file_with(std::string(kHeader) + "1000,0,0,0,0,0,0,32767,0\n");
+  const auto path = file_with(with_header("1000,0,0,0,0,0,0,32767,0\n"));
   CsvPort broken(path, Pacing::at_once);
   const auto opened = broken.open();
   ASSERT_FALSE(opened);
