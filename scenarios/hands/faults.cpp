@@ -6,6 +6,10 @@
 
 namespace cusp {
 
+namespace {
+constexpr double kLooksDoneS = 450.0;  // with tissues that give way at their own speeds
+}
+
 Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
   PlanErrors errors;
   HandStyle style = steady_style(scenario, specimen, seed);
@@ -13,7 +17,6 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
     case HandFault::novice:
       errors.deeper_mm = 0.9;
       style.coolant = false;
-      style.light = false;
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
       if (reading_of(scenario.method) == Reading::banded) {
         errors.shift_mm = {0.25, 0.35, 0.0};
@@ -28,7 +31,8 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
       }
       style.correct_per_s = 4.0;
       style.patience_s = 1.5;
-      style.most_s = 450.0;  // stops when it looks done
+      // It stops when it looks done, be that what it may.
+      style.most_s = kLooksDoneS / light_speed_share(scenario, plan_target(scenario, specimen).burr);
       break;
     case HandFault::fair:
       errors.deeper_mm = 0.6 * scenario.leeway.floor_mm;

@@ -22,22 +22,37 @@ constexpr double kHeldN = 0.3;           // pressed by more than this and no way
 constexpr double kStandsS = 0.4;         // no way made for so long, and the handpiece may stand: let up for as long, push again
 constexpr double kOfStall = 0.8;         // nearer to what stalls a handpiece nobody pushes who hears it
 
+double radius_mm_of(const Scenario& scenario, std::size_t burr) noexcept {
+  return burr < scenario.instruments.size() ? scenario.instruments[burr].radius_mm : 0.0;
+}
+SpindleSettings handpiece_of(const Scenario& scenario) noexcept {
+  return settings_of(phenomena_from_keys(scenario.phenomena).handpiece);
+}
+double stall_n_of(const SpindleSettings& handpiece, double radius_mm) noexcept {
+  return handpiece.stall_n > 0.0 && radius_mm > 0.0 ? handpiece.stall_n * kStallRadiusMm / radius_mm
+                                                    : std::numeric_limits<double>::infinity();
+}
 /// The push that removes most. Removal goes with push times speed, and the speed falls in proportion to the push by `sag`
 /// at the stall (engine/removal/spindle.h): F (1 - sag F / F_stall) is largest at F_stall / (2 sag).
-double push_that_removes_most_n(const SpindleSettings& handpiece, double radius_mm) {
-  if (!(handpiece.stall_n > 0.0) || !(radius_mm > 0.0)) return std::numeric_limits<double>::infinity();
-  const double stall_n = handpiece.stall_n * kStallRadiusMm / radius_mm;
-  return stall_n * (handpiece.sag > 0.0 ? std::min(kOfStall, 0.5 / handpiece.sag) : kOfStall);
+double push_that_removes_most_n(const SpindleSettings& handpiece, double radius_mm) noexcept {
+  return stall_n_of(handpiece, radius_mm) * (handpiece.sag > 0.0 ? std::min(kOfStall, 0.5 / handpiece.sag) : kOfStall);
 }
 }  // namespace
+
+double light_speed_share(const Scenario& scenario, std::uint16_t burr) noexcept {
+  const SpindleSettings handpiece = handpiece_of(scenario);
+  const double radius = radius_mm_of(scenario, burr), full = scenario.device.full_force_n;
+  const double push = std::min(full, push_that_removes_most_n(handpiece, radius));
+  return full > 0.0 ? push / full * (1.0 - handpiece.sag * push / stall_n_of(handpiece, radius)) : 1.0;
+}
 
 Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
     : plan_(std::move(plan)),
       style_(style),
       muscles_(style.muscles, plan_.start_mm),
       full_force_n_(scenario.device.full_force_n),
-      radius_mm_(plan_.burr < scenario.instruments.size() ? scenario.instruments[plan_.burr].radius_mm : 0.0),
-      hardest_push_n_(style.light ? push_that_removes_most_n(settings_of(phenomena_from_keys(scenario.phenomena).handpiece), radius_mm_)
+      radius_mm_(radius_mm_of(scenario, plan_.burr)),
+      hardest_push_n_(style.light ? push_that_removes_most_n(handpiece_of(scenario), radius_mm_)
                               : std::numeric_limits<double>::infinity()),
       coolant_(style.coolant && has_phenomenon(scenario.phenomena, "heat")),
       from_mm_(plan_.start_mm),
@@ -132,8 +147,8 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
   const double down = std::clamp(-into.z, 0.0, 1.0);
   const double hardest = style_.side_push_n + down * down * std::max(0.0, full_force_n_ - style_.side_push_n);
   // What stalls goes on once the push is off it.
-  const bool lets_up = std::isfinite(hardest_push_n_) && std::fmod(clock_s_ - since_s_, 2.0 * kStandsS) > kStandsS;
-  if (lets_up) return proxy;
+  const double no_way_s = clock_s_ - since_s_;
+  if (std::isfinite(hardest_push_n_) && no_way_s > kStandsS && no_way_s < 2.0 * kStandsS) return proxy;
   const double push_n =
       std::min({full_force_n_ * deeper / std::max(tissue.speed_mm_s, kLeastSpeedMmS), hardest, hardest_push_n_});
   const Vec3 slide = velocity - glm::dot(velocity, into) * into;

@@ -33,6 +33,9 @@ struct HandStyle {
   bool coolant = true;             // runs it, where the exercise reckons heat
 };
 
+/// The share of the tissues' speeds at which a light hand drills with the exercise's handpiece and that burr; 1 without one.
+[[nodiscard]] double light_speed_share(const Scenario& scenario, std::uint16_t burr) noexcept;
+
 class Hand {
  public:
   /// Takes from the scenario what the tissues feel like and the full force.
