@@ -30,7 +30,7 @@ TEST(Rights, who_teaches_edits_scenarios_and_who_administers_manages_people) {
 }
 
 TEST(Rights, the_rooms_page_shows_the_same_table) {
-  std::ifstream in(std::string(CUSP_SOURCE_DIR) + "/storage/README.md");
+  std::ifstream in(CUSP_SOURCE_DIR "/storage/README.md");
   std::ostringstream page;
   page << in.rdbuf();
   for (std::size_t i = 0; i < kActions; ++i) {
