@@ -3,9 +3,10 @@
 
   passed.py BUILD [--again] [CTEST ARGUMENT ...]     --again: all of them
 
-A test stands by what it was run on: its program, its command and environment, every file of the tree but the tests' own
-sources (its program has those), every other program of the build, and the system's packages. It is run again when one
-bit of that differs or when it did not pass. What passed is kept in BUILD/passed.json.
+A test stands by what it was run on: its program and command, what the environment asks of tests and sanitizers, every file
+of the tree but the tests' own sources (its program has those), the sample data beside the tree, every program of the build
+that is no test, and the system's packages. It is run again when one bit of that differs or when it did not pass. What
+passed is kept in BUILD/passed.json.
 """
 import hashlib
 import json
@@ -18,6 +19,8 @@ import xml.etree.ElementTree as ElementTree
 
 TREE = pathlib.Path(__file__).resolve().parent.parent
 NOT_OF_THE_TREE = {"build", ".git"}
+SAMPLES = TREE.parent / "shared" / "data"
+ASKS = re.compile(r"CUSP_|.*SAN_OPTIONS$|QT_|DISPLAY$|LANG$|LC_")
 READS_ALL_SOURCES = "architecture"  # the label of tests that do
 
 
@@ -37,6 +40,7 @@ def of_tree():
     """With the tests' own sources, and without."""
     names = sorted(str(p.relative_to(TREE)) for top in TREE.iterdir() if top.name not in NOT_OF_THE_TREE
                    for p in (top.rglob("*") if top.is_dir() else [top]) if p.is_file() and "__pycache__" not in p.parts)
+    names += sorted(str(p) for p in SAMPLES.rglob("*") if p.is_file())
     each = [(name, of_file(TREE / name)) for name in names]
     own = re.compile(r"^tests/.*\.(cpp|h)$")
     return digest(json.dumps(each)), digest(json.dumps([e for e in each if not own.match(e[0])]))
@@ -47,14 +51,15 @@ def keys_of(build, tests):
     packages = pathlib.Path("/var/lib/dpkg/status")
     system = of_file(packages) if packages.exists() else ""
     programs = {str(p) for p in build.iterdir() if p.is_file() and os.access(p, os.X_OK)}
-    under_test = {argument for test in tests for argument in test["command"] if len(test["command"]) <= 2}
-    others = digest(*[part for p in sorted(programs - under_test) for part in (p, of_file(p))])
+    others = sorted(programs - {test["command"][0] for test in tests})
+    around = digest(system, json.dumps([(p, of_file(p)) for p in others]),
+                    json.dumps(sorted((k, v) for k, v in os.environ.items() if ASKS.match(k))))
     keys = {}
     for test in tests:
         told = {p["name"]: p["value"] for p in test.get("properties", [])}
         tree = whole if READS_ALL_SOURCES in told.get("LABELS", []) else but_tests
         files = [of_file(a) for a in test["command"] if os.path.isfile(a)]
-        keys[test["name"]] = digest(tree, system, others, json.dumps(test["command"]), json.dumps(told, sort_keys=True), *files)
+        keys[test["name"]] = digest(tree, around, json.dumps(test["command"]), json.dumps(told, sort_keys=True), *files)
     return keys
 
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """tests/passed.py on a build of three programs: what it runs again, and what not."""
+import os
 import pathlib
 import subprocess
 import sys
@@ -18,9 +19,10 @@ def main():
             file.write_text(f"#!/bin/sh\necho {name} >> {runs}\n{more}exit {ending}\n")
             file.chmod(0o755)
 
-        def check(ending, *ran, arguments=()):
+        def check(ending, *ran, arguments=(), asks=None):
             runs.write_text("")
-            done = subprocess.run([sys.executable, PASSED, build, *arguments], capture_output=True, text=True)
+            done = subprocess.run([sys.executable, PASSED, build, *arguments], env={**os.environ, **(asks or {})},
+                                  capture_output=True, text=True)
             told = sorted(runs.read_text().split())
             if (done.returncode != 0) != (ending != 0) or told != sorted(ran):
                 sys.exit(f"expected {sorted(ran)} and {ending}, had {told} and {done.returncode}\n{done.stdout}{done.stderr}")
@@ -40,6 +42,8 @@ def main():
         check(0, "one", "two", "red")
         check(0)
         check(0, "one", "two", "red", arguments=["--again"])
+        check(0, "one", "two", "red", asks={"CUSP_RANDOM_FULL": "1"})
+        check(0, "one", "two", "red")           # asked otherwise again
         program("one", 1)
         check(1, "one")
         program("one", 0)                       # the bits that passed before it failed
