@@ -1,14 +1,15 @@
 #include "scenarios/hands/faults.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scenarios/hands/expert.h"
 
 namespace cusp {
 
 namespace {
-constexpr double kLooksDoneS = 450.0;  // with tissues that give way at their own speeds
-}
+constexpr double kLooksDoneS = 450.0;  // to a novice, where tissues give way at their own speeds
+}  // namespace
 
 Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
   PlanErrors errors;
@@ -31,8 +32,6 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
       }
       style.correct_per_s = 4.0;
       style.patience_s = 1.5;
-      // It stops when it looks done, be that what it may.
-      style.most_s = kLooksDoneS / light_speed_share(scenario, plan_target(scenario, specimen).burr);
       break;
     case HandFault::fair:
       errors.deeper_mm = 0.6 * scenario.leeway.floor_mm;
@@ -60,7 +59,9 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
       style.coolant = false;
       break;
   }
-  return Hand(plan_target(scenario, specimen, errors), style, scenario);
+  Plan plan = plan_target(scenario, specimen, errors);
+  if (fault == HandFault::novice) style.most_s = kLooksDoneS / light_speed_share(scenario, plan.burr);
+  return Hand(std::move(plan), style, scenario);
 }
 
 std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen,
