@@ -62,31 +62,9 @@ Result<void, ChartFailure> read_file(const fs::path& path, Evidence& to) {
   return {};
 }
 
-/// Puts a table between the two lines that mark its place in a README.
-Result<void, ChartFailure> place_table(const fs::path& path, std::string_view begin_line, std::string_view end_line,
-                                       const std::string& table) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  std::string whole = text.str();
-  const std::size_t begin = whole.find(begin_line);
-  const std::size_t end = whole.find(end_line);
-  if (!file || begin == std::string::npos || end == std::string::npos || end < begin)
-    return fail(ChartError::cannot_read, path.string(), "no place for the table");
-  const std::size_t from = begin + begin_line.size();
-  whole.replace(from, end - from, table);
-  std::ofstream out(path, std::ios::binary);
-  out << whole;
-  out.close();
-  if (!out) return fail(ChartError::cannot_write, path.string());
-  return {};
-}
-
 int failed(const ChartFailure& failure) {
   std::cerr << "cusp-bench: "
-            << (failure.code == ChartError::missing_rows  ? "nothing to draw from: "
-                : failure.code == ChartError::cannot_read ? "cannot read "
-                                                          : "cannot write ")
+            << (failure.code == ChartError::cannot_read ? "cannot read " : "cannot write ")
             << failure.where << (failure.detail.empty() ? "" : ": " + failure.detail) << '\n';
   return kFailed;
 }
@@ -122,64 +100,18 @@ Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& fro
   return out;
 }
 
-Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence& evidence) {
-  std::map<std::string, std::string> out = {
-      {"accuracy.csv", to_csv(evidence.accuracy)}, {"rate.csv", to_csv(evidence.rate)},
-      {"scale.csv", to_csv(evidence.scale)},       {"stability.csv", to_csv(evidence.stability)},
-      {"pace.csv", to_csv(evidence.pace)},         {"motion.csv", to_csv(evidence.motion)}};
-  // Drawn from what the tables hold, not from more figures than they do: then they give the same pictures later.
-  const auto accuracy = from_csv(out["accuracy.csv"]);
-  const auto rate = from_csv(out["rate.csv"]);
-  const auto scale = from_csv(out["scale.csv"]);
-  const auto stability = from_csv(out["stability.csv"]);
-  const auto pace = pace_from_csv(out["pace.csv"]);
-  const auto motion = motion_from_csv(out["motion.csv"]);
-  for (const auto* read : {&accuracy, &rate, &scale, &stability})
-    if (!*read) return fail(ChartError::cannot_read, "a row", read->error().where);
-  if (!pace) return fail(ChartError::cannot_read, "pace", pace.error().where);
-  if (!motion) return fail(ChartError::cannot_read, "motion", motion.error().where);
-  const std::pair<const char*, Picture> pictures[] = {
-      {"speed-accuracy-r025.svg", speed_against_accuracy(*accuracy, *rate, 0.25)},
-      {"speed-accuracy-r050.svg", speed_against_accuracy(*accuracy, *rate, 0.5)},
-      {"rates-by-task.svg", rates_by_task(*pace)},
-      {"displacement-force.svg", displacement_and_force(*motion)},
-      {"error-voxel.svg", error_against_voxel(*accuracy)},
-      {"cost-size.svg", cost_against_size(*rate, *scale)},
-      {"methods.md", method_table(*accuracy, *rate)},
-      {"stability-map.svg", stability_map(*stability)},
-      {"stability-damping.svg", stiffness_against_damping(*stability)},
-      {"stability.md", stability_table(*stability)},
-  };
-  for (const auto& [name, picture] : pictures) {
-    if (!picture) return std::unexpected(picture.error());
-    out[name] = *picture;
-  }
-  if (!evidence.stability_full.rows.empty()) {
-    out[kStabilityFull] = to_csv(evidence.stability_full);
-    const auto full = from_csv(out[kStabilityFull]);
-    if (!full) return fail(ChartError::cannot_read, "a row", full.error().where);
-    const auto picture = stiffness_by_cell(*full);
-    if (!picture) return std::unexpected(picture.error());
-    out["stability-cells.svg"] = *picture;
-  }
-  // Tables of before there was such a report have none of it.
-  if (evidence.removal.rows.empty()) return out;
-  out["removal.csv"] = to_csv(evidence.removal);
-  const auto removal = from_csv(out["removal.csv"]);
-  if (!removal) return fail(ChartError::cannot_read, "a row", removal.error().where);
-  Report full;
-  if (!evidence.removal_full.rows.empty()) {
-    out[kRemovalFull] = to_csv(evidence.removal_full);
-    auto read = from_csv(out[kRemovalFull]);
-    if (!read) return fail(ChartError::cannot_read, "a row", read.error().where);
-    full = std::move(*read);
-  }
-  for (const auto& [name, picture] : {std::pair<const char*, Picture>{"drilling-depth.svg", depth_over_time(*removal)},
-                                      {"drilling-speed-error.svg", speed_error(*removal)},
-                                      {"removal.md", removal_table_with(*removal, full)}}) {
-    if (!picture) return std::unexpected(picture.error());
-    out[name] = *picture;
-  }
+std::map<std::string, std::string> tables_of(const Evidence& evidence) {
+  std::map<std::string, std::string> out;
+  for (const auto& [name, report] : {std::pair<const char*, const Report*>{"accuracy.csv", &evidence.accuracy},
+                                     {"rate.csv", &evidence.rate},
+                                     {"scale.csv", &evidence.scale},
+                                     {"stability.csv", &evidence.stability},
+                                     {"removal.csv", &evidence.removal},
+                                     {kStabilityFull, &evidence.stability_full},
+                                     {kRemovalFull, &evidence.removal_full}})
+    if (!report->rows.empty()) out[name] = to_csv(*report);
+  if (!evidence.pace.samples.empty()) out["pace.csv"] = to_csv(evidence.pace);
+  if (!evidence.motion.samples.empty()) out["motion.csv"] = to_csv(evidence.motion);
   return out;
 }
 
@@ -193,20 +125,12 @@ int run_chart(const Options& options) {
   const bool measures = options.from.empty() || evidence.pace.samples.empty();
   if (measures && !pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   if (options.from.empty()) evidence = measure_all(options);
-  for (const auto& [name, report] : {std::pair{kStabilityFull, &Evidence::stability_full}, {kRemovalFull, &Evidence::removal_full}}) {
-    std::error_code none;
-    const fs::path before = fs::path(options.out) / name;
-    if (!(evidence.*report).rows.empty() || !fs::exists(before, none)) continue;
-    if (const auto read = read_file(before, evidence); !read) return failed(read.error());
-  }
   // No report of --json holds these two, and they take seconds.
   if (evidence.pace.samples.empty()) evidence.pace = record_pace();
   if (evidence.motion.samples.empty()) evidence.motion = record_motion();
-  const auto files = draw_all(evidence);
-  if (!files) return failed(files.error());
   std::error_code none;
   fs::create_directories(options.out, none);
-  for (const auto& [name, text] : *files) {
+  for (const auto& [name, text] : tables_of(evidence)) {
     const fs::path path = fs::path(options.out) / name;
     std::ofstream file(path, std::ios::binary);
     file << text;
@@ -221,13 +145,6 @@ int run_chart(const Options& options) {
     if (const auto written = print_json(all, options.json); !written)
       return failed({ChartError::cannot_write, written.error().where, ""});
   }
-  if (options.readme.empty()) return kDone;
-  for (const auto& placed : {place_table(options.readme, kTableBegin, kTableEnd, files->at("methods.md")),
-                             place_table(options.readme, kStabilityBegin, kStabilityEnd, files->at("stability.md"))})
-    if (!placed) return failed(placed.error());
-  if (const auto removal = files->find("removal.md"); removal != files->end())
-    if (const auto placed = place_table(options.readme, kRemovalBegin, kRemovalEnd, removal->second); !placed)
-      return failed(placed.error());
   return kDone;
 }
 

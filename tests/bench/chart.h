@@ -1,20 +1,24 @@
-/// The verb `chart`: measures (or reads what was measured), and writes the tables and pictures of tests/bench/results.
+/// The verb `chart`: measures (or reads what was measured), and writes the tables of tests/bench/results. charts/draw.py
+/// draws them.
 #pragma once
 
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "tests/bench/figures.h"
 #include "tests/bench/options.h"
+#include "tests/bench/rows.h"
+#include "tests/bench/tasks.h"
 
 namespace cusp::bench {
 
-/// All that the pictures are drawn from.
+enum class ChartError : std::uint8_t { cannot_read, cannot_write };
+using ChartFailure = Failure<ChartError>;
+
+/// All that charts and tables are drawn from.
 struct Evidence {
   Report accuracy, rate, scale, stability, removal;
-  Report stability_full, removal_full;  // of --full, which takes long: drawn where they are, never measured by chart
+  Report stability_full, removal_full;  // of --full, which takes long: kept where they are, never measured by chart
   PaceReport pace;
   MotionReport motion;
 };
@@ -25,20 +29,10 @@ Evidence measure_all(const Options& options);
 /// what they hold, so that one file may bring several.
 Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& from);
 
-/// [name]: text of every file. The same evidence, the same bytes.
-Result<std::map<std::string, std::string>, ChartFailure> draw_all(const Evidence& evidence);
+/// [name]: text of every CSV file that has rows. The same evidence, the same bytes.
+std::map<std::string, std::string> tables_of(const Evidence& evidence);
 
-/// Lines of a README between which the table of methods stands; a README has to have both places.
-inline constexpr std::string_view kTableBegin = "<!-- methods: written by cusp-bench chart -->\n";
-inline constexpr std::string_view kTableEnd = "<!-- /methods -->\n";
-/// And the one of what breaks.
-inline constexpr std::string_view kStabilityBegin = "<!-- stability: written by cusp-bench chart -->\n";
-inline constexpr std::string_view kStabilityEnd = "<!-- /stability -->\n";
-/// And the one of what the cut keeps.
-inline constexpr std::string_view kRemovalBegin = "<!-- removal: written by cusp-bench chart -->\n";
-inline constexpr std::string_view kRemovalEnd = "<!-- /removal -->\n";
-
-/// Records pace and motion where nothing that was read holds them. What --full once left in --out is drawn again.
+/// Records pace and motion where nothing that was read holds them.
 int run_chart(const Options& options);
 
 }  // namespace cusp::bench

@@ -1,4 +1,4 @@
-// The pictures: the same rows, the same bytes; what is missing is named; figures that are read are the ones written.
+// The tables: the same rows, the same bytes; figures that are read are the ones written.
 #include "tests/bench/chart.h"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <fstream>
 
 #include "tests/bench/names.h"
-#include "tests/bench/plot.h"
 #include "tests/bench/program.h"
 #include "tests/bench/stability.h"
+#include "tests/bench/verdict.h"
 
 namespace cusp::bench {
 namespace {
@@ -124,44 +124,46 @@ Evidence made_up() {
   return out;
 }
 
-TEST(Chart, draws_the_same_bytes_from_the_same_rows) {
-  const auto a = draw_all(made_up());
-  const auto b = draw_all(made_up());
-  ASSERT_TRUE(a && b);
-  EXPECT_EQ(a->size(), 16u);
-  EXPECT_EQ(*a, *b);
+void write_tables(const std::filesystem::path& folder, const Evidence& evidence) {
+  std::filesystem::create_directories(folder);
+  for (const auto& [name, text] : tables_of(evidence)) std::ofstream(folder / name, std::ios::binary) << text;
 }
 
-TEST(Chart, draws_the_same_from_the_tables_that_it_wrote) {
-  const auto first = draw_all(made_up());
-  ASSERT_TRUE(first);
+TEST(Chart, WritesTheSameBytesFromTheTablesThatItWrote) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_chart_tables";
-  std::filesystem::create_directories(folder);
-  for (const auto& [name, text] : *first) std::ofstream(folder / name, std::ios::binary) << text;
+  const auto first = tables_of(made_up());
+  EXPECT_EQ(first.size(), 6u);
+  write_tables(folder, made_up());
   const auto read = read_evidence({folder.string()});
   ASSERT_TRUE(read);
   EXPECT_EQ(read->accuracy.rows.size(), made_up().accuracy.rows.size());
-  const auto again = draw_all(*read);
-  ASSERT_TRUE(again);
-  for (const auto& [name, text] : *first) EXPECT_TRUE(again->at(name) == text) << name;
+  EXPECT_EQ(tables_of(*read), first);
   std::filesystem::remove_all(folder);
 }
 
-TEST(Chart, marks_what_failed_and_how_stiff_a_wall_may_be) {
-  const auto map = stability_map(made_up().stability);
-  ASSERT_TRUE(map);
-  EXPECT_NE(map->find(">0.9</text>"), std::string::npos);
-  EXPECT_NE(map->find(">2</text>"), std::string::npos);
-  // Without the penalty's fall, one cell less is tinted; two guards.
-  Report whole = made_up().stability;
-  for (Row& row : whole.rows) row.passed_through = 0;
-  const auto tinted = [](const std::string& text) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find("#FBE3D2"); at != std::string::npos; at = text.find("#FBE3D2", at + 1)) ++n;
-    return n;
-  };
-  EXPECT_EQ(tinted(*map), 2u);
-  EXPECT_EQ(tinted(*stability_map(whole)), 0u);
+TEST(Chart, NamesInEachStabilityRowWhatBroke) {
+  Options options;
+  options.methods = {"surface", "penalty"};
+  options.cases = {"start-inside", "jump"};
+  options.guards = {"off"};
+  options.budget_s = 0.01;
+  const std::vector<Row> rows = stability_rows(options);
+  ASSERT_FALSE(rows.empty());
+  bool any = false;
+  for (const Row& row : rows) {
+    EXPECT_EQ(row.breaks, names_of(breaks_of(row))) << row.case_name;
+    any = any || !row.breaks.empty();
+  }
+  EXPECT_TRUE(any) << "without a guard a jump leaves its force on";
+}
+
+TEST(Chart, TheCommittedStabilityRowsNameWhatTheirFiguresBreak) {
+  const auto folder = std::filesystem::path(CUSP_SOURCE_DIR) / "tests/bench/results";
+  const auto read = read_evidence({folder.string()});
+  ASSERT_TRUE(read);
+  ASSERT_FALSE(read->stability.rows.empty());
+  for (const Report* report : {&read->stability, &read->stability_full})
+    for (const Row& row : report->rows) EXPECT_EQ(row.breaks, names_of(breaks_of(row))) << row.method << ' ' << row.case_name;
 }
 
 /// Rows of --full: every place in two cells, one of them settled by five sets, and one that has no exact proxy to compare with.
@@ -185,131 +187,24 @@ Report full_stability() {
   return out;
 }
 
-TEST(Chart, draws_every_cell_of_a_full_sweep_where_there_was_one) {
-  Evidence evidence = made_up();
-  EXPECT_EQ(draw_all(evidence)->count("stability-cells.svg"), 0u);
-  evidence.stability_full = full_stability();
-  const auto drawn = draw_all(evidence);
-  ASSERT_TRUE(drawn);
-  const std::string& picture = drawn->at("stability-cells.svg");
-  EXPECT_NE(picture.find("12 cells"), std::string::npos);
-  EXPECT_NE(picture.find("Beyond 15 %: 0."), std::string::npos);
-  EXPECT_NE(picture.find("6 cells by the medians"), std::string::npos);
-  EXPECT_NE(picture.find("by their first set 6 would be beyond"), std::string::npos);
-  // Its rows are of no account to the map, which is of the usual device.
-  EXPECT_EQ(drawn->at("stability-map.svg"), draw_all(made_up())->at("stability-map.svg"));
-  evidence.stability_full.rows.front().k_max_n_per_mm = 0.6;
-  EXPECT_NE(stiffness_by_cell(evidence.stability_full)->find("Beyond 15 %: 1."), std::string::npos);
-  std::erase_if(evidence.stability_full.rows, [](const Row& r) { return r.case_name == "pit"; });
-  EXPECT_NE(stiffness_by_cell(evidence.stability_full).error().where.find("pit"), std::string::npos);
-}
-
-TEST(Chart, keeps_the_tables_of_a_full_sweep_apart_and_finds_them_again) {
+TEST(Chart, KeepsTheTablesOfAFullSweepApartAndFindsThemAgain) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_chart_full";
-  std::filesystem::create_directories(folder);
   Evidence evidence = made_up();
   evidence.stability_full = full_stability();
-  const auto drawn = draw_all(evidence);
-  ASSERT_TRUE(drawn);
-  for (const auto& [name, text] : *drawn) std::ofstream(folder / name, std::ios::binary) << text;
+  write_tables(folder, evidence);
   const auto read = read_evidence({folder.string()});
   ASSERT_TRUE(read);
   EXPECT_EQ(read->stability_full.rows.size(), full_stability().rows.size());
   EXPECT_EQ(read->stability.rows.size(), evidence.stability.rows.size());
-  EXPECT_EQ(*draw_all(*read), *drawn);
+  EXPECT_EQ(tables_of(*read), tables_of(evidence));
   std::filesystem::remove_all(folder);
 }
 
 TEST(Chart, names_commit_and_machine_in_every_file) {
-  const auto files = draw_all(made_up());
-  ASSERT_TRUE(files);
-  for (const auto& [name, text] : *files) {
+  for (const auto& [name, text] : tables_of(made_up())) {
     EXPECT_NE(text.find("A CPU"), std::string::npos) << name;
     EXPECT_NE(text.find("0123456789"), std::string::npos) << name;
   }
-}
-
-TEST(Chart, shows_every_voxel_size_that_was_measured) {
-  const Evidence e = made_up();
-  const auto picture = speed_against_accuracy(e.accuracy, e.rate, 0.5);
-  ASSERT_TRUE(picture);
-  for (const char* size : {">0.2</text>", ">0.1</text>", ">0.078</text>", ">0.04</text>"})
-    EXPECT_NE(picture->find(size), std::string::npos) << size;
-  EXPECT_EQ(speed_against_accuracy(e.accuracy, e.rate, 0.25)->find(">0.078</text>"), std::string::npos);
-}
-
-TEST(Chart, says_what_is_missing_instead_of_drawing_without_it) {
-  const auto failure_without = [](auto&& remove) {
-    Evidence evidence = made_up();
-    remove(evidence);
-    const auto drawn = draw_all(evidence);
-    EXPECT_FALSE(drawn);
-    if (drawn) return std::string();
-    EXPECT_EQ(drawn.error().code, ChartError::missing_rows);
-    return drawn.error().where;
-  };
-  const auto drop = [](Report& report, auto&& which) { std::erase_if(report.rows, which); };
-  EXPECT_NE(failure_without([&](Evidence& e) { e.accuracy.rows.clear(); }).find("accuracy"), std::string::npos);
-  EXPECT_NE(failure_without([&](Evidence& e) {
-              drop(e.accuracy, [](const Row& r) { return r.shape == "cylinder"; });
-            }).find("cylinder"),
-            std::string::npos);
-  EXPECT_NE(failure_without([&](Evidence& e) {
-              drop(e.rate, [](const Row& r) { return r.method == "surface"; });
-            }).find("rate"),
-            std::string::npos);
-  EXPECT_NE(failure_without([&](Evidence& e) { e.scale.rows.clear(); }).find("scale"), std::string::npos);
-  EXPECT_NE(failure_without([&](Evidence& e) {
-              drop(e.stability, [](const Row& r) { return r.method == "ray" && r.case_name == "islands"; });
-            }).find("islands"),
-            std::string::npos);
-  EXPECT_NE(failure_without([&](Evidence& e) {
-              drop(e.stability, [](const Row& r) { return r.grip == "firm"; });
-            }).find("firm"),
-            std::string::npos);
-  EXPECT_NE(failure_without([](Evidence& e) {
-              std::erase_if(e.pace.samples, [](const PaceSample& s) { return s.task == "perforation"; });
-            }).find("perforation"),
-            std::string::npos);
-  EXPECT_NE(failure_without([](Evidence& e) { e.motion.samples.clear(); }).find("motion"), std::string::npos);
-}
-
-TEST(Chart, writes_its_table_between_the_marks_of_a_readme_and_nothing_else) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "cusp_chart_readme";
-  std::filesystem::create_directories(folder);
-  const auto files = draw_all(made_up());
-  ASSERT_TRUE(files);
-  for (const auto& [name, text] : *files) std::ofstream(folder / name, std::ios::binary) << text;
-  const auto readme = folder / "README.md";
-  const std::string before = "before\n" + std::string(kTableBegin);
-  const std::string between = std::string(kTableEnd) + "between\n" + std::string(kStabilityBegin);
-  const std::string after = std::string(kStabilityEnd) + "after\n";
-  std::ofstream(readme) << before << "old\n" << between << "old too\n" << after;
-  const std::vector<std::string> args = {"chart",         "--from",   folder.string(), "--out",
-                                         folder.string(), "--readme", readme.string()};
-  ASSERT_EQ(run_program(args), kDone);
-  std::ifstream file(readme);
-  const std::string text((std::istreambuf_iterator<char>(file)), {});
-  EXPECT_EQ(text, before + files->at("methods.md") + between + files->at("stability.md") + after);
-  std::ofstream(readme) << "no marks\n";
-  EXPECT_EQ(run_program(args), kFailed);
-  std::filesystem::remove_all(folder);
-}
-
-TEST(Chart, the_committed_results_are_what_their_tables_draw) {
-  const auto folder = std::filesystem::path(CUSP_SOURCE_DIR) / "tests/bench/results";
-  const auto read = read_evidence({folder.string()});
-  ASSERT_TRUE(read);
-  const auto drawn = draw_all(*read);
-  ASSERT_TRUE(drawn) << drawn.error().where;
-  const auto text_of = [](const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return std::string((std::istreambuf_iterator<char>(file)), {});
-  };
-  for (const auto& [name, text] : *drawn) EXPECT_TRUE(text_of(folder / name) == text) << name;
-  for (const char* table : {"methods.md", "stability.md"})
-    EXPECT_NE(text_of(std::filesystem::path(CUSP_SOURCE_DIR) / "README.md").find(drawn->at(table)), std::string::npos)
-        << table;
 }
 
 TEST(Chart, refuses_what_is_no_report) {
@@ -349,50 +244,6 @@ TEST(Chart, tables_over_time_refuse_broken_lines) {
   EXPECT_FALSE(pace_from_csv(text + "surface,exploration,0.1,12x\n"));
   EXPECT_FALSE(pace_from_csv(to_csv(made_up().motion)));
   EXPECT_FALSE(motion_from_csv(text));
-}
-
-TEST(Chart, fits_the_order_of_a_power) {
-  // error = 3 h^2, exactly.
-  EXPECT_NEAR(fitted_order({{0.2, 0.12}, {0.1, 0.03}, {0.05, 0.0075}}), 2.0, 1e-12);
-  EXPECT_NEAR(fitted_order({{0.2, 0.2}, {0.1, 0.1}}), 1.0, 1e-12);
-}
-
-TEST(Chart, fits_second_order_above_the_face_s_error) {
-  const auto picture = error_against_voxel(made_up().accuracy);
-  ASSERT_TRUE(picture);
-  EXPECT_NE(picture->find("order 2.0"), std::string::npos);
-}
-
-TEST(Svg, writes_letters_that_no_reader_takes_for_marks) {
-  Svg svg(100.0, 50.0, "a < b", "c & d");
-  svg.text({1.0, 2.0}, "\"<&>\"");
-  const std::string text = svg.str();
-  EXPECT_NE(text.find("<title>a &lt; b</title>"), std::string::npos);
-  EXPECT_NE(text.find(">&quot;&lt;&amp;&gt;&quot;</text>"), std::string::npos);
-}
-
-TEST(Svg, writes_numbers_to_a_hundredth_without_needless_digits) {
-  EXPECT_EQ(pixels(12.0), "12");
-  EXPECT_EQ(pixels(12.345), "12.35");
-  EXPECT_EQ(pixels(12.30), "12.3");
-  EXPECT_EQ(pixels(-0.001), "0");
-}
-
-TEST(Plot, letters_numbers_as_people_read_them) {
-  EXPECT_EQ(short_number(62e3), "62 k");
-  EXPECT_EQ(short_number(1.5e6), "1.5 M");
-  EXPECT_EQ(short_number(671234.0), "671 k");
-  EXPECT_EQ(short_number(0.25), "0.25");
-  EXPECT_EQ(short_number(0.0), "0");
-}
-
-TEST(Plot, decades_hold_every_value) {
-  const Axis axis = decades("", {0.002, 37.0});
-  EXPECT_DOUBLE_EQ(axis.low, 0.001);
-  EXPECT_DOUBLE_EQ(axis.high, 100.0);
-  EXPECT_DOUBLE_EQ(axis.place(0.001), 0.0);
-  EXPECT_DOUBLE_EQ(axis.place(100.0), 1.0);
-  EXPECT_NEAR(axis.place(0.1), 0.4, 1e-12);
 }
 
 }  // namespace

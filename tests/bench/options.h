@@ -35,8 +35,7 @@ struct Options {
   std::uint64_t seed = 1;         // of every random choice: the same seed, the same inputs
   std::string json;               // file, "-" for stdout, empty for a table
   std::string out;                // chart: folder
-  std::vector<std::string> from;  // chart: reports to draw instead of measuring
-  std::string readme;             // chart: file whose table of methods is to be written anew
+  std::vector<std::string> from;  // chart: reports to take instead of measuring
 };
 
 inline bool asked(const std::vector<std::string>& filter, std::string_view value) {

@@ -34,7 +34,7 @@ constexpr Verb kVerbs[] = {
      run_stability, false},
     {"removal", "how fast and how exactly every method cuts, and what a cutting tick costs", run_removal, false},
     {"latency", "how late ticks begin and how long they take in real time, with and without drawing", run_latency, false},
-    {"chart", "all of it, or what --from names, as the tables and pictures of tests/bench/results", run_chart, true},
+    {"chart", "all of it, or what --from names, as the tables that charts/draw.py draws", run_chart, true},
 };
 
 void add_options(CLI::App& app, Options& options, bool writes_folder) {
@@ -89,7 +89,6 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
   app.add_option("--out", options.out, "folder for the files")->required();
   app.add_option("--from", options.from,
                  "draw these instead of measuring: a report of --json, a table, or their folder");
-  app.add_option("--readme", options.readme, "also write the table of methods into this file, between its two marks");
 }
 
 }  // namespace

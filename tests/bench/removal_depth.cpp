@@ -56,7 +56,9 @@ void add_depths(Method method, std::vector<Row>& rows) {
       Row& row = rows.emplace_back();
       row.method = key_of(method);
       row.measure = "depth";
-      row.tissue = kRemovalTissues[static_cast<std::size_t>(std::clamp(depth / kLayerMm, 0.0, 2.999))];
+      const auto layer = static_cast<std::size_t>(std::clamp(depth / kLayerMm, 0.0, 2.999));
+      row.tissue = kRemovalTissues[layer];
+      row.target_mm_s = kRemovalMaterials[layer].speed_mm_s;
       row.burr_radius_mm = kDepthBurrMm;
       row.voxel_mm = kVoxelMm;
       row.time_s = k * 1e-3;

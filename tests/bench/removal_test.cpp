@@ -269,31 +269,11 @@ TEST(RemovalRidge, is_looked_at_with_every_round_burr_of_the_catalogue) {
   EXPECT_GE(looked_at.size(), 7u);
 }
 
-TEST(RemovalPictures, count_of_a_ridge_what_is_gone_beyond_wear) {
-  const auto table_of = [](double um) {
-    Report report{"0123456789abcdef", "A CPU", {}};
-    for (const std::string_view method : {"surface", "occupancy"})
-      for (const char* measure : {"speed", "mixed", "order", "shape", "volume", "slide", "tick", "ridge"}) {
-        Row& row = report.rows.emplace_back();
-        row.method = method;
-        row.measure = measure;
-        row.direction = "-z";
-        row.tick_ms = row.alpha = 1.0;
-        row.error_percent = row.deviation_um_mean = row.deviation_um_max = row.excess_um_max = row.tick_us_p99 = 0.5;
-        row.ridge_um = um;
-      }
-    return removal_table(report);
-  };
-  const auto kept = table_of(-7.25), lost = table_of(7.25);
-  ASSERT_TRUE(kept && lost);
-  EXPECT_NE(kept->find("| -7.2 "), std::string::npos) << *kept;
-  EXPECT_NE(lost->find("| 7.2 "), std::string::npos) << *lost;
-}
-
 TEST(RemovalDepth, goes_through_the_papers_materials_at_their_speeds) {
   std::vector<Row> rows;
   add_depths(Method::surface, rows);
   EXPECT_NEAR(rows[1].time_s - rows[0].time_s, 0.025, 1e-9);
+  EXPECT_EQ(rows[1].target_mm_s, kRemovalMaterials[0].speed_mm_s);
   for (std::size_t layer = 0; layer < 3; ++layer)
     EXPECT_NEAR(slope_in(rows, "surface", layer), kRemovalMaterials[layer].speed_mm_s, 0.01 * kRemovalMaterials[layer].speed_mm_s);
   EXPECT_TRUE(std::isnan(slope_in(rows, "occupancy", 0)));
@@ -310,77 +290,6 @@ TEST(Removal, rows_carry_eq_6_and_come_as_json) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(report->rows[i].density, densities[i], 0.001);
   EXPECT_EQ(run_program({"removal", "--measure", "luck"}), kUsage);
   EXPECT_EQ(run_program({"removal", "--direction", "up"}), kUsage);
-  std::filesystem::remove(path);
-}
-
-/// Made-up rows that every removal picture can be drawn from.
-Report made_up() {
-  Report out{"0123456789abcdef", "A CPU", {}};
-  for (const std::string_view method : {"surface", "occupancy"}) {
-    for (int k = 0; k < 500; ++k) {
-      Row& row = out.rows.emplace_back();
-      row.method = method;
-      row.measure = "depth";
-      row.time_s = 0.025 * k;
-      row.depth_mm = 0.02 * k;
-    }
-    for (const double voxel : {0.04, 0.2})
-      for (const char* direction : {"-z", "+x-y", "+x+y+z"}) {
-        Row& row = out.rows.emplace_back();
-        row.method = method;
-        row.measure = "speed";
-        row.burr = removal_cutters().back().name;
-        row.voxel_mm = voxel;
-        row.tick_ms = row.alpha = 1.0;
-        row.direction = direction;
-        row.error_percent = method == "surface" ? 0.02 : 3.0;
-      }
-    for (const char* measure : {"mixed", "order", "shape", "volume", "slide", "ridge", "tick"}) {
-      Row& row = out.rows.emplace_back();
-      row.method = method;
-      row.measure = measure;
-      row.error_percent = row.deviation_um_mean = row.deviation_um_max = row.excess_um_max = row.ridge_um = 0.3;
-      row.tick_us_p99 = 100.0;
-    }
-  }
-  return out;
-}
-
-TEST(RemovalPictures, are_the_same_bytes_from_the_same_rows_and_name_what_is_missing) {
-  const auto table = from_csv(to_csv(made_up()));  // as the chart draws: from what the table holds
-  ASSERT_TRUE(table);
-  const Report& rows = *table;
-  for (const auto draw : {depth_over_time, speed_error, removal_table}) {
-    const auto once = draw(rows), again = draw(*from_csv(to_csv(rows)));
-    ASSERT_TRUE(once && again);
-    EXPECT_TRUE(*once == *again);
-    EXPECT_NE(once->find("A CPU"), std::string::npos);
-    EXPECT_NE(once->find("0123456789"), std::string::npos);
-  }
-  const auto without = [&](auto&& which) {
-    Report less = rows;
-    std::erase_if(less.rows, which);
-    return less;
-  };
-  const auto missing = [](const Picture& picture) { return picture ? std::string() : picture.error().where; };
-  EXPECT_NE(missing(depth_over_time(without([](const Row& r) { return r.measure == "depth" && r.depth_mm > 7.0; }))).find("enamel"),
-            std::string::npos);
-  EXPECT_NE(missing(speed_error(without([](const Row& r) { return r.method == "occupancy"; }))).find("occupancy"), std::string::npos);
-  EXPECT_NE(missing(removal_table(without([](const Row& r) { return r.measure == "ridge"; }))).find("ridge"), std::string::npos);
-}
-
-TEST(RemovalPictures, come_with_the_chart_where_there_are_rows) {
-  const auto results = std::filesystem::path(CUSP_SOURCE_DIR) / "tests/bench/results";
-  const auto path = std::filesystem::path(testing::TempDir()) / "cusp_removal_rows.json";
-  std::ofstream(path) << to_json(made_up());
-  auto read = read_evidence({results.string(), path.string()});
-  ASSERT_TRUE(read);
-  EXPECT_GE(read->removal.rows.size(), made_up().rows.size());
-  read->removal = made_up();
-  const auto files = draw_all(*read);
-  ASSERT_TRUE(files);
-  for (const char* name : {"removal.csv", "drilling-depth.svg", "drilling-speed-error.svg", "removal.md"})
-    EXPECT_TRUE(files->contains(name)) << name;
   std::filesystem::remove(path);
 }
 

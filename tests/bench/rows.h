@@ -108,6 +108,7 @@ struct Row {
                                 // fragment: from the cut
   double back_ms = kAbsent;     // faults: from re-arming until the force is within 5 % of what it comes to
   double back_share = kAbsent;  // faults: of the exact force, half a second after re-arming
+  std::string breaks;           // stability: what counts as a failure (verdict.h), names between spaces
   double updates_per_s = kAbsent;
   double tick_us_p50 = kAbsent;
   double tick_us_p99 = kAbsent;
@@ -216,6 +217,7 @@ void for_each_field(R& row, Visit&& visit) {
   visit("zero_ms", row.zero_ms);
   visit("back_ms", row.back_ms);
   visit("back_share", row.back_share);
+  visit("breaks", row.breaks);
   visit("updates_per_s", row.updates_per_s);
   visit("tick_us_p50", row.tick_us_p50);
   visit("tick_us_p99", row.tick_us_p99);

@@ -9,6 +9,7 @@
 
 #include "tests/bench/names.h"
 #include "tests/bench/stability_kmax.h"
+#include "tests/bench/verdict.h"
 
 namespace cusp::bench {
 
@@ -170,7 +171,9 @@ std::vector<std::string> device_names() {
   return out;
 }
 
-std::vector<Row> stability_rows(const Options& options) {
+namespace {
+
+std::vector<Row> measured_rows(const Options& options) {
   std::vector<Row> rows;
   CaseRun what;
   what.seed = options.seed;
@@ -224,6 +227,14 @@ std::vector<Row> stability_rows(const Options& options) {
   }
   what.burr_radius_mm = 0.5;
   for (const CaseName& name : kTaskCases) each(name.key, settings_of(led, options), {kVoxelMm}, run_case);
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Row> stability_rows(const Options& options) {
+  std::vector<Row> rows = measured_rows(options);
+  for (Row& row : rows) row.breaks = names_of(breaks_of(row));
   return rows;
 }
 

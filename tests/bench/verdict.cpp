@@ -33,4 +33,11 @@ std::vector<Breaks> breaks_of(const Row& row) {
   return out;
 }
 
+std::string names_of(const std::vector<Breaks>& breaks) {
+  std::string out;
+  for (const auto& [kind, name] : kBreaks)
+    if (std::ranges::find(breaks, kind) != breaks.end()) out.append(out.empty() ? "" : " ").append(name);
+  return out;
+}
+
 }  // namespace cusp::bench

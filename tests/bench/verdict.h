@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -12,15 +13,15 @@ namespace cusp::bench {
 
 enum class Breaks : std::uint8_t { through, overlap, stuck, kicks, rings, feeds, stays_on };
 
-/// In the order of harm, with what a person reads.
+/// In the order of harm, as rows name them.
 inline constexpr std::array<std::pair<Breaks, std::string_view>, 7> kBreaks = {
-    {{Breaks::through, "falls through"},
-     {Breaks::overlap, "stands in tissue by more than a voxel"},
-     {Breaks::stuck, "stuck for 50 ms"},
-     {Breaks::kicks, "kicks by more than 50 mN"},
-     {Breaks::rings, "rings on"},
-     {Breaks::feeds, "feeds the hand"},
-     {Breaks::stays_on, "force stays on"}}};
+    {{Breaks::through, "through"},    // the pivot gets into the tissue, or behind it
+     {Breaks::overlap, "overlap"},    // stands in tissue by more than a voxel
+     {Breaks::stuck, "stuck"},        // for 50 ms
+     {Breaks::kicks, "kicks"},        // by more than kMostStepMn
+     {Breaks::rings, "rings"},        // in a cycle, or by vibration
+     {Breaks::feeds, "feeds"},        // the hand, beyond the exact proxy
+     {Breaks::stays_on, "stays-on"}}};  // a force that does not go to zero
 
 inline constexpr double kMostStepMn = 50.0;        // of force_step
 inline constexpr double kMostGuardStepMn = 301.0;  // the slew in a tick, and its rounding
@@ -34,5 +35,7 @@ inline constexpr double kMostFrozenMs = 11.0;  // a device is not known to be fr
 
 /// In the order of kBreaks.
 std::vector<Breaks> breaks_of(const Row& row);
+/// "through kicks": names between spaces; empty for none.
+std::string names_of(const std::vector<Breaks>& breaks);
 
 }  // namespace cusp::bench

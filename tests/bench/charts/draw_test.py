@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Charts and tables: what they show is what the rows say; what is missing is named; the committed ones are up to date."""
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import contact_charts
+import draw
+import markdown_tables
+import removal_charts
+import stability_charts
+import style
+from tables import Missing, Row, Table, read, read_all
+
+HERE = pathlib.Path(__file__).resolve().parent
+RESULTS = HERE.parent / "results"
+README = HERE.parents[2] / "README.md"
+
+
+def table(name, rows):
+    return Table(name, "0123456789abcdef", "A CPU", [Row(r) for r in rows])
+
+
+def texts(figure):
+    """Every text of a figure, axes included."""
+    return [t.get_text() for t in figure.findobj(match=lambda a: hasattr(a, "get_text"))]
+
+
+def without(tables, name, is_dropped):
+    kept = [r for r in tables[name].rows if not is_dropped(r)]
+    return {**tables, name: Table(name, tables[name].commit, tables[name].machine, kept)}
+
+
+class Committed(unittest.TestCase):
+    def setUp(self):
+        self.tables = read_all(RESULTS)
+
+    def tearDown(self):
+        style.plt.close("all")
+
+    def test_files_are_what_their_tables_give(self):
+        done = subprocess.run([sys.executable, HERE / "draw.py", RESULTS, "--readme", README, "--check"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_check_names_a_table_that_differs_and_a_chart_that_is_not_there(self):
+        with tempfile.TemporaryDirectory() as folder:
+            same, other, gone = (pathlib.Path(folder) / name for name in ("a.md", "b.md", "c.svg"))
+            same.write_text("text")
+            other.write_text("other")
+            self.assertEqual(draw.differing({same: "text", other: "text", gone: "text"}), [str(other), str(gone)])
+
+    def test_every_figure_names_machine_and_commit(self):
+        for figure in (contact_charts.error_against_voxel(self.tables["accuracy"]), removal_charts.depth_over_time(self.tables["removal"])):
+            self.assertTrue(any("AMD EPYC" in t and "commit" in t for t in texts(figure)))
+
+    def test_every_voxel_size_that_was_measured_is_named(self):
+        shown = texts(contact_charts.speed_against_accuracy(self.tables["accuracy"], self.tables["rate"], 0.5))
+        for voxel in ("0.2", "0.1", "0.078", "0.04"):
+            self.assertIn(voxel, shown)
+
+    def test_a_cell_of_the_map_shows_what_broke_and_how_stiff_a_wall_may_be(self):
+        stability = self.tables["stability"]
+        ratio, beyond, broke = stability_charts.cell(stability, "face", True, "surface", "on")
+        self.assertAlmostEqual(ratio, 6.2, delta=0.1)
+        self.assertTrue(beyond)
+        self.assertEqual(broke, [])
+        self.assertIn("through", stability_charts.cell(stability, "thin-wall", False, "penalty", "on")[2])
+
+    def test_missing_rows_are_named_and_nothing_is_drawn(self):
+        for name, is_dropped, figure, word in (
+                ("accuracy", lambda r: r.text("shape") == "cylinder", lambda t: contact_charts.error_against_voxel(t["accuracy"]), "cylinder"),
+                ("accuracy", lambda r: True, lambda t: contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.25), "accuracy"),
+                ("rate", lambda r: r.text("method") == "surface", lambda t: markdown_tables.methods(t["accuracy"], t["rate"]), "surface"),
+                ("scale", lambda r: True, lambda t: contact_charts.cost_against_size(t["rate"], t["scale"]), "scale"),
+                ("stability", lambda r: r.text("method") == "ray" and r.text("case") == "islands",
+                 lambda t: stability_charts.stability_map(t["stability"]), "islands"),
+                ("stability", lambda r: r.text("grip") == "firm", lambda t: stability_charts.stiffness_against_damping(t["stability"]), "firm"),
+                ("removal", lambda r: r.text("tissue") == "enamel" and r.text("measure") == "depth",
+                 lambda t: removal_charts.depth_over_time(t["removal"]), "enamel"),
+                ("removal", lambda r: r.text("method") == "occupancy", lambda t: removal_charts.speed_error(t["removal"]), "occupancy"),
+                ("removal", lambda r: r.text("measure") == "ridge", lambda t: markdown_tables.removal(t["removal"]), "ridge")):
+            with self.subTest(word), self.assertRaisesRegex(Missing, word):
+                figure(without(self.tables, name, is_dropped))
+
+    def test_a_full_sweep_widens_the_table_of_removal_only_where_it_was_run(self):
+        self.assertIn("all 36 burs", markdown_tables.removal(self.tables["removal"], self.tables["removal-full"]))
+        self.assertNotIn("all 36 burs", markdown_tables.removal(self.tables["removal"]))
+
+
+class Figures(unittest.TestCase):
+    def test_order_of_a_power_is_fitted_exactly(self):
+        # error = 3 h^2
+        self.assertAlmostEqual(contact_charts.fitted_order([(0.2, 0.12), (0.1, 0.03), (0.05, 0.0075)]), 2.0, places=12)
+
+    def test_order_is_of_what_exceeds_the_face_s_error(self):
+        floor = [(h, 0.001) for h in (0.2, 0.1, 0.05)]
+        series = [(h, math.hypot(0.5 * h * h, 0.001)) for h, _ in floor]
+        self.assertEqual(contact_charts.order_of(series, floor), "order 2.0")
+        self.assertEqual(contact_charts.order_of(floor, floor), "as the face")
+
+    def test_numbers_read_as_people_read_them(self):
+        for value, text in ((62e3, "62 k"), (1.5e6, "1.5 M"), (671234, "671 k"), (0.25, "0.25"), (999.7e3, "1 M")):
+            self.assertEqual(style.short(value), text)
+
+    def test_a_ridge_counts_what_is_gone_beyond_wear(self):
+        def table_of(um):
+            fields = dict.fromkeys(("error_percent", "deviation_um_mean", "deviation_um_max", "excess_um_max", "tick_us_p99"), "0.5")
+            return table("removal", [dict(fields, method=m, measure=k, direction="-z", tick_ms="1", alpha="1", ridge_um=str(um))
+                                     for m in ("surface", "occupancy")
+                                     for k in ("speed", "mixed", "order", "shape", "volume", "slide", "tick", "ridge")])
+        self.assertIn("| -7.2 µm |", markdown_tables.removal(table_of(-7.25)))
+        self.assertIn("| 7.2 µm |", markdown_tables.removal(table_of(7.25)))
+
+    def test_slope_is_taken_where_the_bur_s_front_is_in_one_tissue(self):
+        rows = [Row(time_s=str(0.1 * k), depth_mm=str(0.12 * k)) for k in range(80)]
+        self.assertAlmostEqual(removal_charts.slope(rows, 1), 1.2, places=9)
+        self.assertTrue(math.isnan(removal_charts.slope(rows[:5], 2)))
+
+    def test_labels_of_meeting_lines_are_moved_apart_about_their_middle(self):
+        places = style.apart([10.0, 11.0, 40.0], 15)
+        self.assertGreaterEqual(places[1] - places[0], 15)
+        self.assertGreaterEqual(places[2] - places[1], 15)
+        self.assertAlmostEqual(sum(places), 61.0)
+
+    def test_bounds_of_passivity_are_the_published_ones(self):
+        # Colgate and Schenkel: K = 2 b / T; 2 N s/m at 1 ms: 4000 N/m.
+        self.assertAlmostEqual(stability_charts.colgate_n_per_mm(2.0), 4.0)
+        # Abbott and Okamura: 2 f / encoder step; 0.1 N at 0.049 mm: 4.08 N/mm.
+        self.assertAlmostEqual(stability_charts.abbott_okamura_n_per_mm(24.0, 0.1), 4.0816, places=4)
+
+
+class Files(unittest.TestCase):
+    def test_what_is_no_table_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "rate.csv"
+            for text in ("", "not,a,table\n1,2,3\n", "# commit c, machine m\na,b\n1\n", "# commit c, machine m\na,b\n1,2,3\n"):
+                path.write_text(text)
+                with self.subTest(text), self.assertRaises(Missing):
+                    read(path)
+            with self.assertRaisesRegex(Missing, "accuracy.csv"):
+                read_all(folder)
+
+    def test_a_readme_keeps_all_but_its_tables(self):
+        marks = "".join(f"before {t}\n<!-- {t}: written by draw.py -->\nold\n<!-- /{t} -->\n" for t in ("methods", "stability", "removal"))
+        drawn = {f"{t}.md": f"new {t}\n" for t in ("methods", "stability", "removal")}
+        self.assertEqual(draw.placed(marks + "after\n", drawn, "README.md"),
+                         "".join(f"before {t}\n<!-- {t}: written by draw.py -->\nnew {t}\n<!-- /{t} -->\n" for t in ("methods", "stability", "removal")) + "after\n")
+        with self.assertRaisesRegex(Missing, "methods"):
+            draw.placed("no marks\n", drawn, "README.md")
+
+
+if __name__ == "__main__":
+    unittest.main()

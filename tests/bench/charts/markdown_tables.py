@@ -1,0 +1,140 @@
+"""The README's three tables, each with the machine and commit that measured it."""
+import math
+
+from contact_charts import SPEED_MM_S, USUAL_VOXEL_MM
+from removal_charts import axes_along
+from stability_charts import is_usual
+from style import LABELS, METHODS, short
+from tables import Missing, mean, needed
+
+
+def small(value):
+    return "< 0.0001" if value < 1e-4 else f"{value:.2g}" if value < 100 else f"{value:.0f}"
+
+
+def lines(head, rows):
+    return "".join(f"| {' | '.join(cells)} |\n" for cells in [head, *rows]).replace("\n", "\n|" + "---|" * len(head) + "\n", 1)
+
+
+def methods(accuracy, rate):
+    rows = []
+    for method in METHODS:
+        cells = [[] for _ in range(5)]
+        for radius in (0.25, 0.5):
+            def usual(table):
+                return [r for r in table.where(method=method) if r.is_near("burr_radius_mm", radius) and r.is_near("voxel_mm", USUAL_VOXEL_MM)]
+
+            explored = [r for r in usual(rate) if r.text("task") == "exploration" and r.text("shape") != "channel"
+                        and r.is_near("speed_mm_s", SPEED_MM_S)]
+            drilled = [r for r in usual(rate) if r.text("task") == "perforation"]
+            slid = [r for r in usual(accuracy) if not r.text("task") and r.text("motion") == "slide" and r.is_near("speed_mm_s", SPEED_MM_S)
+                    and r.text("shape") in ("face", "sphere")]
+
+            def figure(found, value, what):
+                return needed(mean([value(r) for r in found]), f"{what}: {method} with a bur of {radius} mm")
+
+            tick = figure(explored, lambda r: 1 / r.number("updates_per_s"), "rate")
+            ratio = figure(explored, lambda r: r.number("ratio_to_occupancy"), "rate")
+            angle = figure(slid, lambda r: r.number("angle_deg_mean"), "accuracy")
+            depth = figure(slid, lambda r: r.number("depth_um_mean"), "accuracy")
+            drill = figure(drilled, lambda r: 1 / r.number("updates_per_s"), "rate")
+            for cell, text in zip(cells, (short(1 / tick), f"{ratio:.2g}×", small(angle), small(depth), short(1 / drill))):
+                cell.append(text)
+        rows.append([LABELS[method], *(" · ".join(cell) for cell in cells)])
+    head = ["ball bur r 0.25 · 0.5 mm, clean shapes", "exploring, updates/s", "over occupancy", "mean angle error, degrees",
+            "mean depth error, µm", "drilling, updates/s"]
+    return lines(head, rows) + (
+        f"\n{accuracy.machine}, one core, commits {accuracy.commit[:10]} (accuracy) and {rate.commit[:10]} (rate): voxels of 10/128 mm, "
+        "0.3 mm below the offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and sphere; "
+        "drilling at 1 mm/s with all its upkeep.\n")
+
+
+def stability(table):
+    rows = []
+    for method in METHODS:
+        found = [r for r in table.where(method=method, guard="on")
+                 if r.text("unresolved") != "true" and (not r.holds("k_max_n_per_mm") or is_usual(r))]
+        ratios = [r.number("k_max_n_per_mm") / r.number("k_exact_n_per_mm") for r in found if r.holds("k_max_n_per_mm")]
+        walls = [r for r in found if r.text("case") == "thin-wall"]
+        if not ratios or not walls:
+            raise Missing(f"stability: {method}, guard on")
+
+        def most(value):
+            return max((v for v in map(value, found) if not math.isnan(v)), default=0.0)
+
+        stuck = sum(int(r.number("stuck")) for r in found if r.holds("stuck"))
+        cases = {}
+        for r in found:
+            cases[r.text("case")] = cases.get(r.text("case"), True) and not r.text("breaks")
+        rows.append([
+            LABELS[method], f"{min(ratios):.2g}× to {max(ratios):.2g}×",
+            f"{sum(int(r.number('passed_through')) for r in walls)} of {sum(int(r.number('runs')) for r in walls)}",
+            f"{stuck} times" if stuck > 1 else "once" if stuck else "never",
+            f"{small(most(lambda r: r.number('force_step_p99_mn')))} · {small(most(lambda r: r.number('force_step_mn')))}",
+            small(most(lambda r: r.number("energy_mj") - r.number("energy_exact_mj"))), small(most(lambda r: r.number("vibration_mn"))),
+            f"{sum(cases.values())} of {len(cases)}"])
+    head = ["guard on", "stiffest stable wall over the exact proxy's", "fell through a 0.2 mm wall", "stuck", "force step p99 · most, mN",
+            "fed beyond the exact proxy, mJ", "vibration in the paper's tasks, mN", "cases survived"]
+    return lines(head, rows) + (f"\n{table.source}: 0.1 kg, 2 N s/m, 1 ms there and back [M]; the worst over every case, hand and voxel "
+                                "size.\n")
+
+
+def worst(rows, field):
+    """The largest size of a value; NaN where there is none."""
+    return max((abs(r.number(field)) for r in rows if r.holds(field)), default=math.nan)
+
+
+def resolved(table, measure, method="surface"):
+    return [r for r in table.where(measure=measure, method=method) if r.text("unresolved") != "true"] if table else []
+
+
+def removal(table, full=None):
+    """full: the rows of `removal --full`, each below the line that it widens; None where it was not run."""
+    def percent(value):
+        return f"{value:.2g} %"
+
+    def um(value):
+        return f"{value:.2g} µm"
+
+    def us(value):
+        return f"{value:.0f} µs"
+
+    occupancy = resolved(table, "speed", "occupancy")
+    along = worst([r for r in table.where(measure="speed", method="occupancy")
+                   if axes_along(r.text("direction")) <= 1 and r.is_near("tick_ms", 1) and r.is_near("alpha", 1)], "error_percent")
+    of_occupancy = percent(worst(occupancy, "error_percent"))
+    if not math.isnan(along):
+        of_occupancy += "; along the axes at 1 ms and full push " + percent(along)
+    ridges = [r.number("ridge_um") for r in resolved(table, "ridge") if r.holds("ridge_um")]
+    shaped = {r.text("burr") for r in table.where(measure="shape")}
+    # what, goal, of which table, value of the surface proxy, how it reads, the occupancy method's
+    wanted = [
+        ("drilling speed, every pair of voxel, tick, direction, tissue, push and bur", "1 %", worst(resolved(table, "speed"), "error_percent"), percent, of_occupancy),
+        (f"all {len(full.where(measure='speed', method='surface')) if full else 0} of the 1.0 mm round bur at 0.1 mm", "1 %", worst(resolved(full, "speed"), "error_percent"), percent, "–"),
+        ("half in one tissue, half in another: harmonic mean", "2 %", worst(resolved(table, "mixed"), "error_percent"), percent, "–"),
+        ("the same path in halves, or in other ticks: volume", "0.1 %", worst(resolved(table, "order"), "error_percent"), percent, "–"),
+        ("volume of one stroke, with every shape of bur", "0.5 %", worst(resolved(table, "volume"), "error_percent"), percent, "–"),
+        (f"with all {burs(full)} burs", "0.5 %", worst(resolved(full, "volume"), "error_percent"), percent, "–"),
+        ("shape left by known strokes at 1, 50 and 200 mm/s, mean", "0.5 µm", worst(resolved(table, "shape"), "deviation_um_mean"), um, "–"),
+        ("and at most", "10 µm", worst(resolved(table, "shape"), "deviation_um_max"), um, "–"),
+        (f"all {burs(full)} burs, mean", "0.5 µm", worst(resolved(full, "shape"), "deviation_um_mean"), um, "–"),
+        (f"all {burs(full)} burs, at most", "10 µm", worst(resolved(full, "shape"), "deviation_um_max"), um, "–"),
+        ("sliding while cutting: beyond what wear allows a tick, at most", "0.5 µm", worst(resolved(table, "slide"), "excess_um_max"), um, "–"),
+        ("a ridge between two cuts, after 40 passes over it", "5 µm", max(ridges, default=math.nan), um, "–"),
+        ("a cutting tick with the largest bur, p99", "250 µs", worst(resolved(table, "tick"), "tick_us_p99"), us,
+         us(worst(resolved(table, "tick", "occupancy"), "tick_us_p99"))),
+    ]
+    rows = []
+    for what, goal, value, reads, other in wanted:
+        of_full = what.startswith(("all ", "with all "))
+        if math.isnan(value) and of_full:
+            continue
+        rows.append([what, goal, reads(needed(value, "removal: " + what)), other])
+    head = ["the worst of", "wanted", "surface proxy (Cusp)", "occupancy proxy (the paper)"]
+    of_full = f" (--full: {full.commit[:10]})" if full and full.commit != table.commit else ""
+    return lines(head, rows) + (f"\n{table.source}{of_full}: clean blocks, round burs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 "
+                                f"to 0.2 mm; burs under three voxels of radius are left out. Shapes and volumes of strokes: {len(shaped)} burs.\n")
+
+
+def burs(full):
+    return len({r.text("burr") for r in full.where(measure="shape")}) if full else 0

@@ -1,0 +1,76 @@
+"""Tables of tests/bench/results: rows as dictionaries, numbers as floats, and the commit and machine that measured them."""
+import csv
+import math
+import pathlib
+
+KINDS = ("accuracy", "rate", "scale", "stability", "removal", "pace", "motion", "stability-full", "removal-full")
+OPTIONAL = ("stability-full", "removal-full")
+
+
+class Missing(Exception):
+    """Rows that a chart or table needs are not there. Nothing is drawn without them."""
+
+
+class Row(dict):
+    """A field that the row does not hold is "" as text and NaN as a number."""
+
+    def text(self, name):
+        return self.get(name, "")
+
+    def number(self, name):
+        value = self.get(name, "")
+        return float(value) if value != "" else math.nan
+
+    def holds(self, name):
+        return self.get(name, "") != ""
+
+    def is_near(self, name, value):
+        return math.isclose(self.number(name), value, rel_tol=1e-6)
+
+
+class Table:
+    def __init__(self, name, commit, machine, rows):
+        self.name, self.commit, self.machine, self.rows = name, commit, machine, rows
+
+    def where(self, **texts):
+        return [row for row in self.rows if all(row.text(k) == v for k, v in texts.items())]
+
+    @property
+    def source(self):
+        return f"{self.machine}, commit {self.commit[:10]}"
+
+
+def read(path):
+    """The first line is "# commit …, machine …". Raises Missing if it is another."""
+    with open(path, newline="", encoding="utf-8") as file:
+        head = file.readline().strip()
+        if not head.startswith("# commit ") or ", machine " not in head:
+            raise Missing(f"{path}: no line of commit and machine")
+        commit, machine = head.removeprefix("# commit ").split(", machine ", 1)
+        rows = [Row(row) for row in csv.DictReader(file)]
+    if any(None in row or None in row.values() for row in rows):
+        raise Missing(f"{path}: a line of another length")
+    return Table(pathlib.Path(path).stem, commit, machine, rows)
+
+
+def read_all(folder):
+    out = {}
+    for kind in KINDS:
+        path = pathlib.Path(folder) / f"{kind}.csv"
+        if path.exists():
+            out[kind] = read(path)
+        elif kind not in OPTIONAL:
+            raise Missing(f"{path}: no such table")
+    return out
+
+
+def mean(values):
+    """Of what is no NaN; NaN where there is nothing."""
+    there = [v for v in values if not math.isnan(v)]
+    return sum(there) / len(there) if there else math.nan
+
+
+def needed(value, what):
+    if math.isnan(value):
+        raise Missing(what)
+    return value
