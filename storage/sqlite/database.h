@@ -28,7 +28,7 @@ struct DatabaseOptions {
   enum class Access : std::uint8_t {
     create,     // open, or make a new one
     existing,   // not_found when there is none
-    read_only,  // changes nothing; works on read-only media
+    read_only,  // changes nothing; works on read-only media and on a full disk: see Database::open
   };
   Access access = Access::create;
   int busy_timeout_ms = 5000;
@@ -41,7 +41,10 @@ class Database {
  public:
   /// Checks that the file is Cusp's and not newer, sets WAL, synchronous=FULL and foreign keys, migrates.
   /// Fails with not_found, not_a_database, newer_schema, network_drive, read_only, disk_full, io, busy or corrupt; a
-  /// file that was refused is unchanged.
+  /// file that was refused is unchanged. Nothing but SQLite opens the file (main_file.h): connections of other threads
+  /// keep their locks.
+  /// For reading, where no index of the log can be made or grown, it shows a copy in memory as the file and its log
+  /// stand at this moment (memory_copy.h).
   static Stored<Database> open(const std::filesystem::path& file, const DatabaseOptions& options = {});
   ~Database();
   Database(Database&& other) noexcept;
@@ -100,6 +103,18 @@ class Database {
  private:
   Database(sqlite3* handle, std::filesystem::path file, bool read_only) noexcept
       : handle_{handle}, file_{std::move(file)}, read_only_{read_only} {}
+  /// Opened, and refused where the header says that it is another program's or newer. No statement has run.
+  static Stored<Database> connect(const std::filesystem::path& file, int flags, const DatabaseOptions& options);
+  static Stored<Database> open_for_writing(const std::filesystem::path& file, const DatabaseOptions& options);
+  static Stored<void> prepare_for_writing(Database& database, const DatabaseOptions& options);
+  static Stored<Database> open_for_reading(const std::filesystem::path& file, const DatabaseOptions& options);
+  static Stored<Database> read_in_place(const std::filesystem::path& file, const DatabaseOptions& options);
+  static Stored<Database> copy_in_memory(const std::filesystem::path& file, const DatabaseOptions& options);
+  /// read_only "older schema" unless it has the newest.
+  static Stored<Database> current(Database database, std::size_t newest);
+  /// Takes away the file that a failed open() has made, where it is empty and nobody uses it.
+  static void remove_if_empty(const std::filesystem::path& file, const DatabaseOptions& options);
+
   sqlite3* handle_;
   std::filesystem::path file_;
   bool read_only_;

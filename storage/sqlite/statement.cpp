@@ -129,6 +129,7 @@ StorageFailure failure_of(sqlite3* database, int status, std::string where) {
   }
   const int extended = database != nullptr ? sqlite3_extended_errcode(database) : status;
   const int system = database != nullptr ? sqlite3_system_errno(database) : 0;
+  const bool cannot_open = (status & 0xff) == SQLITE_CANTOPEN;
   StorageError code = StorageError::io;
   switch (status & 0xff) {
     case SQLITE_BUSY:
@@ -161,7 +162,8 @@ StorageFailure failure_of(sqlite3* database, int status, std::string where) {
     case SQLITE_IOERR:
       if (system == ENOSPC || system == EDQUOT) code = StorageError::disk_full;
       if (system == EROFS || system == EACCES || system == EPERM) code = StorageError::read_only;
-      if (system == ENOENT || system == ENOTDIR) code = StorageError::not_found;
+      // A failed read or write may leave the number of an older call, of a file that rightly was not there.
+      if (cannot_open && (system == ENOENT || system == ENOTDIR)) code = StorageError::not_found;
       break;
     default:
       break;

@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <new>
 
@@ -12,20 +13,32 @@ Failing failing = Failing::nothing;
 int fail_at = 0;
 int seen = 0;
 
-/// What the next write or sync has to answer: SQLITE_OK to go on.
-int verdict(int io_code) {
-  ++seen;
+int answer(int io_code) {
   switch (failing) {
+    case Failing::no_index:
+      return SQLITE_FULL;
     case Failing::disk_full:
       return seen >= fail_at ? SQLITE_FULL : SQLITE_OK;
+    case Failing::short_write:
     case Failing::io_error:
       return seen >= fail_at ? io_code : SQLITE_OK;
+    case Failing::any_call:
     case Failing::once:
       return seen == fail_at ? io_code : SQLITE_OK;
     default:
       return SQLITE_OK;
   }
 }
+
+/// What the next write or sync has to answer: SQLITE_OK to go on. Sets errno as a disk would.
+int verdict(int io_code) {
+  ++seen;
+  const int status = answer(io_code);
+  if (status != SQLITE_OK) errno = status == SQLITE_FULL ? ENOSPC : EIO;
+  return status;
+}
+/// The same for a call that writes nothing.
+int verdict_of_other(int io_code) { return failing == Failing::any_call ? verdict(io_code) : SQLITE_OK; }
 
 struct File {
   sqlite3_file base;
@@ -34,9 +47,15 @@ struct File {
 sqlite3_file* real(sqlite3_file* file) { return reinterpret_cast<File*>(file)->real; }
 
 int close(sqlite3_file* f) { return real(f)->pMethods->xClose(real(f)); }
-int read(sqlite3_file* f, void* to, int n, sqlite3_int64 at) { return real(f)->pMethods->xRead(real(f), to, n, at); }
+int read(sqlite3_file* f, void* to, int n, sqlite3_int64 at) {
+  if (const int bad = verdict_of_other(SQLITE_IOERR_READ); bad != SQLITE_OK) return bad;
+  return real(f)->pMethods->xRead(real(f), to, n, at);
+}
 int write(sqlite3_file* f, const void* from, int n, sqlite3_int64 at) {
-  if (const int bad = verdict(SQLITE_IOERR_WRITE); bad != SQLITE_OK) return bad;
+  if (const int bad = verdict(SQLITE_IOERR_WRITE); bad != SQLITE_OK) {
+    if (failing == Failing::short_write && seen == fail_at) real(f)->pMethods->xWrite(real(f), from, n / 2, at);
+    return bad;
+  }
   return real(f)->pMethods->xWrite(real(f), from, n, at);
 }
 int truncate(sqlite3_file* f, sqlite3_int64 n) {
@@ -50,14 +69,28 @@ int sync(sqlite3_file* f, int flags) {
   if (const int bad = verdict(SQLITE_IOERR_FSYNC); bad != SQLITE_OK) return bad;
   return real(f)->pMethods->xSync(real(f), flags);
 }
-int file_size(sqlite3_file* f, sqlite3_int64* n) { return real(f)->pMethods->xFileSize(real(f), n); }
-int lock(sqlite3_file* f, int n) { return real(f)->pMethods->xLock(real(f), n); }
+int file_size(sqlite3_file* f, sqlite3_int64* n) {
+  if (const int bad = verdict_of_other(SQLITE_IOERR_FSTAT); bad != SQLITE_OK) return bad;
+  return real(f)->pMethods->xFileSize(real(f), n);
+}
+int lock(sqlite3_file* f, int n) {
+  if (const int bad = verdict_of_other(SQLITE_IOERR_LOCK); bad != SQLITE_OK) return bad;
+  return real(f)->pMethods->xLock(real(f), n);
+}
 int unlock(sqlite3_file* f, int n) { return real(f)->pMethods->xUnlock(real(f), n); }
 int check_lock(sqlite3_file* f, int* n) { return real(f)->pMethods->xCheckReservedLock(real(f), n); }
 int control(sqlite3_file* f, int op, void* arg) { return real(f)->pMethods->xFileControl(real(f), op, arg); }
 int sector(sqlite3_file* f) { return real(f)->pMethods->xSectorSize(real(f)); }
 int traits(sqlite3_file* f) { return real(f)->pMethods->xDeviceCharacteristics(real(f)); }
 int shm_map(sqlite3_file* f, int page, int size, int extend, void volatile** to) {
+  if (const int bad = verdict_of_other(SQLITE_IOERR_SHMMAP); bad != SQLITE_OK) return bad;
+  // Of one that is there, what it has is still mapped.
+  if (failing == Failing::no_index && extend != 0) {
+    const int status = real(f)->pMethods->xShmMap(real(f), page, size, 0, to);
+    if (status != SQLITE_OK || *to != nullptr) return status;
+    errno = ENOSPC;
+    return SQLITE_IOERR_SHMSIZE;
+  }
   return real(f)->pMethods->xShmMap(real(f), page, size, extend, to);
 }
 int shm_lock(sqlite3_file* f, int at, int n, int flags) { return real(f)->pMethods->xShmLock(real(f), at, n, flags); }
@@ -75,6 +108,7 @@ int open(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* out
   auto* mine = reinterpret_cast<File*>(file);
   mine->base.pMethods = nullptr;
   mine->real = reinterpret_cast<sqlite3_file*>(mine + 1);
+  if (const int bad = verdict_of_other(SQLITE_CANTOPEN); bad != SQLITE_OK) return bad;
   if (failing == Failing::read_only) {
     if ((flags & (SQLITE_OPEN_WAL | SQLITE_OPEN_MAIN_JOURNAL)) != 0) return SQLITE_CANTOPEN;
     flags = (flags & ~(SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE)) | SQLITE_OPEN_READONLY;
@@ -82,6 +116,11 @@ int open(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* out
   const int status = system_vfs->xOpen(system_vfs, name, mine->real, flags, out_flags);
   if (mine->real->pMethods != nullptr) mine->base.pMethods = &kMethods;
   return status;
+}
+
+int remove(sqlite3_vfs*, const char* name, int sync_folder) {
+  if (const int bad = verdict_of_other(SQLITE_IOERR_DELETE); bad != SQLITE_OK) return bad;
+  return system_vfs->xDelete(system_vfs, name, sync_folder);
 }
 
 }  // namespace
@@ -95,6 +134,7 @@ std::string failing_vfs() {
     vfs.zName = "failing";
     vfs.pNext = nullptr;
     vfs.xOpen = open;
+    vfs.xDelete = remove;
     sqlite3_vfs_register(&vfs, 0);
   }
   return "failing";

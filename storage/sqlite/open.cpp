@@ -1,0 +1,230 @@
+// Database::open: what the file is, before anything is written; then for writing or for reading.
+#include <sqlite3.h>
+
+#include <array>
+#include <chrono>
+#include <string_view>
+#include <thread>
+
+#include "storage/files.h"
+#include "storage/sqlite/database.h"
+#include "storage/sqlite/main_file.h"
+#include "storage/sqlite/memory_copy.h"
+#include "storage/sqlite/migrate.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+using Access = DatabaseOptions::Access;
+
+/// Whether a log or journal with content lies at `beside`, a name that SQLite gave.
+bool has_content(const char* beside) {
+  std::error_code none;
+  const auto size = beside == nullptr ? 0 : fs::file_size(beside, none);
+  return !none && size > 0;
+}
+
+/// What the file's first hundred bytes say where nothing waits in a log: most files that are refused then keep every
+/// byte, and no log or index is made beside them. Offsets: SQLite's file format, 1.3.
+Stored<void> check_header(sqlite3* database, const fs::path& file, std::size_t newest) {
+  const MainFile main(database);
+  if (main.handle() == nullptr || size_of(main.handle()).value_or(0) == 0) return {};
+  std::array<std::byte, 100> bytes{};
+  const int status = read_at(main.handle(), bytes, 0);
+  if (status != SQLITE_OK && status != SQLITE_IOERR_SHORT_READ) return {};  // SQLite says why it cannot be read
+  const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  constexpr std::string_view magic{"SQLite format 3", 16};
+  if (status != SQLITE_OK || !text.starts_with(magic)) return fail(StorageError::not_a_database, file.string());
+  if (has_content(sqlite3_filename_wal(sqlite3_db_filename(database, "main")))) return {};
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
+    return value;
+  };
+  const std::uint32_t application = number(68), version = number(60), pages = number(28);
+  if (application == static_cast<std::uint32_t>(kApplicationId)) {
+    if (version > newest) return fail(StorageError::newer_schema, file.string(), std::to_string(version));
+  } else if (application != 0 || version != 0 || pages > 1) {
+    return fail(StorageError::not_a_database, file.string());
+  }
+  return {};
+}
+
+/// Whose file this is. new_file: empty as SQLite sees it.
+enum class Owner { cusp, new_file };
+
+Stored<Owner> owner_of(Database& database, std::size_t newest) {
+  const auto number = [](Row row) { return row.integer(0); };
+  const auto application = database.first("PRAGMA application_id", number);
+  if (!application) return std::unexpected(application.error());
+  const auto version = database.first("PRAGMA user_version", number);
+  if (!version) return std::unexpected(version.error());
+  const auto tables = database.first("SELECT count(*) FROM sqlite_schema", number);
+  if (!tables) return std::unexpected(tables.error());
+  if (application->value_or(0) == kApplicationId) {
+    if (version->value_or(0) > static_cast<std::int64_t>(newest)) {
+      return fail(StorageError::newer_schema, database.file().string(), std::to_string(version->value_or(0)));
+    }
+    return Owner::cusp;
+  }
+  if (application->value_or(0) == 0 && version->value_or(0) == 0 && tables->value_or(0) == 0) return Owner::new_file;
+  return fail(StorageError::not_a_database, database.file().string());
+}
+
+/// The folder where the log comes to lie: SQLite follows links.
+fs::path folder_of(const fs::path& file) {
+  std::error_code bad;
+  const fs::path real = fs::weakly_canonical(file, bad);
+  return (bad ? fs::absolute(file, bad) : real).parent_path();
+}
+
+/// Failures of a place where the log's index cannot be made or grown. The others say what the file is, or pass.
+bool lacks_room(const StorageFailure& failure) {
+  return failure.code == StorageError::disk_full || failure.code == StorageError::io ||
+         failure.code == StorageError::read_only || failure.code == StorageError::not_found;
+}
+
+Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
+  std::error_code ignored;
+  const bool existed = fs::exists(file, ignored);
+  if (ignored == std::errc::permission_denied) return fail(StorageError::read_only, file.string());
+  if (!existed && options.access != Access::create) return fail(StorageError::not_found, file.string());
+  if (existed && !fs::is_regular_file(file, ignored)) return fail(StorageError::not_a_database, file.string());
+  const fs::path folder = folder_of(file);
+  if (!fs::is_directory(folder, ignored)) return fail(StorageError::not_found, folder.string(), "folder");
+  const auto& on_network = options.on_network_drive;
+  if (on_network ? on_network(folder) : on_network_drive(folder)) {
+    return fail(StorageError::network_drive, folder.string());
+  }
+  return {};
+}
+
+}  // namespace
+
+Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& options) {
+  if (auto good = check_place(file, options); !good) return std::unexpected(good.error());
+  // SQLite itself waits for a lock, but not where two want to be alone at once, as two that make one file do.
+  const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.busy_timeout_ms);
+  while (true) {
+    auto opened =
+        options.access == Access::read_only ? open_for_reading(file, options) : open_for_writing(file, options);
+    const bool busy = !opened && opened.error().code == StorageError::busy;
+    if (!busy || std::chrono::steady_clock::now() >= until) return opened;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+Stored<Database> Database::connect(const fs::path& file, int flags, const DatabaseOptions& options) {
+  sqlite3* handle = nullptr;
+  const char* vfs = options.vfs.empty() ? nullptr : options.vfs.c_str();
+  const int status = sqlite3_open_v2(file.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, vfs);
+  Database database{handle, file, (flags & SQLITE_OPEN_READONLY) != 0};
+  if (status != SQLITE_OK) return std::unexpected(failure_of(handle, status, file.string()));
+  sqlite3_extended_result_codes(handle, 1);
+  sqlite3_busy_timeout(handle, options.busy_timeout_ms);
+  // Until it is known to be ours, closing must not fold another program's log into its file.
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  if (auto good = check_header(handle, file, options.migrations.size()); !good) return std::unexpected(good.error());
+  return database;
+}
+
+Stored<Database> Database::open_for_reading(const fs::path& file, const DatabaseOptions& options) {
+  const std::size_t newest = options.migrations.size();
+  auto in_place = read_in_place(file, options);
+  if (in_place) return current(std::move(*in_place), newest);
+  if (!lacks_room(in_place.error())) return in_place;
+  auto copy = copy_in_memory(file, options);
+  if (!copy) return std::unexpected(copy.error().code == StorageError::busy ? copy.error() : in_place.error());
+  const auto owner = owner_of(*copy, newest);
+  if (!owner || *owner != Owner::cusp) return std::unexpected(owner ? in_place.error() : owner.error());
+  return current(std::move(*copy), newest);
+}
+
+Stored<Database> Database::read_in_place(const fs::path& file, const DatabaseOptions& options) {
+  auto database = connect(file, SQLITE_OPEN_READONLY, options);
+  if (!database) return database;
+  const auto owner = owner_of(*database, options.migrations.size());
+  if (!owner) return std::unexpected(owner.error());
+  if (*owner == Owner::new_file) return fail(StorageError::not_a_database, file.string());
+  return database;
+}
+
+Stored<Database> Database::current(Database database, std::size_t newest) {
+  // An older file would have to be migrated first, and may not be.
+  if (database.schema_version() == static_cast<int>(newest)) return database;
+  return fail(StorageError::read_only, database.file().string(), "older schema");
+}
+
+Stored<Database> Database::copy_in_memory(const fs::path& file, const DatabaseOptions& options) {
+  // For writing where that is possible: only then can it be alone with the file. It is written in neither case.
+  auto source = connect(file, SQLITE_OPEN_READWRITE, options);
+  if (!source) return source;
+  auto copy = memory_copy(source->handle_);
+  if (!copy) return std::unexpected(copy.error());
+  return Database{*copy, file, true};
+}
+
+Stored<Database> Database::open_for_writing(const fs::path& file, const DatabaseOptions& options) {
+  std::error_code ignored;
+  const bool existed = fs::exists(file, ignored);
+  Stored<void> ready;
+  {
+    auto database = connect(file, SQLITE_OPEN_READWRITE | (existed ? 0 : SQLITE_OPEN_CREATE), options);
+    if (database) {
+      ready = prepare_for_writing(*database, options);
+      if (ready) return database;
+      // Another program that made this file too has taken its empty one away meanwhile.
+      if (sqlite3_extended_errcode(database->handle_) == SQLITE_READONLY_DBMOVED)
+        ready.error().code = StorageError::busy;
+    } else {
+      ready = std::unexpected(database.error());
+    }
+  }
+  if (!existed) remove_if_empty(file, options);
+  // SQLite only says "cannot open" where its log finds no place.
+  StorageFailure& why = ready.error();
+  const bool vague = why.code == StorageError::not_found || why.code == StorageError::io;
+  if (vague && (!can_write(folder_of(file)) || (existed && !can_write(file)))) why.code = StorageError::read_only;
+  // The folder is there and still no file came of it: some (/sys) admit none, even to one who may write anything.
+  if (!existed && why.code == StorageError::not_found) why.code = StorageError::read_only;
+  if (!existed && why.code == StorageError::read_only) why.detail = "new file";
+  return std::unexpected(why);
+}
+
+Stored<void> Database::prepare_for_writing(Database& database, const DatabaseOptions& options) {
+  const std::string name = database.file().string();
+  if (sqlite3_db_readonly(database.handle_, "main") == 1) return fail(StorageError::read_only, name);
+  const auto owner = owner_of(database, options.migrations.size());
+  if (!owner) return std::unexpected(owner.error());
+  if (*owner == Owner::new_file) {
+    if (options.access == Access::existing) return fail(StorageError::not_a_database, name);
+    if (auto done = database.run("PRAGMA page_size = 8192"); !done) return done;
+  }
+  const auto mode = database.first("PRAGMA journal_mode = WAL", [](Row row) { return row.text(0); });
+  if (!mode) return std::unexpected(mode.error());
+  if (mode->value_or("") != "wal") {
+    return fail(StorageError::network_drive, folder_of(database.file()).string(), mode->value_or(""));
+  }
+  for (const char* setting : {"PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON", "PRAGMA cell_size_check = ON"}) {
+    if (auto done = database.run(setting); !done) return done;
+  }
+  if (auto done = migrate(database, options.migrations); !done) return done;
+  sqlite3_db_config(database.handle_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
+  return {};
+}
+
+void Database::remove_if_empty(const fs::path& file, const DatabaseOptions& options) {
+  std::error_code ignored;
+  if (fs::file_size(file, ignored) != 0 || ignored) return;
+  auto database = connect(file, SQLITE_OPEN_READWRITE, options);
+  if (!database) return;
+  MainFile main(database->handle_);
+  if (main.handle() == nullptr || main.lock_shared() != SQLITE_OK || main.lock_exclusive() != SQLITE_OK) return;
+  // Alone with it. Another program that has it open but has not read yet finds it moved before its first write.
+  if (size_of(main.handle()) == 0) fs::remove(file, ignored);
+}
+
+}  // namespace cusp

@@ -1,0 +1,137 @@
+/// Several connections and programs on one file: nobody drops another's locks, deletes a log in use, or is turned away.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <functional>
+
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cusp::testing;
+using Access = DatabaseOptions::Access;
+
+/// Locks that this process holds on the file, as the kernel lists them.
+int locks_held(const fs::path& file) {
+  struct stat about {};
+  if (stat(file.c_str(), &about) != 0) return -1;
+  const std::string process = " " + std::to_string(getpid()) + " ", inode = ":" + std::to_string(about.st_ino) + " ";
+  std::ifstream locks("/proc/locks");
+  int held = 0;
+  for (std::string line; std::getline(locks, line);) {
+    held += line.find("POSIX") != std::string::npos && line.find(process) != std::string::npos &&
+            line.find(inode) != std::string::npos;
+  }
+  return held;
+}
+
+/// A program of its own that waits for go() and then does `work`. Made before any connection stands: SQLite's must not
+/// cross a fork.
+class Program {
+ public:
+  explicit Program(const std::function<bool()>& work) {
+    if (pipe(ends_) != 0) std::abort();
+    child_ = fork();
+    if (child_ != 0) return;
+    char byte = 0;
+    close(ends_[1]);
+    _exit(read(ends_[0], &byte, 1) == 1 && work() ? 0 : 1);
+  }
+  void go() { EXPECT_EQ(write(ends_[1], "g", 1), 1); }
+  bool succeeded() {
+    int status = 0;
+    waitpid(child_, &status, 0);
+    close(ends_[0]);
+    close(ends_[1]);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+
+ private:
+  int ends_[2] = {};
+  pid_t child_ = -1;
+};
+
+TEST(Locks, another_opening_in_this_process_leaves_the_locks_of_the_first) {
+  const Folder folder;
+  const fs::path file = folder / "a.db";
+  const auto store = open(file);
+  make_student(*store);
+  const int held = locks_held(file);
+  ASSERT_GT(held, 0);
+  {
+    const auto second = open(file);
+    EXPECT_GE(locks_held(file), held);
+  }
+  EXPECT_EQ(locks_held(file), held);
+  {
+    StoreOptions reading = quick();
+    reading.database.access = Access::read_only;
+    const auto reader = open(file, reading);
+  }
+  EXPECT_EQ(locks_held(file), held);
+  EXPECT_EQ(code_of(Database::open(file, {.migrations = {}})), StorageError::newer_schema);  // refused
+  EXPECT_EQ(locks_held(file), held);
+}
+
+TEST(Locks, another_program_that_opens_and_closes_leaves_the_log_of_this_one) {
+  const Folder folder;
+  const fs::path file = folder / "a.db";
+  Program other([&] { return Store::open(file, quick()).has_value(); });
+  const auto store = open(file);
+  const Account student = make_student(*store);
+  open(file).reset();
+  struct stat before {
+  }, after{};
+  ASSERT_EQ(stat((file.string() + "-wal").c_str(), &before), 0);
+  other.go();
+  ASSERT_TRUE(other.succeeded());
+  ASSERT_EQ(stat((file.string() + "-wal").c_str(), &after), 0) << "the log was deleted";
+  EXPECT_EQ(before.st_ino, after.st_ino);
+  const SessionId session = complete_session(*store, student, keep(*store));
+  Program reader([&] {
+    const auto again = Store::open(file, quick());
+    const auto proof = verify_session((*again)->context(), session);
+    return proof.has_value() && proof->intact();
+  });
+  reader.go();
+  EXPECT_TRUE(reader.succeeded()) << "what was committed here is not seen there";
+}
+
+TEST(Locks, programs_that_start_together_on_a_new_file_all_open_it) {
+  const Folder folder;
+  for (int round = 0; round < 10; ++round) {
+    const fs::path file = folder / (std::to_string(round) + ".db");
+    std::vector<Program> programs;
+    for (int i = 0; i < 4; ++i) programs.emplace_back([&] { return Store::open(file, quick()).has_value(); });
+    for (Program& program : programs) program.go();
+    for (Program& program : programs) EXPECT_TRUE(program.succeeded()) << round;
+    const auto store = open(file);
+    EXPECT_EQ(must(store->database().integrity_check()), "");
+    EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
+  }
+}
+
+TEST(Locks, closing_while_another_reads_leaves_it_its_log) {
+  const Folder folder;
+  const fs::path file = folder / "a.db";
+  auto writer = open(file);
+  const Account student = make_student(*writer);
+  StoreOptions options = quick();
+  options.database.access = Access::read_only;
+  const auto reader = open(file, options);
+  EXPECT_EQ(must(reader->people.find(student.id)).number, student.number);
+  complete_session(*writer, student, keep(*writer));
+  writer.reset();
+  EXPECT_EQ(must(reader->history.list(student.actor())).size(), 1u);
+  const auto again = open(file);
+  complete_session(*again, student, keep(*again));
+  EXPECT_EQ(must(reader->history.list(student.actor())).size(), 2u);
+}
+
+}  // namespace
+}  // namespace cusp
