@@ -1,0 +1,250 @@
+/// A fault at each call that every writing operation makes of the file system: nothing committed is lost, nothing is
+/// half there, and the code says what failed. A seventh of the calls; CUSP_EVERY_CALL_FULL=1: each of the first 500.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <set>
+
+#include "tests/storage/failing_vfs.h"
+#include "tests/storage/sample.h"
+
+namespace cusp {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace cusp::testing;
+
+/// Who and what the file holds before each operation.
+struct Rows {
+  Actor administrator, instructor, student;
+  CohortId cohort;
+  ScenarioVersion version;
+  SessionId running, finished, graded;
+};
+
+using Outcome = std::optional<StorageFailure>;
+template <class T>
+Outcome outcome(Stored<T> result) {
+  if (result) return std::nullopt;
+  return result.error();
+}
+
+struct Operation {
+  const char* name;
+  std::function<Outcome(Store&, const Rows&)> run;
+};
+
+RecordedSecond large_second(std::uint64_t first_tick) {
+  RecordedSecond second = second_from(first_tick);
+  std::vector<std::byte> noise(60'000);
+  std::uint32_t state = 1;
+  for (std::byte& byte : noise) byte = static_cast<std::byte>((state = state * 1664525u + 1013904223u) >> 24);
+  second.key_state = KeyState{first_tick + 11, noise};
+  return second;
+}
+
+std::vector<Operation> operations_on_people() {
+  return {
+      {"create a student",
+       [](Store& s, const Rows& r) {
+         return outcome(
+             s.people.create(r.administrator, {.number = "77", .name = "New", .password = "battery staple"}));
+       }},
+      {"rename",
+       [](Store& s, const Rows& r) { return outcome(s.people.rename(r.administrator, r.student.id, "78", "N")); }},
+      {"set a role",
+       [](Store& s, const Rows& r) {
+         return outcome(s.people.set_role(r.administrator, r.student.id, Role::instructor));
+       }},
+      {"switch off",
+       [](Store& s, const Rows& r) { return outcome(s.people.set_disabled(r.administrator, r.student.id, true)); }},
+      {"set a password",
+       [](Store& s, const Rows& r) {
+         return outcome(s.people.set_password(r.administrator, r.student.id, "", "another staple"));
+       }},
+      {"set a PIN",
+       [](Store& s, const Rows& r) { return outcome(s.people.set_pin(r.administrator, r.student.id, "271828")); }},
+      {"make a cohort", [](Store& s, const Rows& r) { return outcome(s.cohorts.create(r.administrator, "Year 3")); }},
+      {"add to a cohort",
+       [](Store& s, const Rows& r) { return outcome(s.cohorts.add(r.administrator, r.cohort, r.instructor.id)); }},
+      {"take from a cohort",
+       [](Store& s, const Rows& r) { return outcome(s.cohorts.remove(r.administrator, r.cohort, r.student.id)); }},
+      {"assign",
+       [](Store& s, const Rows& r) {
+         return outcome(s.assignments.create(r.instructor, {.version = r.version.id, .cohort = r.cohort}));
+       }},
+      {"write in the audit log",
+       [](Store& s, const Rows& r) { return outcome(s.audit.add(r.administrator.id, "exported", Uuid::v7(), "csv")); }},
+  };
+}
+
+std::vector<Operation> operations_on_sessions() {
+  return {
+      {"publish",
+       [](Store& s, const Rows& r) {
+         return outcome(
+             s.scenarios.publish(r.instructor, small_scenario(), "{\"id\":2}", blake2b_256(std::string_view{"2"})));
+       }},
+      {"save a draft",
+       [](Store& s, const Rows& r) { return outcome(s.scenarios.save_draft(r.instructor, r.version.scenario, "{}")); }},
+      {"keep a blob", [](Store& s, const Rows&) { return outcome(s.blobs.put(std::as_bytes(std::span{"specimen"}))); }},
+      {"start",
+       [](Store& s, const Rows& r) {
+         NewSession session{.student = r.student.id, .version = r.version.id};
+         session.header.scene = "{}";
+         return outcome(s.sessions.start(r.student, session));
+       }},
+      {"append a second",
+       [](Store& s, const Rows& r) { return outcome(s.traces.append(r.running, large_second(13))); }},
+      {"interrupt", [](Store& s, const Rows& r) { return outcome(s.sessions.interrupt(r.running, "stopped")); }},
+      {"finish",
+       [](Store& s, const Rows& r) { return outcome(s.sessions.finish(r.running, volume_after(12), "student")); }},
+      {"grade", [](Store& s, const Rows& r) { return outcome(s.grades.save(r.finished, small_grade(), {})); }},
+      {"grade again",
+       [](Store& s, const Rows& r) {
+         return outcome(s.grades.save(r.graded, small_grade(50, false), {}, r.instructor));
+       }},
+      {"comment",
+       [](Store& s, const Rows& r) {
+         return outcome(s.comments.add(r.instructor, r.graded, 12, "Look at the wall."));
+       }},
+      {"close", [](Store& s, const Rows& r) { return outcome(s.sessions.close(r.graded, "")); }},
+  };
+}
+
+class EveryCall : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    failing_vfs();
+    const auto store = open(folder / "start.db");
+    rows.administrator = make_administrator(*store).actor();
+    rows.instructor = make_instructor(*store).actor();
+    const Account student = make_student(*store);
+    rows.student = student.actor();
+    rows.cohort = must(store->cohorts.create(rows.administrator, "Year 2")).id;
+    must(store->cohorts.add(rows.administrator, rows.cohort, student.id));
+    rows.version = keep(*store);
+    rows.graded = complete_session(*store, student, rows.version);
+    rows.finished = must(store->sessions.start(student.actor(), new_session(student, rows.version))).id;
+    must(store->traces.append(rows.finished, second_from(1)));
+    must(store->sessions.finish(rows.finished, volume_after(12), "student"));
+    rows.running = must(store->sessions.start(student.actor(), new_session(student, rows.version))).id;
+    must(store->traces.append(rows.running, second_from(1)));
+  }
+  void TearDown() override { fail_from(Failing::nothing, 0); }
+
+  /// What the tables hold, and how many rows each has.
+  struct Content {
+    std::string rows, counts;
+  };
+  static Content content_of(Database& db) {
+    Content out;
+    for (const std::string& table : must(db.all("SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name",
+                                                [](Row r) { return r.text(0); }))) {
+      const auto all = must(db.all("SELECT * FROM " + table, [](Row r) { return r.content_hash(); }));
+      for (const Hash256& row : all) out.rows += hex(row);
+      out.rows += table;
+      out.counts += table + " " + std::to_string(all.size()) + "\n";
+    }
+    return out;
+  }
+
+  void expect_sound(Store& store) {
+    EXPECT_EQ(must(store.database().integrity_check()), "");
+    EXPECT_TRUE(must(verify_audit_log(store.context())).intact());
+    for (const SessionId session : must(sessions_to_verify(store.context()))) {
+      EXPECT_TRUE(must(verify_session(store.context(), session)).intact());
+    }
+  }
+
+  /// Calls that the operation made.
+  int attempt(const Operation& operation, Failing how, int n) {
+    const fs::path file = folder / "try.db";
+    for (const char* part : {"", "-wal", "-shm", ".key"}) {
+      fs::remove(file.string() + part);
+      const std::string from = (folder / "start.db").string() + part;
+      if (fs::exists(from)) fs::copy_file(from, file.string() + part);
+    }
+    int calls = 0;
+    Outcome failure;
+    {
+      StoreOptions options = quick();
+      options.database.vfs = failing_vfs();
+      fail_from(Failing::nothing, 0);
+      const auto store = open(file, options);
+      fail_from(how, n);
+      failure = operation.run(*store, rows);
+      calls = operations_seen();
+      if (n % 2 == 0) fail_from(Failing::nothing, 0);  // else the disk still fails while it is closed
+    }
+    fail_from(Failing::nothing, 0);
+    const auto store = open(file);
+    expect_sound(*store);
+    const Content now = content_of(store->database());
+    const bool done = now.counts == after.counts && now.rows != before.rows, undone = now.rows == before.rows;
+    EXPECT_TRUE(done || undone) << "half of it is there";
+    if (!failure) {
+      EXPECT_TRUE(done) << "said to be done, and lost";
+    } else {
+      codes.insert(failure->code);
+      const bool full = how == Failing::disk_full;
+      EXPECT_EQ(failure->code, full ? StorageError::disk_full : StorageError::io) << failure->detail;
+      // A full disk takes no part of it; a failed sync may leave all of it in the log.
+      EXPECT_TRUE(undone || !full);
+    }
+    ++tries;
+    return calls;
+  }
+
+  void all_faults(const std::vector<Operation>& operations) {
+    const bool full = std::getenv("CUSP_EVERY_CALL_FULL") != nullptr;
+    before = content_of(open(folder / "start.db")->database());
+    for (const Operation& operation : operations) {
+      SCOPED_TRACE(operation.name);
+      after = done_by(operation);
+      for (const Failing how :
+           {Failing::disk_full, Failing::io_error, Failing::once, Failing::short_write, Failing::any_call}) {
+        // Until the fault comes after the operation's last call.
+        for (int n = 1, calls = 1; n <= std::min(calls, 500); n += full ? 1 : 7) {
+          SCOPED_TRACE("kind " + std::to_string(static_cast<int>(how)) + ", call " + std::to_string(n));
+          calls = attempt(operation, how, n) + (full ? 1 : 7);
+          if (HasFailure()) return;
+          most = std::max(most, n);
+        }
+      }
+    }
+    std::printf("%d tries, faults up to call %d of an operation\n", tries, most);
+    EXPECT_TRUE(codes.contains(StorageError::disk_full) && codes.contains(StorageError::io));
+  }
+
+  /// What the file holds when nothing fails.
+  Content done_by(const Operation& operation) {
+    const fs::path file = folder / "whole.db";
+    for (const char* part : {"", "-wal", "-shm", ".key"}) {
+      fs::remove(file.string() + part);
+      const std::string from = (folder / "start.db").string() + part;
+      if (fs::exists(from)) fs::copy_file(from, file.string() + part);
+    }
+    const auto store = open(file);
+    EXPECT_FALSE(operation.run(*store, rows)) << operation.name;
+    return content_of(store->database());
+  }
+
+  Folder folder;
+  Rows rows;
+  Content before, after;
+  std::set<StorageError> codes;
+  int tries = 0, most = 0;
+};
+
+TEST_F(EveryCall, of_what_writes_about_people_may_fail_and_nothing_committed_is_lost) {
+  all_faults(operations_on_people());
+}
+
+TEST_F(EveryCall, of_what_writes_about_sessions_may_fail_and_nothing_committed_is_lost) {
+  all_faults(operations_on_sessions());
+}
+
+}  // namespace
+}  // namespace cusp
