@@ -19,7 +19,9 @@ std::expected<std::unique_ptr<Store>, Told> open_records(const std::filesystem::
   StoreOptions options;
   options.database.access = DatabaseOptions::Access::existing;
   auto store = Store::open(file, options);
-  if (!store && store.error().code == StorageError::read_only) {
+  // A disk that takes nothing more can still be read; where it cannot, that failure is the one to show.
+  const StorageError code = store ? StorageError{} : store.error().code;
+  if (!store && (code == StorageError::read_only || code == StorageError::disk_full || code == StorageError::io)) {
     options.database.access = DatabaseOptions::Access::read_only;
     store = Store::open(file, options);
   }
