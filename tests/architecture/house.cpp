@@ -60,6 +60,34 @@ TEST(Includes, a_planted_violation_is_found) {
   EXPECT_TRUE(forbidden_includes("ui/drill/drill_screen.cpp", "#include <QWidget>\n#include \"storage/rights.h\"\n").empty());
 }
 
+TEST(Openings, nothing_but_sqlite_opens_or_copies_a_database) {
+  int files = 0;
+  for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui"})) {
+    ++files;
+    for (const std::string& what : forbidden_openings(fs::relative(path, kRoot).string(), read(path))) ADD_FAILURE() << what;
+  }
+  EXPECT_GT(files, 500);
+}
+
+TEST(Openings, a_planted_violation_is_found) {
+  for (const char* planted :
+       {"std::ifstream in(database_, std::ios::binary);", "std::ofstream(plan.database) << text;",
+        "QFile file(QString::fromStdString(database.string()));", "QSaveFile file(folder + u\"/station.db\"_qs);",
+        "fs::copy_file(from, to / \"cusp.db\");", "std::filesystem::copy(o.db, place);", "std::FILE* f = std::fopen(o.db.c_str(), \"rb\");",
+        "const int d = ::open(db_path.c_str(), O_RDONLY);", "const int d = open((file + \"-wal\").c_str(), O_RDONLY);",
+        "QFile::copy(database_name, backup);", "fs::rename(part, store->database().file());", "fs::remove(name + \"-shm\", ignored);",
+        "const fs::path from = o.db;\nstd::ifstream in(from);", "const std::string name = database.string();\nQFile file(name);"}) {
+    EXPECT_EQ(forbidden_openings("ui/cli/backup.cpp", planted).size(), 1u) << planted;
+  }
+  for (const char* planted : {"std::ifstream in(file, std::ios::binary);", "const int d = open(name, O_RDONLY);", "fs::copy_file(a, b);"}) {
+    EXPECT_EQ(forbidden_openings("storage/sqlite/database.cpp", planted).size(), 1u) << planted;
+  }
+  for (const char* fine : {"auto store = Store::open(database_);", "// std::ifstream in(database_);", "port->open(db);",
+                           "std::ifstream in(file);", "QFile file(u\":/cusp/theme.qss\"_qs);", "const auto store = Store::open(o.db);\nstd::ofstream out(file);"}) {
+    EXPECT_TRUE(forbidden_openings("ui/cli/backup.cpp", fine).empty()) << fine;
+  }
+}
+
 TEST(House, has_the_fixed_top_level) {
   const std::set<std::string> folders = {"ui", "engine", "device", "scenarios", "storage", "translations", "tests",
                                          ".ci", ".git", "build", "shared"};
