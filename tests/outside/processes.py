@@ -121,7 +121,8 @@ class Program:
 
 
 class Crowd:
-    """Programs on one new file. Whoever ends is followed by another of its kind."""
+    """Programs on one new file. Whoever ends is followed by another of its kind. `finished`: sessions that a play has
+    printed, with their score."""
 
     def __init__(self, desk, display, kinds, number):
         self.desk, self.finished, self.born = desk, {}, False
@@ -134,6 +135,8 @@ class Crowd:
 
     def _start(self, kind):
         program = Program(self, kind)
+        # Before the first account is made there is no history to list.
+        program.early = kind in ("list", "verify") and not self.born
         self.watcher.pids.add(program.process.pid)
         return program
 
@@ -149,9 +152,7 @@ class Crowd:
             self.born = True
         if program.killed:
             return
-        # Before the first account is made there is no history to list.
-        early = program.kind in ("list", "verify") and not self.born
-        if status != 0 and not early:
+        if status != 0 and not program.early:
             self.failures.append(f"{program.kind} ended with {status}: {program.said('.err')}")
 
     def go_on(self, seconds):
