@@ -75,8 +75,8 @@ Stored<Owner> owner_of(Database& database, std::size_t newest) {
 /// The folder where the log comes to lie: SQLite follows links.
 fs::path folder_of(const fs::path& file) {
   std::error_code bad;
-  const fs::path real = fs::weakly_canonical(file, bad);
-  return (bad ? fs::absolute(file, bad) : real).parent_path();
+  const fs::path whole = fs::absolute(file, bad), real = fs::weakly_canonical(whole, bad);
+  return (bad ? whole : real).parent_path();
 }
 
 /// Failures of a place where the log's index cannot be made or grown. The others say what the file is, or pass.

@@ -114,6 +114,20 @@ TEST(Opening, what_is_not_there_is_not_found) {
   EXPECT_FALSE(fs::exists(folder / "none.db"));
 }
 
+TEST(Opening, a_name_without_a_folder_is_made_where_the_program_stands_and_a_link_leads_to_its_file) {
+  const Folder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path((folder / "a.db").parent_path());
+  EXPECT_TRUE(Database::open("a.db"));
+  EXPECT_TRUE(Database::open("a.db", {.access = Access::existing}));
+  fs::current_path(before);
+  fs::create_directory(folder / "elsewhere");
+  fs::create_symlink(folder / "a.db", fs::path(folder / "elsewhere") / "link.db");
+  auto first = must(Database::open(folder / "a.db"));
+  must(first.run("PRAGMA user_version = 900"));  // in the log alone, which lies beside the file and not beside the link
+  EXPECT_EQ(code_of(Database::open(fs::path(folder / "elsewhere") / "link.db")), StorageError::newer_schema);
+}
+
 TEST(Opening, a_place_where_no_file_can_be_made_is_told_as_such) {
   if (!fs::is_directory("/proc")) GTEST_SKIP() << "no folder here admits no file to everybody";
   const auto refused = Database::open("/proc/cusp.db");  // "no such file" to SQLite, for root as for all others
