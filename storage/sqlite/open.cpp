@@ -118,7 +118,10 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
 Stored<Database> Database::connect(const fs::path& file, int flags, const DatabaseOptions& options) {
   sqlite3* handle = nullptr;
   const char* vfs = options.vfs.empty() ? nullptr : options.vfs.c_str();
-  const int status = sqlite3_open_v2(file.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, vfs);
+  // With its folder no name means anything else to SQLite: ":memory:" would be kept nowhere.
+  std::error_code ignored;
+  const fs::path whole = fs::absolute(file, ignored);
+  const int status = sqlite3_open_v2(whole.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, vfs);
   Database database{handle, file, (flags & SQLITE_OPEN_READONLY) != 0};
   if (status != SQLITE_OK) return std::unexpected(failure_of(handle, status, file.string()));
   sqlite3_extended_result_codes(handle, 1);

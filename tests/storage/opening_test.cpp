@@ -120,6 +120,8 @@ TEST(Opening, a_name_without_a_folder_is_made_where_the_program_stands_and_a_lin
   fs::current_path((folder / "a.db").parent_path());
   EXPECT_TRUE(Database::open("a.db"));
   EXPECT_TRUE(Database::open("a.db", {.access = Access::existing}));
+  EXPECT_TRUE(Database::open(":memory:"));
+  EXPECT_TRUE(fs::exists(folder / ":memory:"));
   fs::current_path(before);
   fs::create_directory(folder / "elsewhere");
   fs::create_symlink(folder / "a.db", fs::path(folder / "elsewhere") / "link.db");
