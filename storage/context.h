@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "storage/chain.h"
 #include "storage/clock.h"
 #include "storage/password.h"
+#include "storage/process.h"
 #include "storage/sqlite/database.h"
 
 namespace cusp {
@@ -18,6 +21,10 @@ struct StorageContext {
   PasswordCost cost;
   Uuid station;
   std::optional<StationKey> key;  // none when the file was opened read-only
+  std::shared_ptr<const ProcessMark> mark{};  // from the first session on that this store starts or resumes
+
+  /// Beside the database: holds the locks by which others see that a session's process still runs.
+  std::filesystem::path lock_file() const { return db.file().string() + ".running"; }
 
   /// The station's next sequence number, taken within the transaction: orders what the clock cannot.
   std::int64_t next_sequence(Transaction& transaction);

@@ -87,10 +87,11 @@ std::uint64_t insert_event(StorageContext& context, Transaction& transaction, Se
   const std::uint64_t row = next_row(transaction, SessionTable::session_events, session);
   const std::int64_t sequence = context.next_sequence(transaction);
   const bool owns = kind == EventKind::started || kind == EventKind::resumed;
+  if (owns && !context.mark) context.mark = std::make_shared<const ProcessMark>(context.lock_file());
   transaction.run(
       "INSERT INTO session_events (session, row, kind, at, sequence, tick, reason, process) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
-      session, row, key_of(kind), context.clock(), sequence, end.tick, reason, owns ? this_process() : std::string{});
+      session, row, key_of(kind), context.clock(), sequence, end.tick, reason, owns ? context.mark->text() : std::string{});
   return row;
 }
 

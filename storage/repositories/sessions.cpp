@@ -79,12 +79,13 @@ Stored<void> Sessions::close(SessionId session, const std::string& reason) {
 Stored<std::vector<SessionId>> Sessions::mark_interrupted() {
   const auto running = c_.db.all(
       "SELECT s.id, e.process FROM sessions s JOIN session_events e ON e.session = s.id "
-      "WHERE e.row = (SELECT max(row) FROM session_events WHERE session = s.id) AND e.kind IN ('started', 'resumed')",
-      [](Row row) { return std::pair{row.id<SessionId>(0), row.text(1)}; });
+      "WHERE s.station = ?1 AND e.row = (SELECT max(row) FROM session_events WHERE session = s.id) "
+      "AND e.kind IN ('started', 'resumed')",
+      [](Row row) { return std::pair{row.id<SessionId>(0), row.text(1)}; }, c_.station);
   if (!running) return std::unexpected(running.error());
   std::vector<SessionId> marked;
   for (const auto& [session, process] : *running) {
-    if (process_runs(process)) continue;
+    if (process_runs(process, c_.lock_file())) continue;
     auto done = interrupt(session, "process_gone");
     // Another program that opened the file at the same moment may have been first.
     if (!done && done.error().code != StorageError::wrong_state) return std::unexpected(done.error());

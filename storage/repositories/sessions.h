@@ -102,7 +102,8 @@ class Sessions {
   /// wrong_state when running.
   Stored<void> close(SessionId session, const std::string& reason);
 
-  /// Gives every session that still runs on paper, but whose process is gone, its interrupted event. Their ids.
+  /// Gives every session of this station that still runs on paper, but whose process has certainly ended, its
+  /// interrupted event. Their ids.
   Stored<std::vector<SessionId>> mark_interrupted();
 
   Stored<Session> find(SessionId session);  // not_found; corrupt when the header cannot be read

@@ -3,7 +3,6 @@
 
 #include <fstream>
 
-#include "storage/process.h"
 #include "storage/sqlite/migrate.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
@@ -250,14 +249,6 @@ TEST(StationKeys, a_damaged_key_file_is_told_and_not_replaced) {
   write(folder / "a.db.key", "short");
   EXPECT_EQ(code_of(Store::open(folder / "a.db", quick())), StorageError::corrupt);
   EXPECT_EQ(content_of(folder / "a.db.key"), "short");
-}
-
-TEST(Processes, this_one_runs_and_one_that_never_was_does_not) {
-  const std::string mine = this_process();
-  EXPECT_TRUE(process_runs(mine));
-  EXPECT_FALSE(process_runs(mine + "0"));        // the same number, started at another time
-  EXPECT_FALSE(process_runs("another" + mine));  // before the machine was started anew
-  for (const char* nonsense : {"", ":", "::", "a:b:c", "x:-1:1"}) EXPECT_FALSE(process_runs(nonsense)) << nonsense;
 }
 
 TEST(Clocks, a_time_is_written_as_iso_8601) {
