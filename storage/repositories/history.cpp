@@ -15,7 +15,7 @@ constexpr const char* kRows = R"(
 WITH counted AS (
   SELECT s.id, s.student, p.number AS student_number, p.name AS student_name, v.scenario, s.version,
          v.number AS version_number, v.key, v.title, s.kind, s.hand, s.device, s.device_class, s.started_at, s.sequence,
-         row_number() OVER (PARTITION BY s.student, v.scenario, s.kind IN ('practice', 'assessment')
+         s.engine_version, row_number() OVER (PARTITION BY s.student, v.scenario, s.kind IN ('practice', 'assessment')
                             ORDER BY s.started_at, s.sequence) AS go
   FROM sessions s
   JOIN people p ON p.id = s.student
@@ -27,7 +27,7 @@ SELECT c.id, c.student, c.student_number, c.student_name, c.scenario, c.version,
        c.kind, c.hand, c.device, c.device_class, c.started_at,
        coalesce((SELECT elapsed_us FROM trace_chunks WHERE session = c.id ORDER BY row DESC LIMIT 1), 0),
        (SELECT kind FROM session_events WHERE session = c.id ORDER BY row DESC LIMIT 1),
-       c.go, g.score, g.score_max, g.pass_mark, g.passed, g.critical
+       c.go, g.score, g.score_max, g.pass_mark, g.passed, g.critical, c.engine_version
 FROM counted c
 LEFT JOIN grades g ON g.session = c.id AND g.row = (SELECT max(row) FROM grades WHERE session = c.id)
 WHERE (?1 IS NULL OR c.id = ?1)
@@ -65,6 +65,7 @@ HistoryRow row_of(Row row) {
   h.score_max = row.maybe_real(18);
   h.pass_mark = row.maybe_real(19);
   if (!row.is_null(20)) h.passed = row.flag(20);
+  h.engine_version = static_cast<int>(row.integer(22));
   const auto critical = nlohmann::json::parse(row.text(21), nullptr, false);
   if (critical.is_array()) {
     for (const auto& item : critical) {
@@ -162,6 +163,17 @@ Stored<int> History::goes(const Actor& actor, UserId student, ScenarioId scenari
   const auto all = list(actor, filter);
   if (!all) return std::unexpected(all.error());
   return static_cast<int>(all->size());
+}
+
+Stored<std::vector<HistoryRow>> History::interrupted(const Actor& actor, UserId student) {
+  HistoryFilter filter;
+  filter.student = student;
+  auto all = list(actor, filter);
+  if (!all) return all;
+  std::erase_if(*all, [](const HistoryRow& row) {
+    return row.state != SessionState::interrupted || row.engine_version != kEngineVersion;
+  });
+  return all;
 }
 
 Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, UserId student) {

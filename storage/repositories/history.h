@@ -31,6 +31,7 @@ struct HistoryRow {
   std::int64_t started_utc_us = 0;
   std::uint64_t elapsed_us = 0;  // drilled, as stored
   SessionState state = SessionState::running;
+  int engine_version = kEngineVersion;  // that recorded it; another one's inputs cannot be run again
   int go = 1;  // the student's how-manieth at this scenario
   std::optional<double> score, score_max, pass_mark;
   std::optional<bool> passed{};  // none = not graded
@@ -75,6 +76,9 @@ class History {
   /// Of the same student, scenario and device class, started before this session.
   Stored<std::optional<HistoryRow>> best_before(const Actor& actor, SessionId session);
   Stored<int> goes(const Actor& actor, UserId student, ScenarioId scenario);
+  /// Of this student, newest first: interrupted, without a grade, and recorded by this engine, so that each can be gone on
+  /// with (RunPlan::go_on, on a device of the row's class) or graded as it stands (grade_session).
+  Stored<std::vector<HistoryRow>> interrupted(const Actor& actor, UserId student);
   Stored<std::vector<ExerciseStanding>> standings(const Actor& actor, UserId student);
 
  private:

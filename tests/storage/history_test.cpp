@@ -42,6 +42,33 @@ TEST_F(HistoryTest, a_students_list_is_newest_first_with_goes_counted) {
   EXPECT_EQ(rows[1].critical, std::vector<std::string>{"pulp_exposure"});
 }
 
+TEST_F(HistoryTest, the_interrupted_attempts_are_those_that_can_be_gone_on_with_or_graded) {
+  go(lena, 60, false);
+  const auto interrupted = [&](const Account& student) {
+    *now += 60'000'000;
+    const SessionId id = must(store->sessions.start(student.actor(), new_session(student, version))).id;
+    must(store->traces.append(id, second_from(1)));
+    must(store->sessions.interrupt(id, "process_gone"));
+    return id;
+  };
+  const SessionId open_one = interrupted(lena), graded = interrupted(lena), closed = interrupted(lena),
+                  resumed = interrupted(lena), newest = interrupted(lena), other_engine = interrupted(lena);
+  interrupted(noah);
+  must(store->grades.save(graded, small_grade(), {}));
+  must(store->sessions.close(closed, "left"));
+  must(store->sessions.resume(resumed, "student"));
+  must(store->database().run("UPDATE sessions SET engine_version = engine_version - 1 WHERE id = ?1", other_engine));
+
+  const auto rows = must(store->history.interrupted(lena.actor(), lena.id));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].session, newest);
+  EXPECT_EQ(rows[1].session, open_one);
+  EXPECT_EQ(rows[1].state, SessionState::interrupted);
+  EXPECT_EQ(rows[1].elapsed_us, 12u * 83'334u);
+  EXPECT_EQ(must(store->history.interrupted(instructor, lena.id)).size(), 2u);
+  EXPECT_EQ(code_of(store->history.interrupted(lena.actor(), noah.id)), StorageError::not_allowed);
+}
+
 TEST_F(HistoryTest, a_student_cannot_ask_for_another) {
   go(noah, 90);
   HistoryFilter filter;
