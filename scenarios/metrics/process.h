@@ -1,7 +1,11 @@
 /// What is measured while the student works: time and force. One add() a tick, on whichever thread follows the ticks.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "engine/step/step.h"
 
@@ -27,7 +31,28 @@ class Process {
   /// Mean over the time in contact; 0 when nothing was touched.
   double force_mean_n() const noexcept { return contact_us_ > 0 ? impulse_ / static_cast<double>(contact_us_) : 0.0; }
 
+  /// All of it, exact to the bit, little-endian: an attempt goes on from here.
+  std::vector<std::byte> save() const;
+  /// nullopt when the bytes are none of save()'s.
+  static std::optional<Process> restore(std::span<const std::byte> bytes);
+
  private:
+  /// Every field, in the order of save().
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit&& one) {
+    one(self.elapsed_us_);
+    one(self.contact_us_);
+    one(self.cutting_us_);
+    one(self.peak_n_);
+    one(self.impulse_);
+    one(self.peak_at_mm_);
+    one(self.dry_us_);
+    one(self.overheated_);
+    one(self.heat_peak_k_);
+    one(self.overheated_at_mm_);
+    one(self.heat_peak_at_mm_);
+  }
+
   std::uint64_t elapsed_us_ = 0, contact_us_ = 0, cutting_us_ = 0;
   double peak_n_ = 0, impulse_ = 0;  // N, N·µs
   Vec3 peak_at_mm_{0.0};

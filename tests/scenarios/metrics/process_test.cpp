@@ -56,5 +56,37 @@ TEST(Process, CountsDryCuttingAndKnowsWhereTheToothWasWarmest) {
   EXPECT_EQ(p.heat_peak_at_mm(), Vec3(2, 0, 0));
 }
 
+TEST(Process, GoesOnFromItsBytesBitForBitAndRefusesAnyOthers) {
+  const auto output_at = [](int tick) {
+    StepOutput o;
+    o.contact = o.cutting = true;
+    o.phenomena = 0xFF;
+    o.elapsed_us = 1001 * static_cast<std::uint64_t>(tick);
+    o.heat_k = 12.5F * static_cast<float>(tick);
+    o.force_raw_n = {0.1, -0.2 * tick, 1.0 / 3.0};
+    o.proxy_mm = {1.1, 2.2, -3.3 * tick};
+    return o;
+  };
+  Process whole, part;
+  for (int tick = 1; tick <= 4; ++tick) whole.add(output_at(tick));
+  for (int tick = 1; tick <= 2; ++tick) part.add(output_at(tick));
+  const auto bytes = part.save();
+  auto again = Process::restore(bytes);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->save(), bytes);
+  EXPECT_NE(whole.save(), bytes);
+  for (int tick = 3; tick <= 4; ++tick) again->add(output_at(tick));
+  EXPECT_EQ(again->save(), whole.save());
+  EXPECT_EQ(again->force_mean_n(), whole.force_mean_n());
+  EXPECT_FALSE(Process::restore({}));
+  EXPECT_FALSE(Process::restore(std::span(bytes).first(bytes.size() - 1)));
+  auto longer = bytes;
+  longer.push_back(std::byte{0});
+  EXPECT_FALSE(Process::restore(longer));
+  auto not_finite = bytes;
+  for (std::size_t i = 32; i < 40; ++i) not_finite[i] = std::byte{0xFF};
+  EXPECT_FALSE(Process::restore(not_finite));
+}
+
 }  // namespace
 }  // namespace cusp
