@@ -79,7 +79,8 @@ Store::Store(StorageContext context)
       metrics{context_},
       grades{context_},
       comments{context_},
-      history{context_} {}
+      history{context_},
+      key_states{context_} {}
 
 Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, StoreOptions options) {
   auto database = Database::open(file, options.database);

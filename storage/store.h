@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "storage/context.h"
+#include "storage/key_state_cache.h"
 #include "storage/repositories/assignments.h"
 #include "storage/repositories/audit_log.h"
 #include "storage/repositories/blobs.h"
@@ -56,6 +57,7 @@ class Store {
   Grades grades;
   Comments comments;
   History history;
+  KeyStateCache key_states;
 };
 
 }  // namespace cusp

@@ -130,7 +130,7 @@ Stored<std::optional<KeyState>> Traces::key_state_before(SessionId session, std:
   if (!found) return std::unexpected(found.error());
   if (!*found) return std::optional<KeyState>{};
   if (!(*found)->second) return fail(StorageError::bad_trace, "key_states", std::to_string((*found)->first));
-  return KeyState{(*found)->first, std::move(*(*found)->second)};
+  return KeyState{(*found)->first, std::move(*(*found)->second), {}};
 }
 
 Stored<std::optional<FinalVolume>> Traces::final_volume(SessionId session) {

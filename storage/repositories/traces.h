@@ -15,10 +15,11 @@
 
 namespace cusp {
 
-/// StepState::save() after `tick`.
+/// StepState::save() after `tick`, and Process::save() of all ticks up to it; empty where not all of them are known.
 struct KeyState {
   std::uint64_t tick = 0;
   std::vector<std::byte> state{};
+  std::vector<std::byte> process{};
 };
 
 /// One second (or the rest of one, at the end) as the recorder hands it over.

@@ -1,0 +1,49 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "storage/cache_files.h"
+
+namespace cusp {
+
+Stored<void> write_cache_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp fills the last six in
+  const int descriptor = mkostemp(fresh.data(), O_CLOEXEC);       // made readable by its owner alone
+  bool good = descriptor >= 0;
+  for (std::size_t at = 0; good && at < bytes.size();) {
+    const ssize_t wrote = write(descriptor, bytes.data() + at, bytes.size() - at);
+    if (wrote > 0) at += static_cast<std::size_t>(wrote);
+    good = wrote > 0 || (wrote < 0 && errno == EINTR);
+  }
+  good = good && fdatasync(descriptor) == 0 && std::rename(fresh.c_str(), file.c_str()) == 0;
+  const int error = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (good) return {};
+  if (descriptor >= 0) unlink(fresh.c_str());
+  const bool full = error == ENOSPC || error == EDQUOT;
+  return fail(full ? StorageError::disk_full : StorageError::io, file.string(), std::strerror(error));
+}
+
+std::optional<std::vector<std::byte>> read_cache_file(const std::filesystem::path& file, std::size_t most_bytes) {
+  // Not through a link, and never waiting for a pipe's other end.
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) return std::nullopt;
+  struct stat about{};
+  bool good = fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode) &&
+              static_cast<std::uint64_t>(about.st_size) <= most_bytes;
+  std::vector<std::byte> bytes(good ? static_cast<std::size_t>(about.st_size) : 0);
+  for (std::size_t at = 0; good && at < bytes.size();) {
+    const ssize_t got = read(descriptor, bytes.data() + at, bytes.size() - at);
+    if (got > 0) at += static_cast<std::size_t>(got);
+    good = got > 0 || (got < 0 && errno == EINTR);
+  }
+  close(descriptor);
+  if (!good) return std::nullopt;
+  return bytes;
+}
+
+}  // namespace cusp
