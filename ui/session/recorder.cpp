@@ -4,8 +4,8 @@
 
 namespace cusp {
 
-Recorder::Recorder(std::unique_ptr<Store> store, SessionId session, Writing writing)
-    : store_(std::move(store)), session_(session), writing_(writing) {
+Recorder::Recorder(std::unique_ptr<Store> store, SessionId session, Writing writing, const Patience& patience)
+    : store_(std::move(store)), session_(session), writing_(writing), patience_(patience) {
   if (writing_ == Writing::on_a_thread) thread_ = std::thread([this] { run(); });
 }
 
@@ -18,53 +18,80 @@ Recorder::~Recorder() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Recorder::add(RecordedSecond second) {
+void Recorder::add(RecordedSecond second, std::optional<KeyState> key_state) {
   std::unique_lock lock(mutex_);
-  waiting_.push_back(std::move(second));
-  if (writing_ == Writing::at_once) {
-    while (!waiting_.empty() && write_first(lock)) {
-    }
-    return;
-  }
+  waiting_.push_back({std::move(second), std::move(key_state)});
+  if (writing_ == Writing::at_once) return write_all_at_once(lock);
   lock.unlock();
   wake_.notify_one();
 }
 
 bool Recorder::write_first(std::unique_lock<std::mutex>& lock) {
-  if (failure_) return false;
   // Only this thread takes from the front, and a deque's items do not move when others are added behind.
-  const RecordedSecond& second = waiting_.front();
+  const Waiting& first = waiting_.front();
   writing_now_ = true;
   lock.unlock();
-  auto written = store_->traces.append(session_, second);
+  auto written = store_->traces.append(session_, first.second);
+  if (written && first.key_state) {
+    // A cache: where it cannot be written, whoever needs the state runs the session again.
+    static_cast<void>(store_->key_states.keep_live(session_, *first.key_state));
+  }
+  if (!written && written.error().code == StorageError::disk_full) store_->key_states.make_room();
   lock.lock();
   writing_now_ = false;
   if (written) {
     waiting_.pop_front();
+    failure_.reset();
   } else {
     failure_ = std::move(written.error());
+    ++refusals_;
   }
   idle_.notify_all();
   return !failure_;
+}
+
+void Recorder::write_all_at_once(std::unique_lock<std::mutex>& lock) {
+  int tries = 0;
+  while (!waiting_.empty() && !gave_up_) {
+    if (write_first(lock)) {
+      tries = 0;
+    } else if (!passes(failure_->code) || ++tries >= patience_.tries) {
+      gave_up_ = true;
+    } else {
+      lock.unlock();
+      std::this_thread::sleep_for(patience_.pause);
+      lock.lock();
+    }
+  }
 }
 
 void Recorder::run() {
   name_this_thread("cusp-recorder");
   std::unique_lock lock(mutex_);
   for (;;) {
-    wake_.wait(lock, [this] { return stop_ || (!waiting_.empty() && !failure_); });
-    if (!waiting_.empty() && !failure_) {
-      write_first(lock);
-    } else if (stop_) {
-      return;
+    if (!failure_) {
+      wake_.wait(lock, [this] { return stop_ || !waiting_.empty(); });
+      if (waiting_.empty()) return;
+    } else {
+      const auto called = [this] { return stop_ || again_; };
+      if (passes(failure_->code)) {
+        wake_.wait_for(lock, patience_.pause, called);
+      } else {
+        wake_.wait(lock, called);
+      }
+      if (stop_) return;
     }
+    again_ = false;
+    write_first(lock);
   }
 }
 
 RecordingState Recorder::state() const {
   const std::lock_guard lock(mutex_);
-  if (failure_) return RecordingState::failed;
-  return waiting_.size() > kBehind ? RecordingState::behind : RecordingState::recording;
+  if (failure_ && (gave_up_ || !passes(failure_->code) || waiting_.size() >= patience_.most_waiting)) {
+    return RecordingState::failed;
+  }
+  return failure_ || waiting_.size() > kBehind ? RecordingState::behind : RecordingState::recording;
 }
 
 std::optional<StorageFailure> Recorder::failure() const {
@@ -74,12 +101,9 @@ std::optional<StorageFailure> Recorder::failure() const {
 
 void Recorder::retry() {
   std::unique_lock lock(mutex_);
-  failure_.reset();
-  if (writing_ == Writing::at_once) {
-    while (!waiting_.empty() && write_first(lock)) {
-    }
-    return;
-  }
+  gave_up_ = false;
+  if (writing_ == Writing::at_once) return write_all_at_once(lock);
+  again_ = failure_.has_value();
   lock.unlock();
   wake_.notify_one();
 }
@@ -87,7 +111,11 @@ void Recorder::retry() {
 bool Recorder::drain() {
   std::unique_lock lock(mutex_);
   if (writing_ == Writing::on_a_thread) {
-    idle_.wait(lock, [this] { return !writing_now_ && (waiting_.empty() || failure_.has_value()); });
+    const std::uint64_t before = refusals_;
+    const auto enough = [&] {
+      return failure_ && (!passes(failure_->code) || refusals_ - before >= static_cast<std::uint64_t>(patience_.tries));
+    };
+    idle_.wait(lock, [&] { return !writing_now_ && !again_ && (waiting_.empty() || enough()); });
   }
   return waiting_.empty();
 }

@@ -10,6 +10,7 @@
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
 #include "ui/session/build_info.h"
+#include "ui/session/patience.h"
 #include "ui/session/replay.h"
 #include "ui/session/scene_builder.h"
 #include "ui/session/specimen_blob.h"
@@ -157,6 +158,30 @@ Hash256 rubric_hash(const Rubric& rubric) {
   return blake2b_256(json.is_object() && json.contains("rubric") ? json["rubric"].dump() : std::string());
 }
 
+namespace {
+
+/// Final volume, event and grade, each in its own transaction. What passes by itself is waited for; a second try after
+/// any failure goes on where the first stopped.
+Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume, RunEnd end) {
+  const std::string reason(key_of(end));
+  const auto now = write_patiently({}, [&] { return store.sessions.state(session); });
+  if (!now) return std::unexpected(now.error());
+  if (*now == SessionState::running && !interrupts(end)) {
+    return write_patiently({}, [&] { return store.sessions.finish(session, volume, reason); });
+  }
+  if (*now == SessionState::running) {
+    const auto done = write_patiently({}, [&] { return store.sessions.interrupt(session, reason); });
+    if (!done) return done;
+  } else if (*now != SessionState::interrupted) {
+    return {};
+  }
+  const auto done = write_patiently({}, [&] { return store.traces.save_final_volume(session, volume); });
+  if (!done && done.error().code != StorageError::duplicate) return done;
+  return {};
+}
+
+}  // namespace
+
 Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store, const StepState& state,
                         const Process& process, RunEnd end) {
   RunResult result;
@@ -174,25 +199,13 @@ Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store
   if (!store) return result;
 
   const FinalVolume volume{result.volume->save_cuts(), result.volume_hash, state.last().tick};
-  const std::string reason(key_of(end));
-  const auto now = store->sessions.state(setup.session);
-  if (!now) return run_fail(RunError::recording_failed, now.error());
-  // A second try after a full disk finds the session where the first left it.
-  if (*now == SessionState::running) {
-    if (interrupts(end)) {
-      if (auto done = store->sessions.interrupt(setup.session, reason); !done) {
-        return run_fail(RunError::recording_failed, done.error());
-      }
-      if (auto done = store->traces.save_final_volume(setup.session, volume); !done) {
-        return run_fail(RunError::recording_failed, done.error());
-      }
-    } else if (auto done = store->sessions.finish(setup.session, volume, reason); !done) {
-      return run_fail(RunError::recording_failed, done.error());
-    }
-  }
-  if (auto done = store->grades.save(setup.session, result.grade, rubric_hash(plan.scenario.rubric)); !done) {
+  if (auto done = keep_end(*store, setup.session, volume, end); !done) {
     return run_fail(RunError::recording_failed, done.error());
   }
+  const Hash256 rubric = rubric_hash(plan.scenario.rubric);
+  const auto graded = write_patiently({}, [&] { return store->grades.save(setup.session, result.grade, rubric); });
+  if (!graded) return run_fail(RunError::recording_failed, graded.error());
+  store->key_states.release(setup.session);
   return result;
 }
 
