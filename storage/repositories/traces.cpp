@@ -11,11 +11,8 @@ namespace cusp {
 Stored<void> Traces::append(SessionId session, const RecordedSecond& second) {
   const auto& inputs = second.inputs;
   if (inputs.empty() || inputs.size() > kMostInputsPerChunk) return fail(StorageError::bad_value, "inputs");
-  const std::uint64_t last_tick = second.first_tick + inputs.size() - 1;
-  if (second.key_state && second.key_state->tick > last_tick) return fail(StorageError::bad_value, "key_state");
   // The slow part before the lock.
   const auto trace = encode_trace(inputs);
-  const auto state = second.key_state ? pack(second.key_state->state) : std::vector<std::byte>{};
 
   Transaction transaction(c_.db);
   require_state(transaction, session, Need::running);
@@ -52,13 +49,6 @@ Stored<void> Traces::append(SessionId session, const RecordedSecond& second) {
         "INSERT INTO removed_tissues (session, row, chunk, tissue, voxels, mm3) VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
         session, row, chunk, std::uint64_t{index_of(removed.tissue)}, removed.voxels, removed.mm3);
     chain.add(SessionTable::removed_tissues, row++, at);
-  }
-
-  if (second.key_state) {
-    const std::uint64_t key_row = next_row(transaction, SessionTable::key_states, session);
-    transaction.run("INSERT INTO key_states (session, row, tick, state) VALUES (?1, ?2, ?3, ?4)", session, key_row,
-                    second.key_state->tick, state);
-    chain.add(SessionTable::key_states, key_row, at);
   }
   chain.finish();
   return transaction.commit();

@@ -1,4 +1,5 @@
-/// What a session leaves each second: inputs, hash of the state, key states, metrics; and its final volume.
+/// What a session leaves each second: inputs, hash of the state, metrics; and its final volume. Key states are a cache
+/// (storage/key_state_cache.h); sessions of older programs have rows of them.
 /// Thread: the recorder's, with a Store of its own.
 #pragma once
 
@@ -27,7 +28,6 @@ struct RecordedSecond {
   std::uint64_t first_tick = 1;               // tick that inputs[0] makes; 1 is a session's first
   std::vector<StepInput> inputs{};            // 1 to kMostInputsPerChunk
   std::optional<std::uint64_t> state_hash{};  // StepState::hash() after the last of them
-  std::optional<KeyState> key_state{};        // every 5 s
   SecondMetrics metrics{};
 };
 
@@ -43,7 +43,7 @@ class Traces {
  public:
   explicit Traces(StorageContext& context) : c_{context} {}
 
-  /// One transaction: chunk, metrics, key state, links, signed head. wrong_state when the session is not running or
+  /// One transaction: chunk, metrics, links, signed head. wrong_state when the session is not running or
   /// first_tick does not follow the last stored tick.
   Stored<void> append(SessionId session, const RecordedSecond& second);
   /// For a session that was interrupted: the volume that a replay of its trace gives. Once.
@@ -52,9 +52,9 @@ class Traces {
   Stored<std::vector<ChunkInfo>> chunks(SessionId session);
   Stored<std::vector<StepInput>> inputs(SessionId session);                       // all of them, in order
   Stored<std::vector<StepInput>> inputs(SessionId session, std::uint64_t chunk);  // of one chunk
-  /// Ticks at which key states are kept, rising.
+  /// Ticks at which a session of an older program has a key state, rising.
   Stored<std::vector<std::uint64_t>> key_state_ticks(SessionId session);
-  /// The last one at or before `tick`; nullopt when the replay has to begin at the start.
+  /// The last of these at or before `tick`; nullopt when there is none.
   Stored<std::optional<KeyState>> key_state_before(SessionId session, std::uint64_t tick);
   Stored<std::optional<FinalVolume>> final_volume(SessionId session);
 

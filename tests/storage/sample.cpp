@@ -2,6 +2,10 @@
 
 #include <cstdlib>
 
+#include "storage/chain_writer.h"
+#include "storage/repositories/session_state.h"
+#include "storage/trace_codec.h"
+
 namespace cusp::testing {
 
 namespace fs = std::filesystem;
@@ -87,6 +91,17 @@ RecordedSecond second_from(std::uint64_t first_tick, std::size_t count) {
   return second;
 }
 
+void add_key_state_row(Store& store, SessionId session, const KeyState& state) {
+  Transaction transaction(store.database());
+  const std::uint64_t row = next_row(transaction, SessionTable::key_states, session);
+  transaction.run("INSERT INTO key_states (session, row, tick, state) VALUES (?1, ?2, ?3, ?4)", session, row, state.tick,
+                  pack(state.state));
+  ChainWriter chain(store.context(), transaction, session);
+  chain.add(SessionTable::key_states, row, trace_end(transaction, session).second());
+  chain.finish();
+  must(transaction.commit());
+}
+
 FinalVolume volume_after(std::uint64_t tick) {
   FinalVolume volume;
   for (int i = 0; i < 40; ++i) volume.cuts.push_back(static_cast<std::byte>(i * i));
@@ -123,9 +138,8 @@ SessionId complete_session(Store& store, const Account& student, const ScenarioV
                            bool passed) {
   const SessionId id = must(store.sessions.start(student.actor(), new_session(student, version))).id;
   must(store.traces.append(id, second_from(1)));
-  RecordedSecond second = second_from(13);
-  second.key_state = KeyState{24, std::vector<std::byte>(30, std::byte{7})};
-  must(store.traces.append(id, second));
+  must(store.traces.append(id, second_from(13)));
+  add_key_state_row(store, id, {24, std::vector<std::byte>(30, std::byte{7}), {}});
   must(store.traces.append(id, second_from(25)));
   must(store.sessions.finish(id, volume_after(36), "student"));
   must(store.grades.save(id, small_grade(score, passed), blake2b_256(std::string_view{"rubric"})));

@@ -41,6 +41,8 @@ ScenarioVersion keep(Store& store, const Scenario& scenario = small_scenario(), 
 NewSession new_session(const Account& student, const ScenarioVersion& version);
 /// `count` inputs of a hand that moves down; the same for the same first tick.
 RecordedSecond second_from(std::uint64_t first_tick, std::size_t count = 12);
+/// A row of key_states at the end of the trace, chained: as programs wrote them that kept key states in the database.
+void add_key_state_row(Store& store, SessionId session, const KeyState& state);
 FinalVolume volume_after(std::uint64_t tick);
 Grade small_grade(double score = 81.5, bool passed = true);
 

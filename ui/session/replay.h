@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -30,34 +31,69 @@ struct OpenedSession {
 /// storage, scenario, specimen_changed or scene.
 Run<OpenedSession> open_session(Store& store, SessionId id);
 
-/// A session being run again. Starts before the first tick.
+/// Where a jump may begin.
+enum class ReplayFrom : std::uint8_t {
+  nearest,        // at the nearest key state that can be trusted; process() then lacks what was before
+  whole_process,  // at one that brings process() along
+  first_tick,     // nothing but the inputs is believed: for grades and proofs
+};
+struct ReplayJump {
+  ReplayFrom from = ReplayFrom::nearest;
+  bool keep = false;                         // key states that are missing on the way go to the store's cache
+  std::function<bool(double share)> watch{};  // some times a second, 0 to 1 of this jump; false stops it
+};
+
+/// A session being run again. Starts before the first tick. A key state is believed only if its hash is the one that the
+/// chained second that ends there has; any other is passed over. To fill the cache in the background: a second Replay, on
+/// a thread and a Store of its own, to the end with `first_tick` and `keep`.
 class Replay {
  public:
   /// other_engine; storage when the trace cannot be read.
   static Run<Replay> open(Store& store, OpenedSession session);
 
-  /// Runs to just after `tick` (at most the last): forward from where it stands, or from the nearest key state when that is
-  /// less work. `full` forbids key states: then process() is of the whole session.
-  Run<void> to(std::uint64_t tick, bool full = false);
+  /// Runs to just after `tick` (at most the last): forward from where it stands, or from a key state when that is less
+  /// work. False: `watch` stopped it, and it stands where state() says.
+  Run<bool> to(std::uint64_t tick, const ReplayJump& jump = {});
   void add(Observer& observer) { observers_.push_back(&observer); }  // sees the state after each to()
 
   const OpenedSession& session() const noexcept { return session_; }
   const StepState& state() const noexcept { return *state_; }
   const std::vector<StepInput>& inputs() const noexcept { return inputs_; }
-  /// Whole only when every tick from the first on was run.
+  /// Of every tick from the first on, unless a jump began at the nearest key state.
   const Process& process() const noexcept { return process_; }
+  /// Ticks that to() has run since open(): what jumps cost, without a clock.
+  std::uint64_t ticks_run() const noexcept { return ticks_run_; }
 
  private:
+  /// The end of a recorded second.
+  struct Mark {
+    std::uint64_t state_hash = 0;
+    bool key = false;     // the first end of a second after another five: where a key state is kept
+    bool stored = false;  // there is a row of an older program
+    bool cached = false;  // as far as is known: others fill and empty the cache too
+  };
   Replay(Store& store, OpenedSession session, std::vector<StepInput> inputs);
+  Run<void> read_marks();
+  void look_into_cache();
+  std::optional<KeyState> key_state_at(std::uint64_t tick, Mark& mark);
+  bool restore_nearest(std::uint64_t target, std::uint64_t after, bool with_process);
+  void keep_key_state(Mark& mark);
+  bool run(std::uint64_t target, const ReplayJump& jump);
+  void begin_anew();
   void show(bool first);
+
   Store* store_;
   OpenedSession session_;
   std::vector<StepInput> inputs_;
+  std::map<std::uint64_t, Mark> marks_;  // by tick
   std::optional<StepState> state_;
   Process process_;
   std::vector<Observer*> observers_;
   std::vector<std::uint32_t> shown_revision_;
-  bool whole_ = true;   // every tick from the first on was run
+  std::uint64_t ticks_run_ = 0;
+  bool whole_ = true;          // process_ is of every tick from the first on
+  bool computed_ = true;       // and every one of them was run here
+  bool cache_refuses_ = false;
   bool shown_ = false;
 };
 

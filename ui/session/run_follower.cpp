@@ -6,7 +6,6 @@ namespace cusp {
 
 namespace {
 constexpr std::uint64_t kSecondUs = 1'000'000;
-constexpr std::uint64_t kKeyStateUs = 5'000'000;  // a jump in a replay is then at most 5,000 ticks
 constexpr std::uint64_t kScoresUs = 100'000;      // as often as they are read; the picture of the tooth comes first
 constexpr std::size_t kMostInputsASecond = 60'000;
 
@@ -57,11 +56,12 @@ void RunFollower::flush(const StepState& after) {
     second_.metrics.removed = removed();
     second_.metrics.force_mean_n = contact_us_ > 0 ? impulse_n_us_ / static_cast<double>(contact_us_) : 0.0;
     second_.state_hash = after.hash();
+    std::optional<KeyState> key_state;
     if (now >= next_key_us_) {
-      second_.key_state = KeyState{after.last().tick, after.save()};
+      key_state = KeyState{after.last().tick, after.save(), process_.save()};
       next_key_us_ = next_multiple(now, kKeyStateUs);
     }
-    recorder_->add(std::move(second_));
+    recorder_->add(std::move(second_), std::move(key_state));
   }
   second_ = RecordedSecond{};
   second_.first_tick = next_tick;

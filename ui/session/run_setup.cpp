@@ -65,7 +65,7 @@ Run<void> go_on(RunPlan& plan, RunSetup& setup) {
   setup.stiffness_share = opened->session.header.stiffness_share;
   auto replay = Replay::open(*setup.store, std::move(*opened));
   if (!replay) return std::unexpected(replay.error());
-  if (auto done = replay->to(UINT64_MAX, true); !done) return std::unexpected(done.error());
+  if (auto done = replay->to(UINT64_MAX, {.from = ReplayFrom::whole_process}); !done) return std::unexpected(done.error());
   setup.process = replay->process();
   const auto bytes = replay->state().save();
   setup.loop_start = StepState::restore(setup.scene, bytes);

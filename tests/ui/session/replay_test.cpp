@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
+#include "storage/trace_codec.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/play_through.h"
 #include "ui/session/specimen_blob.h"
@@ -14,13 +16,21 @@ namespace {
 using test::DrillingPort;
 using test::Workplace;
 
+const ReplayJump kOnlyInputs{.from = ReplayFrom::first_tick};
+const ReplayJump kKeeping{.keep = true};
+
+std::int64_t key_state_rows(Store& store) {
+  return store.database().first("SELECT count(*) FROM key_states", [](Row row) { return row.integer(0); })->value();
+}
+
 TEST(Replay, JumpsByKeyStatesToTheSameStateAsTickByTick) {
   const Workplace work;
   DrillingPort port(10'400);
   const auto result = play_through(work.plan(), port);
   ASSERT_TRUE(result);
   const auto store = work.store();
-  EXPECT_EQ(store->traces.key_state_ticks(result->session), (std::vector<std::uint64_t>{5000, 10'000}));
+  EXPECT_EQ(key_state_rows(*store), 0) << "key states are no part of the record";
+  EXPECT_EQ(store->key_states.ticks(result->session), (std::vector<std::uint64_t>{5000, 10'000}));
   auto opened = open_session(*store, result->session);
   ASSERT_TRUE(opened);
   EXPECT_EQ(opened->ticks, 10'400u);
@@ -28,10 +38,105 @@ TEST(Replay, JumpsByKeyStatesToTheSameStateAsTickByTick) {
   auto jumping = Replay::open(*store, *opened);
   ASSERT_TRUE(whole && jumping);
   for (const std::uint64_t tick : {10'200u, 700u, 5001u, 10'400u, 4999u}) {
-    ASSERT_TRUE(whole->to(tick, true));
+    ASSERT_TRUE(whole->to(tick, kOnlyInputs));
     ASSERT_TRUE(jumping->to(tick));
     EXPECT_EQ(whole->state().hash(), jumping->state().hash()) << "tick " << tick;
   }
+  // 200, 700, 1, 400 and 4999 after a key state or the start.
+  EXPECT_EQ(jumping->ticks_run(), 200u + 700u + 1u + 400u + 4999u);
+}
+
+TEST(Replay, AJumpWithoutACacheFillsItAndTheNextOneIsShort) {
+  const Workplace work;
+  DrillingPort port(15'500);
+  const auto result = play_through(work.plan(), port);
+  ASSERT_TRUE(result);
+  const auto store = work.store();
+  EXPECT_EQ(store->key_states.ticks(result->session), (std::vector<std::uint64_t>{10'000, 15'000}));
+  std::filesystem::remove_all(store->key_states.folder());
+  const auto opened = open_session(*store, result->session);
+  auto cold = Replay::open(*store, *opened);
+  ASSERT_TRUE(cold->to(15'400, kKeeping));
+  EXPECT_EQ(cold->ticks_run(), 15'400u);
+  EXPECT_EQ(store->key_states.ticks(result->session), (std::vector<std::uint64_t>{5000, 10'000, 15'000}));
+  auto warm = Replay::open(*store, *opened);
+  for (const std::uint64_t tick : {15'400u, 9000u, 11'000u, 5100u}) {
+    const std::uint64_t before = warm->ticks_run();
+    ASSERT_TRUE(warm->to(tick));
+    EXPECT_LT(warm->ticks_run() - before, 5000u) << tick;
+  }
+  ASSERT_TRUE(cold->to(5100, kOnlyInputs));
+  EXPECT_EQ(cold->state().hash(), warm->state().hash());
+  // What another program empties meanwhile is no harm.
+  std::filesystem::remove_all(store->key_states.folder());
+  ASSERT_TRUE(warm->to(15'450));
+  ASSERT_TRUE(cold->to(15'450));
+  EXPECT_EQ(cold->state().hash(), warm->state().hash());
+}
+
+TEST(Replay, ALongJumpTellsHowFarItIsAndStopsWhenAsked) {
+  const Workplace work;
+  DrillingPort port(3000);
+  const auto result = play_through(work.plan(), port);
+  const auto store = work.store();
+  auto replay = Replay::open(*store, *open_session(*store, result->session));
+  std::vector<double> shares;
+  const auto stopped = replay->to(3000, {.watch = [&](double share) {
+                                    shares.push_back(share);
+                                    return shares.size() < 4;
+                                  }});
+  ASSERT_TRUE(stopped);
+  EXPECT_FALSE(*stopped);
+  ASSERT_EQ(shares.size(), 4u);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_GT(shares.front(), 0.0);
+  EXPECT_LT(shares.back(), 0.5);
+  const std::uint64_t stands = replay->state().last().tick;
+  EXPECT_GT(stands, 0u);
+  EXPECT_LT(stands, 3000u);
+  const auto on = replay->to(3000);
+  ASSERT_TRUE(on && *on);
+  EXPECT_EQ(replay->ticks_run(), 3000u) << "it went on from where it stood";
+  auto whole = Replay::open(*store, *open_session(*store, result->session));
+  ASSERT_TRUE(whole->to(3000, kOnlyInputs));
+  EXPECT_EQ(whole->state().hash(), replay->state().hash());
+}
+
+TEST(Replay, KeyStatesInTheDatabaseOfOlderProgramsAreUsedWhenTheirHashIsTheChainedOne) {
+  const Workplace work;
+  DrillingPort port(10'300);
+  const auto result = play_through(work.plan(), port);
+  const auto store = work.store();
+  const KeyState good = *store->key_states.read(result->session, 5000);
+  std::filesystem::remove_all(store->key_states.folder());
+  const auto row = [&](int number, std::uint64_t tick, const std::vector<std::byte>& state) {
+    ASSERT_TRUE(store->database().run("INSERT INTO key_states (session, row, tick, state) VALUES (?1, ?2, ?3, ?4)",
+                                      result->session, number, tick, pack(state)));
+  };
+  row(0, 5000, good.state);
+  row(1, 10'000, good.state);  // another moment's
+  const auto opened = open_session(*store, result->session);
+  auto replay = Replay::open(*store, *opened);
+  ASSERT_TRUE(replay->to(10'200, kKeeping));
+  EXPECT_EQ(replay->ticks_run(), 5200u);
+  EXPECT_EQ(store->key_states.ticks(result->session), std::vector<std::uint64_t>{10'000}) << "only what is missing";
+  auto whole = Replay::open(*store, *opened);
+  ASSERT_TRUE(whole->to(10'200, kOnlyInputs));
+  EXPECT_EQ(whole->state().hash(), replay->state().hash());
+}
+
+TEST(Replay, ACacheThatCannotBeWrittenChangesNothing) {
+  const Workplace work;
+  std::ofstream(work.folder / "cusp.db.states") << "in the way";
+  DrillingPort port(5300);
+  const auto result = play_through(work.plan(), port);
+  ASSERT_TRUE(result) << key_of(result.error().code);
+  EXPECT_FALSE(result->interrupted);
+  const auto store = work.store();
+  EXPECT_TRUE(prove_session(*store, result->session)->holds());
+  auto replay = Replay::open(*store, *open_session(*store, result->session));
+  ASSERT_TRUE(replay->to(5200, kKeeping));
+  EXPECT_EQ(replay->ticks_run(), 5200u);
 }
 
 TEST(Replay, ItsObserversAreToldOfEveryBrickThatAJumpChanged) {
