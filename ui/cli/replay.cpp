@@ -1,11 +1,13 @@
-// cusp replay [--verify] DB SESSION
+// cusp replay [--verify | --at SECONDS] DB SESSION
 
 #include "ui/session/replay.h"
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/import/nrrd.h"
 #include "ui/cli/account.h"
+#include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 
@@ -16,9 +18,13 @@ namespace {
 struct ReplayOptions {
   std::string db, session, volume;
   bool verify = false;
+  std::optional<double> at_s;
   AccountOption account;
   JsonOption json;
 };
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
 
 std::string hex16(std::uint64_t value) {
   char text[17];
@@ -62,12 +68,36 @@ int verify(const ReplayOptions& o, Store& store, SessionId id) {
   return kDone;
 }
 
+/// The last tick that had begun and ended by then.
+std::uint64_t tick_at(const std::vector<StepInput>& inputs, double seconds) {
+  const double wanted_us = seconds * 1e6;
+  double elapsed_us = 0;
+  std::uint64_t tick = 0;
+  for (const StepInput& input : inputs) {
+    elapsed_us += input.elapsed_us;
+    if (elapsed_us > wanted_us) break;
+    ++tick;
+  }
+  return tick;
+}
+
 int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   auto opened = open_session(store, id);
   if (!opened) return failed(tell(opened.error()));
   auto run = Replay::open(store, std::move(*opened));
   if (!run) return failed(tell(run.error()));
-  if (auto done = run->to(UINT64_MAX, true); !done) return failed(tell(done.error()));
+  std::signal(SIGINT, on_interrupt);
+  ReplayJump jump;
+  jump.from = o.at_s ? ReplayFrom::nearest : ReplayFrom::first_tick;
+  jump.keep = true;
+  jump.watch = [](double share) {
+    show_progress(share);
+    return interrupted == 0;
+  };
+  auto arrived = run->to(o.at_s ? tick_at(run->inputs(), *o.at_s) : UINT64_MAX, jump);
+  end_progress();
+  if (!arrived) return failed(tell(arrived.error()));
+  if (!*arrived) return failed(CliWords::tr("Stopped. Nothing was changed."));
   const StepState& state = run->state();
   if (!o.volume.empty()) {
     if (auto written = write_nrrd(state.volume().dense(), o.volume); !written) return failed(tell(written.error()));
@@ -76,6 +106,7 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   json["session"] = id.text();
   json["engine"] = kEngineVersion;
   json["ticks"] = state.last().tick;
+  json["ticks_run"] = run->ticks_run();
   json["duration_s"] = static_cast<double>(state.last().elapsed_us) * 1e-6;
   json["volume_hash"] = hex16(state.volume().hash());
   if (!o.json.write(json)) return kFailed;
@@ -103,11 +134,15 @@ void add_replay(CLI::App& program, Job& job) {
   auto o = std::make_shared<ReplayOptions>();
   CLI::App* verb = program.add_subcommand(
       "replay", help(CliWords::tr("Run a stored session again and print the hash of its tooth")));
-  verb->add_flag("--verify", o->verify,
-                 help(CliWords::tr("Prove it: the record's chain, then tooth and grade bit for bit")));
+  auto* verify = verb->add_flag("--verify", o->verify,
+                                help(CliWords::tr("Prove it: the record's chain, then tooth and grade bit for bit")));
+  verb->add_option("--at", o->at_s, help(CliWords::tr("Only up to this moment of the session, in seconds")))
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(verify);
   verb->add_option("DB", o->db, help(CliWords::tr("Database")))->required();
   verb->add_option("SESSION", o->session, help(CliWords::tr("The session's id")))->required();
-  verb->add_option("--volume", o->volume, help(CliWords::tr("Write the tooth as it is after the last tick (NRRD)")))
+  verb->add_option("--volume", o->volume, help(CliWords::tr("Write the tooth as it is then (NRRD)")))
       ->type_name("FILE");
   o->account.add_to(*verb);
   o->json.add_to(*verb);
