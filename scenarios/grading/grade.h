@@ -25,10 +25,11 @@ struct CriterionGrade {
   std::string id;                  // metric key
   Measure measure;
   std::string band;                // "ideal", "acceptable", "fail", "borderline" (edge nearer than the uncertainty), "not_measured"
-  double points = 0, points_max = 0;
+  double points = 0, points_max = 0;  // of Grade::score_max; not rounded (maxima.h rounds). Evaluator 2: of the weight
   std::string reason_code;         // "full", "too_deep", "too_shallow", "too_little", "too_much", "too_dry", "too_warm",
                                    // "little_drilled" or "not_measured"
   std::map<std::string, double> reason_args;  // "value", "limit", "lost"; of little_drilled "share" (0 to 1), "lost"
+  bool counts_with_target = false;  // points only as far as the target was cut (mark_counted_with_target)
 };
 
 struct Grade {
@@ -38,8 +39,9 @@ struct Grade {
   bool passed = false;
   std::vector<std::string> critical;      // critical events that happened
   std::vector<CriterionGrade> criteria;   // in the rubric's order
-  std::string evaluator = "2";            // version of measuring and marking; rises when a figure changes.
+  std::string evaluator = "3";            // version of measuring and marking; rises when a figure changes.
                                           // 2: what is kept intact counts in proportion to what was drilled
+                                          // 3: points are of 100, evidence lies on the cut surface
 };
 
 }  // namespace cusp

@@ -34,6 +34,21 @@ double share_drilled(const Rubric& rubric, const std::vector<Measure>& measures)
   return std::max(0.0, removed->value) / asked->bands.ideal_lo;
 }
 
+bool asks_for_target(const Rubric& rubric) {
+  return std::ranges::any_of(rubric.criteria, [](const Criterion& c) { return c.metric == "target_removed"; });
+}
+
+/// Weights to points of the score's maximum, over what was measured.
+void scale_to_maximum(Grade& grade, double most) {
+  if (!(most > 0.0)) return;
+  const double factor = grade.score_max / most;
+  for (CriterionGrade& c : grade.criteria) {
+    c.points *= factor;
+    c.points_max *= factor;
+    if (const auto lost = c.reason_args.find("lost"); lost != c.reason_args.end()) lost->second = c.points_max - c.points;
+  }
+}
+
 CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, double share) {
   CriterionGrade out;
   out.id = criterion.metric;
@@ -76,6 +91,14 @@ CriterionGrade grade_one(const Criterion& criterion, const Measure* measure, dou
 
 }  // namespace
 
+void mark_counted_with_target(Grade& grade, const Rubric& rubric) {
+  const bool asked = asks_for_target(rubric);
+  for (CriterionGrade& c : grade.criteria) {
+    const auto own = std::ranges::find_if(rubric.criteria, [&](const Criterion& r) { return r.metric == c.id; });
+    c.counts_with_target = asked && own != rubric.criteria.end() && earned_by_doing_nothing(*own);
+  }
+}
+
 Grade grade(const Scenario& scenario, const std::vector<Measure>& measures) {
   Grade out;
   out.pass_mark = scenario.rubric.pass;
@@ -87,6 +110,8 @@ Grade grade(const Scenario& scenario, const std::vector<Measure>& measures) {
     most += out.criteria.back().points_max;
   }
   out.score = most > 0 ? out.score_max * points / most : 0.0;
+  scale_to_maximum(out, most);
+  mark_counted_with_target(out, scenario.rubric);
   for (const std::string& key : scenario.rubric.critical) {
     const Measure* m = find(measures, key);
     if (m != nullptr && m->measured && m->value > m->uncertainty) out.critical.push_back(key);

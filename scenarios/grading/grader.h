@@ -8,7 +8,7 @@
 namespace cusp {
 
 /// Score = 100 · sum of points / sum of their maxima, over what was measured; a criterion that was not measured has
-/// points_max 0 and says so. Passed: at least one criterion measured, score >= pass and no critical event. A critical key
+/// points_max 0 and says so. The maxima of the others are their weights scaled to sum to 100. Passed: at least one criterion measured, score >= pass and no critical event. A critical key
 /// happened when its measure is above its uncertainty. The order of `measures` does not matter.
 ///
 /// What is kept intact counts in proportion to what was drilled. Where the rubric asks for target_removed and that was
@@ -20,5 +20,9 @@ namespace cusp {
 /// too_deep, too_shallow (the same, for depth_*), too_dry, too_warm (the same, for coolant), not_measured (no args), little_drilled (args share,
 /// lost) where the share takes more points than the criterion's own bands do.
 [[nodiscard]] Grade grade(const Scenario& scenario, const std::vector<Measure>& measures);
+
+/// Sets CriterionGrade::counts_with_target: true where share scales the criterion. grade() has called it; the records do
+/// not keep the mark, so a grade that was read from them needs it with its scenario's rubric.
+void mark_counted_with_target(Grade& grade, const Rubric& rubric);
 
 }  // namespace cusp

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/grading/maxima.h"
+
 namespace cusp {
 
 std::string report_json(const ReportHead& head, const Grade& grade, const ReportWords& words) {
@@ -21,7 +23,9 @@ std::string report_json(const ReportHead& head, const Grade& grade, const Report
   out["critical"] = grade.critical;
   out["volume_hash"] = head.volume_hash;
   Json criteria = Json::array();
-  for (const CriterionGrade& c : grade.criteria) {
+  const std::vector<ScaledPoints> scaled = scaled_points(grade);
+  for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
+    const CriterionGrade& c = grade.criteria[i];
     const Measure& m = c.measure;
     Json one;
     one["id"] = c.id;
@@ -31,8 +35,8 @@ std::string report_json(const ReportHead& head, const Grade& grade, const Report
     one["uncertainty"] = m.measured ? Json(m.uncertainty) : Json();
     one["measured"] = m.measured;
     one["band"] = c.band;
-    one["points"] = c.points;
-    one["points_max"] = c.points_max;
+    one["points"] = scaled[i].points;
+    one["points_max"] = scaled[i].points_max;
     one["reason_code"] = c.reason_code;
     one["reason"] = words.reason ? words.reason(c) : c.reason_code;
     if (m.measured && m.where_mm)

@@ -27,7 +27,8 @@ struct ReportWords {
 };
 
 /// UTF-8 JSON with exactly the fields of design.md, in its order, ending in a newline. Numbers are written so that they
-/// read back as the same double; what was not measured has value and uncertainty null.
+/// read back as the same double; what was not measured has value and uncertainty null. Points are scaled_points(): they
+/// are what the report shows, and their maxima sum to score_max.
 [[nodiscard]] std::string report_json(const ReportHead& head, const Grade& grade, const ReportWords& words = {});
 
 }  // namespace cusp

@@ -85,7 +85,7 @@ TEST(Grade, IsTheWeightedSumOfPoints) {
   EXPECT_EQ(g.criteria[0].reason_code, "full");
   EXPECT_EQ(g.criteria[1].reason_code, "too_deep");
   EXPECT_DOUBLE_EQ(g.criteria[1].reason_args.at("limit"), 2.2);
-  EXPECT_DOUBLE_EQ(g.criteria[1].reason_args.at("lost"), 5.0);
+  EXPECT_DOUBLE_EQ(g.criteria[1].reason_args.at("lost"), 5.0 * 100 / 60);
   EXPECT_EQ(g.criteria[2].reason_code, "too_much");
 }
 
@@ -135,7 +135,7 @@ TEST(Grade, CuttingDryFailsTheGoWhereTheRubricSaysSoAndCostsPointsWhereItAsks) {
   EXPECT_FALSE(dry.passed);
   EXPECT_THAT(dry.critical, testing::Contains("dry_cutting"));
   EXPECT_EQ(dry.criteria[3].reason_code, "too_dry");
-  EXPECT_DOUBLE_EQ(dry.criteria[3].points, 5.0);
+  EXPECT_DOUBLE_EQ(dry.criteria[3].points, 5.0 * 100 / 80);
   EXPECT_DOUBLE_EQ(dry.criteria[3].reason_args.at("limit"), 5.0);
   EXPECT_EQ(dry.criteria[4].reason_code, "too_warm");
   EXPECT_DOUBLE_EQ(dry.criteria[4].points, 0.0);
@@ -235,8 +235,8 @@ TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleHand) {
                                value("removed_enamel", 0), value("removed_carious_dentine", 0), value("undercut", 40)});
   EXPECT_EQ(idle.score, 0.0);
   const Grade half = grade(s, {value("target_removed", 48.5), value("removed_carious_dentine", 4), value("undercut", 0.5)});
-  EXPECT_EQ(half.criteria[4].points, 10.0);
-  EXPECT_EQ(half.criteria[5].points, 10.0);
+  EXPECT_DOUBLE_EQ(half.criteria[4].points, 10.0 * 100 / 30);
+  EXPECT_DOUBLE_EQ(half.criteria[5].points, 10.0 * 100 / 30);
 }
 
 TEST(Grade, PointsRiseWithTheShareAndNeverJump) {

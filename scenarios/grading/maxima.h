@@ -1,0 +1,42 @@
+/// Points as people read them: a rubric's weights scaled so that the greatest points sum to the score's maximum, in
+/// tenths, and the order in which losses are told. Any thread.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "scenarios/grading/grade.h"
+
+namespace cusp {
+
+/// Steps of a point that are shown. The remainders of the rounding go to the largest first, so that the sum holds.
+inline constexpr double kShownPoint = 0.1;
+/// Points: a smaller loss does not show.
+inline constexpr double kLeastShownLoss = 0.5 * kShownPoint;
+
+/// Greatest points of each criterion before an attempt, in the rubric's order: multiples of kShownPoint that sum to 100.
+/// All 0 if no criterion has a weight.
+[[nodiscard]] std::vector<double> scaled_maxima(const Scenario& scenario);
+
+struct ScaledPoints {
+  double points = 0, points_max = 0;
+};
+
+/// Points of each criterion of a grade, new or stored, in its order. The maxima sum to grade.score_max over what was
+/// measured; where all was measured they are scaled_maxima(). What was not measured has 0 of 0. Points sum to the score
+/// rounded to kShownPoint, but full points stay full and none stays none, which can put the sum off by a step or two.
+[[nodiscard]] std::vector<ScaledPoints> scaled_points(const Grade& grade);
+
+/// A critical event, or a criterion that lost points.
+struct LossReason {
+  std::string critical;       // key ("pulp_exposure"); empty: a criterion
+  std::size_t criterion = 0;  // index in grade.criteria
+  double lost = 0;            // scaled points, not rounded; 0 of a critical event
+};
+
+/// Critical events first, the opened pulp before all others. Then the criteria whose loss shows, the greatest loss
+/// first. Last those that lost only because little was drilled: they follow from the target.
+[[nodiscard]] std::vector<LossReason> loss_reasons(const Grade& grade);
+
+}  // namespace cusp
