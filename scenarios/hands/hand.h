@@ -47,6 +47,7 @@ class Hand {
   bool done() const noexcept { return stroke_ >= plan_.strokes.size() || clock_s_ > style_.most_s; }
   /// Where the device must be before the first step.
   Vec3 start_mm() const noexcept { return plan_.start_mm; }
+  const Plan& plan() const noexcept { return plan_; }
   std::size_t strokes_left_out() const noexcept { return given_up_; }
   std::size_t strokes_done() const noexcept { return stroke_; }
   double clock_s() const noexcept { return clock_s_; }

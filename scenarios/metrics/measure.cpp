@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/volume/cut_volume.h"
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/region_shares.h"
 
@@ -27,52 +28,27 @@ Measure not_measured(std::string metric, std::string unit) {
   return {std::move(metric), false, 0.0, 0.0, std::move(unit), std::nullopt};
 }
 
-/// The voxel still standing that lies deepest inside the target.
-std::optional<Vec3> deepest_standing(const Reference& reference, const Volume& volume) {
-  const TargetShape& shape = reference.shape();
-  const Grid& grid = volume.grid();
-  const auto voxel = [&](Vec3 p) { return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm + 0.5)); };
-  const IVec3 low = glm::max(voxel({shape.low().x, shape.low().y, shape.floor_mm()}), IVec3(0));
-  const IVec3 high = glm::min(voxel({shape.high().x, shape.high().y, 0.0}), grid.size - 1);
-  double deepest = 0.0;
-  std::optional<Vec3> out;
-  for (int y = low.y; y <= high.y; ++y)
-    for (int x = low.x; x <= high.x; ++x) {
-      const Vec3 foot = grid.centre_mm({x, y, low.z});
-      const double u = shape.outline_mm({foot.x, foot.y});
-      if (u >= deepest) continue;
-      for (int z = low.z; z < grid.size.z; ++z) {
-        if (!volume.occupied({x, y, z})) continue;
-        const Vec3 p = grid.centre_mm({x, y, z});
-        const double d = rounded_corner(u, shape.below_floor_mm(p.z), shape.corner_mm());
-        if (d < deepest) {
-          deepest = d;
-          out = p;
-        }
-      }
-    }
-  return out;
-}
+/// Of the cut faces that lie as near to the pulp as the measure is known, the one that shows it best.
+class NearPulpSink final : public PieceSink {
+ public:
+  NearPulpSink(const Reference& reference, const Volume& volume, double within_mm)
+      : reference_(reference), judge_(volume), within_mm_(within_mm) {}
+  Evidence best;
 
-/// A pulp voxel that is gone, or whose neighbour across a face is gone.
-std::optional<Vec3> exposed_pulp(const Reference& reference, const Volume& volume) {
-  const Specimen& specimen = volume.specimen();
-  const bool filled = specimen.reading() == Reading::filled;
-  const auto gone = [&](IVec3 v) {
-    return (filled ? specimen.s(v) > 0 : specimen.s(v) >= kHalf) && !volume.occupied(v);
-  };
-  for (const IVec3 v : reference.pulp().surface_voxels()) {
-    bool open = gone(v);
-    for (int axis = 0; axis < 3 && !open; ++axis)
-      for (int step = -1; step <= 1; step += 2) {
-        IVec3 next = v;
-        next[axis] += step;
-        open = open || gone(next);
-      }
-    if (open) return volume.grid().centre_mm(v);
+  void cell(Vec3, Vec3) override {}
+  void box(Vec3, Vec3, Tissue) override {}
+  void tetrahedron(const std::array<Vec3, 4>&, double, Tissue) override {}
+  void face(const std::array<Vec3, 3>& corners, double, Tissue) override {
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const double mm = reference_.pulp().distance_mm(middle, within_mm_);
+    if (mm < within_mm_) judge_.offer(corners, FaceKind::any, -mm, best);
   }
-  return std::nullopt;
-}
+
+ private:
+  const Reference& reference_;
+  FaceJudge judge_;
+  double within_mm_;
+};
 
 void add_target(const Reference& reference, const Volume& volume, const RegionShares& sum, std::vector<Measure>& out) {
   constexpr auto kTarget = static_cast<std::size_t>(Place::target);
@@ -81,7 +57,7 @@ void add_target(const Reference& reference, const Volume& volume, const RegionSh
     out.push_back(not_measured("target_removed", "%"));
   } else {
     const double sigma = reference.surface_sigma_mm() * sum.cut_face_mm2[kTarget];
-    const std::optional<Vec3> worst = deepest_standing(reference, volume);
+    const std::optional<Vec3> worst = standing_place(reference, volume);
     const double share = std::clamp(sum.removed_mm3[kTarget] / whole, 0.0, 1.0);
     out.push_back(measured("target_removed", 100.0 * share, 100.0 * sigma / whole, "%", worst));
   }
@@ -96,7 +72,7 @@ void add_target(const Reference& reference, const Volume& volume, const RegionSh
     }
     const auto i = static_cast<std::size_t>(place);
     out.push_back(measured(key, sum.removed_mm3[i], reference.surface_sigma_mm() * sum.cut_face_mm2[i], "mm3",
-                           sum.worst[i].mm > 0.0 ? std::optional(sum.worst[i].at_mm) : std::nullopt));
+                           sum.worst[i].found() ? std::optional(sum.worst[i].at_mm) : std::nullopt));
   }
   if (!(whole > 0.0)) {
     out.push_back(not_measured("undercut", "mm3"));
@@ -117,12 +93,21 @@ void add_depth(const Reference& reference, const Volume& volume, std::vector<Mea
   out.push_back(measured("depth_most", depth->most_mm, reference.point_sigma_mm(), "mm", depth->most_at_mm));
 }
 
-void add_pulp(const Reference& reference, const Volume& volume, const RegionShares& sum, std::vector<Measure>& out) {
+struct BrickShares {
+  int brick;
+  RegionShares shares;
+};
+
+void add_pulp(const Reference& reference, const Volume& volume, const RegionShares& sum,
+              const std::vector<BrickShares>& bricks, std::vector<Measure>& out) {
   if (reference.pulp().empty() || !std::isfinite(sum.pulp_mm)) {
     out.push_back(not_measured("remaining_over_pulp", "mm"));
   } else {
     const double sigma = kPulpSigmaVoxels * volume.grid().voxel_mm + reference.point_sigma_mm();
-    out.push_back(measured("remaining_over_pulp", sum.pulp_mm, sigma, "mm", sum.pulp_at_mm));
+    NearPulpSink near(reference, volume, sum.pulp_mm + sigma);
+    for (const BrickShares& one : bricks)
+      if (one.shares.pulp_mm < sum.pulp_mm + sigma) removed_pieces(volume, one.brick, near);
+    out.push_back(measured("remaining_over_pulp", sum.pulp_mm, sigma, "mm", near.best.found() ? near.best.at_mm : sum.pulp_at_mm));
   }
   if (reference.pulp().empty()) {
     out.push_back(not_measured("pulp_exposure", ""));
@@ -156,7 +141,11 @@ std::string removed_key(Tissue tissue) {
 
 std::vector<Measure> measure(const Reference& reference, const Volume& volume, const Process& process) {
   RegionShares sum;
-  for (const int brick : bricks_to_measure(volume)) sum.add(shares_of_brick(reference, volume, brick));
+  std::vector<BrickShares> bricks;
+  for (const int brick : bricks_to_measure(volume)) {
+    bricks.push_back({brick, shares_of_brick(reference, volume, brick)});
+    sum.add(bricks.back().shares);
+  }
 
   std::vector<Measure> out;
   add_target(reference, volume, sum, out);
@@ -171,7 +160,7 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
                          kSeamSigmaVoxels * volume.grid().voxel_mm * sum.tissue_seam_mm2[i];
     out.push_back(measured(removed_key(tissue), sum.tissue_mm3[i], sigma, "mm3"));
   }
-  add_pulp(reference, volume, sum, out);
+  add_pulp(reference, volume, sum, bricks, out);
   if (process.time_s() > 0.0)
     out.push_back(measured("time", process.time_s(), kTickS, "s"));
   else

@@ -10,16 +10,20 @@ namespace {
 
 class ShareSink final : public PlaceSink {
  public:
-  ShareSink(const Reference& reference, RegionShares& shares)
-      : PlaceSink(reference.shape(), reference.leeway()), reference_(reference), shares_(shares) {}
+  ShareSink(const Reference& reference, const Volume& volume, RegionShares& shares)
+      : PlaceSink(reference.shape(), reference.leeway()), reference_(reference), judge_(volume), shares_(shares) {}
 
   void face(const std::array<Vec3, 3>& corners, double mm2, Tissue tissue) override {
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     double d = 0;
-    const auto place = static_cast<std::size_t>(place_at(middle, d));
+    const Place where = place_at(middle, d);
+    const auto place = static_cast<std::size_t>(where);
     shares_.cut_face_mm2[place] += mm2;
     shares_.tissue_face_mm2[index_of(tissue)] += mm2;
-    if (d > shares_.worst[place].mm) shares_.worst[place] = {d, middle};
+    if (where == Place::leeway_floor || where == Place::beyond_floor)
+      judge_.offer(corners, FaceKind::floor, reference_.shape().below_floor_mm(middle.z), shares_.worst[place]);
+    if (where == Place::leeway_side || where == Place::beyond_side)
+      judge_.offer(corners, FaceKind::wall, d, shares_.worst[place]);
     if (!reference_.pulp().empty()) pulp(corners);
   }
 
@@ -43,6 +47,7 @@ class ShareSink final : public PlaceSink {
   }
 
   const Reference& reference_;
+  FaceJudge judge_;
   RegionShares& shares_;
   Vec3 asked_at_{0.0};
   double asked_mm_ = -1.0;  // a lower bound of the distance to the pulp there
@@ -80,7 +85,7 @@ void RegionShares::add(const RegionShares& other) noexcept {
   for (std::size_t i = 0; i < static_cast<std::size_t>(kPlaces); ++i) {
     removed_mm3[i] += other.removed_mm3[i];
     cut_face_mm2[i] += other.cut_face_mm2[i];
-    if (other.worst[i].mm > worst[i].mm) worst[i] = other.worst[i];
+    if (other.worst[i].better_than(worst[i])) worst[i] = other.worst[i];
   }
   for (std::size_t i = 0; i < kTissueCodes; ++i) {
     tissue_mm3[i] += other.tissue_mm3[i];
@@ -95,7 +100,7 @@ void RegionShares::add(const RegionShares& other) noexcept {
 
 RegionShares shares_of_brick(const Reference& reference, const Volume& volume, int brick) {
   RegionShares shares;
-  ShareSink sink(reference, shares);
+  ShareSink sink(reference, volume, shares);
   removed_pieces(volume, brick, sink);
   add_seams(volume, brick, shares);
   return shares;

@@ -7,18 +7,14 @@
 #include <vector>
 
 #include "engine/volume/volume.h"
-#include "scenarios/metrics/reference.h"
+#include "scenarios/metrics/evidence.h"
 
 namespace cusp {
 
 struct RegionShares {
-  struct Worst {
-    double mm = 0;  // how far outside the target; 0 = none
-    Vec3 at_mm{0.0};
-  };
   std::array<double, kPlaces> removed_mm3{};           // by Place
   std::array<double, kPlaces> cut_face_mm2{};          // area that the burr left, by Place
-  std::array<Worst, kPlaces> worst{};                  // deepest place removed, by Place
+  std::array<Evidence, kPlaces> worst{};               // by Place: on a floor the deepest, on a wall the furthest out
   std::array<double, kTissueCodes> tissue_mm3{};       // removed
   std::array<double, kTissueCodes> tissue_face_mm2{};  // cut face in that tissue
   std::array<double, kTissueCodes> tissue_seam_mm2{};  // removed border between this tissue and another
