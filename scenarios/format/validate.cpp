@@ -6,9 +6,12 @@
 #include <optional>
 #include <set>
 
+#include "scenarios/format/json_text.h"
 #include "scenarios/format/keys.h"
+#include "scenarios/format/ranges.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
+#include "scenarios/format/write_document.h"
 
 namespace cusp {
 namespace {
@@ -16,6 +19,8 @@ namespace {
 /// Below these a shape is not resolved by the voxels (contact trials: a cut of the band cannot be told from its noise).
 constexpr double kLeastFeatureVoxels = 2.5;
 constexpr double kLeastRadiusVoxels = 3.0;
+/// Points of 100: a criterion of less does not show (scenarios/grading/maxima.h).
+constexpr double kLeastShare = 0.05;
 
 /// Below a limit that is itself a product of rounded numbers (3 voxels of 0.1 mm are a hair more than 0.3).
 bool below(double value, double limit) noexcept { return value < limit - 1e-9; }
@@ -28,11 +33,18 @@ double corner_of(const Burr& burr) noexcept {
   return burr.head.piece(1).radius;
 }
 
+void errors_first(std::vector<Finding>& findings) {
+  std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
+    return a.severity == Severity::error && b.severity == Severity::warning;
+  });
+}
+
 class Checks {
  public:
   explicit Checks(const Scenario& scenario, const SpecimenFacts* specimen) : s_(scenario), facts_(specimen) {}
 
   std::vector<Finding> run() {
+    ranges(document_of(s_), "");
     texts();
     tissues();
     phenomena();
@@ -40,9 +52,7 @@ class Checks {
     target();
     rubric();
     if (facts_ != nullptr) specimen();
-    std::ranges::stable_sort(out_, [](const Finding& a, const Finding& b) {
-      return a.severity == Severity::error && b.severity == Severity::warning;
-    });
+    errors_first(out_);
     return std::move(out_);
   }
 
@@ -58,6 +68,24 @@ class Checks {
   }
   bool has_tissue(Tissue tissue) const {
     return std::ranges::any_of(s_.tissues, [&](const ScenarioTissue& t) { return t.tissue == tissue; });
+  }
+
+  /// Every number of the document against the one table (ranges.h).
+  void ranges(const nlohmann::json& node, const std::string& pointer) {
+    if (node.is_object()) {
+      for (auto it = node.begin(); it != node.end(); ++it) ranges(it.value(), pointer + json_text::pointer_step(it.key()));
+    } else if (node.is_array()) {
+      for (std::size_t i = 0; i < node.size(); ++i) ranges(node[i], pointer + "/" + std::to_string(i));
+    } else if (node.is_number()) {
+      const double value = node.get<double>();
+      const NumberRange* range = range_of(pointer);
+      if (!std::isfinite(value)) {
+        error(pointer, std::string(key_of(FormatError::not_finite)));
+      } else if (range != nullptr && !range->holds(value)) {
+        error(pointer, std::string(key_of(FormatError::out_of_range)),
+              {{"value", value}, {"least", range->least}, {"most", range->most}}, range->text());
+      }
+    }
   }
 
   void texts() {
@@ -152,7 +180,8 @@ class Checks {
         }
       }
     }
-    if (box && (t.box_size_mm.x <= 0 || t.box_size_mm.y <= 0)) error("/target/box_size_mm", "empty_target");
+    const double least = range_of("/target/width_mm")->least;
+    if (box && (below(t.box_size_mm.x, least) || below(t.box_size_mm.y, least))) error("/target/box_size_mm", "empty_target");
 
     const double narrow = box ? std::min(t.box_size_mm.x, t.box_size_mm.y) : t.width_mm;
     const char* narrow_path = box ? "/target/box_size_mm" : "/target/width_mm";
@@ -218,7 +247,7 @@ class Checks {
       const Criterion& c = r.criteria[i];
       const Bands& b = c.bands;
       weights += c.weight;
-      if (!(c.weight > 0)) error(at("/rubric/criteria", i, "/weight"), "weight_zero", {}, c.metric);
+      if (c.weight == 0) error(at("/rubric/criteria", i, "/weight"), "weight_zero", {}, c.metric);
       const std::array edges = {b.fail_lo, b.acc_lo, b.ideal_lo, b.ideal_hi, b.acc_hi, b.fail_hi};
       if (!std::ranges::is_sorted(edges)) {
         error(at("/rubric/criteria", i, "/bands"), "bands_not_ordered", {}, c.metric);
@@ -237,6 +266,11 @@ class Checks {
         best = std::max(share(b, metric->least), share(b, metric->most));
       }
       reachable += best * c.weight;
+    }
+    for (std::size_t i = 0; i < r.criteria.size(); ++i) {
+      const double share = 100 * r.criteria[i].weight / weights;
+      if (share > 0 && share < kLeastShare)
+        warn(at("/rubric/criteria", i, "/weight"), "weight_vanishes", {{"value", share}, {"limit", kLeastShare}}, r.criteria[i].metric);
     }
     if (ordered && weights > 0) {
       const double most = 100 * reachable / weights;
@@ -329,9 +363,13 @@ std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* spe
 std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* specimen) {
   const auto scenario = read_scenario(text);
   if (scenario) {
-    std::vector<Finding> out = check_schema(text);
-    std::vector<Finding> more = validate(*scenario, specimen);
-    out.insert(out.end(), more.begin(), more.end());
+    std::vector<Finding> out = validate(*scenario, specimen);
+    const std::size_t own = out.size();
+    for (Finding& finding : check_schema(text)) {
+      const auto said = [&](const Finding& f) { return f.severity == Severity::error && f.path == finding.path; };
+      if (std::none_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(own), said)) out.push_back(std::move(finding));
+    }
+    errors_first(out);
     return out;
   }
   const FormatFailure& failure = scenario.error();

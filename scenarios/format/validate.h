@@ -19,7 +19,7 @@ struct Finding {
   Severity severity = Severity::error;
   std::string path;                    // JSON pointer
   std::string code;                    // "bands_not_ordered", or a key of FormatError
-  std::map<std::string, double> args;  // numbers of the sentence: "value", "limit"
+  std::map<std::string, double> args;  // numbers of the sentence: "value", "limit"; of out_of_range "least", "most"
   std::string detail;                  // a key that the sentence names, or what the schema's library said
 };
 
@@ -33,7 +33,8 @@ struct SpecimenFacts {
 /// Facts of a dense volume; one pass over it.
 SpecimenFacts facts_of(const VoxelVolume& volume);
 
-/// Errors first, then warnings; empty when all is well. Codes besides those of FormatError and "schema":
+/// Errors first, then warnings; empty when all is well. Every number is held against ranges.h (out_of_range, not_finite).
+/// Codes besides those of FormatError and "schema":
 /// errors: no_instrument, no_target, path_count, point_count, empty_target, no_criteria, weight_zero,
 /// bands_not_ordered,
 ///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of
@@ -41,10 +42,11 @@ SpecimenFacts facts_of(const VoxelVolume& volume);
 ///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside, voxel_mismatch;
 /// warnings: feature_thin (below 2.5 voxels), burr_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
 ///   burr_wider_than_target, corner_below_burr, leeway_below_voxel, point_off_floor, target_scores_less (a go that
-///   meets the target loses points), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
+///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 
-/// Schema first, then read, then validate(scenario). A text that does not read yields its reasons and stops there.
+/// Read, then validate(scenario), then what the schema minds besides, errors first. A text that does not read yields its
+/// reasons and stops there.
 std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* specimen = nullptr);
 
 bool has_error(const std::vector<Finding>& findings) noexcept;

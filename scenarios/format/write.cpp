@@ -4,6 +4,7 @@
 
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/keys.h"
+#include "scenarios/format/write_document.h"
 
 namespace cusp {
 namespace {
@@ -166,6 +167,8 @@ Json json_of(const Scenario& scenario) {
 
 }  // namespace
 
+nlohmann::json document_of(const Scenario& scenario) { return json_of<nlohmann::json>(scenario); }
+
 std::string write_scenario(const Scenario& scenario) {
   std::string out;
   json_text::append(out, json_of<nlohmann::ordered_json>(scenario), 0);
@@ -175,7 +178,7 @@ std::string write_scenario(const Scenario& scenario) {
 
 std::string canonical_json(const Scenario& scenario) {
   std::string out;
-  json_text::append(out, json_of<nlohmann::json>(scenario), -1);
+  json_text::append(out, document_of(scenario), -1);
   return out;
 }
 

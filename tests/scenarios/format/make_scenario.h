@@ -23,11 +23,11 @@ class ScenarioMaker {
     s.specimen = specimen();
     for (std::size_t code = 1; code < kTissueCodes; ++code) {
       if (code >= kTissueKeys.size() && code < 16) continue;
-      if (pick(4) == 0) s.tissues.push_back({static_cast<Tissue>(code), above(0, 20), between(0, 100)});
+      if (pick(4) == 0) s.tissues.push_back({static_cast<Tissue>(code), between(0.05, 20), between(0.01, 100)});
     }
     for (int i = pick(4); i > 0; --i) {
       s.instruments.push_back(
-          {std::to_string(i) + text(), above(0, 10), above(0, 10), between(0, 50), above(0, 10), between(0, 100), {}});
+          {std::to_string(i) + text(), between(0.05, 5), between(0.05, 5), between(0, 50), between(0.05, 5), between(0, 100), {}});
       if (coin()) continue;
       const std::vector<CatalogueBurr>& all = burr_catalogue();
       const Burr& one = all[static_cast<std::size_t>(pick(static_cast<int>(all.size())))].burr;
@@ -36,7 +36,7 @@ class ScenarioMaker {
     }
     s.device.needs_dof = 3 + pick(4);
     if (coin()) s.device.admitted = {"pointer", "falcon"};
-    s.device.full_force_n = above(0, 50);
+    s.device.full_force_n = between(0.1, 20);
     s.tool_tilt_deg = between(-80, 80);
     if (coin()) s.tool_turn_deg = between(0, 60);
     s.method = kMethods[static_cast<std::size_t>(pick(static_cast<int>(kMethods.size())))];
@@ -46,21 +46,21 @@ class ScenarioMaker {
       auto& path = s.target.paths.emplace_back();
       for (int k = 1 + pick(6); k > 0; --k) path.push_back(point());
     }
-    s.target.width_mm = above(0, 100);
-    s.target.depth_mm = above(0, 100);
+    s.target.width_mm = between(0.1, 100);
+    s.target.depth_mm = between(0.1, 100);
     s.target.top_mm = between(-1000, 1000);
-    s.target.corner_radius_mm = between(0, 10);
-    s.target.box_size_mm = point();
-    s.leeway = {between(0, 10), between(0, 10)};
+    s.target.corner_radius_mm = between(0, 5);
+    s.target.box_size_mm = {between(0, 1000), between(0, 1000), between(0, 1000)};
+    s.leeway = {between(0, 5), between(0, 5)};
     if (coin()) s.protected_tissues = {Tissue::pulp, static_cast<Tissue>(16 + pick(16))};
-    s.time_limit_s = coin() ? 0 : between(0, 86400);
-    s.rubric.pass = between(0, 100);
+    s.time_limit_s = coin() ? 0 : between(10, 86400);
+    s.rubric.pass = between(1, 100);
     for (const MetricKey& metric : kMetricKeys) {
-      if (coin()) s.rubric.criteria.push_back({std::string(metric.key), between(0, 1000), bands()});
+      if (coin()) s.rubric.criteria.push_back({std::string(metric.key), between(0.1, 1000), bands()});
     }
-    if (coin()) s.rubric.criteria.push_back({"removed_carious_dentine", between(0, 1000), bands()});
+    if (coin()) s.rubric.criteria.push_back({"removed_carious_dentine", between(0.1, 1000), bands()});
     if (coin()) s.rubric.critical = {"pulp_exposure"};
-    s.tolerance_points = between(0, 100);
+    s.tolerance_points = between(0, 20);
     return s;
   }
 
@@ -71,10 +71,6 @@ class ScenarioMaker {
   double between(double low, double high) {
     if (coin()) return low + std::floor((high - low) * pick(1000) / 1000);
     return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  double above(double low, double high) {
-    const double v = between(low, high);
-    return v > low ? v : high;
   }
   Vec3 point() { return {between(-1000, 1000), between(-1000, 1000), between(-1000, 1000)}; }
   Bands bands() {

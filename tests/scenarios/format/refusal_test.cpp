@@ -190,8 +190,9 @@ TEST(RefusedScenarioFile, WrongTypesAreRefusedAtTheirPlace) {
   EXPECT_GT(refused, 200);
 }
 
-/// Bounds: the last value inside reads and fits the schema, the first outside is refused by both.
-TEST(RefusedScenarioFile, BoundsAreTheSchemasBounds) {
+/// Bounds of the reader: the last value inside reads, the first outside is refused, by the schema too. What may be
+/// published is narrower for most numbers: ranges_test.cpp.
+TEST(RefusedScenarioFile, BoundsOfTheReaderAreHeldByTheSchemaToo) {
   struct Bound {
     const char* pointer;
     json inside, outside;
@@ -258,7 +259,9 @@ TEST(RefusedScenarioFile, BoundsAreTheSchemasBounds) {
     json document = sound();
     document[json::json_pointer(bound.pointer)] = bound.inside;
     EXPECT_TRUE(read_scenario(document.dump())) << bound.inside;
-    EXPECT_TRUE(check_schema(document.dump()).empty()) << bound.inside;
+    if (!bound.inside.is_number()) {
+      EXPECT_TRUE(check_schema(document.dump()).empty()) << bound.inside;
+    }
     document[json::json_pointer(bound.pointer)] = bound.outside;
     EXPECT_EQ(failure_of(document.dump()).code, FormatError::out_of_range) << bound.outside;
     EXPECT_FALSE(check_schema(document.dump()).empty()) << bound.outside;

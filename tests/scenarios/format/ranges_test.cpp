@@ -1,0 +1,187 @@
+#include "scenarios/format/ranges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/format/schema.h"
+#include "scenarios/format/validate.h"
+#include "scenarios/format/write.h"
+#include "scenarios/tissues/tissue_facts.h"
+#include "tests/scenarios/format/changed_scenario.h"
+
+namespace cusp {
+namespace {
+
+using nlohmann::json;
+
+struct SchemaNumber {
+  double least = -1e300, most = 1e300;
+  bool or_zero = false;
+};
+
+/// Every number of the schema by its path, "*" for the items of a list.
+class SchemaWalk {
+ public:
+  SchemaWalk() : schema_(json::parse(scenario_schema())) { walk(schema_, ""); }
+  std::map<std::string, SchemaNumber> found;
+
+ private:
+  void walk(const json& node, const std::string& path) {
+    if (node.contains("$ref")) {
+      const std::string ref = node["$ref"].get<std::string>();
+      walk(schema_.at(json::json_pointer(ref.substr(1))), path);
+    }
+    if (node.contains("oneOf")) {
+      for (const json& one : node["oneOf"]) walk(one, path);
+    }
+    if (node.contains("properties")) {
+      for (const auto& [key, value] : node["properties"].items()) walk(value, path + "/" + key);
+    }
+    if (node.contains("items")) walk(node["items"], path + "/*");
+    take(node, path);
+  }
+  void take(const json& node, const std::string& path) {
+    SchemaNumber number;
+    if (node.contains("enum") && node["enum"].front().is_number()) {
+      number.least = node["enum"].front().get<double>();
+      number.most = node["enum"].back().get<double>();
+    } else if (node.contains("type") && (node["type"] == "number" || node["type"] == "integer")) {
+      EXPECT_TRUE(node.contains("minimum") && node.contains("maximum")) << path << " has an open end";
+      EXPECT_FALSE(node.contains("exclusiveMinimum") || node.contains("exclusiveMaximum")) << path;
+      number.least = node.value("minimum", number.least);
+      number.most = node.value("maximum", number.most);
+      if (node.contains("anyOf")) {
+        EXPECT_EQ(node["anyOf"][0], json({{"maximum", 0}})) << path;
+        number.or_zero = true;
+        number.least = node["anyOf"][1]["minimum"].get<double>();
+      }
+    } else {
+      return;
+    }
+    const auto [at, fresh] = found.try_emplace(path, number);
+    EXPECT_TRUE(fresh || (at->second.least == number.least && at->second.most == number.most)) << path << " stands twice";
+  }
+
+  json schema_;
+};
+
+TEST(Ranges, AreTheSchemasBothWays) {
+  const SchemaWalk schema;
+  std::set<std::string> rows;
+  for (const NumberRange& row : number_ranges()) {
+    SCOPED_TRACE(row.path);
+    EXPECT_TRUE(rows.insert(std::string(row.path)).second) << "stands twice";
+    EXPECT_FALSE(row.reason.empty());
+    const auto at = schema.found.find(std::string(row.path));
+    ASSERT_TRUE(at != schema.found.end()) << "the schema has no such number";
+    EXPECT_EQ(at->second.least, row.least);
+    EXPECT_EQ(at->second.most, row.most);
+    EXPECT_EQ(at->second.or_zero, row.or_zero);
+  }
+  for (const auto& [path, _] : schema.found) EXPECT_TRUE(rows.contains(path)) << path << " has no range";
+  EXPECT_GT(rows.size(), 35u);
+}
+
+/// A scenario in which every number of the table stands.
+json with_everything() {
+  Scenario s = testing::sound_scenario();
+  s.specimen.generator = "tooth";
+  s.specimen.fdi = 36;
+  s.specimen.lesions = {{}};
+  s.tissues = {{Tissue::enamel, 3, 1}};
+  s.instruments = {catalogue_burr("245")->burr};
+  s.tool_turn_deg = 10;
+  s.time_limit_s = 60;
+  return json::parse(write_scenario(s));
+}
+
+/// The first place of a document that a path means.
+std::string first_place(std::string path) {
+  for (std::size_t at; (at = path.find('*')) != std::string::npos;) path[at] = '0';
+  return path;
+}
+
+std::vector<Finding> findings_with(const std::string& place, const json& value) {
+  json document = with_everything();
+  document[json::json_pointer(place)] = value;
+  return validate_text(document.dump());
+}
+
+bool refuses(const std::vector<Finding>& findings, const std::string& place) {
+  return std::ranges::any_of(findings, [&](const Finding& f) {
+    if (f.severity != Severity::error || f.path != place || f.detail.empty()) return false;
+    // A head's outline is read as a whole: what is wrong in it the reader says of the whole, the schema of the number.
+    return f.code == "out_of_range" || f.code == "newer_format" || (f.code == "schema" && place.starts_with("/instruments/0/"));
+  });
+}
+
+TEST(Ranges, TheLastValueInsideIsTakenAndTheFirstOutsideRefusedWithItsPlaceAndRange) {
+  for (const NumberRange& row : number_ranges()) {
+    const std::string place = first_place(std::string(row.path));
+    SCOPED_TRACE(place);
+    const bool whole = with_everything().at(json::json_pointer(place)).is_number_integer() &&
+                       (place == "/format" || place == "/version" || place == "/device/needs_dof" || place == "/specimen/fdi" ||
+                        place == "/specimen/seed");
+    const auto value = [&](double v) { return whole ? json(static_cast<std::int64_t>(v)) : json(v); };
+    const double step = whole ? 1.0 : 1e-6 * std::max(1.0, std::fabs(row.most - row.least));
+    for (const double inside : {row.least, row.most, row.or_zero ? 0.0 : row.least})
+      EXPECT_FALSE(refuses(findings_with(place, value(inside)), place)) << inside;
+    for (const double outside : {row.least - (row.least > 0 && !whole ? std::min(step, 0.5 * row.least) : step), row.most + step})
+      EXPECT_TRUE(refuses(findings_with(place, value(outside)), place)) << outside;
+  }
+}
+
+TEST(Ranges, WhatWasAcceptedAndWasNonsenseIsRefused) {
+  for (const auto& [place, value] : {std::pair<const char*, double>{"/tissues/0/stiffness_n_per_mm", 1e-300},
+                                     {"/device/full_force_n", 1e-12},
+                                     {"/tissues/0/speed_mm_s", 1e-300},
+                                     {"/rubric/pass", 0},
+                                     {"/instruments/0/shank_radius_mm", 1e-9}}) {
+    EXPECT_TRUE(refuses(findings_with(place, value), place)) << place;
+  }
+}
+
+TEST(Ranges, ANumberThatIsNoneIsNamedWhereItStands) {
+  Scenario s = testing::sound_scenario();
+  s.device.full_force_n = std::numeric_limits<double>::quiet_NaN();
+  s.target.depth_mm = std::numeric_limits<double>::infinity();
+  std::set<std::string> places;
+  for (const Finding& f : validate(s))
+    if (f.code == "not_finite") places.insert(f.path);
+  EXPECT_EQ(places, (std::set<std::string>{"/device/full_force_n", "/target/depth_mm"}));
+}
+
+TEST(Ranges, KnowEveryNumberThatAScenarioHolds) {
+  const auto walk = [](auto& self, const json& node, const std::string& at) -> void {
+    if (node.is_structured()) {
+      for (const auto& [key, value] : node.items()) self(self, value, at + "/" + key);
+    } else if (node.is_number()) {
+      EXPECT_NE(range_of(at), nullptr) << at;
+    }
+  };
+  walk(walk, with_everything(), "");
+  EXPECT_EQ(range_of("/tissues/x/speed_mm_s"), nullptr);
+  EXPECT_EQ(range_of("/tissues"), nullptr);
+  EXPECT_EQ(range_of(""), nullptr);
+}
+
+TEST(Ranges, HoldEveryBurrOfTheCatalogueAndEveryTissuesUsualFigures) {
+  for (const CatalogueBurr& one : burr_catalogue()) {
+    Scenario s = testing::sound_scenario();
+    s.instruments = {one.burr};
+    for (const Finding& f : validate(s)) EXPECT_NE(f.code, "out_of_range") << one.burr.name << " " << f.path;
+  }
+  for (std::size_t code = 1; code < kTissueKeys.size(); ++code) {
+    const TissueFacts& usual = tissue_facts(static_cast<Tissue>(code));
+    EXPECT_TRUE(range_of("/tissues/0/stiffness_n_per_mm")->holds(usual.stiffness_n_per_mm.value)) << code;
+    EXPECT_TRUE(range_of("/tissues/0/speed_mm_s")->holds(usual.speed_mm_s.value)) << code;
+  }
+}
+
+}  // namespace
+}  // namespace cusp
