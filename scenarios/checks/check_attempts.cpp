@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scenarios/checks/checks.h"
+#include "scenarios/grading/grader.h"
+#include "scenarios/metrics/measure.h"
+
+namespace cusp {
+namespace {
+
+constexpr double kTokenShare = 0.05;
+/// Points: rounding of a sum, not a merit.
+constexpr double kNoPoints = 1e-9;
+/// Somebody looks at the tooth for so long: time counts, force does not.
+constexpr std::uint64_t kIdleUs = 10'000'000;
+
+Process idle() {
+  StepOutput nothing;
+  nothing.elapsed_us = kIdleUs;
+  Process process;
+  process.add(nothing);
+  return process;
+}
+
+/// A half space that bounds a token cut: from the top down, or round the target's first place.
+struct Bound {
+  bool shaft;
+  Vec2 at;
+  double from(Vec3 p) const noexcept { return shaft ? glm::length(Vec2(p.x, p.y) - at) : -p.z; }
+};
+
+/// Every voxel that stands within the target.
+template <class Visit>
+void each_in_target(const Reference& reference, double out_to_mm, Visit&& visit) {
+  const Specimen& specimen = reference.specimen();
+  const TargetShape& shape = reference.shape();
+  const Grid& grid = specimen.grid();
+  const auto voxel = [&](Vec3 p) { return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm)); };
+  const IVec3 low =
+      glm::max(voxel({shape.low().x - out_to_mm, shape.low().y - out_to_mm, shape.floor_mm() - out_to_mm}), IVec3(0));
+  const IVec3 high = glm::min(voxel({shape.high().x + out_to_mm, shape.high().y + out_to_mm, 0.0}) + 1, grid.size - 1);
+  IVec3 v;
+  for (v.z = low.z; v.z < grid.size.z; ++v.z)
+    for (v.y = low.y; v.y <= high.y; ++v.y)
+      for (v.x = low.x; v.x <= high.x; ++v.x) {
+        const double d = shape.distance_mm(grid.centre_mm(v));
+        if (d <= out_to_mm) visit(v, d);
+      }
+}
+
+/// The specimen without the twentieth of the target that lies nearest to the bound's origin.
+Volume token(const Reference& reference, const std::shared_ptr<const Specimen>& specimen, const Bound& bound) {
+  const Grid& grid = specimen->grid();
+  std::vector<double> places;
+  each_in_target(reference, 0.0, [&](IVec3 v, double) {
+    if (specimen->s(v) >= kHalf) places.push_back(bound.from(grid.centre_mm(v)));
+  });
+  Volume out(specimen);
+  if (places.empty()) return out;
+  const auto at = places.begin() + static_cast<std::ptrdiff_t>(kTokenShare * static_cast<double>(places.size() - 1));
+  std::nth_element(places.begin(), at, places.end());
+  const double limit = *at;
+  const bool filled = specimen->reading() == Reading::filled;
+  std::vector<int> touched;
+  each_in_target(reference, (kBandVoxels + 1.0) * grid.voxel_mm, [&](IVec3 v, double target_mm) {
+    const double d = std::max(target_mm, bound.from(grid.centre_mm(v)) - limit) / grid.voxel_mm;
+    const std::uint16_t value = filled ? (d > 0.0 ? kSolid : std::uint16_t{0}) : solid_from_distance(-d);
+    if (value == kSolid) return;
+    const int brick = specimen->brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
+    std::uint16_t* cut = out.cut_for_writing(brick);
+    if (cut == nullptr) return;
+    cut[brick_offset(v.x & 7, v.y & 7, v.z & 7)] = value;
+    touched.push_back(brick);
+  });
+  std::ranges::sort(touched);
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  for (const int brick : touched) out.touched(brick);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
+  std::vector<Finding> out;
+  const Reference reference(scenario, specimen);
+  const Process process = idle();
+  const Grade untouched = grade(scenario, measure(reference, Volume(specimen), process));
+  if (untouched.score > kNoPoints || untouched.passed)
+    out.push_back({Severity::error, "/rubric/criteria", "idle_earns", {{"value", untouched.score}}, {}});
+  if (scenario.target.paths.empty() || scenario.target.paths.front().empty()) return out;
+  const Vec3 first = scenario.target.paths.front().front();
+  double most = -1.0;
+  for (const bool shaft : {false, true}) {
+    const Volume volume = token(reference, specimen, {shaft, {first.x, first.y}});
+    const Grade token_grade = grade(scenario, measure(reference, volume, process));
+    if (token_grade.passed) most = std::max(most, token_grade.score);
+  }
+  if (most >= 0.0)
+    out.push_back({Severity::error, "/rubric/criteria", "token_passes", {{"value", most}, {"limit", scenario.rubric.pass}}, {}});
+  return out;
+}
+
+std::vector<Finding> check_exercise(const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
+  std::vector<Finding> out = check_regions(scenario, *specimen);
+  for (Finding& finding : check_attempts(scenario, std::move(specimen))) out.push_back(std::move(finding));
+  for (Finding& finding : check_words(scenario, library_patterns())) out.push_back(std::move(finding));
+  std::ranges::stable_sort(out, [](const Finding& a, const Finding& b) {
+    return a.severity == Severity::error && b.severity == Severity::warning;
+  });
+  return out;
+}
+
+}  // namespace cusp

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scenarios/checks/checks.h"
+#include "scenarios/format/keys.h"
+#include "scenarios/shapes/leeway.h"
+
+namespace cusp {
+namespace {
+
+/// Less pulp in a target is a horn that it opens, not a chamber that it gives access to [M]: a chamber holds ten times that.
+constexpr double kLeastAccessMm3 = 1.0;
+
+struct Reached {
+  double target_mm3 = 0;  // of the tissue within the target
+  double deepest_mm = 0;  // of it, below the target's surface
+  double nearest_mm = 1e9;
+  bool in_leeway = false;
+};
+
+/// What of each tissue lies in the target and its leeway, by voxels' centres.
+std::array<Reached, kTissueCodes> reached_by(const Scenario& scenario, const Specimen& specimen) {
+  std::array<Reached, kTissueCodes> out;
+  const TargetShape shape(scenario.target);
+  if (shape.empty()) return out;
+  const Grid& grid = specimen.grid();
+  const double voxel_mm3 = grid.voxel_mm * grid.voxel_mm * grid.voxel_mm;
+  const double side = scenario.leeway.side_mm + grid.voxel_mm, below = scenario.leeway.floor_mm + grid.voxel_mm;
+  const auto voxel = [&](Vec3 p) { return IVec3(glm::floor((p - grid.origin_mm) / grid.voxel_mm)); };
+  const IVec3 low = glm::max(voxel({shape.low().x - side, shape.low().y - side, shape.floor_mm() - below}), IVec3(0));
+  const IVec3 high = glm::min(voxel({shape.high().x + side, shape.high().y + side, 0.0}) + 1, grid.size - 1);
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x) {
+      const Vec3 foot = grid.centre_mm({x, y, low.z});
+      const double u = shape.outline_mm({foot.x, foot.y});
+      if (u > side) continue;
+      for (int z = low.z; z < grid.size.z; ++z) {
+        if (specimen.s({x, y, z}) < kHalf) continue;
+        const double v = shape.below_floor_mm(grid.centre_mm({x, y, z}).z);
+        Reached& here = out[index_of(specimen.tissue({x, y, z}))];
+        const double d = rounded_corner(u, v, shape.corner_mm());
+        here.nearest_mm = std::min(here.nearest_mm, d);
+        if (d < 0.0) {
+          here.target_mm3 += voxel_mm3;
+          here.deepest_mm = std::max(here.deepest_mm, -v);
+        } else {
+          const Place place = place_of(u, v, shape.corner_mm(), scenario.leeway);
+          here.in_leeway = here.in_leeway || place == Place::leeway_floor || place == Place::leeway_side;
+        }
+      }
+    }
+  return out;
+}
+
+void check_pulp(const Scenario& scenario, const Reached& pulp, std::vector<Finding>& out) {
+  const bool there = std::ranges::any_of(scenario.tissues, [](const ScenarioTissue& t) { return t.tissue == Tissue::pulp; });
+  if (!there) return;
+  const bool rule = std::ranges::find(scenario.rubric.critical, "pulp_exposure") != scenario.rubric.critical.end();
+  if (pulp.target_mm3 > 0.0) {
+    if (rule || pulp.target_mm3 < kLeastAccessMm3)
+      out.push_back({Severity::error, "/target/depth_mm", "target_opens_pulp", {{"value", pulp.deepest_mm}}, rule ? "rule" : "horn"});
+    else
+      out.push_back({Severity::warning, "/target/depth_mm", "target_holds_pulp", {{"value", pulp.target_mm3}}, {}});
+    return;
+  }
+  if (!rule) out.push_back({Severity::warning, "/rubric/critical", "pulp_rule_off", {}, {}});
+  if (pulp.in_leeway)
+    out.push_back({Severity::warning, "/leeway/floor_mm", "leeway_opens_pulp", {{"value", pulp.nearest_mm}}, {}});
+}
+
+}  // namespace
+
+std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& specimen) {
+  std::vector<Finding> out;
+  const auto reached = reached_by(scenario, specimen);
+  check_pulp(scenario, reached[index_of(Tissue::pulp)], out);
+  double all = 0;
+  for (const Reached& r : reached) all += r.target_mm3;
+  if (!(all > 0.0)) out.push_back({Severity::error, "/target/paths", "target_without_tissue", {}, {}});
+  for (std::size_t i = 0; i < scenario.protected_tissues.size(); ++i) {
+    const Tissue tissue = scenario.protected_tissues[i];
+    if (tissue == Tissue::pulp) continue;
+    const Reached& here = reached[index_of(tissue)];
+    const std::string path = "/protected/" + std::to_string(i), key(key_of_scenario_tissue(tissue));
+    if (here.target_mm3 > 0.0)
+      out.push_back({Severity::error, path, "target_cuts_protected", {{"value", here.target_mm3}}, key});
+    else if (here.in_leeway)
+      out.push_back({Severity::warning, path, "leeway_cuts_protected", {{"value", here.nearest_mm}}, key});
+  }
+  return out;
+}
+
+}  // namespace cusp

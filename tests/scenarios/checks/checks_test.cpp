@@ -1,0 +1,204 @@
+#include "scenarios/checks/checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scenarios/library/library.h"
+#include "scenarios/specimens.h"
+
+namespace cusp {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+std::vector<std::string> codes(const std::vector<Finding>& findings) {
+  std::vector<std::string> out;
+  for (const Finding& f : findings) out.push_back((f.severity == Severity::error ? "error " : "warning ") + f.path + " " + f.code);
+  return out;
+}
+
+std::shared_ptr<const Specimen> grown(const Scenario& s) {
+  return Specimen::build(make_specimen(s.specimen, {}).value(), reading_of(s.method));
+}
+
+/// Class I on 36 in coarse voxels.
+struct Tooth {
+  Scenario scenario = [] {
+    Scenario s = load_builtin("class-1-36").value();
+    s.specimen.voxel_mm = 0.2;
+    return s;
+  }();
+  static const std::shared_ptr<const Specimen>& specimen() {
+    static const std::shared_ptr<const Specimen> one = grown(Tooth().scenario);
+    return one;
+  }
+  std::vector<std::string> regions() const { return codes(check_regions(scenario, *specimen())); }
+  std::vector<std::string> attempts() const { return codes(check_attempts(scenario, specimen())); }
+};
+
+void deepen(Scenario& s, double depth) {
+  s.target.depth_mm = depth;
+  for (auto& path : s.target.paths)
+    for (Vec3& p : path) p.z = s.target.top_mm - depth;
+}
+
+TEST(Checks, EveryExerciseOfTheLibraryHasNoFinding) {
+  for (const std::string_view key : builtin_scenarios()) {
+    SCOPED_TRACE(key);
+    Scenario s = load_builtin(key).value();
+    EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+    if (s.specimen.generator != "paper-block") s.specimen.voxel_mm = 0.2;
+    if (key == "class-1-36-jaw") continue;  // as class-1-36, in half a minute more
+    EXPECT_THAT(codes(check_exercise(s, grown(s))), IsEmpty());
+  }
+}
+
+TEST(Pulp, ATargetThatOpensItIsAnErrorWhetherOrNotItFailsTheAttempt) {
+  Tooth t;
+  deepen(t.scenario, 3.4);
+  EXPECT_THAT(t.regions(), Contains("error /target/depth_mm target_opens_pulp"));
+  t.scenario.rubric.critical.clear();
+  EXPECT_THAT(t.regions(), Contains("error /target/depth_mm target_opens_pulp"));
+}
+
+TEST(Pulp, AnAccessIsSaidToBeOneAndIsNoError) {
+  Tooth t;
+  deepen(t.scenario, 5.5);
+  t.scenario.target.width_mm = 3;
+  t.scenario.rubric.critical.clear();
+  EXPECT_THAT(t.regions(), ElementsAre("warning /target/depth_mm target_holds_pulp"));
+  t.scenario.rubric.critical = {"pulp_exposure"};
+  EXPECT_THAT(t.regions(), ElementsAre("error /target/depth_mm target_opens_pulp"));
+}
+
+TEST(Pulp, WithoutItsRuleAToothIsWarnedOf) {
+  Tooth t;
+  EXPECT_THAT(t.regions(), IsEmpty());
+  t.scenario.rubric.critical.clear();
+  EXPECT_THAT(t.regions(), ElementsAre("warning /rubric/critical pulp_rule_off"));
+}
+
+TEST(Pulp, ALeewayThatReachesItIsAWarning) {
+  Tooth t;
+  t.scenario.leeway.floor_mm = 2.5;
+  EXPECT_THAT(t.regions(), ElementsAre("warning /leeway/floor_mm leeway_opens_pulp"));
+}
+
+TEST(Protected, WhatTheTargetTakesIsAnErrorAndWhatItsLeewayTakesAWarning) {
+  Tooth t;
+  t.scenario.protected_tissues = {Tissue::pulp, Tissue::dentine};
+  EXPECT_THAT(t.regions(), ElementsAre("error /protected/1 target_cuts_protected"));
+  deepen(t.scenario, 0.6);
+  t.scenario.leeway = {0.5, 0.1};
+  EXPECT_THAT(t.regions(), Not(Contains("error /protected/1 target_cuts_protected")));
+  t.scenario.leeway.floor_mm = 2.0;
+  EXPECT_THAT(t.regions(), Contains("warning /protected/1 leeway_cuts_protected"));
+}
+
+TEST(Target, InTheAirHoldsNothingToCut) {
+  Tooth t;
+  t.scenario.target.top_mm = 30;
+  EXPECT_THAT(t.regions(), Contains("error /target/paths target_without_tissue"));
+}
+
+TEST(Attempts, OfTheClassOneGiveNothingForNothing) { EXPECT_THAT(Tooth().attempts(), IsEmpty()); }
+
+TEST(Attempts, IdlenessThatEarnsIsAnError) {
+  // Nothing asks for the target: what is kept intact counts whole.
+  Tooth t;
+  std::erase_if(t.scenario.rubric.criteria, [](const Criterion& c) { return c.metric == "target_removed"; });
+  EXPECT_THAT(t.attempts(), Contains("error /rubric/criteria idle_earns"));
+  // Full points for nothing removed.
+  Tooth u;
+  u.scenario.rubric.criteria[0].bands = {-2, -1, 0, 100, 100, 100};
+  EXPECT_THAT(u.attempts(), Contains("error /rubric/criteria idle_earns"));
+  // Time alone: whoever waits ten seconds has it.
+  Tooth v;
+  v.scenario.rubric.criteria = {{"time", 10, {0, 0, 0, 600, 700, 800}}};
+  EXPECT_THAT(v.attempts(), Contains("error /rubric/criteria idle_earns"));
+}
+
+TEST(Attempts, ATokenThatPassesIsAnError) {
+  // A shaft to the floor has the depth that is asked for.
+  Tooth t;
+  t.scenario.rubric.criteria = {{"depth_mean", 10, {1, 1.4, 1.6, 2.0, 2.2, 2.6}}};
+  EXPECT_THAT(t.attempts(), ElementsAre("error /rubric/criteria token_passes"));
+  // The top of the target is enough.
+  Tooth u;
+  u.scenario.rubric.criteria = {{"target_removed", 10, {0, 1, 2, 100, 100, 100}}};
+  EXPECT_THAT(u.attempts(), ElementsAre("error /rubric/criteria token_passes"));
+  u.scenario.rubric.criteria[0].bands = {0, 8, 20, 100, 100, 100};
+  EXPECT_THAT(u.attempts(), IsEmpty());
+}
+
+TEST(Attempts, OfAFilledReadingAreGradedToo) {
+  Scenario s = load_builtin("paper-block").value();
+  const auto block = grown(s);
+  EXPECT_THAT(codes(check_attempts(s, block)), IsEmpty());
+  s.rubric.criteria = {{"target_removed", 10, {0, 1, 2, 100, 100, 100}}};
+  EXPECT_THAT(codes(check_attempts(s, block)), ElementsAre("error /rubric/criteria token_passes"));
+}
+
+/// A copy of a library exercise under a name and a briefing of its own.
+Scenario copy_of(const char* key) {
+  Scenario s = load_builtin(key).value();
+  s.id = {};
+  s.key.clear();
+  return s;
+}
+
+TEST(Words, ACopyWithAnotherToothStillDescribesItsTemplate) {
+  Scenario s = copy_of("class-1-36");
+  EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+  s.specimen.fdi = 46;
+  EXPECT_THAT(codes(check_words(s, library_patterns())),
+              ElementsAre("warning /title/de text_of_template", "warning /title/de text_other_tooth",
+                          "warning /title/en text_of_template", "warning /title/en text_other_tooth",
+                          "warning /briefing/de text_of_template", "warning /briefing/en text_of_template"));
+  s.title = {{"en", "Class I, tooth 46"}};
+  s.briefing = {{"en", "Prepare a class I cavity in the lower right first molar, 1.8 mm deep."}};
+  EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+}
+
+TEST(Words, ADepthThatTheTargetNoLongerHasIsFoundInEveryLanguage) {
+  Scenario s = copy_of("class-1-36");
+  s.title = {{"en", "Deep class I"}, {"de", "Tiefe Klasse I"}};
+  s.briefing["en"] += " Take your time.";
+  s.briefing["de"] += " Lassen Sie sich Zeit.";
+  deepen(s, 2.2);
+  const auto findings = check_words(s, library_patterns());
+  EXPECT_THAT(codes(findings), ElementsAre("warning /briefing/de text_figure", "warning /briefing/en text_figure"));
+  EXPECT_EQ(findings[0].args.at("value"), 1.8);
+  EXPECT_EQ(findings[0].detail, "de");
+}
+
+TEST(Words, ALeewayThatTheTemplateHadIsFoundThoughTheDepthIsRight) {
+  Scenario s = copy_of("ring-2");
+  s.briefing["en"] += " Mind the wall.";
+  s.leeway = {0.4, 0.4};
+  const auto findings = check_words(s, library_patterns());
+  ASSERT_THAT(codes(findings), Contains("warning /briefing/en text_figure"));
+  EXPECT_EQ(findings.back().args.at("value"), 0.3);
+}
+
+TEST(Words, LengthsOfOtherThingsAreLeftAloneWhereTheDepthIsNamed) {
+  Scenario s = copy_of("class-1-36");
+  s.title = {{"en", "My class I"}};
+  s.briefing = {{"en", "Cut 1.8 mm deep and keep 1.6\xc2\xa0mm of the ridge; work for 12 minutes at 25 degrees."}};
+  EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+  s.briefing = {{"en", "Keep 1.6 mm of the ridge."}};
+  EXPECT_THAT(codes(check_words(s, library_patterns())), ElementsAre("warning /briefing/en text_figure"));
+}
+
+TEST(Words, AnotherToothsNumberIsFoundWithoutATemplate) {
+  Scenario s = copy_of("class-1-36");
+  s.title = {{"en", "Tooth 16"}};
+  s.briefing = {{"en", "As for 36 and 37."}};
+  EXPECT_THAT(codes(check_words(s, {})), ElementsAre("warning /title/en text_other_tooth"));
+}
+
+}  // namespace
+}  // namespace cusp
