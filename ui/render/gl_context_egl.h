@@ -1,5 +1,6 @@
 /// An OpenGL 3.3 core context without a window or display server, and a framebuffer to draw into.
-/// Thread: current on the thread that made it, until destroyed there.
+/// Thread: current on the thread that made it, until destroyed there. A thread on which a window's context is current
+/// cannot have one: libglvnd lets a thread use one window system at a time (eglMakeCurrent fails with 0x3002).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace cusp {
 
 class EglContext {
  public:
-  /// nullptr when there is none; `why` says what failed.
+  /// nullptr when there is none; `why` says which call failed and its code.
   static std::unique_ptr<EglContext> create(int width_px, int height_px, std::string* why = nullptr);
   ~EglContext();
   EglContext(const EglContext&) = delete;
@@ -21,6 +22,8 @@ class EglContext {
   int height() const noexcept { return height_; }
   /// What is in the framebuffer: top row first, R, G, B, A.
   std::vector<std::uint8_t> read_rgba() const;
+  /// The first error since the last asking, as "OpenGL 0x0505"; empty without one.
+  std::string failed_call() const;
 
  private:
   EglContext() = default;

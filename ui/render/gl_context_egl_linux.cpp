@@ -2,23 +2,67 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <mutex>
 
 #include "ui/render/gl_context_egl.h"
 
 namespace cusp {
+namespace {
+
+/// EGL gives every caller the same display, and eglTerminate() ends it for all of them: a picture that is done on one
+/// thread must not end the display under another. The last context to go terminates it.
+struct SharedDisplay {
+  std::mutex mutex;
+  EGLDisplay display = EGL_NO_DISPLAY;
+  int users = 0;
+};
+SharedDisplay& shared_display() {
+  static SharedDisplay shared;
+  return shared;
+}
+
+/// EGL_NO_DISPLAY when there is none. Each success needs one release_display().
+EGLDisplay acquire_display() {
+  SharedDisplay& shared = shared_display();
+  const std::lock_guard lock(shared.mutex);
+  if (shared.users == 0) {
+    // Surfaceless first: it needs neither a display server nor a card.
+    EGLDisplay display = EGL_NO_DISPLAY;
+    if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+      display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY) display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return EGL_NO_DISPLAY;
+    shared.display = display;
+  }
+  ++shared.users;
+  return shared.display;
+}
+
+void release_display() {
+  SharedDisplay& shared = shared_display();
+  const std::lock_guard lock(shared.mutex);
+  if (--shared.users == 0) eglTerminate(shared.display);
+}
+
+/// "eglMakeCurrent 0x3002"
+std::string with_code(const char* call, unsigned code) {
+  std::array<char, 16> number{};
+  std::snprintf(number.data(), number.size(), " 0x%04x", code);
+  return call + std::string(number.data());
+}
+
+}  // namespace
 
 std::unique_ptr<EglContext> EglContext::create(int width_px, int height_px, std::string* why) {
-  const auto give_up = [why](const char* where) {
-    if (why != nullptr) *why = where;
+  const auto give_up = [why](const char* call) {
+    if (why != nullptr) *why = with_code(call, static_cast<unsigned>(eglGetError()));
     return nullptr;
   };
   std::unique_ptr<EglContext> out(new EglContext);
-  // Surfaceless first: it needs neither a display server nor a card.
-  EGLDisplay display = EGL_NO_DISPLAY;
-  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
-    display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (display == EGL_NO_DISPLAY) display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return give_up("eglInitialize");
+  EGLDisplay display = acquire_display();
+  if (display == EGL_NO_DISPLAY) return give_up("eglInitialize");
   out->display_ = display;
   if (!eglBindAPI(EGL_OPENGL_API)) return give_up("eglBindAPI");
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -44,7 +88,10 @@ std::unique_ptr<EglContext> EglContext::create(int width_px, int height_px, std:
   glBindRenderbuffer(GL_RENDERBUFFER, out->depth_);
   glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width_px, height_px);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, out->depth_);
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return give_up("glCheckFramebufferStatus");
+  if (const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE) {
+    if (why != nullptr) *why = with_code("glCheckFramebufferStatus", status);
+    return nullptr;
+  }
   return out;
 }
 
@@ -59,7 +106,12 @@ EglContext::~EglContext() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
   }
-  eglTerminate(display_);
+  release_display();
+}
+
+std::string EglContext::failed_call() const {
+  const GLenum code = glGetError();
+  return code == GL_NO_ERROR ? std::string() : with_code("OpenGL", code);
 }
 
 std::vector<std::uint8_t> EglContext::read_rgba() const {

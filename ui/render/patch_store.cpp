@@ -73,6 +73,13 @@ std::optional<PickedPoint> PatchStore::pick(const Ray& ray) const {
   return best;
 }
 
+bool PatchStore::shows(Vec3 place_mm, Vec3 eye_mm) const {
+  const double far = glm::length(place_mm - eye_mm);
+  if (!(far > 0)) return true;
+  const auto hit = pick({eye_mm, (place_mm - eye_mm) / far});
+  return !hit || hit->distance_mm >= far - kSurfaceMm;
+}
+
 std::optional<Box> PatchStore::bounds() const {
   std::optional<Box> out;
   for (const auto& [brick, patch] : patches_) {

@@ -26,6 +26,9 @@ class PatchStore {
   const std::unordered_map<int, BakedPatch>& patches() const noexcept { return patches_; }
   /// First front face that the ray meets.
   std::optional<PickedPoint> pick(const Ray& ray) const;
+  /// Nothing of the mesh lies between the place and the eye. A place up to kSurfaceMm below a surface counts as on it.
+  bool shows(Vec3 place_mm, Vec3 eye_mm) const;
+  static constexpr double kSurfaceMm = 0.25;  // three voxels of 0.08: a measure's place may be a voxel's centre
   /// Box of everything; nullopt when empty.
   std::optional<Box> bounds() const;
   std::size_t triangles() const noexcept;

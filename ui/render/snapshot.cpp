@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <thread>
 
 #include "ui/render/gl_context_egl.h"
 
@@ -15,7 +17,7 @@ namespace {
 
 /// Half the size, four pixels into one: the edges come out smooth without multisampling.
 Picture halved(int width, int height, const std::vector<std::uint8_t>& twice) {
-  Picture out{width, height, {}};
+  Picture out{width, height, {}, {}};
   const auto row = static_cast<std::size_t>(width) * 8;
   out.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
   std::size_t to = 0;
@@ -53,9 +55,7 @@ bool write_png_rows(std::FILE* file, int width, int height, png_bytep first, std
   return true;
 }
 
-}  // namespace
-
-Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRequest& request) {
+Result<Picture, PictureFailure> draw_here(const Volume& volume, const PictureRequest& request) {
   std::string why;
   const int width = std::clamp(request.width_px, 16, 4096), height = std::clamp(request.height_px, 16, 4096);
   const std::unique_ptr<EglContext> context = EglContext::create(2 * width, 2 * height, &why);
@@ -86,7 +86,28 @@ Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRe
     picture->set_lines(target_lines(uncut, request.sideways_mm, request.leeway_mm));
   }
   picture->draw(scene, context->width(), context->height());
-  return halved(width, height, context->read_rgba());
+  const std::vector<std::uint8_t> pixels = context->read_rgba();
+  if (const std::string failed = context->failed_call(); !failed.empty()) return fail(PictureError::drawing, "OpenGL", failed);
+  Picture out = halved(width, height, pixels);
+  PatchStore beside;
+  if (request.scenery)
+    for (const BakedPatch& patch : request.scenery->patches()) beside.put(patch);
+  for (const Vec3& place : request.places_mm) {
+    const auto at = scene.camera.project(place, width, height);
+    const bool inside = at && at->x >= 0 && at->y >= 0 && at->x < width && at->y < height;
+    const bool seen = inside && store.shows(place, scene.camera.eye_mm()) && beside.shows(place, scene.camera.eye_mm());
+    out.places_px.push_back(seen ? at : std::nullopt);
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRequest& request) {
+  // A window's thread may hold the window's context, and cannot have a second one of another kind beside it.
+  std::optional<Result<Picture, PictureFailure>> drawn;
+  std::thread([&] { drawn.emplace(draw_here(volume, request)); }).join();
+  return std::move(*drawn);
 }
 
 Result<void, PictureFailure> write_png(const std::string& path, const Picture& picture) {

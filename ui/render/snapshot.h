@@ -1,7 +1,8 @@
-/// The tooth as a picture file, without a window: for reports and verbs. Any thread, one at a time; makes and drops a
-/// context of its own.
+/// The tooth as a picture file, without a window: for reports and verbs. Any thread, also a window's: each picture is
+/// drawn with a context of its own on a thread of its own, and the caller waits for it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,11 @@
 
 namespace cusp {
 
-enum class PictureError : std::uint8_t { no_opengl, cannot_write };
+enum class PictureError : std::uint8_t {
+  no_opengl,     // no context, or an older one than 3.3; detail: which call failed
+  drawing,       // OpenGL failed while drawing; detail: its error
+  cannot_write,  // where: the file
+};
 using PictureFailure = Failure<PictureError>;
 
 struct PictureRequest {
@@ -25,12 +30,14 @@ struct PictureRequest {
   /// Where to look: empty box = the whole specimen from above at a slant.
   Box look_at;
   PresetView view = PresetView::working;
+  std::vector<Vec3> places_mm;  // of which the picture says where they are drawn
 };
 
 /// Pixels, top row first, 4 bytes each (R, G, B, A).
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
+  std::vector<std::optional<glm::dvec2>> places_px{};  // of places_mm; none: hidden, or outside the picture
 };
 
 Result<Picture, PictureFailure> draw_tooth(const Volume& volume, const PictureRequest& request);

@@ -1,8 +1,10 @@
 // What is drawn, read back from a framebuffer without a window. Skipped where the machine has no OpenGL at all.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "tests/ui/render/ball.h"
 #include "ui/render/gl_context_egl.h"
@@ -21,7 +23,8 @@ Rgb at(const Picture& picture, int x, int y) {
   return {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]};
 }
 
-Volume ball_volume() { return Volume(Specimen::build(test::ball(1.5), Reading::banded)); }
+constexpr double kBallMm = 1.5;
+Volume ball_volume() { return Volume(Specimen::build(test::ball(kBallMm), Reading::banded)); }
 
 PictureRequest small() {
   PictureRequest out;
@@ -61,6 +64,57 @@ TEST_F(Drawn, the_same_request_gives_the_same_pixels) {
   const auto a = draw_tooth(ball_volume(), small()), b = draw_tooth(ball_volume(), small());
   ASSERT_TRUE(a && b);
   EXPECT_EQ(a->rgba, b->rgba);
+}
+
+TEST_F(Drawn, a_picture_leaves_the_callers_context_as_it_was) {
+  // A window's thread has its own context; on it no second one can be current, and none may be taken away.
+  std::string why;
+  const auto own = EglContext::create(64, 64, &why);
+  const auto picture = ToothPicture::create(&why);
+  ASSERT_TRUE(own && picture) << why;
+  Scene3d scene;
+  scene.background_middle = scene.background_edge = Colour{1, 0, 0};
+  picture->draw(scene, 64, 64);
+  const auto before = own->read_rgba();
+  ASSERT_TRUE(draw_tooth(ball_volume(), small()));
+  EXPECT_EQ(own->read_rgba(), before);
+  picture->draw(scene, 64, 64);
+  EXPECT_EQ(own->failed_call(), "");
+}
+
+TEST_F(Drawn, pictures_drawn_on_two_threads_do_not_end_each_others_display) {
+  // Both contexts come and go in turn: one that goes must leave the display to the other.
+  constexpr int kPictures = 40;
+  std::array<int, 2> drawn{};
+  std::array<std::string, 2> first_failure;
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t t = 0; t < 2; ++t)
+      threads.emplace_back([&, t] {
+        for (int i = 0; i < kPictures; ++i) {
+          std::string why;
+          const auto context = EglContext::create(32, 32, &why);
+          if (context) ++drawn[t];
+          else if (first_failure[t].empty()) first_failure[t] = why;
+        }
+      });
+  }
+  EXPECT_EQ(drawn[0], kPictures) << first_failure[0];
+  EXPECT_EQ(drawn[1], kPictures) << first_failure[1];
+}
+
+TEST_F(Drawn, a_place_is_told_where_it_is_seen_and_not_where_the_tooth_hides_it) {
+  PictureRequest request = small();
+  request.view = PresetView::occlusal;
+  request.places_mm = {{0, 0, kBallMm}, {0, 0, -kBallMm}, {0, 0, 0}};
+  const auto picture = draw_tooth(ball_volume(), request);
+  ASSERT_TRUE(picture);
+  ASSERT_EQ(picture->places_px.size(), 3u);
+  ASSERT_TRUE(picture->places_px[0]);
+  EXPECT_NEAR(picture->places_px[0]->x, 100, 2);  // on the axis that the view looks along
+  EXPECT_NEAR(picture->places_px[0]->y, 100, 2);
+  EXPECT_FALSE(picture->places_px[1]) << "on the far side";
+  EXPECT_FALSE(picture->places_px[2]) << "inside";
 }
 
 TEST_F(Drawn, cut_too_far_is_orange_and_left_standing_is_violet_in_the_difference_map) {
