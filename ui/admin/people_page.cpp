@@ -148,7 +148,7 @@ void PeoplePage::read() {
 
 bool PeoplePage::tell_if_failed(const Stored<void>& done) {
   if (done) return false;
-  const Told told = tell(done.error());
+  const Told told = tell_account(done.error(), number_->text().trimmed(), role_->currentIndex() == static_cast<int>(Role::student) ? Secret::pin : Secret::password);
   band_->show_message(Band::Kind::bad, told.what, told.more);
   return true;
 }
@@ -166,7 +166,7 @@ void PeoplePage::save() {
     NewAccount fresh{number, name, role, role == Role::student ? "" : secret, role == Role::student ? secret : ""};
     const auto made = store_.people.create(actor_, fresh);
     if (!made) {
-      const Told told = tell(made.error());
+      const Told told = tell_account(made.error(), QString::fromStdString(number), role == Role::student ? Secret::pin : Secret::password);
       band_->show_message(Band::Kind::bad, told.what, told.more);
       return;
     }

@@ -1,7 +1,5 @@
 #include "ui/app/failure_words.h"
 
-#include <QDateTime>
-#include <QLocale>
 #include <variant>
 
 #include "ui/app/sentences.h"
@@ -15,78 +13,6 @@ namespace {
 QString place(const std::string& where) { return isolate(text(where)); }
 
 }  // namespace
-
-Told tell(const StorageFailure& f) {
-  const QString where = place(f.where);
-  switch (f.code) {
-    case StorageError::not_found:
-      if (f.detail == "folder") {
-        return {Words::tr("The database’s folder is not there."),
-                Words::tr("There is no folder %1. Make it, or choose another place with --db.").arg(where)};
-      }
-      return {Words::tr("The record is not there."), Words::tr("%1 was not found. Nothing was changed.").arg(where)};
-    case StorageError::not_a_database:
-      return {Words::tr("This file is not a Cusp database."),
-              Words::tr("%1 was left as it is. Choose another file with --db.").arg(where)};
-    case StorageError::newer_schema:
-      return {Words::tr("This database was written by a newer version of Cusp."),
-              Words::tr("%1 was left as it is. Install the newer version to open it.").arg(where)};
-    case StorageError::network_drive:
-      return {Words::tr("The database lies on a network drive."),
-              Words::tr("%1 would not be safe there. Move it to this computer’s own disk.").arg(where)};
-    case StorageError::read_only:
-      if (f.detail == "new file") {
-        return {Words::tr("The database cannot be made there."),
-                Words::tr("No file can be made at %1. Choose another place with --db.").arg(where)};
-      }
-      return {Words::tr("The database cannot be written."),
-              Words::tr("%1 or its folder is read-only. Nothing was changed.").arg(where)};
-    case StorageError::disk_full:
-      return {Words::tr("The disk is full."),
-              Words::tr("Nothing of the last step was written to %1; all before it is kept. Free some space and try "
-                        "again.")
-                  .arg(where)};
-    case StorageError::io:
-      return {Words::tr("The disk failed."),
-              Words::tr("Nothing of the last step was written to %1; all before it is kept.").arg(where)};
-    case StorageError::busy:
-      return {Words::tr("Another program holds the database."),
-              Words::tr("%1 stayed as it was. Close the other program and try again.").arg(where)};
-    case StorageError::corrupt:
-      return {Words::tr("The database is damaged."),
-              Words::tr("%1 cannot be read whole. Nothing was changed; restore it from a backup.").arg(where)};
-    case StorageError::wrong_password:
-      return {Words::tr("Number and password do not match."), Words::tr("Check both and try again.")};
-    case StorageError::locked: {
-      const qint64 until_us = QString::fromStdString(f.detail).toLongLong();
-      if (until_us <= 0) return {Words::tr("Too many wrong tries."), Words::tr("Wait a little and try again.")};
-      const QDateTime until = QDateTime::fromMSecsSinceEpoch(until_us / 1000).toLocalTime();
-      return {Words::tr("Too many wrong tries."),
-              Words::tr("Signing in is open again at %1.").arg(QLocale().toString(until.time(), u"HH:mm:ss"_qs))};
-    }
-    case StorageError::disabled:
-      return {Words::tr("This account is switched off."), Words::tr("Ask an administrator to switch it on again.")};
-    case StorageError::not_allowed:
-      return {Words::tr("Your role may not do this."), Words::tr("Nothing was changed.")};
-    case StorageError::weak_password:
-      return {Words::tr("This password is too short."),
-              Words::tr("A password has at least 8 characters, a PIN exactly six digits. Nothing was changed.")};
-    case StorageError::last_administrator:
-      return {Words::tr("This is the last administrator."),
-              Words::tr("Somebody has to manage people. Make another administrator first.")};
-    case StorageError::duplicate:
-      return {Words::tr("This is there already."), Words::tr("%1 is taken. Nothing was changed.").arg(where)};
-    case StorageError::bad_value:
-      return {Words::tr("A value is missing or outside its range."),
-              Words::tr("Look at %1. Nothing was changed.").arg(where)};
-    case StorageError::wrong_state:
-      return {Words::tr("This go is not in a state that allows it."), Words::tr("Nothing was changed.")};
-    case StorageError::bad_trace:
-      return {Words::tr("The recording cannot be read."),
-              Words::tr("%1 is damaged; the grade and all other goes are kept.").arg(where)};
-  }
-  return {Words::tr("The database failed."), where};
-}
 
 Told tell(const FormatFailure& f) {
   const QString where = place(f.where), detail = text(f.detail);

@@ -21,6 +21,10 @@ struct Told {
 };
 
 Told tell(const StorageFailure& failure);
+/// What a person was asked for.
+enum class Secret : std::uint8_t { password, pin };
+/// Of signing in, of making an account and of changing one: names the person's number, never the database's file.
+Told tell_account(const StorageFailure& failure, const QString& number, Secret asked);
 Told tell(const FormatFailure& failure);
 Told tell(const ImportFailure& failure);
 Told tell(const PortFailure& failure);

@@ -55,7 +55,7 @@ void PasswordDialog::submit() {
     band_->show_message(Band::Kind::bad, tr("The password until now is another one."), tr("Nothing was changed."));
     return;
   }
-  const Told told = tell(done.error());
+  const Told told = tell_account(done.error(), QString::fromStdString(account_.number), Secret::password);
   band_->show_message(Band::Kind::bad, told.what, told.more);
 }
 

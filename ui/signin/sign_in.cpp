@@ -284,14 +284,18 @@ void SignIn::submit() {
     Q_EMIT signed_in(*account);
     return;
   }
-  if (account.error().code == StorageError::wrong_password && !as_staff) {
-    refuse({tr("Number and PIN do not match."), tr("Check both and try again.")});
+  const StorageFailure& failure = account.error();
+  // Nothing typed and no PIN wanted: then the account has a PIN or a password, and it is missing.
+  if (failure.code == StorageError::wrong_password && !as_staff && pin.isEmpty()) {
+    refuse({tr("The PIN is missing."), tr("It has six digits.")});
+  } else {
+    refuse(tell_account(failure, number, as_staff ? Secret::password : Secret::pin));
+  }
+  if (failure.code == StorageError::wrong_password && !as_staff) {
     pin_->clear();
     pin_->set_wrong(true);
     pin_->setFocus();
-    return;
   }
-  refuse(tell(account.error()));
   if (as_staff) {
     password_->selectAll();
     password_->setFocus();
@@ -317,7 +321,7 @@ void SignIn::create_administrator() {
   fresh.password = password_->text().toStdString();
   const auto account = store_.people.create_first_administrator(fresh);
   if (!account) {
-    refuse(tell(account.error()));
+    refuse(tell_account(account.error(), staff_number_->text().trimmed(), Secret::password));
     return;
   }
   Q_EMIT signed_in(*account);

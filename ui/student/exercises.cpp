@@ -1,11 +1,40 @@
 #include "ui/student/exercises.h"
 
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 
 #include "scenarios/format/read.h"
 #include "scenarios/library/library.h"
 
 namespace cusp {
+namespace {
+
+/// The cause of a write that failed, by errno.
+StorageFailure write_failure(int error, const std::filesystem::path& file) {
+  const StorageError code = error == ENOSPC || error == EDQUOT ? StorageError::disk_full : StorageError::io;
+  return {code, file.string(), error == 0 ? std::string() : std::generic_category().message(error)};
+}
+
+/// Written beside and renamed: a half file would be taken for the whole one next time.
+Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
+  const std::filesystem::path part = file.string() + ".part";
+  errno = 0;
+  std::ofstream out(part, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  std::error_code error;
+  if (!out) {
+    const StorageFailure failure = write_failure(errno, file);
+    std::filesystem::remove(part, error);
+    return std::unexpected(failure);
+  }
+  std::filesystem::rename(part, file, error);
+  if (error) return std::unexpected(write_failure(error.value(), file));
+  return {};
+}
+
+}  // namespace
 
 const Exercise* ExerciseList::find(ScenarioId id) const {
   for (const Exercise& e : exercises) {
@@ -47,20 +76,13 @@ Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exer
   const std::filesystem::path folder = cache / exercise.version.text();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return fail(StorageError::io, folder.string(), error.message());
+  if (error) return std::unexpected(write_failure(error.value(), folder));
   for (const auto& [name, hash] : exercise.files) {
     const std::filesystem::path file = folder / std::filesystem::path(name).filename();
     if (std::filesystem::exists(file, error)) continue;
     const auto bytes = store.blobs.get(hash);
     if (!bytes) return std::unexpected(bytes.error());
-    // Written beside and renamed: a half file would be taken for the whole one next time.
-    const std::filesystem::path part = file.string() + ".part";
-    std::ofstream out(part, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
-    out.close();
-    if (!out) return fail(StorageError::disk_full, file.string());
-    std::filesystem::rename(part, file, error);
-    if (error) return fail(StorageError::io, file.string(), error.message());
+    if (auto written = write_beside(file, *bytes); !written) return std::unexpected(written.error());
   }
   return folder;
 }
