@@ -160,7 +160,11 @@ QVector<NavEntry> Desktop::entries() {
   const Role role = account_->role;
   if (role == Role::student) {
     list += {u"start"_qs, tr("Start"), u"home"_qs, [this]() -> QWidget* {
-               auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now());
+               const DeviceKind* device = device_kind(DeviceSettings(settings_.file()).choice().kind);
+               auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(),
+                                          device != nullptr ? std::string(device->device_class) : std::string());
+               connect(page, &StartPage::go_on_wanted, this, &Desktop::go_on);
+               connect(page, &StartPage::grade_wanted, this, &Desktop::grade_interrupted);
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
                connect(page, &StartPage::start_wanted, this, &Desktop::drill);
                connect(page, &StartPage::report_wanted, this, &Desktop::open_report);

@@ -55,7 +55,11 @@ class Desktop : public QMainWindow {
 
   /// Starts a go; without an account nothing is kept.
   void drill(const Exercise& exercise);
+  /// Goes on with an attempt that broke off, from where it stood.
+  void go_on(const SessionId& session);
   void open_report(const SessionId& session);
+  /// Grades an attempt that broke off as it stands, keeps that grade and shows it.
+  void grade_interrupted(const SessionId& session);
   void edit(const EditorStart& start);
   void import_specimen();
 
@@ -77,6 +81,9 @@ class Desktop : public QMainWindow {
   void try_out(const RunPlan& plan, const QString& title);
   static std::filesystem::path volume_folder();
   QVector<NavEntry> entries();
+  enum class Keep : std::uint8_t { nothing, grade };
+  void open_result_page(const SessionId& session, Keep keep);
+  void show_drilling(const Exercise& exercise, RunPlan plan, const QString& aside);
   void show_result(std::shared_ptr<const RunResult> result, std::optional<Exercise> exercise);
   void tell_failure(const Told& told);
   void go_anywhere();

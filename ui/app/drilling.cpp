@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 
 #include "device/hid/hid_station.h"
+#include "scenarios/format/read.h"
 #include "ui/app/desktop.h"
 #include "ui/app/device_settings.h"
 #include "ui/device/falcon_words.h"
@@ -14,18 +15,39 @@ namespace cusp {
 
 void Desktop::drill(const Exercise& exercise) {
   RunPlan plan;
-  plan.scenario = exercise.scenario;
-  plan.version = exercise.version;
-  if (const auto folder = exercise_folder(*store_, exercise, volume_folder())) plan.scenario_folder = *folder;
-  DrillText text{local(exercise.scenario.title), tr("Try it: nothing is kept")};
+  QString aside = tr("Try it: nothing is kept");
   if (account_) {
     plan.database = database_;
     plan.student = account_->actor();
     const auto goes = store_->history.goes(account_->actor(), account_->id, exercise.scenario.id);
-    text.aside = tr("Practice, go %1").arg(goes.value_or(0) + 1);
+    aside = tr("Practice, go %1").arg(goes.value_or(0) + 1);
   } else {
     plan.kind = SessionKind::try_it;
   }
+  show_drilling(exercise, std::move(plan), aside);
+}
+
+void Desktop::go_on(const SessionId& session) {
+  const auto details = store_->history.details(account_->actor(), session);
+  if (!details) return tell_failure(tell(details.error()));
+  // The exercise as it was then: a newer version may have another target.
+  const auto version = store_->scenarios.version(details->session.version);
+  if (!version) return tell_failure(tell(version.error()));
+  auto scenario = read_scenario(version->json);
+  if (!scenario) return tell_failure(tell(scenario.error()));
+  RunPlan plan;
+  plan.database = database_;
+  plan.student = account_->actor();
+  plan.go_on = session;
+  const Exercise exercise{std::move(*scenario), version->id, version->number, version->files};
+  show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.go));
+}
+
+void Desktop::show_drilling(const Exercise& exercise, RunPlan plan, const QString& aside) {
+  plan.scenario = exercise.scenario;
+  plan.version = exercise.version;
+  if (const auto folder = exercise_folder(*store_, exercise, volume_folder())) plan.scenario_folder = *folder;
+  const DrillText text{local(exercise.scenario.title), aside};
   if (hid_) plan.pedal = hid_->pedal_source();
   auto* screen = new DrillScreen;
   screen->keep_sound_in(&settings_);

@@ -1,5 +1,6 @@
 #include "ui/app/grade_words.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/app/sentences.h"
@@ -66,6 +67,9 @@ QString with_unit(double value, const QString& unit) {
   return isolate(unit.isEmpty() ? number_of(value) : number_of(value) + QChar(0x00A0) + unit_text(unit));
 }
 
+/// Down to the tenth of a percent: "100 %" is never said where points are missing.
+QString share_text(double share) { return with_unit(std::floor(share * 1000 + 1e-6) / 10, u"%"_qs); }
+
 /// As many decimals as keep value and limit apart, up to three, and never fewer than `least`: "96.97", not "97", of 97.
 int decimals_apart(double value, double limit, int least) {
   int decimals = least;
@@ -95,9 +99,7 @@ QString reason_text(const CriterionGrade& g) {
   };
   const QString unit = text(g.measure.unit);
   if (g.reason_code == "little_drilled") {
-    // Down to the tenth: "100 %" is never said where points are missing.
-    const double percent = std::floor(arg("share") * 1000 + 1e-6) / 10;
-    return Words::tr("Counts only as far as the target is drilled: %1").arg(with_unit(percent, u"%"_qs));
+    return Words::tr("Counts only as far as the target was cut: %1").arg(share_text(arg("share")));
   }
   const double value = arg("value"), limit = arg("limit");
   const int decimals = decimals_apart(value, limit, unit == u"%" ? 1 : 2);
@@ -120,9 +122,21 @@ QString reason_text(const CriterionGrade& g) {
 
 int point_forms(double points) { return format_points(points) == format_points(1) ? 1 : 2; }
 
-QString lost_text(const CriterionGrade& g) {
-  const double lost = g.points_max - g.points;
+QString lost_text(const CriterionGrade& g, double lost) {
   return Words::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id), format_points(lost));
+}
+
+QString counted_text(const Grade& grade, const Rubric& rubric) {
+  if (std::ranges::none_of(grade.criteria, &CriterionGrade::counts_with_target)) return {};
+  for (const CriterionGrade& c : grade.criteria) {
+    if (c.id != "target_removed" || !c.measure.measured) continue;
+    for (const Criterion& asked : rubric.criteria) {
+      if (asked.metric != c.id || !(c.measure.value < asked.bands.ideal_lo)) continue;
+      const double share = std::max(0.0, c.measure.value) / asked.bands.ideal_lo;
+      return Words::tr("What stayed intact counts only as far as the target was cut: %1.").arg(share_text(share));
+    }
+  }
+  return {};
 }
 
 QString advice_text(const CriterionGrade& g) {

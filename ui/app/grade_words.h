@@ -20,8 +20,11 @@ QString wanted_text(const Criterion& criterion);
 QString reason_text(const CriterionGrade& grade);
 /// What to give tr() as %n for points that may be a fraction: only a plain "1" is singular, "1.5" and "0.5" are not.
 int point_forms(double points);
-/// "Floor depth, deepest: 1 point lost".
-QString lost_text(const CriterionGrade& grade);
+/// "Floor depth, deepest: 1 point lost". `lost`: scaled points (scenarios/grading/maxima.h).
+QString lost_text(const CriterionGrade& grade, double lost);
+/// The one sentence about criteria that count only as far as the target was cut; empty where all of it was, or where no
+/// criterion counts so. The grade's criteria carry their mark (mark_counted_with_target).
+QString counted_text(const Grade& grade, const Rubric& rubric);
 /// What to do next time, for a criterion that lost points by what was done; empty for the others.
 QString advice_text(const CriterionGrade& grade);
 

@@ -19,21 +19,24 @@ struct Opened {
   Told told;
 };
 
-Opened open_in_background(const std::filesystem::path& database, const SessionId& session) {
+Opened open_in_background(const std::filesystem::path& database, const SessionId& session, bool keep) {
   // A store belongs to one thread: this one opens its own on the same file.
   StoreOptions options;
   options.database.access = DatabaseOptions::Access::existing;
   options.mark_interrupted = false;
   auto store = Store::open(database, options);
   if (!store) return {std::nullopt, tell(store.error())};
-  auto result = open_result(**store, session);
+  auto result = open_result(**store, session, keep);
   if (!result) return {std::nullopt, tell(result.error())};
   return {std::move(*result), {}};
 }
 
 }  // namespace
 
-void Desktop::open_report(const SessionId& session) {
+void Desktop::open_report(const SessionId& session) { open_result_page(session, Keep::nothing); }
+void Desktop::grade_interrupted(const SessionId& session) { open_result_page(session, Keep::grade); }
+
+void Desktop::open_result_page(const SessionId& session, Keep keep) {
   auto* waiting = new QWidget;
   waiting->setProperty("kind", u"page"_qs);
   waiting->setAttribute(Qt::WA_StyledBackground);
@@ -41,9 +44,9 @@ void Desktop::open_report(const SessionId& session) {
   auto* busy = new Busy;
   column->addWidget(busy);
   push(waiting);
-  busy->start(tr("Opening the report"), false);
-  QThreadPool::globalInstance()->start([this, session, waiting = QPointer<QWidget>(waiting), database = database_] {
-    auto opened = std::make_shared<Opened>(open_in_background(database, session));
+  busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), false);
+  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), database = database_] {
+    auto opened = std::make_shared<Opened>(open_in_background(database, session, keep == Keep::grade));
     QMetaObject::invokeMethod(
         qApp,
         [this, opened, waiting] {

@@ -1,7 +1,6 @@
 #include "ui/cli/report_files.h"
 
 #include <QBuffer>
-#include <QImage>
 
 #include "scenarios/grading/report_json.h"
 #include "ui/cli/verb.h"
@@ -54,19 +53,18 @@ std::expected<void, Told> write_report_files(const std::filesystem::path& folder
   if (!write_whole(folder / "report.json", report_text(result, store, student))) {
     return std::unexpected(cannot_write(folder / "report.json"));
   }
-  const QImage tooth = draw_report_tooth(result, kPictureSidePx);
   const Actor reader = student.actor();
   const ReportData data = gather_report(result, &store, &reader);
+  const DrawnTooth tooth = draw_report_tooth(result, kPictureSidePx, places_on_paper(data));
   const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth);
   if (!pdf) return std::unexpected(cannot_write(folder / "report.pdf"));
-  if (tooth.isNull()) {
-    return std::unexpected(Told{CliWords::tr("The picture of the tooth cannot be drawn: there is no OpenGL."),
-                                CliWords::tr("The record and the report are kept.")});
+  if (!tooth) {
+    return std::unexpected(Told{picture_failure_text(tooth.error()), CliWords::tr("The record and the report are kept.")});
   }
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);
-  if (!tooth.save(&buffer, "PNG") || !write_whole(folder / "tooth.png", png.toStdString())) {
+  if (!tooth->image.save(&buffer, "PNG") || !write_whole(folder / "tooth.png", png.toStdString())) {
     return std::unexpected(cannot_write(folder / "tooth.png"));
   }
   return {};

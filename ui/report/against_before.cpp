@@ -5,6 +5,7 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "scenarios/grading/maxima.h"
 #include "ui/app/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
@@ -24,11 +25,15 @@ QString with_sign(double points) {
 
 AgainstBefore::AgainstBefore(const Grade& now, const Grade& before, QWidget* parent) : QWidget(parent) {
   QStringList spoken;
-  for (const CriterionGrade& c : now.criteria) {
+  const std::vector<ScaledPoints> points_now = scaled_points(now), points_before = scaled_points(before);
+  for (std::size_t i = 0; i < now.criteria.size(); ++i) {
+    const CriterionGrade& c = now.criteria[i];
     if (!(c.points_max > 0)) continue;
-    for (const CriterionGrade& b : before.criteria) {
+    for (std::size_t j = 0; j < before.criteria.size(); ++j) {
+      const CriterionGrade& b = before.criteria[j];
       if (b.id != c.id || !(b.points_max > 0)) continue;
-      rows_ += {metric_name(c.id), b.points / b.points_max, c.points / c.points_max, c.points - b.points};
+      rows_ += {metric_name(c.id), b.points / b.points_max, c.points / c.points_max,
+                points_now[i].points - points_before[j].points};
       spoken += tr("%1 %2").arg(rows_.last().name, with_sign(rows_.last().points));
     }
   }

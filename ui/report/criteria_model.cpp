@@ -1,22 +1,27 @@
 #include "ui/report/criteria_model.h"
 
 #include "ui/app/sentences.h"
-#include "ui/report/report_data.h"
 #include "ui/widgets/format.h"
 
 namespace cusp {
 
 CriteriaModel::CriteriaModel(const Grade& grade, const Rubric& rubric, QObject* parent)
-    : QAbstractTableModel(parent), grade_(grade), rubric_(rubric) {}
+    : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(rubric) {}
 
 int CriteriaModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(grade_.criteria.size());
 }
 int CriteriaModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
+bool CriteriaModel::neutral(int row) const {
+  const CriterionGrade& c = criterion(row);
+  return c.reason_code == "little_drilled" || !(c.points_max > 0);
+}
+
 Bar::Role CriteriaModel::bar_role(int row) const {
   const CriterionGrade& c = criterion(row);
-  if (c.points_max - c.points < kLeastLoss) return Bar::Role::good;
+  if (neutral(row)) return Bar::Role::plain;
+  if (points(row).points_max - points(row).points < kLeastShownLoss) return Bar::Role::good;
   return c.points < c.points_max / 2 ? Bar::Role::bad : Bar::Role::look;
 }
 
@@ -31,12 +36,13 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
     case IconRole:
       if (index.column() == kPlace) return m.where_mm ? u"target"_qs : QString();
       if (index.column() != kSign) return {};
-      if (!marked) return u"info"_qs;
+      if (!m.measured) return u"info"_qs;
+      if (neutral(index.row())) return u"minus"_qs;
       return bar_role(index.row()) == Bar::Role::good  ? u"check"_qs
              : bar_role(index.row()) == Bar::Role::bad ? u"cross"_qs
                                                        : u"warning"_qs;
     case IconInkRole:
-      if (index.column() != kSign || !marked) return static_cast<int>(Ink::text2);
+      if (index.column() != kSign || !m.measured || neutral(index.row())) return static_cast<int>(Ink::text2);
       return static_cast<int>(bar_role(index.row()) == Bar::Role::good  ? Ink::good
                               : bar_role(index.row()) == Bar::Role::bad ? Ink::bad
                                                                         : Ink::look);
@@ -44,7 +50,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kYours && m.measured) {
         return format_uncertainty({m.value, m.uncertainty, QString::fromStdString(m.unit)});
       }
-      if (index.column() == kPoints && marked) return u"/ "_qs + format_points(c.points_max);
+      if (index.column() == kPoints && marked) return u"/ "_qs + format_points(points(index.row()).points_max);
       return {};
     case ShareRole:
       return index.column() == kPoints && marked ? QVariant(c.points / c.points_max) : QVariant();
@@ -56,6 +62,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       if (index.column() == kSign) {
         if (!marked) return tr("not marked");
+        if (neutral(index.row())) return tr("counts with the target");
         return bar_role(index.row()) == Bar::Role::good ? tr("full points") : tr("points lost");
       }
       if (index.column() == kPlace) return m.where_mm ? tr("shows its place on the tooth") : QString();
@@ -75,7 +82,7 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
         if (wanted.metric == c.id) return wanted_text(wanted);
       }
       return {};
-    case kPoints: return marked ? format_points(c.points) : tr("no points");
+    case kPoints: return marked ? format_points(points(index.row()).points) : tr("no points");
     default: return {};
   }
 }

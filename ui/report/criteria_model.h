@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 
 #include "scenarios/grading/grade.h"
+#include "scenarios/grading/maxima.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/table.h"
 
@@ -21,9 +22,14 @@ class CriteriaModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   const CriterionGrade& criterion(int row) const { return grade_.criteria[static_cast<std::size_t>(row)]; }
   Bar::Role bar_role(int row) const;
+  /// As they are shown: their maxima sum to the grade's.
+  const ScaledPoints& points(int row) const { return points_[static_cast<std::size_t>(row)]; }
 
  private:
+  /// Nothing went wrong here, or nothing could be lost: a dash stands for it.
+  bool neutral(int row) const;
   Grade grade_;
+  std::vector<ScaledPoints> points_;
   Rubric rubric_;
 };
 

@@ -7,6 +7,7 @@
 #include <QPointer>
 #include <QThreadPool>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/drill/tooth_view.h"
 #include "ui/render/target_look.h"
@@ -56,11 +57,11 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
     view_->show_volume(*volume_, look.feed());
     turn_back();
     // Growing the rest of a jaw takes seconds; the tooth is shown meanwhile.
-    QThreadPool::globalInstance()->start([view = QPointer(view_), source = scenario.specimen] {
+    QThreadPool::globalInstance()->start([self = QPointer(this), source = scenario.specimen] {
       auto scenery = scenery_of(source);
       if (!scenery) return;
-      QMetaObject::invokeMethod(qApp, [view, scenery] {
-        if (view) view->set_scenery(scenery);
+      QMetaObject::invokeMethod(qApp, [self, scenery] {
+        if (self) self->set_scenery(scenery);
       }, Qt::QueuedConnection);
     });
   }
@@ -69,8 +70,23 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
 
 void PinnedTooth::show_difference(bool on) { view_->set_colouring(on ? Colouring::deviation : Colouring::tissue); }
 
+void PinnedTooth::set_scenery(std::shared_ptr<const SceneryLook> scenery) {
+  for (const BakedPatch& patch : scenery->patches()) beside_.put(patch);
+  view_->set_scenery(std::move(scenery));
+  place_pin();
+}
+
+Meshes PinnedTooth::meshes() const { return {&view_->store(), &beside_}; }
+
+bool PinnedTooth::ring_shown() const { return ring_->isVisibleTo(this); }
+
 void PinnedTooth::turn_back() {
   Camera camera = view_->camera();
+  if (const auto box = view_->store().bounds()) {
+    // The crown fills the view, whatever stands below it.
+    const Vec3 middle = 0.5 * (box->low + box->high);
+    camera = Camera::about({middle.x, middle.y, box->high.z}, 0.5 * std::hypot(box->high.x - box->low.x, box->high.y - box->low.y));
+  }
   camera.set_preset(PresetView::occlusal);
   view_->set_camera(camera);
   place_pin();
@@ -78,25 +94,31 @@ void PinnedTooth::turn_back() {
 
 void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more) {
   place_ = place_mm;
-  card_->setText(u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped()));
-  if (place_) view_->look_at(*place_);
+  text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped());
+  if (place_) view_->set_camera(look_at_place(view_->camera(), meshes(), *place_));
   place_pin();
 }
 
 void PinnedTooth::place_pin() {
   const auto at = place_ ? view_->project(*place_) : std::nullopt;
-  ring_->setVisible(at.has_value());
-  card_->setVisible(at.has_value());
-  if (!at) return;
-  ring_->move((*at - QPointF(ring_->width() / 2.0, ring_->height() / 2.0)).toPoint());
+  const bool seen = at && seen_from(view_->camera(), meshes(), *place_);
+  ring_->setVisible(seen);
+  card_->setVisible(place_.has_value());
+  if (!place_) return;
+  card_->setText(seen ? text_ : text_ + u"<br><i>%1</i>"_qs.arg(tr("The tooth hides this place. Turn it, or choose the row again.").toHtmlEscaped()));
   card_->setFixedWidth(px(200));
   card_->adjustSize();
+  card_->raise();
+  if (!seen) {
+    card_->move((width() - card_->width()) / 2, height() - card_->height() - px(8));
+    return;
+  }
+  ring_->move((*at - QPointF(ring_->width() / 2.0, ring_->height() / 2.0)).toPoint());
   // Below the place, or above it where there is no room; never outside.
   const double below = at->y() + px(36), above = at->y() - px(36) - card_->height();
   const double y = below + card_->height() < height() - px(8) ? below : std::max(above, px(8.0));
   const double x = std::clamp(at->x() - card_->width() / 2.0, px(8.0), std::max(px(8.0), width() - card_->width() - px(8.0)));
   card_->move(qRound(x), qRound(y));
-  card_->raise();
   ring_->raise();
 }
 

@@ -8,6 +8,8 @@
 
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
+#include "ui/render/scenery_look.h"
+#include "ui/report/place_view.h"
 
 class QLabel;
 
@@ -15,6 +17,7 @@ namespace cusp {
 
 class ToothView;
 
+/// A place that the tooth, or what stands about it, hides has no ring: its card stands at the foot of the view and says so.
 class PinnedTooth : public QWidget {
   Q_OBJECT
 
@@ -23,17 +26,24 @@ class PinnedTooth : public QWidget {
   void show_difference(bool on);
   void pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more);
   void turn_back();
+  /// The ring stands on the pinned place; false without a place, and while it is hidden.
+  bool ring_shown() const;
+  ToothView* view() const { return view_; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void place_pin();
+  Meshes meshes() const;
+  void set_scenery(std::shared_ptr<const SceneryLook> scenery);
   std::shared_ptr<const Volume> volume_;
+  PatchStore beside_;  // what stands about the tooth
   ToothView* view_;
   QWidget* ring_;
   QLabel* card_;
   std::optional<Vec3> place_;
+  QString text_;  // of the card, rich
 };
 
 /// Colours of the difference map with their figures.

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ui/app/burr_words.h"
+#include "scenarios/grading/grader.h"
 #include "ui/app/sentences.h"
-#include "ui/render/snapshot.h"
 #include "ui/render/target_look.h"
 #include "ui/widgets/format.h"
 
@@ -16,6 +16,8 @@ struct Words {
   Q_DECLARE_TR_FUNCTIONS(cusp::Report)
 };
 
+constexpr double kCrownMm = 4.0;  // below the specimen's top: about what of a molar is cut
+
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC).toLocalTime(); }
 
 }  // namespace
@@ -23,6 +25,9 @@ QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(ut
 ReportData gather_report(const RunResult& result, Store* store, const Actor* reader) {
   ReportData data;
   data.result = result;
+  // The records do not keep the mark.
+  mark_counted_with_target(data.result.grade, result.scenario.rubric);
+  data.critical = critical_events(result.grade, result.measures, store, result.session);
   data.title = local(result.scenario.title);
   for (const Measure& m : result.measures) {
     if (m.metric == "force_peak" && m.measured) data.peak_push_n = m.value;
@@ -60,17 +65,22 @@ ReportData gather_report(const RunResult& result, Store* store, const Actor* rea
   return data;
 }
 
-std::vector<const CriterionGrade*> lost_points(const Grade& grade) {
-  std::vector<const CriterionGrade*> lost;
-  for (const CriterionGrade& c : grade.criteria) {
-    if (c.points_max - c.points >= kLeastLoss) lost.push_back(&c);
+std::vector<Advice> next_time(const ReportData& data) {
+  std::vector<Advice> out;
+  for (const CriticalEvent& event : data.critical) {
+    out.push_back({critical_text(event, data.result.scenario.specimen),
+                   Words::tr("This fails the attempt, whatever its points."), critical_advice(event.key), event.place_mm,
+                   true});
   }
-  const auto follows = [](const CriterionGrade* c) { return c->reason_code == "little_drilled"; };
-  std::stable_sort(lost.begin(), lost.end(), [&](const CriterionGrade* a, const CriterionGrade* b) {
-    if (follows(a) != follows(b)) return follows(b);
-    return a->points_max - a->points > b->points_max - b->points;
-  });
-  return lost;
+  const Grade& grade = data.result.grade;
+  for (const LossReason& reason : loss_reasons(grade)) {
+    if (!reason.critical.empty()) continue;
+    const CriterionGrade& c = grade.criteria[reason.criterion];
+    if (c.reason_code == "little_drilled") continue;
+    out.push_back({lost_text(c, reason.lost), reason_text(c) + u'.', advice_text(c), c.measure.where_mm,
+                   c.points < c.points_max / 2});
+  }
+  return out;
 }
 
 QString occasion_text(const ReportData& data) {
@@ -115,8 +125,8 @@ QStringList burrs_used_text(const ReportData& data) {
   return lines;
 }
 
-QImage draw_report_tooth(const RunResult& result, int side_px) {
-  if (!result.volume) return {};
+DrawnTooth draw_report_tooth(const RunResult& result, int side_px, const std::vector<Vec3>& places_mm) {
+  if (!result.volume) return fail(PictureError::drawing, "volume", "no volume");
   const TargetLook look(result.scenario.target, result.scenario.leeway);
   PictureRequest request;
   request.width_px = request.height_px = side_px;
@@ -124,11 +134,24 @@ QImage draw_report_tooth(const RunResult& result, int side_px) {
   request.deviation = look.deviation();
   request.leeway_mm = result.scenario.leeway.side_mm;
   request.view = PresetView::occlusal;
+  // From above a root says nothing: the crown fills the picture.
+  const Grid& grid = result.volume->grid();
+  const Vec3 top = grid.centre_mm(grid.size);
+  request.look_at = {{grid.origin_mm.x, grid.origin_mm.y, top.z - kCrownMm}, top};
   request.scenery = scenery_of(result.scenario.specimen);
+  request.places_mm = places_mm;
   const auto picture = draw_tooth(*result.volume, request);
-  if (!picture) return {};
+  if (!picture) return std::unexpected(picture.error());
   const QImage view(picture->rgba.data(), picture->width, picture->height, picture->width * 4, QImage::Format_RGBX8888);
-  return view.convertToFormat(QImage::Format_RGB32);
+  ToothDrawing out{view.convertToFormat(QImage::Format_RGB32), {}};
+  for (const auto& at : picture->places_px) out.places_px.push_back(at ? std::optional(QPointF(at->x, at->y)) : std::nullopt);
+  return out;
+}
+
+QString picture_failure_text(const PictureFailure& failure) {
+  const QString cause = isolate(QString::fromStdString(failure.detail.empty() ? failure.where : failure.detail));
+  if (failure.code == PictureError::no_opengl) return Words::tr("The tooth could not be drawn: OpenGL 3.3 did not start (%1).").arg(cause);
+  return Words::tr("The tooth could not be drawn (%1).").arg(cause);
 }
 
 }  // namespace cusp

@@ -3,12 +3,16 @@
 
 #include <QDateTime>
 #include <QImage>
+#include <QPointF>
 #include <QString>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "scenarios/grading/maxima.h"
 #include "storage/store.h"
+#include "ui/app/critical_events.h"
+#include "ui/render/snapshot.h"
 #include "ui/session/burr_use.h"
 #include "ui/session/exercise_run.h"
 
@@ -23,6 +27,7 @@ struct ReportData {
   int go = 0;                     // 0 = nothing was kept
   std::optional<double> peak_push_n;
   std::vector<BurrSpan> burrs;    // what was in the handpiece when; empty when nothing was kept
+  std::vector<CriticalEvent> critical;  // of the grade, the opened pulp first
   std::optional<Grade> before;    // the best go before, of the same exercise and device class
   QDateTime before_when;
 };
@@ -30,11 +35,16 @@ struct ReportData {
 /// `store` and `reader` may be null: then only the result itself is shown.
 ReportData gather_report(const RunResult& result, Store* store, const Actor* reader);
 
-/// Points: a smaller loss does not show in figures with one decimal.
-inline constexpr double kLeastLoss = 0.05;
-
-/// Criteria that lost points, the dearest first; after them those that lost theirs only because little was drilled.
-std::vector<const CriterionGrade*> lost_points(const Grade& grade);
+/// One entry of "Next time".
+struct Advice {
+  QString head;                  // "The pulp was opened after 1:12 min", "Floor depth, deepest: 6 points lost"
+  QString why, what_to_do;       // sentences; may be empty
+  std::optional<Vec3> place_mm;  // where on the tooth
+  bool grave = false;            // a critical event, or more than half of a criterion's points
+};
+/// Critical events first, then the dearest losses. Criteria that count only as far as the target was cut are left out:
+/// counted_text() says them all in one sentence.
+std::vector<Advice> next_time(const ReportData& data);
 
 /// "Fri 20 Nov, 10:14 · Practice, go 7".
 QString occasion_text(const ReportData& data);
@@ -44,7 +54,15 @@ QString circumstances_text(const ReportData& data);
 /// "Burr 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", a line for each burr that was used; empty when nothing was kept.
 QStringList burrs_used_text(const ReportData& data);
 
-/// The tooth coloured by deviation, drawn without a window; null where there is no OpenGL.
-QImage draw_report_tooth(const RunResult& result, int side_px);
+/// The tooth coloured by deviation, and where on it the asked places are; none: hidden.
+struct ToothDrawing {
+  QImage image;
+  std::vector<std::optional<QPointF>> places_px;
+};
+using DrawnTooth = Result<ToothDrawing, PictureFailure>;
+/// Drawn without a window; takes about a second, and some more for the first of a jaw.
+DrawnTooth draw_report_tooth(const RunResult& result, int side_px, const std::vector<Vec3>& places_mm = {});
+/// "The tooth could not be drawn: OpenGL 3.3 did not start (eglMakeCurrent 0x3002)."
+QString picture_failure_text(const PictureFailure& failure);
 
 }  // namespace cusp

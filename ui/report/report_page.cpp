@@ -7,6 +7,7 @@
 #include <QPrinter>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/app/sentences.h"
 #include "ui/report/against_before.h"
@@ -57,18 +58,24 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
   column->addLayout(halves_, 1);
 
   const Grade& g = data_.result.grade;
-  if (!g.critical.empty()) {
+  if (!data_.critical.empty()) {
     QStringList what;
-    for (const std::string& critical : g.critical) what += critical_name(critical);
-    band_->show_message(Band::Kind::bad, what.join(u", "_qs) + u'.',
-                        tr("This fails the go, whatever its points; the points still stand."));
+    for (const CriticalEvent& event : data_.critical) what += critical_text(event, data_.result.scenario.specimen) + u'.';
+    band_->show_message(Band::Kind::bad, what.join(u' '), tr("This fails the attempt, whatever its points; the points still stand."));
   } else if (data_.result.state == SessionState::interrupted) {
     band_->show_message(Band::Kind::look, tr("This go broke off."), tr("It is marked as it stands."));
   }
-  // The dearest loss first: that is what the reader came for.
-  const auto lost = lost_points(g);
-  for (int i = 0; i < model_->rowCount(); ++i) {
-    if (!lost.empty() && model_->criterion(i).id == lost.front()->id) table_->choose_row(i);
+  // The dearest loss first: that is what the reader came for. What failed the attempt is pinned before it.
+  const bool opened_pulp = !data_.critical.empty() && data_.critical.front().key == "pulp_exposure";
+  for (const LossReason& reason : loss_reasons(g)) {
+    if (!reason.critical.empty()) continue;
+    if (table_->chosen_row() < 0 || (opened_pulp && g.criteria[reason.criterion].id == "remaining_over_pulp")) {
+      table_->choose_row(static_cast<int>(reason.criterion));
+    }
+  }
+  if (const auto opened = std::ranges::find_if(data_.critical, [](const CriticalEvent& e) { return e.place_mm.has_value(); });
+      opened != data_.critical.end()) {
+    tooth_->pin(opened->place_mm, critical_text(*opened, data_.result.scenario.specimen), critical_advice(opened->key));
   }
   setFocusProxy(table_);
 }
@@ -221,22 +228,27 @@ void ReportPage::choose(int row) {
 
 QWidget* ReportPage::make_next_time() {
   auto* card = new Card(tr("Next time"));
-  int shown = 0;
-  for (const CriterionGrade* c : lost_points(data_.result.grade)) {
-    if (++shown > kReasonsShown) break;
-    const bool much = c->points < c->points_max / 2;
+  std::vector<Advice> all = next_time(data_);
+  const QString counted = counted_text(data_.result.grade, data_.result.scenario.rubric);
+  if (all.empty() && counted.isEmpty()) {
+    QLabel* label = make_label(tr("Every criterion has its full points."), TextRole::body, false, "text2");
+    label->setWordWrap(true);
+    card->body()->addWidget(label);
+  }
+  if (all.size() > kReasonsShown) all.resize(kReasonsShown);
+  for (const Advice& advice : all) {
     auto* line = new QHBoxLayout;
     line->setSpacing(px(8));
     auto* sign = new QLabel;
-    sign->setPixmap(icon_pixmap(much ? u"cross"_qs : u"warning"_qs, much ? Ink::bad : Ink::look, 16, devicePixelRatioF()));
+    sign->setPixmap(icon_pixmap(advice.grave ? u"cross"_qs : u"warning"_qs, advice.grave ? Ink::bad : Ink::look, 16, devicePixelRatioF()));
     line->addWidget(sign, 0, Qt::AlignTop);
     auto* text = new QVBoxLayout;
     text->setSpacing(0);
-    QLabel* head = make_label(lost_text(*c), TextRole::body, true);
+    QLabel* head = make_label(advice.head, TextRole::body, true);
     head->setWordWrap(true);
     text->addWidget(head);
-    for (const QString& sentence : {reason_text(*c) + u'.', advice_text(*c)}) {
-      if (sentence.size() < 2) continue;
+    for (const QString& sentence : {advice.why, advice.what_to_do}) {
+      if (sentence.isEmpty()) continue;
       QLabel* label = make_label(sentence, TextRole::body, false, "text2");
       label->setWordWrap(true);
       text->addWidget(label);
@@ -244,10 +256,16 @@ QWidget* ReportPage::make_next_time() {
     line->addLayout(text, 1);
     card->body()->addLayout(line);
   }
-  if (shown == 0) {
-    QLabel* label = make_label(tr("Every criterion has its full points."), TextRole::body, false, "text2");
+  if (!counted.isEmpty()) {
+    auto* line = new QHBoxLayout;
+    line->setSpacing(px(8));
+    auto* sign = new QLabel;
+    sign->setPixmap(icon_pixmap(u"minus"_qs, Ink::text2, 16, devicePixelRatioF()));
+    line->addWidget(sign, 0, Qt::AlignTop);
+    QLabel* label = make_label(counted, TextRole::body, false, "text2");
     label->setWordWrap(true);
-    card->body()->addWidget(label);
+    line->addWidget(label, 1);
+    card->body()->addLayout(line);
   }
   card->body()->addStretch();
   return card;
@@ -281,18 +299,26 @@ QWidget* ReportPage::make_against() {
   return card;
 }
 
+const DrawnTooth& ReportPage::drawing() {
+  if (!drawing_) drawing_ = draw_report_tooth(data_.result, kPictureSide, places_on_paper(data_));
+  return *drawing_;
+}
+
 void ReportPage::save_pdf() {
   FileWish wish;
   wish.title = tr("Save the report");
   wish.name = (data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)).trimmed() + u".pdf"_qs;
   wish.filter = tr("PDF (*.pdf)");
   ports_.pick_file(this, wish, [this](const QString& path) {
-    const auto done = write_report_pdf(path.toStdString(), data_, draw_report_tooth(data_.result, kPictureSide));
-    if (done) {
-      band_->show_message(Band::Kind::good, tr("The report is saved."), path);
-    } else {
+    const auto done = write_report_pdf(path.toStdString(), data_, drawing());
+    if (!done) {
       band_->show_message(Band::Kind::bad, tr("The report was not saved."),
                           tr("%1 cannot be written. The go and its grade are kept.").arg(path));
+    } else if (!drawing()) {
+      band_->show_message(Band::Kind::look, tr("The report is saved without the picture of the tooth."),
+                          picture_failure_text(drawing().error()) + u' ' + path);
+    } else {
+      band_->show_message(Band::Kind::good, tr("The report is saved."), path);
     }
   });
 }
@@ -304,7 +330,11 @@ void ReportPage::print() {
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
     QPainter painter(printer);
     const QRectF page(QPointF(0, 0), printer->pageRect(QPrinter::DevicePixel).size());
-    paint_report(painter, page, printer->resolution() / 84.0, data_, draw_report_tooth(data_.result, kPictureSide));
+    paint_report(painter, page, printer->resolution() / 84.0, data_, drawing());
+    if (!drawing()) {
+      band_->show_message(Band::Kind::look, tr("The report is printed without the picture of the tooth."),
+                          picture_failure_text(drawing().error()));
+    }
   });
   dialog->open();
 }

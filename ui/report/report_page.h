@@ -46,6 +46,8 @@ class ReportPage : public QWidget {
   void choose(int row);
   void save_pdf();
   void print();
+  /// For the paper: drawn at the first asking, and kept.
+  const DrawnTooth& drawing();
 
   ReportData data_;
   const Ports& ports_;
@@ -53,6 +55,7 @@ class ReportPage : public QWidget {
   Table* table_ = nullptr;
   PinnedTooth* tooth_ = nullptr;
   Band* band_ = nullptr;
+  std::optional<DrawnTooth> drawing_;
   QBoxLayout *halves_, *below_;  // tooth and words; what to do and what was before
 };
 

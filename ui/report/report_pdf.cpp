@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QLocale>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
@@ -20,6 +21,11 @@ namespace {
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(cusp::Report)
 };
+
+// Pixels of the screen at 100 %; `unit` of the paper to each.
+constexpr double kToothHigh = 250, kToothRatio = 1.35;  // of the picture, and how much wider than high it is
+constexpr double kRing = 8;                             // radius of a number on the picture
+constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time": what one page has room for
 
 /// A pen that writes downwards.
 class Paper {
@@ -90,26 +96,77 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   paper.write(circumstances_text(d), right, w - width, 11, false, t.text2);
   for (const QString& used : burrs_used_text(d)) paper.write(used, right, w - width, 11, false, t.text2);
   paper.skip(14);
-  for (const std::string& critical : g.critical) {
-    paper.write(Words::tr("%1: this fails the go, whatever its points.").arg(critical_name(critical)), x, w, 12, true, t.bad);
+  for (const CriticalEvent& event : d.critical) {
+    paper.write(Words::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), x, w, 12, true, t.bad);
     paper.skip(4);
   }
 }
 
-void write_tooth(Paper& paper, const QImage& tooth, const Tokens& t) {
-  const QRectF page = paper.page();
-  const double side = paper.u(250);
-  const QRectF where(page.left(), paper.y(), side * 1.35, side);
-  if (tooth.isNull()) {
-    paper.painter().fillRect(where, t.sunken);
-    paper.painter().setFont(paper.font(11));
-    paper.painter().setPen(t.text2);
-    paper.painter().drawText(where, Qt::AlignCenter, Words::tr("No picture: this computer has no OpenGL."));
-  } else {
-    const double ratio = where.width() / where.height();
-    const QRectF part(0, tooth.height() * (1 - 1 / ratio) / 2, tooth.width(), tooth.width() / ratio);
-    paper.painter().drawImage(where, tooth, part);
+/// "1" in a ring, as on the picture and before the sentence that it belongs to.
+void draw_number(Paper& paper, QPointF middle, int number, const Tokens& t) {
+  QPainter& p = paper.painter();
+  const double r = paper.u(kRing);
+  p.setPen(QPen(t.text, paper.u(1)));
+  p.setBrush(t.surface);
+  p.drawEllipse(middle, r, r);
+  p.setFont(paper.font(9, true));
+  p.setPen(t.text);
+  p.drawText(QRectF(middle.x() - r, middle.y() - r, 2 * r, 2 * r), Qt::AlignCenter, QLocale().toString(number));
+}
+
+/// One entry of "Next time" on paper; `number` stands on the picture too, 0: its place is not seen there.
+struct PaperAdvice {
+  Advice advice;
+  std::optional<QPointF> at_px;
+  int number = 0;
+};
+
+std::vector<PaperAdvice> advice_on_paper(const ReportData& data, const DrawnTooth& tooth) {
+  std::vector<PaperAdvice> out;
+  std::size_t place = 0;
+  int number = 0;
+  for (Advice& advice : next_time(data)) {
+    if (out.size() == kAdviceShown) break;
+    PaperAdvice& one = out.emplace_back();
+    if (advice.place_mm) {
+      if (tooth && place < tooth->places_px.size()) one.at_px = tooth->places_px[place];
+      ++place;
+    }
+    if (one.at_px) one.number = ++number;
+    one.advice = std::move(advice);
   }
+  return out;
+}
+
+void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperAdvice>& marked, const Tokens& t) {
+  const QRectF page = paper.page();
+  const QRectF where(page.left(), paper.y(), paper.u(kToothHigh * kToothRatio), paper.u(kToothHigh));
+  QPainter& p = paper.painter();
+  if (!tooth) {
+    p.fillRect(where, t.sunken);
+    p.setFont(paper.font(11));
+    p.setPen(t.text2);
+    p.drawText(where.adjusted(paper.u(12), 0, -paper.u(12), 0), Qt::AlignCenter | Qt::TextWordWrap, picture_failure_text(tooth.error()));
+    return;
+  }
+  const QImage& image = tooth->image;
+  const QRectF part(0, image.height() * (1 - 1 / kToothRatio) / 2, image.width(), image.width() / kToothRatio);
+  p.drawImage(where, image, part);
+  const double scale = where.width() / part.width();
+  p.save();
+  p.setClipRect(where);
+  for (const PaperAdvice& mark : marked) {
+    if (mark.number == 0) continue;
+    // The number stands beside the place, so that what happened there is seen.
+    const QPointF at = where.topLeft() + (*mark.at_px - part.topLeft()) * scale;
+    const QPointF beside = at + QPointF(at.x() < where.center().x() ? -1 : 1, -1) * paper.u(16);
+    p.setPen(QPen(t.text, paper.u(1)));
+    p.drawLine(at, beside);
+    p.setBrush(t.text);
+    p.drawEllipse(at, paper.u(1.6), paper.u(1.6));
+    draw_number(paper, beside, mark.number, t);
+  }
+  p.restore();
 }
 
 void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
@@ -155,18 +212,19 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
   paper.skip(10);
 }
 
-void write_next_time(Paper& paper, const ReportData& d, const Tokens& t) {
-  const double x = paper.page().left(), w = paper.page().width();
+void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperAdvice>& shown, const Tokens& t) {
+  const double x = paper.page().left(), w = paper.page().width(), indent = paper.u(20);
   paper.write(Words::tr("Next time"), x, w, 13, true, t.text);
   paper.skip(4);
-  int shown = 0;
-  for (const CriterionGrade* c : lost_points(d.result.grade)) {
-    if (++shown > 4) break;
-    paper.write(Words::tr("%1. %2. %3").arg(lost_text(*c), reason_text(*c), advice_text(*c)).trimmed(), x, w, 11, false,
-                t.text);
-    paper.skip(3);
+  for (const auto& [advice, at, number] : shown) {
+    if (number > 0) draw_number(paper, {x + paper.u(kRing), paper.y() + paper.u(8)}, number, t);
+    paper.write(advice.head, x + indent, w - indent, 11, true, advice.grave ? t.bad : t.text);
+    paper.write((advice.why + u' ' + advice.what_to_do).trimmed(), x + indent, w - indent, 11, false, t.text);
+    paper.skip(4);
   }
-  if (shown == 0) paper.write(Words::tr("Every criterion has its full points."), x, w, 11, false, t.text);
+  const QString counted = counted_text(d.result.grade, d.result.scenario.rubric);
+  if (!counted.isEmpty()) paper.write(counted, x, w, 11, false, t.text);
+  if (shown.empty() && counted.isEmpty()) paper.write(Words::tr("Every criterion has its full points."), x, w, 11, false, t.text);
   if (d.before) {
     paper.skip(8);
     const double apart = d.result.grade.score - d.before->score;
@@ -177,41 +235,56 @@ void write_next_time(Paper& paper, const ReportData& d, const Tokens& t) {
   }
 }
 
+/// What the colours of the map mean, at the right of the tooth.
+void write_legend(Paper& paper, const Tokens& t) {
+  QPainter& painter = paper.painter();
+  const QRectF page = paper.page();
+  const double x = page.left() + paper.u(kToothHigh * kToothRatio + 20), w = page.right() - x;
+  const ToothColours& c = ToothColours::get();
+  const std::pair<QString, QColor> lines[] = {{Words::tr("0.5 mm and more left standing"), c.map[0]},
+                                              {Words::tr("0.3 mm left standing"), c.map[1]},
+                                              {Words::tr("on target, within 0.1 mm"), c.map[2]},
+                                              {Words::tr("0.3 mm cut too far"), c.map[3]},
+                                              {Words::tr("0.5 mm and more cut too far"), c.map[4]}};
+  double y = paper.y();
+  for (const auto& [text, colour] : lines) {
+    painter.setPen(QPen(t.border, paper.u(0.7)));
+    painter.setBrush(colour);
+    painter.drawRect(QRectF(x, y + paper.u(3), paper.u(12), paper.u(12)));
+    painter.setFont(paper.font(11));
+    painter.setPen(t.text);
+    const QRectF room(x + paper.u(20), y, w - paper.u(20), paper.u(60));
+    const int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    painter.drawText(room, flags, text);
+    y += std::max(paper.u(22), painter.boundingRect(room, flags, text).height() + paper.u(6));
+  }
+}
+
 }  // namespace
 
-void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const QImage& tooth) {
+std::vector<Vec3> places_on_paper(const ReportData& data) {
+  std::vector<Vec3> out;
+  std::size_t shown = 0;
+  for (const Advice& advice : next_time(data)) {
+    if (shown++ == kAdviceShown) break;
+    if (advice.place_mm) out.push_back(*advice.place_mm);
+  }
+  return out;
+}
+
+void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth) {
   const Tokens& t = Tokens::light();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   Paper paper(painter, page, unit);
   write_head(paper, data, t);
   write_score(paper, data, t);
-  write_tooth(paper, tooth, t);
-  // Legend at the right of the tooth.
-  {
-    const double x = page.left() + paper.u(250 * 1.35 + 20), w = page.right() - x;
-    const ToothColours& c = ToothColours::get();
-    const std::pair<QString, QColor> lines[] = {{Words::tr("0.5 mm and more left standing"), c.map[0]},
-                                                {Words::tr("0.3 mm left standing"), c.map[1]},
-                                                {Words::tr("on target, within 0.1 mm"), c.map[2]},
-                                                {Words::tr("0.3 mm cut too far"), c.map[3]},
-                                                {Words::tr("0.5 mm and more cut too far"), c.map[4]}};
-    double y = paper.y();
-    for (const auto& [text, colour] : lines) {
-      painter.setPen(QPen(t.border, paper.u(0.7)));
-      painter.setBrush(colour);
-      painter.drawRect(QRectF(x, y + paper.u(3), paper.u(12), paper.u(12)));
-      painter.setFont(paper.font(11));
-      painter.setPen(t.text);
-      const QRectF room(x + paper.u(20), y, w - paper.u(20), paper.u(60));
-      painter.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
-      y += std::max(paper.u(22), painter.boundingRect(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text).height() +
-                                     paper.u(6));
-    }
-  }
-  paper.skip(250 + 14);
+  const std::vector<PaperAdvice> advice = advice_on_paper(data, tooth);
+  write_tooth(paper, tooth, advice, t);
+  write_legend(paper, t);
+  paper.skip(kToothHigh + 14);
   write_criteria(paper, data, t);
-  write_next_time(paper, data, t);
+  write_next_time(paper, data, advice, t);
   // Foot: what identifies the go.
   painter.setFont(paper.font(8.5));
   painter.setPen(t.text3);
@@ -221,7 +294,7 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
 }
 
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
-                                          const QImage& tooth) {
+                                          const DrawnTooth& tooth) {
   const QString name = QString::fromStdString(file.string());
   const QString part = name + u".part"_qs;
   {

@@ -2,7 +2,6 @@
 /// platform is "offscreen" ("minimal" has no fonts).
 #pragma once
 
-#include <QImage>
 #include <QRectF>
 #include <filesystem>
 
@@ -16,11 +15,14 @@ namespace cusp {
 enum class PdfError : std::uint8_t { cannot_write };
 using PdfFailure = Failure<PdfError>;
 
-/// `tooth` may be null: then its place says so. Written beside the name and renamed, so that no half file is left.
+/// Places that the paper marks on its tooth: those of the first entries of next_time(), in their order.
+std::vector<Vec3> places_on_paper(const ReportData& data);
+
+/// `tooth` is of places_on_paper(). Where it failed, its place on the page says why. Written beside the name and renamed, so that no half file is left.
 Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, const ReportData& data,
-                                          const QImage& tooth);
+                                          const DrawnTooth& tooth);
 
 /// Onto any paper: `page` in the painter's units, `unit` of them to a pixel of the screen.
-void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const QImage& tooth);
+void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth);
 
 }  // namespace cusp

@@ -6,6 +6,7 @@
 #include <QPainterPath>
 #include <QPushButton>
 
+#include "scenarios/grading/maxima.h"
 #include "ui/app/burr_words.h"
 #include "ui/app/sentences.h"
 #include "ui/widgets/format.h"
@@ -127,10 +128,10 @@ Briefing::Briefing(const Exercise& exercise, PictureShelf& pictures, const std::
   auto* table = new Table;
   auto* model = new QStandardItemModel(this);
   model->setHorizontalHeaderLabels({tr("Criterion"), tr("Full points"), tr("Points")});
-  double whole = 0;
-  for (const Criterion& c : s.rubric.criteria) whole += c.weight;
-  for (const Criterion& c : s.rubric.criteria) {
-    auto* weight = new QStandardItem(format_points(whole > 0 ? 100 * c.weight / whole : 0));
+  const std::vector<double> maxima = scaled_maxima(s);
+  for (std::size_t i = 0; i < maxima.size(); ++i) {
+    const Criterion& c = s.rubric.criteria[i];
+    auto* weight = new QStandardItem(format_points(maxima[i]));
     weight->setTextAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
     model->appendRow({new QStandardItem(metric_name(c.metric)), new QStandardItem(wanted_text(c)), weight});
   }

@@ -43,6 +43,13 @@ const HistoryRow* Course::last_graded() const {
   return nullptr;
 }
 
+const HistoryRow* Course::interrupted() const {
+  for (const HistoryRow& go : goes) {
+    if (go.state == SessionState::interrupted && !go.passed) return &go;
+  }
+  return nullptr;
+}
+
 Stored<Course> load_course(Store& store, const Actor& student) {
   Course course;
   auto list = load_exercises(store);

@@ -27,6 +27,8 @@ struct Course {
   /// First by due date, then the first not passed yet, then the one with the lowest best score; -1 without exercises.
   int next() const;
   const HistoryRow* last_graded() const;
+  /// The newest attempt that broke off and has no grade yet; nullptr without one.
+  const HistoryRow* interrupted() const;
 };
 
 Stored<Course> load_course(Store& store, const Actor& student);

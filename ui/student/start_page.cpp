@@ -6,9 +6,12 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "scenarios/grading/maxima.h"
+#include "ui/app/critical_events.h"
 #include "ui/app/sentences.h"
 #include "ui/student/briefing.h"
 #include "ui/student/history_charts.h"
+#include "ui/student/interrupted_card.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/empty_state.h"
@@ -20,6 +23,7 @@ namespace cusp {
 namespace {
 
 constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px at 100 %, of the page
+constexpr int kAdviceShown = 2;
 constexpr int kShortText = 120;  // letters: about two lines beside the picture
 
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC); }
@@ -40,11 +44,16 @@ QWidget* fact(const QString& name, const QString& value, bool wraps = false) {
 
 }  // namespace
 
-StartPage::StartPage(Store& store, const Account& account, PictureShelf& pictures, const QDateTime& now, QWidget* parent)
-    : QWidget(parent), store_(store), pictures_(pictures) {
+StartPage::StartPage(Store& store, const Account& account, PictureShelf& pictures, const QDateTime& now,
+                     std::string device_class, QWidget* parent)
+    : QWidget(parent), store_(store), pictures_(pictures), device_class_(std::move(device_class)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   auto course = load_course(store, account.actor());
+  // A program that died while this one ran has left its attempt as running.
+  if (course && std::ranges::any_of(course->goes, [](const HistoryRow& go) { return go.state == SessionState::running; })) {
+    if (const auto marked = store.sessions.mark_interrupted(); marked && !marked->empty()) course = load_course(store, account.actor());
+  }
   if (!course) {
     const Told told = tell(course.error());
     outer->addWidget(new EmptyState(u"warning"_qs, told.what, told.more, {}, Ink::bad));
@@ -68,6 +77,7 @@ StartPage::StartPage(Store& store, const Account& account, PictureShelf& picture
   auto* column = new QVBoxLayout(main);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(px(16));
+  make_interrupted(*column);
   if (next_) {
     column->addWidget(make_next(*next_));
   } else {
@@ -83,7 +93,7 @@ StartPage::StartPage(Store& store, const Account& account, PictureShelf& picture
   auto* sign = new QLabel;
   sign->setPixmap(icon_pixmap(u"info"_qs, Ink::text2, 16, devicePixelRatioF()));
   note->addWidget(sign);
-  note->addWidget(make_label(tr("Every go is kept, also one that broke off."), TextRole::caption, false, "text2"), 1);
+  note->addWidget(make_label(tr("Every attempt is kept, also one that broke off."), TextRole::caption, false, "text2"), 1);
   column->addLayout(note);
   column->addStretch();
   columns_->addWidget(main, 1);
@@ -97,7 +107,18 @@ StartPage::StartPage(Store& store, const Account& account, PictureShelf& picture
   side->addStretch();
   columns_->addWidget(side_);
   connect(&pictures_, &PictureShelf::ready, this, &StartPage::show_picture);
-  if (start_) setFocusProxy(start_);
+  if (QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_) setFocusProxy(first);
+}
+
+void StartPage::make_interrupted(QBoxLayout& column) {
+  const HistoryRow* row = course_.interrupted();
+  if (row == nullptr) return;
+  const auto way = way_of(store_, *row, device_class_);
+  if (!way || *way == InterruptedWay::other_engine) return;
+  interrupted_ = new InterruptedCard(store_, *row, *way, device_class_);
+  connect(interrupted_, &InterruptedCard::go_on_wanted, this, [this, id = row->session] { Q_EMIT go_on_wanted(id); });
+  connect(interrupted_, &InterruptedCard::grade_wanted, this, [this, id = row->session] { Q_EMIT grade_wanted(id); });
+  column.addWidget(interrupted_);
 }
 
 QWidget* StartPage::make_next(const CourseRow& row) {
@@ -137,13 +158,14 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   text->addStretch();
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(12));
-  start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
+  // One primary button a screen: what broke off comes first.
+  start_ = make_large_button(tr("Start"), interrupted_ != nullptr ? ButtonKind::standard : ButtonKind::primary, u"play"_qs);
   start_->setMinimumWidth(px(106));
   QPushButton* briefing = make_large_button(tr("Briefing"), ButtonKind::standard);
   acts->addWidget(start_);
   acts->addWidget(briefing);
-  // Gives way where the words are long.
-  QLabel* hint = make_label(tr("Enter starts"), TextRole::caption, false, "text3");
+  // Gives way where the words are long. Enter continues what broke off, where there is such.
+  QLabel* hint = make_label(interrupted_ == nullptr ? tr("Enter starts") : QString(), TextRole::caption, false, "text3");
   hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   hint->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
   acts->addWidget(hint, 1);
@@ -215,34 +237,46 @@ QWidget* StartPage::make_last(const Account& account) {
   card->body()->addWidget(make_label(local(last->title), TextRole::caption, false, "text2"));
   card->body()->addWidget(make_rule());
   card->body()->addWidget(make_label(tr("What to do next time"), TextRole::body, true));
-  const auto details = store_.history.details(account.actor(), last->session);
-  int shown = 0;
-  if (details && details->grade) {
-    std::vector<const CriterionGrade*> lost;
-    for (const CriterionGrade& c : details->grade->grade.criteria) {
-      if (c.points < c.points_max && !advice_text(c).isEmpty()) lost.push_back(&c);
-    }
-    std::sort(lost.begin(), lost.end(), [](const CriterionGrade* a, const CriterionGrade* b) {
-      return a->points_max - a->points > b->points_max - b->points;
-    });
-    for (const CriterionGrade* c : lost) {
-      if (++shown > 2) break;
-      auto* line = new QHBoxLayout;
-      line->setSpacing(px(8));
-      auto* sign = new QLabel;
-      sign->setPixmap(icon_pixmap(c->id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, 16, devicePixelRatioF()));
-      line->addWidget(sign, 0, Qt::AlignTop);
-      QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(metric_name(c->id).toHtmlEscaped(), advice_text(*c).toHtmlEscaped()));
-      text->setWordWrap(true);
-      line->addWidget(text, 1);
-      card->body()->addLayout(line);
-    }
+  if (!add_advice(*card, *last, account)) {
+    card->body()->addWidget(make_label(tr("Nothing: every criterion has its full points."), TextRole::body, false, "text2"));
   }
-  if (shown == 0) card->body()->addWidget(make_label(tr("Nothing: every criterion has its full points."), TextRole::body, false, "text2"));
   QPushButton* report = make_button(tr("Open the report"));
   card->body()->addWidget(report, 0, Qt::AlignLeading);
   connect(report, &QPushButton::clicked, this, [this, session = last->session] { Q_EMIT report_wanted(session); });
   return card;
+}
+
+bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& account) {
+  const auto details = store_.history.details(account.actor(), last.session);
+  if (!details || !details->grade) return false;
+  const Grade& grade = details->grade->grade;
+  const auto add = [&](const QString& icon_name, Ink ink, const QString& head, const QString& what_to_do) {
+    auto* line = new QHBoxLayout;
+    line->setSpacing(px(8));
+    auto* sign = new QLabel;
+    sign->setPixmap(icon_pixmap(icon_name, ink, 16, devicePixelRatioF()));
+    line->addWidget(sign, 0, Qt::AlignTop);
+    QLabel* text = make_label(u"<b>%1</b> %2"_qs.arg(head.toHtmlEscaped(), what_to_do.toHtmlEscaped()));
+    text->setWordWrap(true);
+    line->addWidget(text, 1);
+    card.body()->addLayout(line);
+  };
+  SpecimenSource specimen;
+  for (const CourseRow& row : course_.rows) {
+    if (row.exercise.scenario.id == last.scenario) specimen = row.exercise.scenario.specimen;
+  }
+  for (const CriticalEvent& event : critical_events(grade, {}, &store_, last.session)) {
+    add(u"cross"_qs, Ink::bad, critical_text(event, specimen) + u'.', critical_advice(event.key));
+  }
+  int shown = 0;
+  for (const LossReason& reason : loss_reasons(grade)) {
+    if (!reason.critical.empty()) continue;
+    const CriterionGrade& c = grade.criteria[reason.criterion];
+    const QString advice = advice_text(c);
+    if (advice.isEmpty() || ++shown > kAdviceShown) continue;
+    add(c.id.starts_with("depth_") ? u"ruler"_qs : u"target"_qs, Ink::text2, metric_name(c.id) + u':', advice);
+  }
+  return shown > 0 || !grade.critical.empty();
 }
 
 QWidget* StartPage::make_chart() {

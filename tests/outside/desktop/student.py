@@ -2,12 +2,27 @@
 
     /usr/bin/python3 tests/outside/desktop/student.py build/release/cusp
 """
+import os
+import re
+import subprocess
 import sys
 
 import desk
 import school
 
 EXERCISE = "Class I, tooth 36"
+
+
+def save_pdf(program):
+    """The report's own "Save as PDF"; the file holds the picture of the tooth that the window shows."""
+    path = os.path.join(program.folder, "report.pdf")
+    program.press("Save as PDF")
+    picker = program.find(re.compile("dialog|file chooser"), "Save the report")
+    program.find("text", re.compile("^File name"), within=picker).type(path)
+    program.keys("Return")
+    program.find("label", re.compile("The report is saved"))
+    images = subprocess.run(["pdfimages", "-list", path], capture_output=True, text=True, check=True).stdout.split("\n")[2:]
+    desk.check(any("image" in line for line in images), "the PDF has no picture of the tooth")
 
 
 def visit(program):
@@ -21,6 +36,7 @@ def visit(program):
     desk.check(verdict == "Not passed", f"0.2 mm3 of a cavity should not pass, the report says {verdict}")
     criteria = school.row_of(program, "Criteria", "Target removed")
     desk.check(any("%" in cell.name for cell in criteria), f"the share has no unit: {[c.name for c in criteria]}")
+    save_pdf(program)
 
     school.home(program)
     school.page(program, "My results")

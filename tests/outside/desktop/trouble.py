@@ -35,7 +35,7 @@ def wrong_secrets(program):
 
 
 def broken_off(own, program):
-    """Killed while drilling; after the next start the go is there, as interrupted, and can be graded."""
+    """Killed while drilling; after the next start the start page tells of it, it can be graded, and the card is gone."""
     school.sign_in_student(program)
     school.begin(program, EXERCISE)
     x, y = program.find(None, "Tooth").middle()
@@ -48,9 +48,17 @@ def broken_off(own, program):
 
     program = own.start()
     school.sign_in_student(program)
+    program.find("label", "Interrupted attempt")
+    program.find("push button", "Continue")
     school.page(program, "My results")
     row = [cell.name for cell in school.row_of(program, "My results", EXERCISE)]
     desk.check(any("nterrupted" in name for name in row), f"a go that broke off is shown as {row}")
+    school.page(program, "Start")
+    program.press("Grade as it stands")
+    school.points_on_report(program)
+    school.home(program)
+    program.find(None, "Next exercise")
+    desk.check(program.here("label", "Interrupted attempt") is None, "the card stays though the attempt is graded")
     program.close()
 
     def verb(*arguments):

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDateTime>
 #include <QTemporaryDir>
 #include <set>
 
@@ -117,24 +118,81 @@ TEST(Sentences, little_drilled_is_said_to_the_tenth_and_advised_about_by_the_tar
   g.id = "overcut_beyond_floor";
   g.reason_code = "little_drilled";
   g.reason_args = {{"share", 4.3 / 97}, {"lost", 14.335}};
-  EXPECT_EQ(reason(g), "Counts only as far as the target is drilled: 4.4 %");
+  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 4.4 %");
   g.reason_args["share"] = 87.3 / 97;
-  EXPECT_EQ(reason(g), "Counts only as far as the target is drilled: 90 %");
+  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 90 %");
   g.reason_args["share"] = 96.999 / 97;
-  EXPECT_EQ(reason(g), "Counts only as far as the target is drilled: 99.9 %");  // points are missing
+  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 99.9 %");  // points are missing
   EXPECT_TRUE(advice_text(g).isEmpty());
 }
 
 TEST(Sentences, one_point_is_singular_and_fractions_are_not) {
   CriterionGrade g;
   g.id = "time";
-  g.points_max = 10;
-  for (const auto& [points, said] : {std::pair{9.0, "Time: 1 point lost"}, std::pair{8.5, "Time: 1.5 points lost"},
-                                     std::pair{9.5, "Time: 0.5 points lost"}, std::pair{9.02, "Time: 1 point lost"},
-                                     std::pair{4.0, "Time: 6 points lost"}}) {
-    g.points = points;
-    EXPECT_EQ(lost_text(g).toStdString(), said);
+  for (const auto& [lost, said] : {std::pair{1.0, "Time: 1 point lost"}, std::pair{1.5, "Time: 1.5 points lost"},
+                                   std::pair{0.5, "Time: 0.5 points lost"}, std::pair{0.98, "Time: 1 point lost"},
+                                   std::pair{6.0, "Time: 6 points lost"}}) {
+    EXPECT_EQ(lost_text(g, lost).toStdString(), said);
   }
+}
+
+std::string bare(QString text) {
+  for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+  return text.replace(QChar(0x00A0), u' ').toStdString();
+}
+
+TEST(Sentences, a_failure_about_a_person_names_the_number_and_never_the_file) {
+  const std::string file = "/var/lib/cusp/school.db";
+  const auto line = [&](StorageError code, const char* where, Secret asked, const std::string& detail = {}) {
+    return bare(tell_account({code, where, detail}, QStringLiteral("20267314"), asked).line());
+  };
+  EXPECT_EQ(line(StorageError::duplicate, file.c_str(), Secret::pin, "UNIQUE constraint failed: people.number"),
+            "The number 20267314 is taken. Nothing was changed. Choose another number.");
+  EXPECT_EQ(line(StorageError::not_found, "people", Secret::password), "There is no account 20267314. Nothing was changed.");
+  EXPECT_EQ(line(StorageError::disabled, "sign_in", Secret::pin),
+            "The account 20267314 is switched off. Ask an administrator to switch it on again.");
+  const QDateTime until(QDate(2026, 11, 20), QTime(10, 14, 30));
+  EXPECT_EQ(line(StorageError::locked, "sign_in", Secret::pin, std::to_string(until.toMSecsSinceEpoch() * 1000)),
+            "Too many wrong tries for 20267314. Signing in is open again at 10:14:30.");
+  for (const StorageError code : {StorageError::duplicate, StorageError::not_found, StorageError::disabled, StorageError::locked,
+                                  StorageError::wrong_password, StorageError::weak_password}) {
+    for (const Secret asked : {Secret::password, Secret::pin}) {
+      EXPECT_EQ(line(code, file.c_str(), asked).find("school.db"), std::string::npos) << static_cast<int>(code);
+    }
+  }
+  // Without a person in hand the file is not what is taken either.
+  EXPECT_EQ(bare(tell(StorageFailure{StorageError::duplicate, file, "UNIQUE constraint failed"}).line()),
+            "This number or name is taken. Nothing was changed.");
+}
+
+TEST(Sentences, a_pin_is_called_a_pin_and_a_password_a_password) {
+  const auto line = [](StorageError code, const char* where, Secret asked) {
+    return tell_account({code, where, {}}, QStringLiteral("7"), asked).line();
+  };
+  for (const StorageError code : {StorageError::wrong_password, StorageError::weak_password}) {
+    EXPECT_TRUE(line(code, "sign_in", Secret::pin).contains(QStringLiteral("PIN")));
+    EXPECT_FALSE(line(code, "sign_in", Secret::pin).contains(QStringLiteral("assword")));
+    EXPECT_TRUE(line(code, "sign_in", Secret::password).contains(QStringLiteral("assword")));
+    EXPECT_FALSE(line(code, "sign_in", Secret::password).contains(QStringLiteral("PIN")));
+  }
+  // Storage says which of the two was too weak, whatever was asked.
+  EXPECT_EQ(tell(StorageFailure{StorageError::weak_password, "pin"}).what.toStdString(), "A PIN has exactly six digits.");
+}
+
+TEST(Sentences, a_table_of_the_records_is_never_named) {
+  for (const char* table : {"people", "sessions", "scenario_versions", "blobs", "trace_chunks", "cohort_students"}) {
+    const QString line = tell(StorageFailure{StorageError::not_found, table, "0199"}).line();
+    EXPECT_FALSE(line.contains(QLatin1String(table))) << line.toStdString();
+    EXPECT_TRUE(line.contains(QStringLiteral("0199"))) << line.toStdString();
+  }
+}
+
+TEST(Sentences, a_full_disk_is_said_only_where_the_disk_is_full) {
+  const QString failed = tell(StorageFailure{StorageError::io, "/cache/tooth.nrrd", "Permission denied"}).line();
+  EXPECT_FALSE(failed.contains(QStringLiteral("full"))) << failed.toStdString();
+  EXPECT_TRUE(failed.contains(QStringLiteral("Permission denied"))) << failed.toStdString();
+  const QString memory = tell(StorageFailure{StorageError::io, "memory"}).line();
+  EXPECT_TRUE(memory.contains(QStringLiteral("memory to check a password"))) << memory.toStdString();
 }
 
 TEST(Sentences, a_place_for_a_database_that_admits_no_file_is_not_called_missing) {

@@ -4,6 +4,7 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <filesystem>
@@ -11,10 +12,15 @@
 #include "scenarios/burrs/burr_catalogue.h"
 #include "scenarios/library/library.h"
 #include "tests/ui/desk_records.h"
+#include "ui/app/grade_words.h"
+#include "ui/drill/tooth_view.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
+#include "ui/report/pinned_tooth.h"
+#include "ui/report/place_view.h"
 #include "ui/report/report_page.h"
 #include "ui/report/report_pdf.h"
+#include "ui/session/scene_builder.h"
 
 namespace cusp {
 namespace {
@@ -34,6 +40,8 @@ ReportData sample(double score = 81) {
   return data;
 }
 
+DrawnTooth no_picture() { return fail(PictureError::no_opengl, "EGL", "eglMakeCurrent 0x3002"); }
+
 std::string plain(QString text) {
   for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
   return text.replace(QChar(0x00A0), u' ').toStdString();
@@ -45,8 +53,8 @@ TEST(CriteriaModel, shows_value_uncertainty_and_points_of_each_criterion) {
   const auto at = [&](int column, int role = Qt::DisplayRole) { return model.index(1, column).data(role); };
   EXPECT_EQ(plain(at(CriteriaModel::kYours).toString()), "2.41 mm");
   EXPECT_EQ(plain(at(CriteriaModel::kYours, SecondRole).toString()), "± 0.03");
-  EXPECT_EQ(plain(at(CriteriaModel::kPoints).toString()), "4");
-  EXPECT_EQ(plain(at(CriteriaModel::kPoints, SecondRole).toString()), "/ 10");
+  EXPECT_EQ(plain(at(CriteriaModel::kPoints).toString()), "13.3");  // 4 of 10, where the weights sum to 30
+  EXPECT_EQ(plain(at(CriteriaModel::kPoints, SecondRole).toString()), "/ 33.3");
   EXPECT_DOUBLE_EQ(at(CriteriaModel::kPoints, ShareRole).toDouble(), 0.4);
   EXPECT_EQ(at(CriteriaModel::kSign, IconRole).toString().toStdString(), "cross");  // less than half
   EXPECT_EQ(at(CriteriaModel::kPlace, IconRole).toString().toStdString(), "target");
@@ -64,12 +72,90 @@ TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
   EXPECT_FALSE(model.index(1, CriteriaModel::kPoints).data(ShareRole).isValid());
 }
 
+TEST(CriteriaModel, points_sum_to_a_hundred_whatever_the_weights_sum_to) {
+  Grade grade = test::sample_grade(81);
+  const double weights[] = {20, 15, 15, 10, 10, 10, 10, 10, 10};  // 110, as class I had
+  grade.criteria.assign(std::size(weights), grade.criteria[0]);
+  for (std::size_t i = 0; i < std::size(weights); ++i) grade.criteria[i].points = grade.criteria[i].points_max = weights[i];
+  const CriteriaModel model(grade, {});
+  double most = 0;
+  for (int row = 0; row < model.rowCount(); ++row) {
+    QString shown = model.index(row, CriteriaModel::kPoints).data(SecondRole).toString();
+    most += shown.remove(QStringLiteral("/ ")).toDouble();
+  }
+  EXPECT_NEAR(most, 100, 1e-9);
+}
+
+TEST(CriteriaModel, a_dash_stands_where_nothing_went_wrong_but_little_was_cut) {
+  Grade grade = test::sample_grade(20);
+  grade.criteria[1].id = "overcut_beyond_floor";
+  grade.criteria[1].points = 1;
+  grade.criteria[1].reason_code = "little_drilled";
+  CriterionGrade weightless = grade.criteria[0];
+  weightless.points = weightless.points_max = 0;
+  grade.criteria.push_back(weightless);
+  const CriteriaModel model(grade, {});
+  for (const int row : {1, 2}) {
+    EXPECT_EQ(model.index(row, CriteriaModel::kSign).data(IconRole).toString().toStdString(), "minus") << row;
+    EXPECT_EQ(model.bar_role(row), Bar::Role::plain) << row;
+  }
+}
+
+Advice first_advice(const ReportData& data) { return next_time(data).at(0); }
+
 TEST(ReportData, losses_come_dearest_first) {
-  Grade grade = test::sample_grade(70);
-  grade.criteria[0].points = 12;  // 8 lost against 6
-  const auto lost = lost_points(grade);
-  ASSERT_EQ(lost.size(), 2u);
-  EXPECT_EQ(lost[0]->id, "target_removed");
+  ReportData data = sample(70);
+  data.result.grade.criteria[0].points = 12;  // 8 lost against 6
+  data.result.grade.criteria[0].reason_code = "too_little";
+  const auto said = next_time(data);
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_EQ(said[0].head.toStdString(), "Target removed: 26.7 points lost");  // 8 of 30
+}
+
+TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {
+  ReportData data = sample(70);
+  data.result.scenario = *load_builtin("class-1-36");
+  data.result.grade.critical = {"dry_cutting", "pulp_exposure"};
+  data.critical = critical_events(data.result.grade, {}, nullptr, {});
+  data.critical[0].at_s = 72;
+  data.critical[0].place_mm = Vec3(2.0, 1.5, -3.0);  // of a lower left molar: mesial and buccal
+  const Advice first = first_advice(data);
+  EXPECT_EQ(plain(first.head), "The pulp was opened after 1:12 min, mesiobuccal");
+  EXPECT_EQ(first.why.toStdString(), "This fails the attempt, whatever its points.");
+  EXPECT_FALSE(first.what_to_do.isEmpty());
+  EXPECT_TRUE(first.grave);
+  ASSERT_TRUE(first.place_mm);
+}
+
+TEST(ReportData, a_stored_attempt_knows_where_the_pulp_was_opened_from_its_criteria) {
+  Grade grade = test::sample_grade(40);
+  grade.critical = {"pulp_exposure"};
+  CriterionGrade over = grade.criteria[1];
+  over.id = "remaining_over_pulp";
+  over.measure = {"remaining_over_pulp", true, 0.0, 0.04, "mm", Vec3(0.1, 0.2, -3.0)};
+  grade.criteria.push_back(over);
+  const auto events = critical_events(grade, {}, nullptr, {});
+  ASSERT_EQ(events.size(), 1u);
+  ASSERT_TRUE(events[0].place_mm);
+  EXPECT_EQ(*events[0].place_mm, Vec3(0.1, 0.2, -3.0));
+  EXPECT_FALSE(events[0].at_s);
+}
+
+TEST(ReportData, the_side_of_a_tooth_follows_its_quadrant) {
+  SpecimenSource tooth;
+  tooth.generator = "tooth";
+  const auto side = [&](int fdi, Vec3 at) {
+    tooth.fdi = fdi;
+    return side_text(tooth, at).toStdString();
+  };
+  EXPECT_EQ(side(36, {3, 0, 0}), "mesial");
+  EXPECT_EQ(side(46, {3, 0, 0}), "distal");
+  EXPECT_EQ(side(46, {-2, 2, 0}), "mesiobuccal");
+  EXPECT_EQ(side(16, {0, -3, 0}), "palatal");
+  EXPECT_EQ(side(36, {-2, -2, 0}), "distolingual");
+  EXPECT_EQ(side(36, {0.3, 0.2, 0}), "");
+  tooth.generator = "block";
+  EXPECT_EQ(side(36, {3, 0, 0}), "");
 }
 
 TEST(ReportData, says_which_burr_was_used_when) {
@@ -93,19 +179,32 @@ TEST(ReportData, says_which_burr_was_used_when) {
   EXPECT_EQ(plain(lines[1]), "Burr 57, straight fissure, 1.0 mm: 1:12 to 3:05");
 }
 
-TEST(ReportData, what_was_lost_because_little_was_drilled_comes_after_what_was_done_and_nothings_are_left_out) {
-  Grade grade = test::sample_grade(70);
-  grade.criteria[0].points = 5;  // 15 lost against 6
-  grade.criteria[0].reason_code = "little_drilled";
+TEST(ReportData, what_counts_only_with_the_target_is_one_sentence_and_nothings_are_left_out) {
+  ReportData data = sample(70);
+  Grade& grade = data.result.grade;
+  grade.criteria[0].measure.value = 43.5;  // of the target
+  grade.criteria[0].points = 5;
+  grade.criteria[0].reason_code = "too_little";
+  for (const char* id : {"overcut_beyond_floor", "overcut_beyond_side"}) {
+    CriterionGrade follows = grade.criteria[1];
+    follows.id = id;
+    follows.reason_code = "little_drilled";
+    follows.counts_with_target = true;
+    grade.criteria.push_back(follows);
+  }
   CriterionGrade nothing = grade.criteria[1];
   nothing.id = "depth_mean";
-  nothing.points = 9.97;  // prints as 10 of 10
+  nothing.points = 9.99;  // prints as full
   grade.criteria.push_back(nothing);
-  const auto lost = lost_points(grade);
-  ASSERT_EQ(lost.size(), 2u);
-  EXPECT_EQ(lost[0]->id, "depth_most");
-  EXPECT_EQ(lost[1]->id, "target_removed");
-  EXPECT_EQ(CriteriaModel(grade, {}).bar_role(2), Bar::Role::good);
+  const auto said = next_time(data);
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_TRUE(said[0].head.startsWith(QStringLiteral("Target removed")));
+  EXPECT_TRUE(said[1].head.startsWith(QStringLiteral("Floor depth, deepest")));
+  data.result.scenario.rubric.criteria = {{"target_removed", 20, {50, 80, 87, 100, 100, 100}}};
+  EXPECT_EQ(plain(counted_text(grade, data.result.scenario.rubric)),
+            "What stayed intact counts only as far as the target was cut: 50 %.");
+  grade.criteria[0].measure.value = 88;
+  EXPECT_TRUE(counted_text(grade, data.result.scenario.rubric).isEmpty());
 }
 
 TEST(ReportData, gathers_student_go_and_the_best_before_from_the_records) {
@@ -134,7 +233,7 @@ TEST(ReportPage, shows_the_score_the_reasons_and_what_to_do) {
   EXPECT_EQ(page.findChild<QLabel*>(QStringLiteral("score"))->text().toStdString(), "81");
   QString all;
   for (const QLabel* label : page.findChildren<QLabel*>()) all += label->text() + u'\n';
-  EXPECT_TRUE(all.contains(QStringLiteral("Floor depth, deepest: 6 points lost")));
+  EXPECT_TRUE(all.contains(QStringLiteral("Floor depth, deepest: 20 points lost")));
   EXPECT_TRUE(plain(all).find("2.41 mm, 0.41 mm deeper than 2 mm.") != std::string::npos) << plain(all);
   EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing before the wanted depth and move sideways.")));
   EXPECT_EQ(page.table()->chosen_row(), 1);  // the dearest loss
@@ -149,6 +248,7 @@ TEST(ReportPage, an_opened_pulp_is_told_above_everything_else) {
   ReportData data = sample();
   data.result.grade.critical = {"pulp_exposure"};
   data.result.grade.passed = false;
+  data.critical = critical_events(data.result.grade, {}, nullptr, {});
   const Ports ports = Ports::of_the_system();
   ReportPage page(data, ports, false, QStringLiteral("Back"));
   page.show();
@@ -185,16 +285,161 @@ TEST(ReportPage, saves_its_paper_where_the_picker_says_and_tells_when_it_cannot)
 TEST(ReportPdf, is_one_whole_page_and_leaves_no_half_file) {
   const QTemporaryDir folder;
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
-  ASSERT_TRUE(write_report_pdf(file, sample(), QImage()).has_value());
+  ASSERT_TRUE(write_report_pdf(file, sample(), no_picture()).has_value());
   QFile written(QString::fromStdString(file.string()));
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray bytes = written.readAll();
   EXPECT_TRUE(bytes.startsWith("%PDF-"));
   EXPECT_TRUE(bytes.contains("/Count 1"));  // pages
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file.parent_path()), {}), 1);
-  const auto failed = write_report_pdf(file.parent_path() / "no" / "r.pdf", sample(), QImage());
+  const auto failed = write_report_pdf(file.parent_path() / "no" / "r.pdf", sample(), no_picture());
   ASSERT_FALSE(failed.has_value());
   EXPECT_EQ(failed.error().code, PdfError::cannot_write);
+}
+
+/// What pdfimages lists of a file: one line each, without its two lines of heads.
+QStringList images_in(const std::filesystem::path& file) {
+  QProcess list;
+  list.start(QStringLiteral("pdfimages"), {QStringLiteral("-list"), QString::fromStdString(file.string())});
+  if (!list.waitForFinished(60'000)) return {};
+  return QString::fromUtf8(list.readAllStandardOutput()).split(u'\n', Qt::SkipEmptyParts).mid(2);
+}
+
+/// The words on its pages, in order.
+std::string words_in(const std::filesystem::path& file) {
+  QProcess text;
+  text.start(QStringLiteral("pdftotext"), {QString::fromStdString(file.string()), QStringLiteral("-")});
+  if (!text.waitForFinished(60'000)) return {};
+  return QString::fromUtf8(text.readAllStandardOutput()).simplified().toStdString();
+}
+
+/// The block of the exercise, untouched.
+ReportData whole_block() {
+  ReportData data = sample();
+  const auto volume = build_specimen(data.result.scenario, {});
+  if (volume) data.result.volume = std::make_shared<const Volume>(*volume);
+  return data;
+}
+
+TEST(ReportPdf, holds_the_picture_of_the_tooth) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = whole_block();
+  ASSERT_TRUE(data.result.volume);
+  const DrawnTooth tooth = draw_report_tooth(data.result, 300, places_on_paper(data));
+  ASSERT_TRUE(tooth) << tooth.error().detail;
+  // More than its background: the middle is tooth, the corner is not.
+  EXPECT_NE(tooth->image.pixel(150, 150), tooth->image.pixel(2, 2));
+  ASSERT_TRUE(write_report_pdf(file, data, tooth));
+  EXPECT_GE(images_in(file).size(), 1) << "no image in the PDF";
+  EXPECT_EQ(words_in(file).find("could not be drawn"), std::string::npos);
+}
+
+TEST(ReportPdf, says_why_there_is_no_picture) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ASSERT_TRUE(write_report_pdf(file, sample(), no_picture()));
+  EXPECT_TRUE(images_in(file).isEmpty());
+  EXPECT_NE(words_in(file).find("The tooth could not be drawn: OpenGL 3.3 did not start"), std::string::npos) << words_in(file);
+}
+
+TEST(ReportPdf, puts_an_opened_pulp_before_every_other_advice) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
+  ReportData data = sample();
+  data.result.grade.critical = {"pulp_exposure"};
+  data.critical = critical_events(data.result.grade, {}, nullptr, {});
+  ASSERT_TRUE(write_report_pdf(file, data, no_picture()));
+  const std::string words = words_in(file);
+  const auto advice = words.find("Next time"), pulp = words.find("The pulp was opened", advice);
+  ASSERT_NE(pulp, std::string::npos) << words;
+  EXPECT_LT(pulp, words.find("points lost", advice));
+}
+
+/// A block with a deep narrow pit.
+struct Pit {
+  Volume volume{Specimen::build(block(), Reading::banded)};
+  PatchStore store;
+  static VoxelVolume block() {
+    VoxelVolume out(Grid{IVec3(40, 40, 40), 0.2, Vec3(-3.9)});
+    IVec3 v;
+    for (v.z = 0; v.z < 40; ++v.z)
+      for (v.y = 0; v.y < 40; ++v.y)
+        for (v.x = 0; v.x < 40; ++v.x) {
+          const Vec3 p = out.grid.centre_mm(v);
+          const double box = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 3.0;
+          const double pit = std::max({std::abs(p.x) - 0.8, std::abs(p.y) - 0.8, -p.z});
+          const std::size_t i = out.grid.index(v);
+          out.s[i] = solid_from_distance(std::max(box, -pit) / 0.2);
+          if (out.s[i] > 0) out.tissue[i] = Tissue::enamel;
+        }
+    return out;
+  }
+  Pit() {
+    PatchFeed feed({});
+    feed.build_all(volume);
+    for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) store.put(std::move(patch));
+  }
+};
+
+TEST(PlaceView, a_camera_looks_into_the_pit_and_never_through_a_wall) {
+  const Pit pit;
+  const PatchStore nothing;
+  const Meshes meshes = {&pit.store, &nothing};
+  const Camera from = Camera::about(Vec3(0.0), 5.0);
+  for (const Vec3 place : {Vec3(0, 0, 0.0), Vec3(0.8, 0, 1.5), Vec3(-0.8, 0.2, 2.5), Vec3(3.0, 0, 0), Vec3(0, -3.0, 1.0),
+                           Vec3(2.0, 2.0, 3.0)}) {
+    const Camera to = look_at_place(from, meshes, place);
+    EXPECT_TRUE(seen_from(to, meshes, place)) << place.x << ' ' << place.y << ' ' << place.z;
+    EXPECT_LT(glm::length(to.centre_mm() - place), 1e-9);
+    EXPECT_DOUBLE_EQ(to.distance_mm(), from.distance_mm());
+  }
+  // Chosen again from somewhere else, the same place is seen again.
+  const Camera second = look_at_place(look_at_place(from, meshes, {3.0, 0, 0}), meshes, {0, 0, 0});
+  EXPECT_TRUE(seen_from(second, meshes, {0, 0, 0}));
+}
+
+TEST(PlaceView, what_stands_beside_the_tooth_hides_a_place_too) {
+  const Pit pit;
+  Camera side = Camera::about(Vec3(3.0, 0, 0), 5.0);
+  side.set_angles(-1.5707963, 0.1);  // the eye on the +x side
+  const PatchStore nothing;
+  EXPECT_TRUE(seen_from(side, {&pit.store, &nothing}, {3.0, 0, 0}));
+  PatchStore wall;
+  BakedPatch patch;
+  for (const auto& [y, z] : {std::pair{-4.f, -4.f}, {4.f, -4.f}, {4.f, 4.f}, {-4.f, 4.f}}) {
+    PackedVertex v{};
+    v.position_mm[0] = 4.0f;
+    v.position_mm[1] = y;
+    v.position_mm[2] = z;
+    v.normal[0] = 32767;
+    patch.vertices.push_back(v);
+  }
+  patch.indices = {0, 1, 2, 0, 2, 3};
+  patch.low_mm = {4.f, -4.f, -4.f};
+  patch.high_mm = {4.f, 4.f, 4.f};
+  wall.put(patch);
+  EXPECT_FALSE(seen_from(side, {&pit.store, &wall}, {3.0, 0, 0}));
+}
+
+TEST(PinnedTooth, shows_its_ring_where_the_place_is_seen_and_takes_it_away_where_the_tooth_hides_it) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), sample().result.scenario);
+  tooth.resize(600, 600);
+  tooth.show();
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), {});
+  EXPECT_TRUE(tooth.ring_shown());
+  Camera from_below = tooth.view()->camera();
+  from_below.set_angles(0.0, -1.2);
+  tooth.view()->set_camera(from_below);
+  EXPECT_FALSE(tooth.ring_shown());
+  QString all;
+  for (const QLabel* label : tooth.findChildren<QLabel*>()) all += label->text();
+  EXPECT_TRUE(all.contains(QStringLiteral("The tooth hides this place."))) << all.toStdString();
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), {});
+  EXPECT_TRUE(tooth.ring_shown());
+  tooth.pin(std::nullopt, QStringLiteral("Time"), {});
+  EXPECT_FALSE(tooth.ring_shown());
 }
 
 TEST(AgainstBefore, compares_shares_and_says_what_was_gained) {
@@ -204,8 +449,8 @@ TEST(AgainstBefore, compares_shares_and_says_what_was_gained) {
   ASSERT_EQ(view.rows().size(), 2);
   EXPECT_DOUBLE_EQ(view.rows()[1].before, 0.1);
   EXPECT_DOUBLE_EQ(view.rows()[1].now, 0.4);
-  EXPECT_DOUBLE_EQ(view.rows()[1].points, 3);
-  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("+3")));
+  EXPECT_NEAR(view.rows()[1].points, 10, 1e-9);  // 3 of 30
+  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("+10")));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -16,6 +17,7 @@
 #include "tests/ui/desk_records.h"
 #include "ui/student/briefing.h"
 #include "ui/student/exercises_page.h"
+#include "ui/student/interrupted_card.h"
 #include "ui/student/own_history.h"
 #include "ui/student/start_page.h"
 #include "ui/widgets/table.h"
@@ -74,6 +76,86 @@ TEST_F(Pages, the_start_page_shows_the_last_result_and_how_to_do_better) {
   EXPECT_TRUE(all.contains(QStringLiteral("4 more than\nyour best before")));
   EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing before the wanted depth")));  // depth_most, too_deep
   EXPECT_TRUE(all.contains(QStringLiteral("Mouse and keys only, 2 goes.")));
+}
+
+TEST_F(Pages, the_start_page_tells_of_an_attempt_that_broke_off_and_offers_one_way_on) {
+  const Account lena = records.student("1", "Lena Brandt");
+  EXPECT_EQ(StartPage(records.store(), lena, pictures, now).interrupted(), nullptr);
+  const SessionId broken = records.broken_go(lena, "channel-1");
+  StartPage page(records.store(), lena, pictures, now);
+  page.show();
+  ASSERT_NE(page.interrupted(), nullptr);
+  const QString all = texts(*page.interrupted());
+  EXPECT_TRUE(all.contains(QStringLiteral("Interrupted attempt"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("attempt 1"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("0:12"))) << all.toStdString();  // how far: broken_go() lasts 12 s
+  int primary = 0;
+  for (const QPushButton* b : page.findChildren<QPushButton*>()) primary += b->property("kind") == u"primary"_qs ? 1 : 0;
+  EXPECT_EQ(primary, 1);
+  std::optional<SessionId> on, graded;
+  QObject::connect(&page, &StartPage::go_on_wanted, [&](const SessionId& id) { on = id; });
+  QObject::connect(&page, &StartPage::grade_wanted, [&](const SessionId& id) { graded = id; });
+  page.interrupted()->primary()->click();
+  EXPECT_EQ(on, broken);
+  EXPECT_FALSE(graded);
+}
+
+TEST_F(Pages, an_attempt_with_another_device_can_only_be_graded_as_it_stands) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const SessionId broken = records.broken_go(lena, "channel-1");
+  StartPage page(records.store(), lena, pictures, now, "falcon");
+  ASSERT_NE(page.interrupted(), nullptr);
+  EXPECT_TRUE(texts(*page.interrupted()).contains(QStringLiteral("cannot be continued here")));
+  std::optional<SessionId> graded;
+  QObject::connect(&page, &StartPage::grade_wanted, [&](const SessionId& id) { graded = id; });
+  page.interrupted()->primary()->click();
+  EXPECT_EQ(graded, broken);
+}
+
+TEST_F(Pages, the_card_is_gone_once_the_attempt_is_graded) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const SessionId broken = records.broken_go(lena, "channel-1");
+  ASSERT_TRUE(records.store().grades.save(broken, test::sample_grade(30), Hash256{}));
+  EXPECT_EQ(StartPage(records.store(), lena, pictures, now).interrupted(), nullptr);
+}
+
+TEST_F(Pages, an_opened_pulp_comes_first_in_what_to_do_next_time) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const SessionId go = records.go(lena, "class-1-36", 81, 300);
+  Grade grade = test::sample_grade(81);
+  grade.critical = {"pulp_exposure"};
+  grade.passed = false;
+  ASSERT_TRUE(records.store().grades.save(go, grade, Hash256{}));
+  StartPage page(records.store(), lena, pictures, now);
+  const QString all = texts(page);
+  const auto pulp = all.indexOf(QStringLiteral("The pulp was opened"));
+  ASSERT_GE(pulp, 0) << all.toStdString();
+  EXPECT_LT(pulp, all.indexOf(QStringLiteral("Stop pushing before the wanted depth")));
+}
+
+TEST_F(Pages, the_points_of_every_briefing_sum_to_a_hundred) {
+  const auto list = load_exercises(records.store());
+  for (const Exercise& exercise : list->exercises) {
+    Briefing page(exercise, pictures, {});
+    const auto* model = page.findChild<Table*>()->model();
+    double sum = 0;
+    for (int row = 0; row < model->rowCount(); ++row) sum += model->index(row, 2).data().toString().toDouble();
+    EXPECT_NEAR(sum, 100, 1e-6) << exercise.scenario.key;
+  }
+}
+
+TEST_F(Pages, a_file_of_an_exercise_that_cannot_be_written_is_not_called_a_full_disk) {
+  QFile in_the_way(QDir(cache.path()).filePath(QStringLiteral("not-a-folder")));
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  Exercise exercise;
+  exercise.version = VersionId::make();
+  const auto hash = records.store().blobs.put(std::vector<std::byte>(8));
+  ASSERT_TRUE(hash);
+  exercise.files["tooth.nrrd"] = *hash;
+  const auto folder = exercise_folder(records.store(), exercise, in_the_way.fileName().toStdString());
+  ASSERT_FALSE(folder);
+  EXPECT_EQ(folder.error().code, StorageError::io);
+  EXPECT_EQ(folder.error().detail, "Not a directory");
 }
 
 TEST_F(Pages, the_list_opens_the_briefing_with_enter) {

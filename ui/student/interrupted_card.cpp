@@ -1,0 +1,86 @@
+#include "ui/student/interrupted_card.h"
+
+#include <QBoxLayout>
+#include <QDateTime>
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/app/sentences.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+/// "It broke off after 1:12 min, with 8.4 mm³ cut. All of that is kept."
+QString how_far(Store& store, const HistoryRow& row) {
+  const QString clock = format_clock(static_cast<double>(row.elapsed_us) * 1e-6);
+  double mm3 = 0;
+  if (const auto removed = store.metrics.removed(row.session)) {
+    for (const RemovedTissue& tissue : *removed) mm3 += tissue.mm3;
+  }
+  if (!(mm3 > 0)) return InterruptedCard::tr("It broke off after %1 min, before anything was cut.").arg(clock);
+  return InterruptedCard::tr("It broke off after %1 min, with %2 cut. All of that is kept.")
+      .arg(clock, format({mm3, std::nullopt, QStringLiteral("mm3"), 1}));
+}
+
+QString why_not_on(InterruptedWay way, const HistoryRow& row, const std::string& device_class) {
+  if (way == InterruptedWay::other_device) {
+    return InterruptedCard::tr("It was cut with: %1. This station drills with: %2, so it cannot be continued here.")
+        .arg(device_name(row.device_class), device_name(device_class));
+  }
+  return InterruptedCard::tr("A scripted operator cut it, so it cannot be continued by hand.");
+}
+
+}  // namespace
+
+Stored<InterruptedWay> way_of(Store& store, const HistoryRow& row, const std::string& device_class) {
+  const auto session = store.sessions.find(row.session);
+  if (!session) return std::unexpected(session.error());
+  if (session->header.engine_version != kEngineVersion) return InterruptedWay::other_engine;
+  if (session->hand != "person") return InterruptedWay::scripted;
+  return row.device_class == device_class ? InterruptedWay::go_on : InterruptedWay::other_device;
+}
+
+InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, InterruptedWay way, const std::string& device_class,
+                                 QWidget* parent)
+    : Card(tr("Interrupted attempt"),
+           format_day_time(QDateTime::fromMSecsSinceEpoch(row.started_utc_us / 1000, Qt::UTC)), parent) {
+  setAccessibleName(tr("Interrupted attempt"));
+  auto* line = new QHBoxLayout;
+  line->setSpacing(px(12));
+  body()->addLayout(line);
+  auto* sign = new QLabel;
+  sign->setPixmap(icon_pixmap(u"pause"_qs, Ink::look, 20, devicePixelRatioF()));
+  line->addWidget(sign, 0, Qt::AlignTop);
+  auto* text = new QVBoxLayout;
+  text->setSpacing(px(2));
+  line->addLayout(text, 1);
+  text->addWidget(make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.go), TextRole::section, true));
+  QString said = how_far(store, row);
+  if (way != InterruptedWay::go_on) said += u' ' + why_not_on(way, row, device_class);
+  QLabel* what = make_label(said, TextRole::body, false, "text2");
+  what->setWordWrap(true);
+  text->addWidget(what);
+  auto* acts = new QHBoxLayout;
+  acts->setSpacing(px(12));
+  acts->setContentsMargins(0, px(8), 0, 0);
+  text->addLayout(acts);
+  const QString grade = tr("Grade as it stands");
+  if (way == InterruptedWay::go_on) {
+    primary_ = make_large_button(tr("Continue"), ButtonKind::primary, u"play"_qs);
+    connect(primary_, &QPushButton::clicked, this, &InterruptedCard::go_on_wanted);
+    acts->addWidget(primary_);
+    QPushButton* second = make_large_button(grade, ButtonKind::standard);
+    connect(second, &QPushButton::clicked, this, &InterruptedCard::grade_wanted);
+    acts->addWidget(second);
+  } else {
+    primary_ = make_large_button(grade, ButtonKind::primary);
+    connect(primary_, &QPushButton::clicked, this, &InterruptedCard::grade_wanted);
+    acts->addWidget(primary_);
+  }
+  primary_->setAutoDefault(true);
+  acts->addStretch();
+}
+
+}  // namespace cusp
