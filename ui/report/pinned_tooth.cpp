@@ -95,7 +95,11 @@ void PinnedTooth::turn_back() {
 void PinnedTooth::pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more) {
   place_ = place_mm;
   text_ = u"<b>%1</b><br>%2"_qs.arg(what.toHtmlEscaped(), more.toHtmlEscaped());
-  if (place_) view_->set_camera(look_at_place(view_->camera(), meshes(), *place_));
+  if (place_) {
+    const Camera to = look_at_place(view_->camera(), meshes(), *place_);
+    inside_ = !seen_from(to, meshes(), *place_);
+    view_->set_camera(to);
+  }
   place_pin();
 }
 
@@ -105,15 +109,17 @@ void PinnedTooth::place_pin() {
   ring_->setVisible(seen);
   card_->setVisible(place_.has_value());
   if (!place_) return;
-  card_->setText(seen ? text_ : text_ + u"<br><i>%1</i>"_qs.arg(tr("The tooth hides this place. Turn it, or choose the row again.").toHtmlEscaped()));
+  const QString hidden = inside_ ? tr("This place lies below the surface.")
+                                 : tr("The tooth hides this place. Turn it, or choose the row again.");
+  card_->setText(seen ? text_ : text_ + u"<br><i>%1</i>"_qs.arg(hidden.toHtmlEscaped()));
   card_->setFixedWidth(px(200));
   card_->adjustSize();
   card_->raise();
-  if (!seen) {
+  if (!at || !seen) {
     card_->move((width() - card_->width()) / 2, height() - card_->height() - px(8));
     return;
   }
-  ring_->move((*at - QPointF(ring_->width() / 2.0, ring_->height() / 2.0)).toPoint());
+  ring_->move(at->toPoint() - ring_->rect().center());
   // Below the place, or above it where there is no room; never outside.
   const double below = at->y() + px(36), above = at->y() - px(36) - card_->height();
   const double y = below + card_->height() < height() - px(8) ? below : std::max(above, px(8.0));

@@ -43,7 +43,8 @@ class PinnedTooth : public QWidget {
   QWidget* ring_;
   QLabel* card_;
   std::optional<Vec3> place_;
-  QString text_;  // of the card, rich
+  bool inside_ = false;  // no view shows the place
+  QString text_;         // of the card, rich
 };
 
 /// Colours of the difference map with their figures.

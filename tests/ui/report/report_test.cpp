@@ -442,6 +442,18 @@ TEST(PinnedTooth, shows_its_ring_where_the_place_is_seen_and_takes_it_away_where
   EXPECT_FALSE(tooth.ring_shown());
 }
 
+TEST(PinnedTooth, a_place_inside_the_tooth_has_no_ring_on_its_front) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), sample().result.scenario);
+  tooth.resize(600, 600);
+  tooth.show();
+  tooth.pin(Vec3(2.0, 2.0, 1.0), QStringLiteral("Dentine over pulp"), {});
+  EXPECT_FALSE(tooth.ring_shown());
+  QString all;
+  for (const QLabel* label : tooth.findChildren<QLabel*>()) all += label->text();
+  EXPECT_TRUE(all.contains(QStringLiteral("This place lies below the surface."))) << all.toStdString();
+}
+
 TEST(AgainstBefore, compares_shares_and_says_what_was_gained) {
   Grade before = test::sample_grade(70);
   before.criteria[1].points = 1;
