@@ -1,5 +1,6 @@
 #include "tests/scenarios/import/image_files.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <cstring>
@@ -179,10 +180,10 @@ std::string ply_file(const Mesh& mesh, bool binary) {
   return out;
 }
 
-std::string three_ds_file(const std::vector<Mesh>& meshes) {
+std::string three_ds_file(const std::vector<Mesh>& meshes, const ThreeDsWish& wish) {
   std::string objects;
   for (const Mesh& mesh : meshes) {
-    std::string points, faces;
+    std::string points, faces, own_axes;
     u16(points, static_cast<unsigned>(mesh.points.size()));
     for (const Vec3& p : mesh.points)
       for (int i = 0; i < 3; ++i) f32(points, p[i]);
@@ -191,9 +192,22 @@ std::string three_ds_file(const std::vector<Mesh>& meshes) {
       for (const int p : t) u16(faces, static_cast<unsigned>(p));
       u16(faces, 7);
     }
-    objects += chunk(0x4000, mesh.name + '\0' + chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, faces)));
+    // Where the object's x, y and z lie, and its origin.
+    const std::array<Vec3, 3> axes = wish.quarter_about_z ? std::array{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)}
+                                                          : std::array{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+    for (const Vec3& row : {axes[0], axes[1], axes[2], wish.origin})
+      for (int i = 0; i < 3; ++i) f32(own_axes, row[i]);
+    objects += chunk(0x4000, mesh.name + '\0' + chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, faces) + chunk(0x4160, own_axes)));
   }
-  // The key frames' tree, where assimp finds the names.
+  if (!wish.tree) return chunk(0x4d4d, chunk(0x3d3d, objects));
+  const auto track = [](unsigned id, const std::vector<double>& values) {
+    std::string body(10, '\0');  // flags, unused
+    u32(body, 1);                // one key
+    u32(body, 0);                // at frame 0
+    u16(body, 0);                // without ease
+    for (const double v : values) f32(body, v);
+    return chunk(id, body);
+  };
   std::string nodes;
   for (const Mesh& mesh : meshes) {
     std::string header = mesh.name + '\0', pivot;
@@ -201,9 +215,53 @@ std::string three_ds_file(const std::vector<Mesh>& meshes) {
     u16(header, 0);
     u16(header, 0xffff);
     for (int i = 0; i < 3; ++i) f32(pivot, 0.0);
-    nodes += chunk(0xb002, chunk(0xb010, header) + chunk(0xb013, pivot));
+    // An angle and its axis; 3DS turns the other way round.
+    nodes += chunk(0xb002, chunk(0xb010, header) + chunk(0xb013, pivot) + track(0xb020, {wish.origin.x, wish.origin.y, wish.origin.z}) +
+                               track(0xb021, {wish.quarter_about_z ? 1.5707963267948966 : 0.0, 0, 0, -1}) + track(0xb022, {1, 1, 1}));
   }
   return chunk(0x4d4d, chunk(0x3d3d, objects) + chunk(0xb000, nodes));
+}
+
+namespace {
+
+std::string stored_blocks(const std::string& bytes) {
+  std::string out;
+  for (std::size_t at = 0; at < bytes.size() || at == 0;) {
+    const std::size_t n = std::min<std::size_t>(bytes.size() - at, 65535);
+    out += at + n >= bytes.size() ? '\1' : '\0';
+    u16(out, static_cast<unsigned>(n));
+    u16(out, static_cast<unsigned>(~n & 0xffff));
+    out += bytes.substr(at, n);
+    at += std::max<std::size_t>(n, 1);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string gzip_stored(const std::string& bytes) {
+  std::string out("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);
+  out += stored_blocks(bytes);
+  std::uint32_t crc = ~0u;
+  for (const char c : bytes) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int i = 0; i < 8; ++i) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
+  }
+  u32(out, ~crc);
+  u32(out, static_cast<std::uint32_t>(bytes.size()));
+  return out;
+}
+
+std::string zlib_stored(const std::string& bytes) {
+  std::uint32_t a = 1, b = 0;
+  for (const char c : bytes) {
+    a = (a + static_cast<std::uint8_t>(c)) % 65521;
+    b = (b + a) % 65521;
+  }
+  std::string out = std::string("\x78\x01", 2) + stored_blocks(bytes), sum;
+  u32(sum, b << 16 | a);
+  out.append(sum.rbegin(), sum.rend());
+  return out;
 }
 
 }  // namespace cusp::testing

@@ -43,7 +43,16 @@ std::string dicom_file(const DicomWish& wish);
 
 std::string binary_stl(const Mesh& mesh);
 std::string ply_file(const Mesh& mesh, bool binary);
-/// Several objects; names of at most ten letters.
-std::string three_ds_file(const std::vector<Mesh>& meshes);
+struct ThreeDsWish {
+  bool tree = true;               // key frames, where the library finds the objects' names
+  Vec3 origin{0.0};               // of the objects' own axes, in which 3DS programs show them; points stay where they are
+  bool quarter_about_z = false;   // the objects' own axes are turned
+};
+/// Several objects; names of at most ten letters. Points are the meshes' own, as the format has them.
+std::string three_ds_file(const std::vector<Mesh>& meshes, const ThreeDsWish& wish = {});
+
+/// Bytes in a container of blocks that are not packed.
+std::string gzip_stored(const std::string& bytes);
+std::string zlib_stored(const std::string& bytes);
 
 }  // namespace cusp::testing

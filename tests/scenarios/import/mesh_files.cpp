@@ -127,6 +127,64 @@ Mesh inside_out(Mesh mesh) {
   return mesh;
 }
 
+double Prism::area() const { return 0.5 * sides * radius * radius * std::sin(2.0 * std::numbers::pi / sides); }
+
+Mesh prism(std::string name, const Prism& shape) {
+  Mesh m{std::move(name), {{0, 0, shape.bottom}, {0, 0, shape.top}}, {}};
+  for (int i = 0; i < shape.sides; ++i) {
+    const double a = 2.0 * std::numbers::pi * i / shape.sides;
+    for (const double z : {shape.bottom, shape.top}) m.points.push_back({shape.radius * std::cos(a), shape.radius * std::sin(a), z});
+    const int low = 2 + 2 * i, next = 2 + 2 * ((i + 1) % shape.sides);
+    m.triangles.insert(m.triangles.end(), {{low, next, next + 1}, {low, next + 1, low + 1}, {1, low + 1, next + 1}});
+    if (!shape.open_bottom) m.triangles.push_back({0, next, low});
+  }
+  return m;
+}
+
+Mesh joined(Mesh a, const Mesh& b) {
+  const int base = static_cast<int>(a.points.size());
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for (const auto& [i, j, k] : b.triangles) a.triangles.push_back({i + base, j + base, k + base});
+  return a;
+}
+
+bool in_lopsided(Vec3 p) {
+  const auto within = [&](Vec3 low, Vec3 high) {
+    return p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z;
+  };
+  return within({1, 2, -1}, {7, 6, 2}) || within({1.5, 2.5, 1.5}, {3, 3.5, 3}) || within({6.5, 4.5, -0.5}, {7.5, 5.5, 1});
+}
+
+Mesh lopsided(std::string name) {
+  Mesh m{std::move(name), {}, {}};
+  std::map<std::array<int, 3>, int> known;
+  const auto corner = [&](IVec3 at) {
+    const auto [it, is_new] = known.try_emplace({at.x, at.y, at.z}, static_cast<int>(m.points.size()));
+    if (is_new) m.points.push_back(0.5 * Vec3(at));
+    return it->second;
+  };
+  // Of all cells of half a millimetre about it the faces between inside and outside.
+  for (int z = -4; z < 8; ++z)
+    for (int y = 2; y < 14; ++y)
+      for (int x = 0; x < 17; ++x) {
+        if (!in_lopsided(0.5 * Vec3(x, y, z) + 0.25)) continue;
+        for (int axis = 0; axis < 3; ++axis)
+          for (const int side : {0, 1}) {
+            IVec3 beside(x, y, z);
+            beside[axis] += side == 1 ? 1 : -1;
+            if (in_lopsided(0.5 * Vec3(beside) + 0.25)) continue;
+            IVec3 a(x, y, z), u(0), v(0);
+            a[axis] += side;
+            u[(axis + 1) % 3] = 1;
+            v[(axis + 2) % 3] = 1;
+            const int p = corner(a), q = corner(a + u), r = corner(a + u + v), t = corner(a + v);
+            if (side == 1) m.triangles.insert(m.triangles.end(), {{p, q, r}, {p, r, t}});
+            else m.triangles.insert(m.triangles.end(), {{p, r, q}, {p, t, r}});
+          }
+      }
+  return m;
+}
+
 Mesh turned(Mesh mesh) {
   const Quat q = glm::angleAxis(0.61, glm::normalize(Vec3(1.0, 2.0, 3.0)));
   for (Vec3& p : mesh.points) p = q * p;
@@ -166,6 +224,14 @@ void write_stl(const std::filesystem::path& file, const Mesh& mesh) {
     out << "endloop\nendfacet\n";
   }
   out << "endsolid " << mesh.name << "\n";
+}
+
+void write_off(const std::filesystem::path& file, const Mesh& mesh) {
+  std::ofstream out(file);
+  out.precision(9);
+  out << "OFF\n" << mesh.points.size() << " " << mesh.triangles.size() << " 0\n";
+  for (const Vec3& p : mesh.points) out << p.x << " " << p.y << " " << p.z << "\n";
+  for (const auto& [a, b, c] : mesh.triangles) out << "3 " << a << " " << b << " " << c << "\n";
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {

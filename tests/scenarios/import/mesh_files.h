@@ -24,6 +24,24 @@ Mesh torus(std::string name, Vec3 centre, double ring, double tube, int n);
 /// All points within `round` of the box of half extents `core`; 2^level steps along each octant and quarter.
 Mesh rounded_box(std::string name, Vec3 centre, Vec3 core, double round, int level);
 Mesh inside_out(Mesh mesh);
+/// A prism about the z axis with a regular polygon of `sides` corners at `radius`; either end may be left open.
+struct Prism {
+  double radius = 1.0, bottom = 0.0, top = 1.0;
+  bool open_bottom = false;
+  int sides = 64;
+  double area() const;  // of the polygon
+  double mm3() const { return area() * (top - bottom); }
+};
+Mesh prism(std::string name, const Prism& shape);
+/// Both as one mesh, under the first one's name.
+Mesh joined(Mesh a, const Mesh& b);
+/// A body without any symmetry: a box of 6 x 4 x 3 mm from (1, 2, -1) on, an off-centre bump of 1.5 x 1 x 1 mm on its upper
+/// face and one of 0.5 x 1 x 1.5 mm on its right; no plane and no turn maps it to itself.
+inline constexpr double kLopsidedMm3 = 6.0 * 4.0 * 3.0 + 1.5 * 1.0 * 1.0 + 0.5 * 1.0 * 1.5;
+/// Whether a place, in mm, is inside.
+bool in_lopsided(Vec3 mm);
+/// Its whole surface as one closed mesh of squares of half a millimetre.
+Mesh lopsided(std::string name);
 /// Turned about an axis that is none of the grid's, so that no facet lies along it.
 Mesh turned(Mesh mesh);
 
@@ -43,6 +61,8 @@ class TempFolder {
 void write_obj(const std::filesystem::path& file, const std::vector<Mesh>& meshes);
 /// ASCII STL: triangles that know nothing of each other.
 void write_stl(const std::filesystem::path& file, const Mesh& mesh);
+/// OFF, 9 digits.
+void write_off(const std::filesystem::path& file, const Mesh& mesh);
 void write_text(const std::filesystem::path& file, const std::string& text);
 std::string read_text(const std::filesystem::path& file);
 
