@@ -10,6 +10,7 @@
 
 #include "engine/base/ids.h"
 #include "scenarios/import/header_text.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/packed_data.h"
 
 namespace cusp {
@@ -85,13 +86,10 @@ Result<Binvox, ImportFailure> read_binvox(std::istream& in, std::uintmax_t bytes
       numbers[i] = *n;
     }
     if (word[0] == "dim") {
-      double voxels = 1.0;
-      for (const double n : numbers) {
+      for (const double n : numbers)
         if (!(n >= 1.0) || n != std::floor(n)) return fail(ImportError::bad_sizes, where());
-        if (n > limits.max_edge_voxels) return fail(ImportError::too_large, where());
-        voxels *= n;
-      }
-      if (voxels > static_cast<double>(limits.max_voxels)) return fail(ImportError::too_large, where());
+      if (auto passed = passed_file_limit({numbers[0], numbers[1], numbers[2]}, limits); !passed.empty())
+        return fail(ImportError::too_large, where(), std::move(passed));
       // Depth, height, width: along x, z and y.
       out.size = {static_cast<int>(numbers[0]), static_cast<int>(numbers[2]), static_cast<int>(numbers[1])};
       sized = true;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scenarios/import/foreign_images.h"
+#include "scenarios/import/limit_figures.h"
 
 namespace cusp {
 namespace {
@@ -135,7 +136,8 @@ Result<std::vector<Slice>, ImportFailure> slices_of(const std::filesystem::path&
   for (const auto& entry : std::filesystem::directory_iterator(folder ? path : path.parent_path(), ec)) {
     if (!entry.is_regular_file(ec) || entry.file_size(ec) > kMaxFileBytes || !looks_like_dicom(entry.path())) continue;
     files.push_back(entry.path());
-    if (files.size() > kMaxFiles) return fail(ImportError::too_large, name);
+    if (files.size() > kMaxFiles)
+      return fail(ImportError::too_large, name, text_of({LimitKind::file_count, static_cast<double>(files.size()), kMaxFiles}));
   }
   if (ec) return fail(ImportError::io, name, ec.message());
   if (!folder && std::ranges::none_of(files, [&](const auto& f) { return f.filename() == path.filename(); })) files.push_back(path);
@@ -233,7 +235,10 @@ Result<DicomSeries, ImportFailure> read(const std::filesystem::path& path, const
   const IVec3 size(first.columns, first.rows, static_cast<int>(slices->size()));
   const auto layout = lay_out(size, {ras * first.across * first.pixel_across_mm, ras * first.down * first.pixel_down_mm, ras * *step},
                               ras * first.first_mm, limits);
-  if (!layout) return fail(layout.error(), name + " ImagePositionPatient");
+  if (!layout) {
+    auto passed = passed_file_limit(size, limits);
+    return fail(layout.error(), passed.empty() ? name + " ImagePositionPatient" : name, std::move(passed));
+  }
   std::uintmax_t bytes = 0;  // that these files can hold of pixels
   std::error_code ec;
   for (const Slice& s : *slices) bytes += (s.packed ? kMostPacked : 1) * std::filesystem::file_size(s.file, ec);

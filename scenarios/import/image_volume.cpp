@@ -4,10 +4,13 @@
 #include <cmath>
 #include <map>
 #include <new>
+#include <set>
 
 #include "scenarios/import/grey_surface.h"
 #include "scenarios/import/label_map.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/pieces.h"
+#include "scenarios/import/size_question.h"
 
 namespace cusp {
 namespace {
@@ -47,21 +50,87 @@ Image with_up(const Image& image, UpAxis up, const VolumeLimits& limits) {
   return out;
 }
 
-/// Cubes over the same box, and about its middle.
-Result<Grid, ImportFailure> cubes_over(const ImageLayout& l, Vec3 spacing_mm, Vec3 origin_mm, double voxel_mm,
-                                       const std::string& name, const VolumeLimits& limits) {
-  Grid grid;
-  grid.voxel_mm = voxel_mm;
-  double voxels = 1.0;
+/// Whether a value is one of what was chosen, or could lie beside such a value: of grey values all from the first tissue on,
+/// for what is left out above it passes through the tissues on its way to nothing.
+class Chosen {
+ public:
+  explicit Chosen(const ImageTissues& what) {
+    for (const auto& [value, tissue] : what.labels)
+      if (tissue != Tissue::empty) labels_.insert(value);
+    for (const auto& [from, tissue] : what.thresholds)
+      if (tissue != Tissue::empty) least_ = std::min(least_, from);
+    grey_ = !what.thresholds.empty();
+  }
+  bool operator()(float value) const {
+    if (grey_) return static_cast<double>(value) >= least_;
+    return value > 0.0f && value < 4294967296.0f && labels_.contains(static_cast<std::uint32_t>(value));
+  }
+
+ private:
+  std::set<std::uint32_t> labels_;
+  double least_ = 1e300;
+  bool grey_ = false;
+};
+
+/// The file's own voxels as a grid, for counting only: their edge and place do not matter.
+Grid own_voxels(const ImageLayout& l) {
+  Grid out;
+  out.size = l.size;
+  return out;
+}
+
+/// Box of the file's voxels that were chosen; of the largest piece of them alone where the rest goes anyway.
+LabelBox box_of_chosen(const Image& image, const ImageTissues& what, bool largest_piece) {
+  const Chosen chosen(what);
+  const Grid own = own_voxels(image.layout);
+  if (!largest_piece) {
+    return box_where(own, [&](std::size_t i) { return chosen(image.value[i]); });
+  }
+  std::vector<Tissue> marks(image.value.size(), Tissue::empty);
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    if (chosen(image.value[i])) marks[i] = Tissue::plastic;
+  keep_largest_piece(own, marks);
+  return box_of_labels(own, marks);
+}
+
+/// Cubes over the whole file and about its middle, of which `grid` is the part that holds a box of the file's voxels.
+struct Cubes {
+  Vec3 size{0.0};       // of the part, in cubes; whole numbers
+  Vec3 extent_mm{0.0};  // of the box
+  Grid grid;            // size is set once it is known to fit
+};
+Cubes cubes_about(const LabelBox& box, const ImageLayout& l, Vec3 spacing_mm, Vec3 origin_mm, double voxel_mm) {
+  constexpr double kBeside = 1.0;  // a surface between grey values lies up to a voxel beyond the last that is in it
+  Cubes out;
+  out.grid.voxel_mm = voxel_mm;
   for (int i = 0; i < 3; ++i) {
     const double n = std::max(1.0, std::round(l.size[i] * spacing_mm[i] / voxel_mm));
-    voxels *= n + 2 * kPadVoxels;
-    if (!(n + 2 * kPadVoxels <= limits.max_edge_voxels) || !(voxels <= static_cast<double>(limits.max_voxels)))
-      return fail(ImportError::too_large, name, std::to_string(voxel_mm) + " mm");
-    grid.size[i] = static_cast<int>(n);
-    grid.origin_mm[i] = origin_mm[i] + 0.5 * (l.size[i] - 1) * spacing_mm[i] - 0.5 * (n - 1) * voxel_mm;
+    const double whole_first = origin_mm[i] + 0.5 * (l.size[i] - 1) * spacing_mm[i] - 0.5 * (n - 1) * voxel_mm;
+    const double low = origin_mm[i] + (box.first[i] - kBeside) * spacing_mm[i], high = origin_mm[i] + (box.last[i] + kBeside) * spacing_mm[i];
+    const double first = std::clamp(std::floor((low - whole_first) / voxel_mm), 0.0, n - 1);
+    const double last = std::clamp(std::ceil((high - whole_first) / voxel_mm), first, n - 1);
+    out.size[i] = last - first + 1;
+    out.extent_mm[i] = high - low;
+    out.grid.origin_mm[i] = whole_first + first * voxel_mm;
   }
-  return grid;
+  return out;
+}
+
+/// Cubes about what was chosen, held against the limits.
+Result<Grid, ImportFailure> cubes_over(const Image& image, const ImageTissues& what, Vec3 spacing_mm, Vec3 origin_mm,
+                                       double voxel_mm, const std::string& name, const VolumeLimits& limits) {
+  std::optional<LimitFigures> passed;
+  for (const bool largest_piece : {false, true}) {
+    if (largest_piece && !what.largest_piece) break;
+    const LabelBox box = box_of_chosen(image, what, largest_piece);
+    if (box.empty()) return fail(ImportError::nothing_solid, name);
+    Cubes cubes = cubes_about(box, image.layout, spacing_mm, origin_mm, voxel_mm);
+    passed = passed_limit(cubes.size + 2.0 * kPadVoxels, cubes.extent_mm, voxel_mm, limits);
+    if (passed) continue;
+    cubes.grid.size = IVec3(cubes.size);
+    return cubes.grid;
+  }
+  return fail(ImportError::too_large, name, text_of(*passed));
 }
 
 /// Tissue codes on the cubes, of the nearest voxel of the file.
@@ -110,7 +179,7 @@ Result<VoxelVolume, ImportFailure> make(const Image& image, const ImageTissues& 
   if (!same) remarks.push_back({RemarkCode::resampled, {}, {spacing.x, spacing.y, spacing.z, voxel}});
   if (l.turned_degrees > 0.0) remarks.push_back({RemarkCode::straightened, {}, {l.turned_degrees}});
   if (!image.spacing_known) remarks.push_back({RemarkCode::spacing_assumed});
-  const auto grid = cubes_over(l, spacing, origin, voxel, name, limits);
+  const auto grid = cubes_over(image, what, spacing, origin, voxel, name, limits);
   if (!grid) return std::unexpected(grid.error());
 
   const GreyField field{image.value, l.size, spacing, origin};
@@ -124,7 +193,7 @@ Result<VoxelVolume, ImportFailure> make(const Image& image, const ImageTissues& 
   }
   const LabelBox box = box_of_labels(*grid, labels);
   if (box.empty()) return fail(ImportError::nothing_solid, name);
-  if (padded_grid(*grid, box).voxels() > limits.max_voxels) return fail(ImportError::too_large, name);
+  if (auto remark = odd_size(Vec3(box.last - box.first + 1) * grid->voxel_mm)) remarks.push_back(std::move(*remark));
   if (progress) progress(0.5);
   VoxelVolume out = grey ? volume_of_grey(field, what.thresholds, *grid, labels, box, progress) : volume_of_labels(*grid, labels);
   if (progress) progress(1.0);

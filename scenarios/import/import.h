@@ -21,15 +21,22 @@
 
 namespace cusp {
 
+/// Which of several meshes wins where they overlap.
+enum class PartPrecedence : std::uint8_t {
+  innermost,  // by how they lie in each other (part_precedence.h)
+  given,      // the first of MeshImport::tissues wins over all that follow
+};
+inline constexpr std::array<std::string_view, 2> kPrecedenceKeys = {"innermost", "given"};  // as typed
+
 struct MeshImport {
   std::filesystem::path path;
   std::vector<std::filesystem::path> more;  // further files, for a kind that holds one mesh each (STL)
   double unit_mm = 1.0;  // length of one unit of the file, > 0
-  /// Name of a mesh in the file, and what it is made of. Meshes that are not named are left out. Where meshes overlap
-  /// the one of least volume wins, so an inner mesh stands in an outer one whatever the order here.
+  /// Name of a mesh in the file, and what it is made of. Meshes that are not named are left out.
   std::vector<std::pair<std::string, Tissue>> tissues;
+  PartPrecedence precedence = PartPrecedence::innermost;
   double voxel_mm = 0.1;
-  UpAxis up = UpAxis::z;
+  UpAxis up = UpAxis::z;  // of the file's own axes, whatever its kind
   /// Mends what is open or wound wrongly (mesh_repair.h) and closes holes up to this width; none: such a mesh is refused.
   std::optional<double> mend_holes_mm;
   VolumeLimits limits;

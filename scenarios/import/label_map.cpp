@@ -63,17 +63,7 @@ Tissue nearest_label(const Grid& grid, const std::vector<Tissue>& labels, IVec3 
 }
 
 LabelBox box_of_labels(const Grid& grid, const std::vector<Tissue>& labels) {
-  LabelBox box{grid.size, IVec3(-1)};
-  IVec3 v;
-  std::size_t i = 0;
-  for (v.z = 0; v.z < grid.size.z; ++v.z)
-    for (v.y = 0; v.y < grid.size.y; ++v.y)
-      for (v.x = 0; v.x < grid.size.x; ++v.x, ++i) {
-        if (labels[i] == Tissue::empty) continue;
-        box.first = glm::min(box.first, v);
-        box.last = glm::max(box.last, v);
-      }
-  return box;
+  return box_where(grid, [&](std::size_t i) { return labels[i] != Tissue::empty; });
 }
 
 Grid padded_grid(const Grid& grid, const LabelBox& box) {

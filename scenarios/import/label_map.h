@@ -13,6 +13,21 @@ struct LabelBox {
   bool empty() const noexcept { return first.x > last.x; }
 };
 LabelBox box_of_labels(const Grid& grid, const std::vector<Tissue>& labels);
+/// The box of the voxels for whose index `holds` is true.
+template <class Holds>
+LabelBox box_where(const Grid& grid, Holds holds) {
+  LabelBox box{grid.size, IVec3(-1)};
+  IVec3 v;
+  std::size_t i = 0;
+  for (v.z = 0; v.z < grid.size.z; ++v.z)
+    for (v.y = 0; v.y < grid.size.y; ++v.y)
+      for (v.x = 0; v.x < grid.size.x; ++v.x, ++i) {
+        if (!holds(i)) continue;
+        box.first = glm::min(box.first, v);
+        box.last = glm::max(box.last, v);
+      }
+  return box;
+}
 
 /// The grid of that box with kPadVoxels about it.
 Grid padded_grid(const Grid& grid, const LabelBox& box);

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "scenarios/import/header_text.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/limits.h"
 #include "scenarios/import/triangle_mesh.h"
 
@@ -162,7 +163,9 @@ Result<std::vector<TriangleMesh>, ImportFailure> read_meshes(const std::filesyst
   const auto status = std::filesystem::status(path, ec);
   if (!std::filesystem::exists(status)) return fail(ImportError::missing_file, name);
   if (!std::filesystem::is_regular_file(status)) return fail(ImportError::io, name);
-  if (std::filesystem::file_size(path, ec) > VolumeLimits{}.max_mesh_bytes) return fail(ImportError::too_large, name);
+  const std::uintmax_t bytes = std::filesystem::file_size(path, ec), allowed = VolumeLimits{}.max_mesh_bytes;
+  if (bytes > allowed)
+    return fail(ImportError::too_large, name, text_of({LimitKind::file_bytes, static_cast<double>(bytes), static_cast<double>(allowed)}));
   try {
     return read(path);
   } catch (const std::bad_alloc&) {

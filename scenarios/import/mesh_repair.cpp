@@ -199,6 +199,20 @@ std::size_t wind_alike(TriangleMesh& mesh) {
   return turned;
 }
 
+/// A cone from the hole's edges to their middle; its area.
+double close_hole(TriangleMesh& mesh, const std::vector<OpenEdge>& edges) {
+  Vec3 middle(0.0);
+  for (const OpenEdge& e : edges) middle += mesh.points[e.from] / static_cast<double>(edges.size());
+  const auto tip = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.push_back(middle);
+  double area = 0.0;
+  for (const OpenEdge& e : edges) {
+    mesh.triangles.push_back({e.to, e.from, tip});
+    area += 0.5 * glm::length(glm::cross(mesh.points[e.from] - middle, mesh.points[e.to] - middle));
+  }
+  return area;
+}
+
 }  // namespace
 
 std::vector<MeshGap> gaps_of(const TriangleMesh& mesh) {
@@ -222,18 +236,19 @@ MeshRepair repair(TriangleMesh& mesh, double max_hole) {
   drop_doubles(mesh);
   out.triangles_dropped = triangles - mesh.triangles.size();
   out.triangles_turned = wind_alike(mesh);
+  out.own_area = check(mesh).area;
+  const std::size_t own = mesh.triangles.size();
   for (const auto& [root, edges] : open_edges(mesh)) {
     const MeshGap gap = gap_of(mesh, edges);
     if (gap.width() > max_hole) continue;
-    Vec3 middle(0.0);
-    for (const OpenEdge& e : edges) middle += mesh.points[e.from] / static_cast<double>(edges.size());
-    const auto tip = static_cast<std::uint32_t>(mesh.points.size());
-    mesh.points.push_back(middle);
-    for (const OpenEdge& e : edges) mesh.triangles.push_back({e.to, e.from, tip});
+    const double area = close_hole(mesh, edges);
+    out.cap_area += area;
+    out.largest_cap = std::max(out.largest_cap, area);
     ++out.holes_closed;
     out.widest_hole = std::max(out.widest_hole, gap.width());
   }
-  weld(mesh);
+  weld(mesh);  // drops triangles of no area alone, and of those only the caps have any
+  out.cap_triangles = mesh.triangles.size() - own;
   return out;
 }
 

@@ -22,6 +22,9 @@ std::vector<MeshGap> gaps_of(const TriangleMesh& mesh);
 struct MeshRepair {
   std::size_t points_joined = 0, triangles_dropped = 0, triangles_turned = 0, holes_closed = 0;
   double widest_hole = 0.0;
+  /// Caps over closed holes: the mesh's last triangles, which the file does not have. Areas in squared lengths of the mesh.
+  std::size_t cap_triangles = 0;
+  double cap_area = 0.0, largest_cap = 0.0, own_area = 0.0;
 };
 /// Joins points nearer than a ten-thousandth of the mesh's size, drops triangles that are there twice, winds neighbours
 /// alike (the fewer of each piece are turned), and closes gaps no wider than max_hole with a cone to their middle. What is

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "scenarios/import/header_text.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/packed_data.h"
 #include "scenarios/import/samples.h"
 
@@ -15,6 +16,9 @@ namespace {
 
 constexpr std::size_t kMaxHeaderBytes = 65536;  // of a scanner's with notes: a few KiB
 constexpr int kMaxFiles = 4096;
+std::string too_many_files(std::size_t files) {
+  return text_of({LimitKind::file_count, static_cast<double>(files), kMaxFiles});
+}
 
 struct ElementType {
   std::string_view name;
@@ -53,7 +57,7 @@ Result<Header, ImportFailure> read_header(std::istream& in, const std::string& n
     if (text.empty() || text.starts_with('#')) continue;
     if (listing) {
       out.list.emplace_back(text);
-      if (out.list.size() > kMaxFiles) return fail(ImportError::too_large, name);
+      if (out.list.size() > kMaxFiles) return fail(ImportError::too_large, name, too_many_files(out.list.size()));
       continue;
     }
     const auto mark = text.find('=');
@@ -100,8 +104,8 @@ class Reader {
   }
 
  private:
-  std::unexpected<ImportFailure> refuse(ImportError code, std::string_view key) const {
-    return fail(code, name_ + " " + std::string(key));
+  std::unexpected<ImportFailure> refuse(ImportError code, std::string_view key, std::string detail = {}) const {
+    return fail(code, name_ + " " + std::string(key), std::move(detail));
   }
   const std::string* field(std::initializer_list<std::string_view> names) const {
     for (const std::string_view n : names) {
@@ -153,13 +157,13 @@ class Reader {
     const auto sizes = numbers({"DimSize"}, 3);
     if (!sizes) return std::unexpected(sizes.error());
     if (sizes->empty()) return refuse(ImportError::bad_sizes, "DimSize");
-    IVec3 size(0);
     for (std::size_t i = 0; i < 3; ++i) {
       const double n = (*sizes)[i];
       if (!(n >= 1.0) || n != std::floor(n)) return refuse(ImportError::bad_sizes, "DimSize");
-      if (n > limits_.max_edge_voxels) return refuse(ImportError::too_large, "DimSize");
-      size[static_cast<int>(i)] = static_cast<int>(n);
     }
+    const Vec3 voxels((*sizes)[0], (*sizes)[1], (*sizes)[2]);
+    if (auto passed = passed_file_limit(voxels, limits_); !passed.empty()) return refuse(ImportError::too_large, "DimSize", std::move(passed));
+    const IVec3 size(voxels);
     auto spacing = numbers({"ElementSpacing", "ElementSize"}, 3);
     const auto origin = numbers({"Offset", "Position", "Origin"}, 3);
     auto turn = numbers({"TransformMatrix", "Rotation", "Orientation"}, 9);
@@ -175,7 +179,7 @@ class Reader {
       step[i] = ras * Vec3((*turn)[3 * i], (*turn)[3 * i + 1], (*turn)[3 * i + 2]) * (*spacing)[i];
     const Vec3 first = origin->empty() ? Vec3(0.0) : ras * Vec3((*origin)[0], (*origin)[1], (*origin)[2]);
     const auto layout = lay_out(size, step, first, limits_);
-    if (!layout) return refuse(layout.error(), layout.error() == ImportError::too_large ? "DimSize" : "TransformMatrix");
+    if (!layout) return refuse(layout.error(), "TransformMatrix");
     out_.layout = *layout;
     return {};
   }
@@ -198,7 +202,7 @@ class Reader {
         const auto one = numbered(std::string(word[0]), n);
         if (!one) return refuse(ImportError::unsupported, "ElementDataFile");
         files_.push_back(*one);
-        if (files_.size() > kMaxFiles) return refuse(ImportError::too_large, "ElementDataFile");
+        if (files_.size() > kMaxFiles) return refuse(ImportError::too_large, "ElementDataFile", too_many_files(files_.size()));
       }
     } else {
       files_.push_back(*text);

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "scenarios/import/foreign_images.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/samples.h"
 
 namespace cusp {
@@ -104,7 +105,7 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
   const Pose pose = pose_of(n);
   const IVec3 size(n.nx, n.ny, n.nz);
   const auto layout = lay_out(size, pose.step_mm, pose.first_mm, limits);
-  if (!layout) return fail(layout.error(), name);
+  if (!layout) return fail(layout.error(), name, passed_file_limit(size, limits));
   const std::size_t voxels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
   if (static_cast<std::size_t>(n.nvox) != voxels) return fail(ImportError::bad_sizes, name + " dim");
   if (!long_enough(n, voxels * static_cast<std::size_t>(voxel_bytes))) return fail(ImportError::truncated, name);

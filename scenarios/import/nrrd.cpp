@@ -7,6 +7,7 @@
 
 #include "engine/base/ids.h"
 #include "scenarios/import/label_map.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/packed_data.h"
 #include "scenarios/import/nrrd_header.h"
 
@@ -62,7 +63,8 @@ Result<VoxelVolume, ImportFailure> read_labels(PackedSource& source, const NrrdH
   const LabelBox box = box_of_labels(h.grid, labels);
   if (box.empty()) return fail(ImportError::nothing_solid, name);
   // The padding may lift a volume that just fits over the limit.
-  if (padded_grid(h.grid, box).voxels() > limits.max_voxels) return fail(ImportError::too_large, name);
+  if (auto passed = passed_file_limit(padded_grid(h.grid, box).size, limits); !passed.empty())
+    return fail(ImportError::too_large, name, std::move(passed));
   VoxelVolume out = volume_of_labels(h.grid, labels);
   out.names = h.names;
   return out;

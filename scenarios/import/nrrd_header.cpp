@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenarios/import/header_text.h"
+#include "scenarios/import/limit_figures.h"
 
 namespace cusp {
 namespace {
@@ -214,14 +215,9 @@ class Parser {
       else if (size[0] != 1)  // channels: no tissue codes
         return refuse(ImportError::unsupported, "sizes", *text);
     }
-    std::size_t voxels = 1;
-    for (int i = 0; i < 3; ++i) {
-      const std::size_t n = size[first_ + static_cast<std::size_t>(i)];
-      if (n > static_cast<std::size_t>(limits_.max_edge_voxels)) return refuse(ImportError::too_large, "sizes", *text);
-      voxels *= n;  // at most three times 2^31: no overflow in 64 bits once each is checked
-      if (voxels > limits_.max_voxels) return refuse(ImportError::too_large, "sizes", *text);
-      out_.file_size[i] = static_cast<int>(n);
-    }
+    const Vec3 sizes(size[first_], size[first_ + 1], size[first_ + 2]);
+    if (auto passed = passed_file_limit(sizes, limits_); !passed.empty()) return refuse(ImportError::too_large, "sizes", std::move(passed));
+    out_.file_size = IVec3(sizes);
     return {};
   }
 

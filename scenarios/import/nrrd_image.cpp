@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/nrrd_header.h"
 #include "scenarios/import/packed_data.h"
 #include "scenarios/import/samples.h"
@@ -16,7 +17,7 @@ Result<Image, ImportFailure> read_nrrd_image(std::istream& in, std::uintmax_t by
   const NrrdHeader& h = *header;
   if (h.content == NrrdHeader::Content::tissue_and_s) return fail(ImportError::unsupported, name + " sizes");
   const auto layout = lay_out(h.file_size, h.step_mm, h.first_mm, limits);
-  if (!layout) return fail(layout.error(), name);
+  if (!layout) return fail(layout.error(), name, passed_file_limit(h.file_size, limits));
 
   Image out;
   out.layout = *layout;

@@ -22,15 +22,22 @@ enum class RemarkCode : std::uint8_t {
   holes_closed,      // subject: mesh; numbers: how many, the widest in mm
   pieces_removed,    // numbers: voxels
   hollows_filled,    // numbers: voxels
+  shell_capped,      // an open shell was closed; subject: mesh; numbers: mm² of caps, share of the mesh's own area, tissue
+  precedence,        // subject: mesh; numbers: its place (1 wins over all others), its tissue, 1 when the user gave the order
+  parts_overlap,     // subject: mesh that got it, other: mesh that did not; numbers: mm³, their tissues
+  part_within,       // the same, where the subject lies in the other whole
+  size_odd,          // no length of a tooth; numbers: mm, then the factors that would make it one
 };
-inline constexpr std::array<std::string_view, 11> kRemarkKeys = {
+inline constexpr std::array<std::string_view, 16> kRemarkKeys = {
     "resampled",         "straightened",     "spacing_assumed", "identity_left_out", "one_of_series", "points_joined",
-    "triangles_dropped", "triangles_turned", "holes_closed",    "pieces_removed",    "hollows_filled"};
+    "triangles_dropped", "triangles_turned", "holes_closed",    "pieces_removed",    "hollows_filled",
+    "shell_capped",      "precedence",       "parts_overlap",   "part_within",       "size_odd"};
 
 struct ImportRemark {
   RemarkCode code;
   std::string subject{};
   std::vector<double> numbers{};
+  std::string other{};
   friend bool operator==(const ImportRemark&, const ImportRemark&) = default;
 };
 

@@ -7,6 +7,7 @@
 
 #include "engine/base/ids.h"
 #include "scenarios/import/child_process.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/worker_words.h"
 
@@ -92,12 +93,21 @@ Result<Heard, ImportFailure> run(const std::filesystem::path& file, std::vector<
     case ChildEnd::How::not_started: return fail(ImportError::not_started, where, end.errors);
     case ChildEnd::How::stopped: return fail(ImportError::cancelled, where);
     case ChildEnd::How::cpu_limit:
-    case ChildEnd::How::wall_limit: return fail(ImportError::time_limit, where, end.errors);
+      return fail(ImportError::time_limit, where, text_of({LimitKind::processor, 0.0, static_cast<double>(settings.cpu.count())}) + "\n" + end.errors);
+    case ChildEnd::How::wall_limit:
+      return fail(ImportError::time_limit, where,
+                  text_of({LimitKind::wall, 0.0, std::chrono::duration<double>(settings.wall).count()}) + "\n" + end.errors);
     case ChildEnd::How::crashed:
       return fail(ImportError::crashed, where, "signal " + std::to_string(end.code) + "\n" + end.errors);
     case ChildEnd::How::exited: break;
   }
-  if (heard.failure) return std::unexpected(*heard.failure);
+  if (heard.failure) {
+    if (heard.failure->code == ImportError::out_of_memory) {
+      heard.failure->where = where;
+      heard.failure->detail = text_of({LimitKind::memory, 0.0, static_cast<double>(settings.memory_bytes)});
+    }
+    return std::unexpected(*heard.failure);
+  }
   if (end.code != 0 || heard.garbled)
     return fail(ImportError::crashed, where, "status " + std::to_string(end.code) + "\n" + end.errors);
   return heard;

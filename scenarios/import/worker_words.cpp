@@ -113,7 +113,8 @@ std::vector<std::string> arguments_of(const MeshImport& job, const std::filesyst
                                 text_of(job.unit_mm),
                                 text_of(job.voxel_mm),
                                 text_of(static_cast<unsigned>(job.up)),
-                                text_of(job.mend_holes_mm.value_or(-1.0))};
+                                text_of(job.mend_holes_mm.value_or(-1.0)),
+                                text_of(static_cast<unsigned>(job.precedence))};
   add(a, job.limits);
   a.push_back(text_of(job.more.size()));
   for (const std::filesystem::path& file : job.more) a.push_back(std::filesystem::absolute(file).string());
@@ -131,6 +132,9 @@ std::optional<MeshImport> mesh_job(std::span<const std::string_view> arguments, 
   job.voxel_mm = r.number<double>();
   job.up = r.up();
   if (const double mend = r.number<double>(); !(mend < 0.0)) job.mend_holes_mm = mend;
+  const auto precedence = r.number<unsigned>();
+  if (precedence >= kPrecedenceKeys.size()) return std::nullopt;
+  job.precedence = static_cast<PartPrecedence>(precedence);
   job.limits = r.limits();
   for (auto n = r.number<std::size_t>(); n > 0 && r.more(); --n) job.more.emplace_back(r.text());
   while (r.more()) {
@@ -256,7 +260,7 @@ std::optional<ImageInfo> image_info_of(const std::vector<std::string>& words) {
 }
 
 std::vector<std::string> words_of(const ImportRemark& remark) {
-  std::vector<std::string> w = {"remark", std::string(key_of(remark.code)), remark.subject};
+  std::vector<std::string> w = {"remark", std::string(key_of(remark.code)), remark.subject, remark.other};
   for (const double n : remark.numbers) w.push_back(text_of(n));
   return w;
 }
@@ -266,8 +270,9 @@ std::optional<ImportRemark> remark_of(const std::vector<std::string>& words) {
   if (r.text() != "remark") return std::nullopt;
   const auto code = remark_from_key(r.text());
   if (!code) return std::nullopt;
-  ImportRemark out{*code, {}, {}};
+  ImportRemark out{*code};
   out.subject = r.text();
+  out.other = r.text();
   while (r.more()) out.numbers.push_back(r.number<double>());
   return r.ended() ? std::optional(std::move(out)) : std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "ui/app/import_words.h"
 #include "ui/app/sentences.h"
 #include "ui/app/words.h"
 #include "ui/widgets/format.h"
@@ -55,6 +56,7 @@ Told tell(const ImportFailure& f) {
   const QString kept = Words::tr("Nothing was changed.");
   const QString what = Words::tr("This file cannot be read.");
   const auto at = [&](const QString& why) { return Told{what, why + u' ' + kept}; };
+  if (const auto figures = limit_figures(f.detail)) return {limit_title(figures->kind), limit_text(where, *figures) + u' ' + kept};
   switch (f.code) {
     case ImportError::missing_file: return at(Words::tr("There is no file %1.").arg(where));
     case ImportError::io:

@@ -2,14 +2,25 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
+#include <vector>
 
 #include "engine/base/vec.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/remarks.h"
 
 namespace cusp {
 
-/// "Two holes were closed in crown, the widest of 0.4 mm."
+/// "Two holes were closed in crown, the widest of 0.4 mm." Empty for a remark that makes no sentence alone (precedence).
 QString tell(const ImportRemark& remark);
+/// All sentences of an import; the order in which meshes win is one.
+QStringList tell(const std::vector<ImportRemark>& remarks);
+/// "It is 155 mm long …": for the question, without a way out.
+QString odd_size_text(double longest_mm);
+/// What a limit refused, as a headline.
+QString limit_title(LimitKind kind);
+/// Why a limit refused a file: figures, and a way out. `where` names the file.
+QString limit_text(const QString& where, const LimitFigures& figures);
 
 /// "7.2 × 8.1 × 21.6 mm", in the locale's digits; no unit when `unit` is empty.
 QString size_text(Vec3 size, const QString& unit, int decimals = 1);

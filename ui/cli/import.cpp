@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "engine/volume/cut_volume.h"
 #include "engine/volume/specimen.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/binvox.h"
 #include "scenarios/import/header_text.h"
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
 #include "ui/app/import_words.h"
 #include "ui/cli/terminal.h"
@@ -22,15 +24,18 @@ namespace {
 
 struct ImportOptions {
   std::vector<std::string> files;
-  std::string out, up = "z", hollows;
-  std::vector<std::string> tissues, from;
-  double unit_mm = 1.0;
+  std::string out, up = "z", hollows, precedence = std::string(kPrecedenceKeys[0]);
+  std::vector<std::string> tissues, from, turns;
+  double unit_mm = 1.0, scale = 1.0;
   std::optional<double> voxel_mm, mend_mm;
   bool list = false, largest = false;
   JsonOption json;
 };
 
 constexpr double kMeshVoxelMm = 0.1;  // where a mesh says nothing: a tenth, as the teeth that come with the program
+
+/// One line on stderr that does not end the verb.
+void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
 
 volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int) { interrupted = 1; }
@@ -59,6 +64,31 @@ std::optional<UpAxis> up_axis(const std::string& text) {
     if (kUpAxisKeys[i] == text) return static_cast<UpAxis>(i);
   }
   return std::nullopt;
+}
+
+std::optional<PartPrecedence> precedence_named(const std::string& text) {
+  for (std::size_t i = 0; i < kPrecedenceKeys.size(); ++i) {
+    if (kPrecedenceKeys[i] == text) return static_cast<PartPrecedence>(i);
+  }
+  return std::nullopt;
+}
+
+/// Length of a unit of the file as it is to be taken.
+double unit_of(const ImportOptions& o) { return o.unit_mm * o.scale; }
+
+/// An axis of the specimen, and whether it is turned about against the right hand.
+struct QuarterTurn {
+  int axis = 0, quarters = 1;
+};
+std::optional<std::vector<QuarterTurn>> turns_of(const ImportOptions& o) {
+  std::vector<QuarterTurn> out;
+  for (const std::string& text : o.turns) {
+    const bool back = text.starts_with('-');
+    const std::string axis = text.substr(back ? 1 : 0);
+    if (axis != "x" && axis != "y" && axis != "z") return std::nullopt;
+    out.push_back({axis[0] - 'x', back ? -1 : 1});
+  }
+  return out;
 }
 
 std::vector<std::filesystem::path> paths_of(const ImportOptions& o) { return {o.files.begin(), o.files.end()}; }
@@ -126,7 +156,7 @@ int list_verb(const ImportOptions& o) {
   json["meshes"] = nlohmann::ordered_json::array();
   for (const MeshInfo& m : seen->meshes) {
     json["meshes"].push_back(json_of(m));
-    if (!o.json.on_stdout()) say_mesh(m, o.unit_mm);
+    if (!o.json.on_stdout()) say_mesh(m, unit_of(o));
   }
   if (seen->image) {
     json["image"] = json_of(*seen->image);
@@ -152,7 +182,7 @@ QString not_a_pair(const std::string& text) {
 /// What was typed as an image's tissues; the sentence says what is wrong with it.
 std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up) {
   ImageTissues t;
-  t.unit_mm = o.unit_mm;
+  t.unit_mm = unit_of(o);
   t.voxel_mm = o.voxel_mm;
   t.up = up;
   t.largest_piece = o.largest;
@@ -195,11 +225,20 @@ struct Done {
   std::vector<ImportRemark> remarks;
 };
 
-int finish(const ImportOptions& o, const Done& done) {
+std::string key_of_code(double code) {
+  const auto i = static_cast<std::size_t>(code);
+  return i < kTissueKeys.size() ? std::string(kTissueKeys[i]) : std::to_string(i);
+}
+
+nlohmann::ordered_json json_of(const ImportRemark& remark) {
+  nlohmann::ordered_json out = {{"code", std::string(key_of(remark.code))}, {"subject", remark.subject}, {"numbers", remark.numbers}};
+  if (!remark.other.empty()) out["other"] = remark.other;
+  return out;
+}
+
+/// What was made: where, how large, of what, and which mesh won over which.
+nlohmann::ordered_json json_of(const ImportOptions& o, const Done& done, const SolidMeasure& measure) {
   const VoxelVolume& volume = done.volume;
-  const bool binvox = std::filesystem::path(o.out).extension() == ".binvox";
-  if (auto written = binvox ? write_binvox(binvox_of(volume), o.out) : write_nrrd(volume, o.out); !written)
-    return failed(tell(written.error()));
   const SpecimenFacts facts = facts_of(volume);
   nlohmann::ordered_json json;
   json["volume"] = o.out;
@@ -208,18 +247,77 @@ int finish(const ImportOptions& o, const Done& done) {
   json["low_mm"] = json_of(facts.low_mm);
   json["high_mm"] = json_of(facts.high_mm);
   json["tissues"] = nlohmann::ordered_json::array();
+  json["mm3"] = nlohmann::ordered_json::object();
   for (const Tissue t : facts.tissues) {
-    const auto code = index_of(t);
-    json["tissues"].push_back(code < kTissueKeys.size() ? std::string(kTissueKeys[code]) : std::to_string(code));
+    const std::string key = key_of_code(static_cast<double>(index_of(t)));
+    json["tissues"].push_back(key);
+    json["mm3"][key] = measure.mm3[index_of(t)];
   }
+  json["precedence"] = nlohmann::ordered_json::array();
   json["remarks"] = nlohmann::ordered_json::array();
   for (const ImportRemark& remark : done.remarks) {
-    json["remarks"].push_back({{"code", std::string(key_of(remark.code))}, {"subject", remark.subject}, {"numbers", remark.numbers}});
-    if (!o.json.on_stdout()) say(plain(tell(remark)));
+    if (remark.code == RemarkCode::precedence)
+      json["precedence"].push_back({{"mesh", remark.subject}, {"tissue", key_of_code(remark.numbers.at(1))}});
+    json["remarks"].push_back(json_of(remark));
   }
-  if (!o.json.write(json)) return kFailed;
-  if (!o.json.on_stdout()) say(o.out);
+  return json;
+}
+
+void say_result(const Done& done, const SolidMeasure& measure) {
+  std::vector<ImportRemark> notes = done.remarks;
+  std::erase_if(notes, [](const ImportRemark& r) { return r.code == RemarkCode::size_odd; });  // the warning
+  for (const QString& line : tell(notes)) say(plain(line));
+  for (const Tissue t : facts_of(done.volume).tissues)
+    say(plain(QStringLiteral("%1: %2 mm³").arg(tissue_name(t)).arg(measure.mm3[index_of(t)], 0, 'f', 1)));
+}
+
+int finish(const ImportOptions& o, const Done& done) {
+  const VoxelVolume& volume = done.volume;
+  const bool binvox = std::filesystem::path(o.out).extension() == ".binvox";
+  if (auto written = binvox ? write_binvox(binvox_of(volume), o.out) : write_nrrd(volume, o.out); !written)
+    return failed(tell(written.error()));
+  const SolidMeasure measure = specimen_solid(*Specimen::build(volume, Reading::banded));
+  if (!o.json.write(json_of(o, done, measure))) return kFailed;
+  for (const ImportRemark& remark : done.remarks)
+    if (remark.code == RemarkCode::size_odd) warn(tell(remark) + u' ' + CliWords::tr("--scale takes the factor."));
+  if (o.json.on_stdout()) return kDone;
+  say_result(done, measure);
+  say(o.out);
   return kDone;
+}
+
+/// What was typed as the import of an image, and the import.
+Result<VoxelVolume, ImportFailure> volume_from_image(const ImportOptions& o, ImageTissues tissues, std::stop_token stop,
+                                                     std::vector<ImportRemark>& remarks) {
+  ImageImport what;
+  what.path = o.files.front();
+  what.tissues = std::move(tissues);
+  if (what.tissues.labels.empty() && what.tissues.thresholds.empty()) {
+    if (auto r = take_codes_as_they_are(o, what.tissues, stop); !r) return std::unexpected(r.error());
+  }
+  return import_image_in_child(what, {}, show_progress, std::move(stop), &remarks);
+}
+
+/// What was typed as the import of meshes; the sentence says what is wrong with it.
+std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up) {
+  MeshImport what;
+  what.path = o.files.front();
+  what.more.assign(o.files.begin() + 1, o.files.end());
+  what.unit_mm = unit_of(o);
+  what.voxel_mm = o.voxel_mm.value_or(kMeshVoxelMm);
+  what.mend_holes_mm = o.mend_mm;
+  what.up = up;
+  const auto precedence = precedence_named(o.precedence);
+  if (!precedence) return std::unexpected(CliWords::tr("%1 is no precedence: innermost or given.").arg(QString::fromStdString(o.precedence)));
+  what.precedence = *precedence;
+  for (const std::string& text : o.tissues) {
+    const auto pair = pair_of(text);
+    if (!pair || pair->second == Tissue::empty) return std::unexpected(not_a_pair(text));
+    what.tissues.push_back(*pair);
+  }
+  if (what.tissues.empty())
+    return std::unexpected(CliWords::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
+  return what;
 }
 
 int import_verb(const ImportOptions& o) {
@@ -227,43 +325,24 @@ int import_verb(const ImportOptions& o) {
   if (o.out.empty()) return wrong_usage(CliWords::tr("Say with -o where the volume is to be written."));
   const auto up = up_axis(o.up);
   if (!up) return wrong_usage(CliWords::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
+  const auto turns = turns_of(o);
+  if (!turns) return wrong_usage(CliWords::tr("--turn takes x, y, z, -x, -y or -z."));
   StopOnInterrupt stop;
   Done done;
   Result<VoxelVolume, ImportFailure> volume;
   if (file_kind(o.files.front()) == FileKind::image) {
-    ImageImport what;
-    what.path = o.files.front();
     auto tissues = image_tissues(o, *up);
     if (!tissues) return wrong_usage(tissues.error());
-    what.tissues = std::move(*tissues);
-    if (what.tissues.labels.empty() && what.tissues.thresholds.empty()) {
-      if (auto r = take_codes_as_they_are(o, what.tissues, stop.token()); !r) {
-        end_progress();
-        return failed(tell(r.error()));
-      }
-    }
-    volume = import_image_in_child(what, {}, show_progress, stop.token(), &done.remarks);
+    volume = volume_from_image(o, std::move(*tissues), stop.token(), done.remarks);
   } else {
-    MeshImport what;
-    what.path = o.files.front();
-    what.more.assign(o.files.begin() + 1, o.files.end());
-    what.unit_mm = o.unit_mm;
-    what.voxel_mm = o.voxel_mm.value_or(kMeshVoxelMm);
-    what.mend_holes_mm = o.mend_mm;
-    what.up = *up;
-    for (const std::string& text : o.tissues) {
-      const auto pair = pair_of(text);
-      if (!pair || pair->second == Tissue::empty) return wrong_usage(not_a_pair(text));
-      what.tissues.push_back(*pair);
-    }
-    if (what.tissues.empty()) {
-      return wrong_usage(CliWords::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
-    }
-    volume = import_mesh_in_child(what, {}, show_progress, stop.token(), &done.remarks);
+    const auto what = mesh_import(o, *up);
+    if (!what) return wrong_usage(what.error());
+    volume = import_mesh_in_child(*what, {}, show_progress, stop.token(), &done.remarks);
   }
   end_progress();
   if (!volume) return failed(tell(volume.error()));
   done.volume = std::move(*volume);
+  for (const QuarterTurn& turn : *turns) done.volume = quarter_turned(done.volume, turn.axis, turn.quarters);
   return finish(o, done);
 }
 
@@ -272,7 +351,7 @@ int import_verb(const ImportOptions& o) {
 void add_import(CLI::App& program, Job& job) {
   auto o = std::make_shared<ImportOptions>();
   CLI::App* verb = program.add_subcommand("import", help(CliWords::tr("Make a specimen volume of closed meshes, of a label volume or of a CT series")));
-  verb->add_option("FILE", o->files, help(CliWords::tr("STL, OBJ, PLY, 3DS (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices")))->required();
+  verb->add_option("FILE", o->files, help(CliWords::tr("STL, OBJ, PLY, 3DS, OFF (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices")))->required();
   verb->add_option("-o,--output", o->out, help(CliWords::tr("Volume to write (NRRD, or binvox by its ending)")))->type_name("VOLUME");
   verb->add_option("--tissue", o->tissues, help(CliWords::tr("What a mesh or a label is made of; once for each to be taken")))
       ->type_name("MESH=TISSUE");
@@ -283,11 +362,19 @@ void add_import(CLI::App& program, Job& job) {
   verb->add_option("--unit-mm", o->unit_mm, help(CliWords::tr("Length of one unit of the file in millimetres")))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  verb->add_option("--scale", o->scale, help(CliWords::tr("Factor on the unit, as 0.1 for a tooth that came in ten times too long")))
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   verb->add_option("--voxel-mm", o->voxel_mm, help(CliWords::tr("Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes")))
       ->check(CLI::PositiveNumber);
   verb->add_option("--mend-mm", o->mend_mm, help(CliWords::tr("Mend meshes, and close holes up to this width in millimetres")))
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--up", o->up, help(CliWords::tr("The file's axis towards the chewing surface")))->capture_default_str();
+  verb->add_option("--turn", o->turns, help(CliWords::tr("A quarter turn of what was made about this axis, by the right hand; -x turns back; may be repeated")))
+      ->type_name("AXIS");
+  verb->add_option("--precedence", o->precedence,
+                   help(CliWords::tr("Which mesh wins where several overlap: the innermost one, or the first --tissue given")))
+      ->capture_default_str();
   verb->add_flag("--list", o->list, help(CliWords::tr("Only tell what the file holds")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return import_verb(*o); }; });

@@ -8,6 +8,7 @@
 #include "engine/volume/cut_volume.h"
 #include "engine/volume/specimen.h"
 #include "scenarios/import/image_volume.h"
+#include "scenarios/import/limit_figures.h"
 #include "scenarios/import/metaimage.h"
 #include "scenarios/import/nrrd_image.h"
 #include "scenarios/import/pieces.h"
@@ -300,6 +301,103 @@ TEST(ImageVolume, OptionsThatCannotBeAreRefusedByName) {
   EXPECT_EQ(code(what).substr(0, 9), "too_large");
   what.voxel_mm = 100.0;
   EXPECT_EQ(code(what), "bad_option voxel-mm");
+}
+
+/// A jaw of labels at 0.4 mm: two teeth of 8 x 8 x 20 mm that stand far apart, each with a pulp of its own.
+Image jaw() {
+  Image image;
+  image.layout = *lay_out({160, 120, 60}, {Vec3(0.4, 0, 0), Vec3(0, 0.4, 0), Vec3(0, 0, 0.4)}, Vec3(-32.0, -24.0, -12.0), {});
+  image.kind = ImageKind::labels;
+  image.value.assign(160 * 120 * 60, 0.0f);
+  const auto fill = [&](IVec3 low, IVec3 high, float value) {
+    for (int z = low.z; z < high.z; ++z)
+      for (int y = low.y; y < high.y; ++y)
+        for (int x = low.x; x < high.x; ++x) image.value[static_cast<std::size_t>(x + 160 * (y + 120 * z))] = value;
+  };
+  fill({5, 5, 5}, {25, 25, 55}, 11.0f);
+  fill({12, 12, 15}, {18, 18, 45}, 111.0f);
+  fill({130, 90, 5}, {150, 110, 55}, 21.0f);
+  return image;
+}
+
+TEST(ImageVolume, OneToothOfAJawIsMadeFinerThanTheWholeJawCouldBe) {
+  const Image image = jaw();
+  ImageTissues what;
+  what.labels = {{11, Tissue::dentine}, {111, Tissue::pulp}};
+  what.voxel_mm = 0.1;
+  VolumeLimits limits;
+  limits.max_voxels = 3'000'000;  // the jaw would take 74 million, the tooth 1.4 million
+  std::vector<ImportRemark> remarks;
+  const auto v = volume_of_image(image, what, "jaw", limits, remarks);
+  ASSERT_TRUE(v) << key_of(v.error().code) << " " << v.error().detail;
+  EXPECT_EQ(v->grid.size, IVec3(80 + 8, 80 + 8, 200 + 8));
+  const SolidMeasure m = specimen_solid(*Specimen::build(*v, Reading::banded));
+  EXPECT_NEAR(m.total_mm3(), 8.0 * 8.0 * 20.0, 0.005 * 1280.0);
+  EXPECT_NEAR(m.mm3[index_of(Tissue::pulp)], 2.4 * 2.4 * 12.0, 0.01 * 69.0);
+  // The same voxels in the same places as in the whole jaw.
+  what.voxel_mm = 0.2;
+  const auto tooth = volume_of_image(image, what, "jaw", {}, remarks);
+  what.labels.emplace_back(21, Tissue::dentine);
+  const auto both = volume_of_image(image, what, "jaw", {}, remarks);
+  ASSERT_TRUE(tooth && both);
+  const IVec3 shift(glm::round((tooth->grid.origin_mm - both->grid.origin_mm) / 0.2));
+  EXPECT_LT(glm::length(both->grid.centre_mm(shift) - tooth->grid.origin_mm), 1e-9);
+  std::size_t differs = 0;
+  IVec3 at;
+  std::size_t i = 0;
+  for (at.z = 0; at.z < tooth->grid.size.z; ++at.z)
+    for (at.y = 0; at.y < tooth->grid.size.y; ++at.y)
+      for (at.x = 0; at.x < tooth->grid.size.x; ++at.x, ++i)
+        differs += tooth->s[i] != both->s[both->grid.index(at + shift)] || tooth->tissue[i] != both->tissue[both->grid.index(at + shift)];
+  EXPECT_EQ(differs, 0u);
+}
+
+TEST(ImageVolume, ARefusalForSizeGivesTheFiguresAndAVoxelThatFits) {
+  const Image image = jaw();
+  ImageTissues what;
+  what.labels = {{11, Tissue::dentine}, {21, Tissue::dentine}};
+  what.voxel_mm = 0.1;
+  VolumeLimits limits;
+  limits.max_voxels = 3'000'000;
+  std::vector<ImportRemark> remarks;
+  const auto refused = volume_of_image(image, what, "jaw", limits, remarks);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ImportError::too_large);
+  const auto figures = limit_figures(refused.error().detail);
+  ASSERT_TRUE(figures) << refused.error().detail;
+  EXPECT_EQ(figures->kind, LimitKind::voxels);
+  EXPECT_NEAR(figures->asked, 588.0 * 428.0 * 208.0, 0.1 * 588.0 * 428.0 * 208.0);  // both teeth and what lies between
+  EXPECT_EQ(figures->allowed, 3e6);
+  ASSERT_GT(figures->fits_mm, 0.1);
+  what.voxel_mm = figures->fits_mm;
+  EXPECT_TRUE(volume_of_image(image, what, "jaw", limits, remarks));
+  what.voxel_mm = 0.8 * figures->fits_mm;
+  EXPECT_FALSE(volume_of_image(image, what, "jaw", limits, remarks)) << "a far finer one would have fitted too";
+  // Fewer labels are a way out.
+  what.voxel_mm = 0.1;
+  what.labels = {{21, Tissue::dentine}};
+  EXPECT_TRUE(volume_of_image(image, what, "jaw", limits, remarks));
+  // And so is the largest piece alone.
+  what.labels = {{11, Tissue::dentine}, {111, Tissue::pulp}, {21, Tissue::dentine}};
+  EXPECT_FALSE(volume_of_image(image, what, "jaw", limits, remarks));
+  what.largest_piece = true;
+  const auto piece = volume_of_image(image, what, "jaw", limits, remarks);
+  ASSERT_TRUE(piece) << piece.error().detail;
+  EXPECT_EQ(piece->grid.size, IVec3(88, 88, 208));
+}
+
+TEST(LimitFigures, GoThroughTextAndAreNotReadFromOtherText) {
+  const LimitFigures f{LimitKind::edge, 4096.0, 2048.0, 0.21};
+  EXPECT_EQ(limit_figures(text_of(f)), f);
+  EXPECT_EQ(limit_figures(text_of(f) + "\nand what the process said"), f);
+  for (const char* bad : {"", "limit", "limit edge 1 2", "limit edge 1 2 3 4", "limit nothing 1 2 3", "limit edge a 2 3", "12 gaps"})
+    EXPECT_FALSE(limit_figures(bad)) << bad;
+  const auto file = limit_figures(passed_file_limit({2000, 2000, 2000}, {}));
+  ASSERT_TRUE(file);
+  EXPECT_EQ(*file, (LimitFigures{LimitKind::file_voxels, 8e9, 512.0 * 512.0 * 512.0, 0.0}));
+  EXPECT_EQ(passed_file_limit({512, 512, 512}, {}), "");
+  // No voxel up to the coarsest fits a specimen of a hundred metres.
+  EXPECT_EQ(passed_limit(Vec3(1e6), Vec3(1e5), 0.1, {})->fits_mm, 0.0);
 }
 
 TEST(ImageVolume, MetalAboveEnamelCanBeLeftOut) {

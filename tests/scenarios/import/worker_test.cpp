@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "scenarios/import/child_process.h"
+#include "scenarios/import/limit_figures.h"
 #include "tests/scenarios/import/mesh_files.h"
 
 namespace cusp {
@@ -107,6 +108,37 @@ TEST_F(ImportWorker, AnEndlessLoopEndsAtTheLimitOfItsProcessorTime) {
   WorkerSettings settings = bad_child("child-spin");
   settings.cpu = std::chrono::seconds(1);
   EXPECT_EQ(outcome(import_mesh_in_child(what, settings)), "time_limit");
+}
+
+TEST_F(ImportWorker, TheLimitThatEndedAChildIsNamedWithItsFigure) {
+  const auto figures = [&](const WorkerSettings& settings) {
+    const auto r = import_mesh_in_child(what, settings);
+    return r ? std::nullopt : limit_figures(r.error().detail);
+  };
+  WorkerSettings settings = bad_child("child-sleep");
+  settings.wall = std::chrono::milliseconds(200);
+  EXPECT_EQ(figures(settings), (LimitFigures{LimitKind::wall, 0.0, 0.2, 0.0}));
+  settings = bad_child("child-spin");
+  settings.cpu = std::chrono::seconds(1);
+  EXPECT_EQ(figures(settings), (LimitFigures{LimitKind::processor, 0.0, 1.0, 0.0}));
+  if (!child_memory_limit_works()) return;
+  settings = bad_child("child-eat");
+  settings.memory_bytes = std::size_t{512} << 20;
+  EXPECT_EQ(figures(settings), (LimitFigures{LimitKind::memory, 0.0, 536870912.0, 0.0}));
+}
+
+TEST_F(ImportWorker, RemarksComeThroughAsTheyWereMade) {
+  std::vector<ImportRemark> here, there;
+  ASSERT_TRUE(import_mesh(what, {}, &here));
+  ASSERT_TRUE(import_mesh_in_child(what, {}, {}, {}, &there));
+  EXPECT_EQ(here, there);
+  ASSERT_EQ(here.size(), 4u);  // two places in the order, one inside the other, and a ball of 2 mm is no tooth
+  EXPECT_EQ(here[2].code, RemarkCode::part_within);
+  EXPECT_EQ(here[2].other, what.tissues[0].first);
+  what.precedence = PartPrecedence::given;  // the outer one first: nothing is left of the inner one
+  const auto volume = import_mesh_in_child(what, {}, {}, {}, &there);
+  ASSERT_TRUE(volume);
+  EXPECT_TRUE(std::ranges::none_of(volume->tissue, [](Tissue t) { return t == Tissue::pulp; }));
 }
 
 TEST_F(ImportWorker, WhatAChildTookIsTold) {
