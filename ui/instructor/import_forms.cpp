@@ -59,6 +59,7 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
   grid->setVerticalSpacing(px(8));
   grid->setColumnStretch(2, 1);
   bool faulty = false;
+  const bool several = meshes.size() > 1;
   int line = 0;
   for (MeshInfo& info : meshes) {
     const QString name = QString::fromStdString(info.name);
@@ -80,6 +81,18 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     ++line;
   }
   column->addLayout(grid);
+  if (several) {
+    auto* row = new QHBoxLayout;
+    precedence_ = new QComboBox;
+    precedence_->addItem(tr("the one inside wins"));  // in the order of PartPrecedence
+    precedence_->addItem(tr("the upper one of this list wins"));
+    precedence_->setAccessibleName(tr("Where parts overlap"));
+    row->addWidget(make_label(tr("Where parts overlap,")));
+    row->addWidget(precedence_);
+    row->addStretch();
+    column->addLayout(row);
+    connect(precedence_, &QComboBox::currentIndexChanged, this, &MeshForm::changed);
+  }
   if (faulty) {
     auto* row = new QHBoxLayout;
     mend_ = new QCheckBox(tr("Mend: join, turn and close holes up to"));
@@ -114,6 +127,10 @@ void MeshForm::set_unit_mm(double unit_mm) {
 
 std::optional<double> MeshForm::mend_mm() const {
   return mend_ && mend_->isChecked() ? std::optional(width_->value()) : std::nullopt;
+}
+
+PartPrecedence MeshForm::precedence() const {
+  return precedence_ ? static_cast<PartPrecedence>(precedence_->currentIndex()) : PartPrecedence::innermost;
 }
 
 void MeshForm::tell() {

@@ -31,6 +31,7 @@ class MeshForm : public QWidget {
   Vec3 size() const;
   /// Width up to which holes are closed; none: nothing is mended.
   std::optional<double> mend_mm() const;
+  PartPrecedence precedence() const;
 
  Q_SIGNALS:
   void changed();
@@ -46,6 +47,7 @@ class MeshForm : public QWidget {
   double unit_mm_ = 1.0;
   std::vector<Row> rows_;
   QCheckBox* mend_ = nullptr;
+  QComboBox* precedence_ = nullptr;  // of several meshes
   QDoubleSpinBox* width_ = nullptr;
 };
 

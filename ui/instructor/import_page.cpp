@@ -2,14 +2,13 @@
 
 #include <QApplication>
 #include <QBoxLayout>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QThreadPool>
 #include <QUrl>
 #include <algorithm>
@@ -19,15 +18,14 @@
 #include "ui/app/import_words.h"
 #include "ui/app/sentences.h"
 #include "ui/instructor/import_forms.h"
+#include "ui/instructor/import_preview.h"
+#include "ui/instructor/import_size.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp {
 namespace {
-
-constexpr double kDefaultVoxelMm = 0.1;
-constexpr double kSmallMm = 2.0, kLargeMm = 250.0;  // below and above, no tooth and no jaw: the unit is asked again
 
 /// One of the import's own answers, told on the window's thread while the page is still there.
 template <class Answer>
@@ -75,8 +73,18 @@ ImportPage::ImportPage(const Ports& ports, std::filesystem::path database, QWidg
   parts_card_->body()->addWidget(about_);
   outer->addWidget(parts_card_);
   size_card_ = new Card(tr("Size"));
-  build_size(size_card_->body());
+  size_ = new ImportSize;
+  size_card_->body()->addWidget(size_);
+  import_ = make_large_button(tr("Make a specimen"), ButtonKind::primary);
+  import_->setObjectName(u"make"_qs);
+  size_card_->body()->addWidget(import_, 0, Qt::AlignLeft);
   outer->addWidget(size_card_);
+  made_card_ = new Card(tr("The specimen, before it is kept"));
+  build_made(made_card_->body());
+  outer->addWidget(made_card_);
+  connect(import_, &QPushButton::clicked, this, &ImportPage::run);
+  connect(size_, &ImportSize::changed, this, &ImportPage::forget_made);
+  connect(size_, &ImportSize::confirmed, this, &ImportPage::show_size);
   outer->addStretch();
   connect(back, &QPushButton::clicked, this, &ImportPage::back_wanted);
   show_files();
@@ -103,7 +111,7 @@ void ImportPage::build_files(QVBoxLayout* body) {
   connect(pick_, &QPushButton::clicked, this, [this] {
     ports_.pick_file(this,
                      {tr("Choose a file"), {},
-                      tr("Meshes and volumes (*.stl *.obj *.ply *.3ds *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;All files (*)"),
+                      tr("Meshes and volumes (*.stl *.obj *.ply *.3ds *.off *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;All files (*)"),
                       false},
                      [this](const QString& path) { open_file(path); });
   });
@@ -121,50 +129,13 @@ void ImportPage::build_files(QVBoxLayout* body) {
   });
 }
 
-void ImportPage::build_size(QVBoxLayout* body) {
-  auto* numbers = new QHBoxLayout;
-  numbers->setSpacing(px(16));
-  const auto number = [&](double least, double most, double value, int decimals) {
-    auto* box = new QDoubleSpinBox;
-    box->setLocale(QLocale());
-    box->setDecimals(decimals);
-    box->setRange(least, most);
-    box->setValue(value);
-    box->setSingleStep(value / 10);
-    box->setSuffix(QChar(0x00A0) + QStringLiteral("mm"));
-    box->setFixedWidth(px(140));
-    return box;
-  };
-  unit_ = new QComboBox;
-  const QStringList names = {tr("Millimetre"), tr("Centimetre"), tr("Metre"), tr("Inch"), tr("Micrometre")};
-  for (std::size_t i = 0; i < kUsualUnitsMm.size(); ++i) unit_->addItem(names[static_cast<qsizetype>(i)], kUsualUnitsMm[i]);
-  unit_->addItem(tr("Another"), 0.0);
-  other_unit_ = number(0.0001, 1000, 1, 4);
-  voxel_ = number(0.02, 5, kDefaultVoxelMm, 3);
-  up_ = new QComboBox;
-  for (const std::string_view key : kUpAxisKeys) up_->addItem(QString::fromLatin1(key.data(), static_cast<int>(key.size())));
-  up_->setMinimumWidth(px(80));
-  unit_field_ = labelled(tr("One unit of the file is"), unit_);
-  other_field_ = labelled(tr("Its length"), other_unit_);
-  for (QWidget* field : {unit_field_, other_field_, labelled(tr("Fineness"), voxel_), labelled(tr("Chewing surface looks to"), up_)})
-    numbers->addWidget(field);
-  numbers->addStretch();
-  body->addLayout(numbers);
-  size_ = make_label({}, TextRole::body, true);
-  size_->setWordWrap(true);
-  body->addWidget(size_);
-  unit_hint_ = make_label({}, TextRole::body, false, "look");
-  unit_hint_->setWordWrap(true);
-  body->addWidget(unit_hint_);
-  import_ = make_large_button(tr("Make a specimen"), ButtonKind::primary);
-  body->addWidget(import_, 0, Qt::AlignLeft);
-  connect(unit_, &QComboBox::currentIndexChanged, this, &ImportPage::show_size);
-  connect(other_unit_, &QDoubleSpinBox::valueChanged, this, &ImportPage::show_size);
-  connect(voxel_, &QDoubleSpinBox::valueChanged, this, &ImportPage::show_size);
-  connect(import_, &QPushButton::clicked, this, [this] {
-    if (kept_) Q_EMIT edit_wanted(*kept_);
-    else run();
-  });
+void ImportPage::build_made(QVBoxLayout* body) {
+  preview_ = new ImportPreview;
+  body->addWidget(preview_);
+  keep_ = make_large_button(tr("Keep it and make an exercise"), ButtonKind::primary);
+  body->addWidget(keep_, 0, Qt::AlignLeft);
+  connect(keep_, &QPushButton::clicked, this, &ImportPage::keep);
+  connect(preview_, &ImportPreview::turning_changed, this, &ImportPage::show_size);
 }
 
 void ImportPage::dragEnterEvent(QDragEnterEvent* event) {
@@ -204,7 +175,7 @@ void ImportPage::tell_failure(const ImportFailure& failure) {
 }
 
 void ImportPage::forget_forms() {
-  kept_.reset();
+  preview_->clear();
   image_.reset();
   for (QWidget* form : {static_cast<QWidget*>(mesh_form_), static_cast<QWidget*>(volume_form_)})
     if (form) form->deleteLater();
@@ -216,7 +187,7 @@ void ImportPage::show_files() {
   const bool idle = !work_, shown = mesh_form_ || volume_form_;
   QStringList names;
   for (const auto& file : files_) names << isolate(QString::fromStdString(file.filename().string()));
-  names_->setText(names.isEmpty() ? tr("Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS; several are put together), "
+  names_->setText(names.isEmpty() ? tr("Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS, OFF; several are put together), "
                                        "volumes (NRRD, MetaImage, NIfTI, binvox) or a slice of a CT (DICOM).")
                                   : names.join(QStringLiteral(", ")));
   pick_->setText(mesh_form_ ? tr("Add a file…") : tr("Choose a file…"));
@@ -226,6 +197,7 @@ void ImportPage::show_files() {
   parts_card_->setVisible(shown);
   size_card_->setVisible(shown);
   parts_card_->setEnabled(idle);
+  size_->setEnabled(idle);
   show_size();
 }
 
@@ -275,90 +247,86 @@ void ImportPage::show_look(FileLook look) {
     about_->setText(text);
     volume_form_ = new VolumeForm(i, std::make_shared<ImagePreview>(std::move(look.preview)));
     parts_card_->body()->addWidget(volume_form_);
-    connect(volume_form_, &VolumeForm::changed, this, &ImportPage::show_size);
-    const double least = std::min({i.spacing_mm.x, i.spacing_mm.y, i.spacing_mm.z});
-    voxel_->setValue(std::clamp(least, voxel_->minimum(), voxel_->maximum()));
-    unit_->setCurrentIndex(0);
+    connect(volume_form_, &VolumeForm::changed, this, &ImportPage::forget_made);
+    size_->begin(!i.spacing_known, 1.0, std::min({i.spacing_mm.x, i.spacing_mm.y, i.spacing_mm.z}));
   } else {
     mesh_form_ = new MeshForm(std::move(look.meshes));
     parts_card_->body()->addWidget(mesh_form_);
-    connect(mesh_form_, &MeshForm::changed, this, &ImportPage::show_size);
+    connect(mesh_form_, &MeshForm::changed, this, &ImportPage::forget_made);
     const Vec3 size = mesh_form_->size();
-    unit_->setCurrentIndex(unit_->findData(guessed_unit_mm(std::max({size.x, size.y, size.z}))));
+    size_->begin(true, guessed_unit_mm(std::max({size.x, size.y, size.z})), std::nullopt);
   }
   show_files();
 }
 
-bool ImportPage::asks_unit() const { return mesh_form_ || (image_ && !image_->spacing_known); }
-
-double ImportPage::unit_mm() const {
-  if (!asks_unit()) return 1.0;
-  const double usual = unit_->currentData().toDouble();
-  return usual > 0.0 ? usual : other_unit_->value();
-}
-
 void ImportPage::show_size() {
-  unit_field_->setVisible(asks_unit());
-  other_field_->setVisible(asks_unit() && unit_->currentData().toDouble() == 0.0);
+  made_card_->setVisible(preview_->volume() != nullptr);
   const bool own = image_ && image_->specimen;
-  voxel_->setEnabled(!own && !kept_);
-  up_->setEnabled(!own && !kept_);
-  import_->setText(kept_ ? tr("Go on to the exercise") : tr("Make a specimen"));
+  size_->set_changeable(!own);
   if (!mesh_form_ && !volume_form_) return;
-  const double unit = unit_mm();
-  Vec3 size(0.0);
+  const double unit = size_->unit_mm();
+  std::optional<double> longest;
+  QString text;
   bool ready = false;
   if (mesh_form_) {
     const QSignalBlocker quiet(mesh_form_);
     mesh_form_->set_unit_mm(unit);
-    size = mesh_form_->size() * unit;
+    const Vec3 size = mesh_form_->size() * unit;
+    longest = std::max({size.x, size.y, size.z});
     ready = !mesh_form_->chosen().empty();
-    size_->setText(ready ? tr("The specimen will be %1.").arg(size_text(size, u"mm"_qs))
-                         : tr("With this unit the file is %1. Say what each mesh is made of.").arg(size_text(size, u"mm"_qs)));
+    text = ready ? tr("The specimen will be %1.").arg(size_text(size, u"mm"_qs))
+                 : tr("With this unit the file is %1. Say what each mesh is made of.").arg(size_text(size, u"mm"_qs));
+    if (unit != 1.0) text += u' ' + tr("If its unit were a millimetre, it would be %1.").arg(size_text(mesh_form_->size(), u"mm"_qs));
   } else {
-    size = Vec3(image_->size) * image_->spacing_mm * unit;
     ready = volume_form_->ready();
     const Vec3 spacing = image_->spacing_mm * unit;
-    const bool cubes = std::ranges::all_of(std::array{spacing.x, spacing.y, spacing.z},
-                                           [&](double s) { return std::abs(s - voxel_->value()) <= 1e-3 * voxel_->value(); });
-    QString text = tr("The volume is %1.").arg(size_text(size, u"mm"_qs));
+    const double voxel = size_->voxel_mm();
+    const bool cubes = std::ranges::all_of(std::array{spacing.x, spacing.y, spacing.z}, [&](double s) { return std::abs(s - voxel) <= 1e-3 * voxel; });
+    text = tr("The volume is %1.").arg(size_text(Vec3(image_->size) * spacing, u"mm"_qs));
     if (!cubes && !own) {
       text += u' ' + tr("Its voxels of %1 are resampled to cubes of %2.")
-                         .arg(size_text(spacing, u"mm"_qs, 3), format_value({.value = voxel_->value(), .unit = QStringLiteral("mm"), .decimals = 3}));
+                         .arg(size_text(spacing, u"mm"_qs, 3), format_value({.value = voxel, .unit = QStringLiteral("mm"), .decimals = 3}));
     }
-    size_->setText(text);
   }
-  const double longest = std::max({size.x, size.y, size.z});
-  const bool odd = asks_unit() && (longest < kSmallMm || longest > kLargeMm);
-  unit_hint_->setVisible(odd);
-  unit_hint_->setText(longest < kSmallMm ? tr("That is smaller than any tooth. Is the unit right?")
-                                         : tr("That is larger than any jaw. Is the unit right?"));
-  import_->setEnabled((ready || kept_) && !work_);
+  // Of a volume it is known only once it is made how much of it is tooth. A specimen of our own has its size.
+  if (preview_->volume() && !own) {
+    const Vec3 made = preview_->size_mm();
+    longest = std::max({made.x, made.y, made.z});
+  }
+  size_->show_size(text, longest);
+  import_->setEnabled(ready && !work_ && !size_->questioned() && !preview_->volume());
+  keep_->setEnabled(!work_ && !size_->questioned() && !preview_->turning());
+}
+
+void ImportPage::forget_made() {
+  preview_->clear();
+  show_size();
 }
 
 void ImportPage::run() {
   begin_work(tr("Making the specimen"));
   std::function<Result<VoxelVolume, ImportFailure>(const ImportProgress&, std::stop_token, std::vector<ImportRemark>&)> job;
-  const auto up = static_cast<UpAxis>(up_->currentIndex());
   if (mesh_form_) {
     MeshImport what;
     what.path = files_.front();
     what.more.assign(files_.begin() + 1, files_.end());
-    what.unit_mm = unit_mm();
-    what.voxel_mm = voxel_->value();
+    what.unit_mm = size_->unit_mm();
+    what.voxel_mm = size_->voxel_mm();
     what.tissues = mesh_form_->chosen();
+    what.precedence = mesh_form_->precedence();
     what.mend_holes_mm = mesh_form_->mend_mm();
-    what.up = up;
+    what.up = size_->up();
     job = [what](const ImportProgress& p, std::stop_token stop, std::vector<ImportRemark>& r) { return import_mesh_in_child(what, {}, p, std::move(stop), &r); };
   } else {
     ImageImport what;
     what.path = files_.front();
     what.tissues = volume_form_->tissues();
-    what.tissues.unit_mm = unit_mm();
-    what.tissues.voxel_mm = voxel_->value();
-    what.tissues.up = up;
+    what.tissues.unit_mm = size_->unit_mm();
+    what.tissues.voxel_mm = size_->voxel_mm();
+    what.tissues.up = size_->up();
     job = [what](const ImportProgress& p, std::stop_token stop, std::vector<ImportRemark>& r) { return import_image_in_child(what, {}, p, std::move(stop), &r); };
   }
+  preview_->clear();
   QThreadPool::globalInstance()->start([job = std::move(job), work = work_, self = QPointer<ImportPage>(this)] {
     const auto progress = [&](double share) {
       answer_to(self, work, [self, share] {
@@ -366,32 +334,38 @@ void ImportPage::run() {
       });
     };
     auto remarks = std::make_shared<std::vector<ImportRemark>>();
-    auto volume = std::make_shared<Result<VoxelVolume, ImportFailure>>(job(progress, work->get_token(), *remarks));
-    answer_to(self, work, [self, volume, remarks] {
+    auto volume = job(progress, work->get_token(), *remarks);
+    if (!volume) {
+      return answer_to(self, work, [self, failure = volume.error()] {
+        self->end_work();
+        self->tell_failure(failure);
+      });
+    }
+    auto made = std::make_shared<ImportedSpecimen>(imported_specimen(std::move(*volume)));
+    answer_to(self, work, [self, made, remarks] {
       self->end_work();
-      if (*volume) {
-        self->keep(**volume, *remarks);
-      } else {
-        self->tell_failure(volume->error());
-      }
+      self->show_made(std::move(*made), *remarks);
     });
   });
 }
 
-void ImportPage::keep(const VoxelVolume& volume, const std::vector<ImportRemark>& remarks) {
+void ImportPage::show_made(ImportedSpecimen made, const std::vector<ImportRemark>& remarks) {
+  preview_->show_specimen(std::move(made), remarks);
+  show_size();
+  keep_->setFocus();
+  // Once the card has its place on the page.
+  QMetaObject::invokeMethod(this, [this] { findChild<QScrollArea*>()->ensureWidgetVisible(made_card_); }, Qt::QueuedConnection);
+  announce(this, tr("The specimen is made. Look at it, and keep it."));
+}
+
+void ImportPage::keep() {
+  if (!preview_->volume() || preview_->turning()) return;
   // A CT's files are often called after the patient.
   const bool ct = image_ && image_->slices > 0;
   const std::string name = ct ? tr("CT").toStdString() : QFileInfo(QString::fromStdString(files_.front().string())).completeBaseName().toStdString();
-  const auto start = exercise_on(volume, name, database_);
+  const auto start = exercise_on(*preview_->volume(), name, database_);
   if (!start) return tell_failure(start.error());
-  if (remarks.empty()) return Q_EMIT edit_wanted(*start);
-  kept_ = *start;
-  QStringList said;
-  for (const ImportRemark& remark : remarks) said << tell(remark);
-  band_->show_message(Band::Kind::info, tr("The specimen is made."), said.join(u' '));
-  parts_card_->setEnabled(false);
-  show_size();
-  import_->setFocus();
+  Q_EMIT edit_wanted(*start);
 }
 
 }  // namespace cusp

@@ -1,6 +1,6 @@
 /// Files of meshes or a volume become the specimen of a new exercise: dropped or chosen, how long one unit is, what each
-/// part is made of, how fine. The size in millimetres is shown before anything is reckoned. Reading and turning into a
-/// volume run in a process of their own, with progress, and can be stopped.
+/// part is made of, how fine. The size in millimetres is shown before anything is made, the specimen in 3D before it is
+/// kept. Reading and turning into a volume run in a process of their own, with progress, and can be stopped.
 #pragma once
 
 #include <QWidget>
@@ -15,8 +15,6 @@
 #include "ui/app/ports.h"
 #include "ui/editor/editor_model.h"
 
-class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -26,7 +24,10 @@ namespace cusp {
 class Band;
 class Busy;
 class Card;
+class ImportPreview;
+class ImportSize;
 class MeshForm;
+struct ImportedSpecimen;
 class VolumeForm;
 
 class ImportPage : public QWidget {
@@ -43,6 +44,8 @@ class ImportPage : public QWidget {
   const std::vector<std::filesystem::path>& files() const { return files_; }
   MeshForm* meshes() const { return mesh_form_; }
   VolumeForm* volume() const { return volume_form_; }
+  /// What was made, until it is kept or anything that it depends on changes.
+  ImportPreview* preview() const { return preview_; }
   bool busy() const { return work_ != nullptr; }
 
  Q_SIGNALS:
@@ -57,7 +60,7 @@ class ImportPage : public QWidget {
 
  private:
   void build_files(QVBoxLayout* body);
-  void build_size(QVBoxLayout* body);
+  void build_made(QVBoxLayout* body);
   void show_files();
   void show_size();
   void forget_forms();
@@ -65,26 +68,24 @@ class ImportPage : public QWidget {
   void run();
   void begin_work(const QString& what);
   void end_work();
-  void keep(const VoxelVolume& volume, const std::vector<ImportRemark>& remarks);
+  void show_made(ImportedSpecimen made, const std::vector<ImportRemark>& remarks);
+  void forget_made();
+  void keep();
   void tell_failure(const ImportFailure& failure);
-  double unit_mm() const;
-  bool asks_unit() const;
 
   const Ports& ports_;
   std::filesystem::path database_;
   std::vector<std::filesystem::path> files_;
   std::optional<ImageInfo> image_;
-  std::optional<EditorStart> kept_;  // made, and waiting until its remarks were read
   std::shared_ptr<std::stop_source> work_;
   Band* band_;
-  Card *files_card_, *parts_card_, *size_card_;
+  Card *files_card_, *parts_card_, *size_card_, *made_card_;
   MeshForm* mesh_form_ = nullptr;
   VolumeForm* volume_form_ = nullptr;
-  QLabel *names_, *about_, *size_, *unit_hint_;
-  QComboBox *unit_, *up_;
-  QDoubleSpinBox *other_unit_, *voxel_;
-  QWidget *unit_field_, *other_field_;
-  QPushButton *pick_, *clear_, *import_;
+  ImportSize* size_;
+  ImportPreview* preview_;
+  QLabel *names_, *about_;
+  QPushButton *pick_, *clear_, *import_, *keep_;
   Busy* busy_;
 };
 

@@ -18,11 +18,13 @@
 #include <QUrl>
 
 #include "scenarios/import/nrrd.h"
+#include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
 #include "tests/scenarios/import/image_files.h"
 #include "ui/app/language.h"
 #include "ui/instructor/import_forms.h"
 #include "ui/instructor/import_page.h"
+#include "ui/instructor/import_preview.h"
 #include "ui/instructor/slice_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
@@ -76,6 +78,22 @@ struct Page : ::testing::Test {
       if (b->accessibleName() == name) return b;
     return nullptr;
   }
+  /// By the beginning of its text.
+  QPushButton* button_from(const QString& text) const {
+    for (QPushButton* b : page->findChildren<QPushButton*>())
+      if (b->text().startsWith(text) && b->isVisibleTo(page.get())) return b;
+    return nullptr;
+  }
+  void make() {
+    button(QStringLiteral("Make a specimen"))->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+    ASSERT_NE(page->preview()->volume(), nullptr) << page->findChild<Band*>()->text().toStdString();
+  }
+  void turn(const QString& text) {
+    button(text)->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->preview()->turning(); }, kPatienceMs));
+  }
+  QPushButton* keep() const { return button(QStringLiteral("Keep it and make an exercise")); }
   void choose(const QString& name, Tissue tissue) const {
     QComboBox* b = box(name);
     ASSERT_NE(b, nullptr) << name.toStdString();
@@ -122,8 +140,13 @@ TEST_F(Page, nested_meshes_of_several_files_become_an_exercise_on_their_tissues)
   choose(QStringLiteral("What crown is made of"), Tissue::dentine);
   choose(QStringLiteral("What pulp is made of"), Tissue::pulp);
   ASSERT_TRUE(make->isEnabled());
-  make->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return started.has_value(); }, kPatienceMs)) << texts().toStdString();
+  EXPECT_FALSE(keep()->isVisibleTo(page.get()));
+  this->make();
+  EXPECT_FALSE(started.has_value()) << "first it is looked at";
+  EXPECT_TRUE(texts().contains(QRegularExpression(QStringLiteral("pulp\\W* lies inside \\W*crown")))) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QRegularExpression(QStringLiteral("the innermost wins: \\W*pulp\\W* > \\W*crown")))) << texts().toStdString();
+  keep()->click();
+  ASSERT_TRUE(started.has_value());
   EXPECT_EQ(started->draft.title.at("en"), "crown");
   EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp});
   const auto volume = read_nrrd(std::filesystem::path(started->folder) / started->draft.specimen.volume);
@@ -148,11 +171,10 @@ TEST_F(Page, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_when_asked
   EXPECT_EQ(crown->currentIndex(), 0) << "what cannot be used is not chosen";
   mend[0]->setChecked(true);
   choose(QStringLiteral("What crown is made of"), Tissue::enamel);
-  button(QStringLiteral("Make a specimen"))->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  make();
   EXPECT_FALSE(started.has_value()) << "first it is said what was done";
   EXPECT_TRUE(texts().contains(QStringLiteral("hole of "))) << texts().toStdString();
-  button(QStringLiteral("Go on to the exercise"))->click();
+  keep()->click();
   EXPECT_TRUE(started.has_value());
 }
 
@@ -162,7 +184,127 @@ TEST_F(Page, a_unit_that_makes_no_tooth_is_asked_again) {
   EXPECT_FALSE(texts().contains(QStringLiteral("Is the unit right?")));
   for (QComboBox* b : page->findChildren<QComboBox*>())
     if (const int metre = b->findText(QStringLiteral("Metre")); metre >= 0) b->setCurrentIndex(metre);
-  EXPECT_TRUE(texts().contains(QStringLiteral("larger than any jaw")));
+  EXPECT_TRUE(texts().contains(QStringLiteral("longer than any tooth"))) << texts().toStdString();
+}
+
+TEST_F(Page, a_tooth_of_155_mm_is_questioned_and_the_answer_is_a_button) {
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 77.5, 3)));
+  open({file("a.stl")});
+  choose(QStringLiteral("What a is made of"), Tissue::dentine);
+  EXPECT_TRUE(texts().contains(QRegularExpression(QStringLiteral("It is \\W*15[45]\\.\\d.mm\\W* long: longer than any tooth")))) << texts().toStdString();
+  QPushButton* make_button = button(QStringLiteral("Make a specimen"));
+  EXPECT_FALSE(make_button->isEnabled()) << "until it is answered";
+  QPushButton* tenth = nullptr;
+  for (QPushButton* b : page->findChildren<QPushButton*>())
+    if (b->text().contains(QStringLiteral("0.1")) && b->text().contains(QStringLiteral("15.5"))) tenth = b;
+  ASSERT_NE(tenth, nullptr);
+  picture("questioned");
+  tenth->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return make_button->isEnabled(); }, kPatienceMs));
+  EXPECT_FALSE(texts().contains(QStringLiteral("Is the unit right?")));
+  make();
+  EXPECT_NEAR(page->preview()->size_mm().z, 15.5, 0.2);
+  EXPECT_TRUE(keep()->isEnabled());
+}
+
+TEST_F(Page, a_tooth_of_1_3_mm_is_questioned_and_may_be_one_all_the_same) {
+  write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 0.65, 3)));
+  open({file("a.stl")});
+  choose(QStringLiteral("What a is made of"), Tissue::dentine);
+  // Centimetres are the first unit that makes a tooth of it; what it would be in millimetres stands beside.
+  EXPECT_TRUE(texts().contains(QStringLiteral("If its unit were a millimetre, it would be"))) << texts().toStdString();
+  for (QComboBox* b : page->findChildren<QComboBox*>())
+    if (const int mm = b->findText(QStringLiteral("Millimetre")); mm >= 0) b->setCurrentIndex(mm);
+  EXPECT_TRUE(texts().contains(QStringLiteral("shorter than any tooth"))) << texts().toStdString();
+  QPushButton* all_the_same = button_from(QStringLiteral("It is "));
+  ASSERT_NE(all_the_same, nullptr);
+  all_the_same->click();
+  QPushButton* make_button = button(QStringLiteral("Make a specimen"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return make_button->isEnabled(); }, kPatienceMs));
+  make();
+  EXPECT_TRUE(keep()->isEnabled()) << "it is not asked twice";
+}
+
+TEST_F(Page, a_label_map_of_a_wrong_unit_is_questioned_once_it_is_made) {
+  // 16 voxels that say 10 mm each: a tooth of 120 mm.
+  std::string data(16 * 16 * 16, '\0');
+  for (int z = 2; z < 14; ++z)
+    for (int y = 5; y < 11; ++y)
+      for (int x = 5; x < 11; ++x) data[static_cast<std::size_t>(x + 16 * (y + 16 * z))] = 2;
+  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 16 16 16\nspacings: 5 5 10\nencoding: raw\n\n" + data);
+  open({file("map.nrrd")});
+  make();
+  EXPECT_TRUE(texts().contains(QStringLiteral("longer than any tooth"))) << texts().toStdString();
+  EXPECT_FALSE(keep()->isEnabled());
+  QPushButton* tenth = nullptr;
+  for (QPushButton* b : page->findChildren<QPushButton*>())
+    if (b->text().contains(QStringLiteral("0.1")) && b->text().contains(QStringLiteral("12.0"))) tenth = b;
+  ASSERT_NE(tenth, nullptr);
+  tenth->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->preview()->volume() == nullptr; }, kPatienceMs)) << "it would be another specimen";
+  make();
+  EXPECT_NEAR(page->preview()->size_mm().z, 12.0, 0.01);
+  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9) << "its own voxels, a tenth as long";
+  EXPECT_TRUE(keep()->isEnabled());
+}
+
+TEST_F(Page, a_large_volume_may_be_as_large_as_it_says) {
+  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 30 8 8\nspacings: 5 5 5\nencoding: raw\n\n" + std::string(1920, '\2'));
+  open({file("map.nrrd")});
+  make();
+  EXPECT_FALSE(keep()->isEnabled());
+  button_from(QStringLiteral("It is "))->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return keep()->isEnabled(); }, kPatienceMs));
+  EXPECT_NE(page->preview()->volume(), nullptr) << "what was made stays";
+}
+
+TEST_F(Page, what_was_made_is_turned_before_it_is_kept) {
+  write_obj(folder / "a.obj", {lopsided("body")});
+  open({file("a.obj")});
+  choose(QStringLiteral("What body is made of"), Tissue::dentine);
+  make();
+  const auto upright = page->preview()->volume();
+  EXPECT_LT(glm::length(page->preview()->size_mm() - Vec3(6.5, 4.0, 4.0)), 0.15);
+  turn(QStringLiteral("Tip left"));
+  EXPECT_LT(glm::length(page->preview()->size_mm() - Vec3(4.0, 4.0, 6.5)), 0.15);
+  const VoxelVolume left = quarter_turned(*upright, 1, 1);
+  EXPECT_TRUE(page->preview()->volume()->s == left.s);
+  turn(QStringLiteral("Tip right"));
+  EXPECT_TRUE(page->preview()->volume()->s == upright->s) << "and back";
+  turn(QStringLiteral("Turn right"));
+  turn(QStringLiteral("Tip back"));
+  const VoxelVolume wanted = quarter_turned(quarter_turned(*upright, 2, 1), 0, 1);
+  keep()->click();
+  ASSERT_TRUE(started.has_value());
+  const auto kept = read_nrrd(std::filesystem::path(started->folder) / started->draft.specimen.volume);
+  ASSERT_TRUE(kept);
+  EXPECT_TRUE(kept->grid.size == wanted.grid.size && kept->s == wanted.s && kept->tissue == wanted.tissue);
+}
+
+TEST_F(Page, what_was_made_is_forgotten_when_anything_that_it_depends_on_changes) {
+  write_obj(folder / "a.obj", {lopsided("body")});
+  open({file("a.obj")});
+  choose(QStringLiteral("What body is made of"), Tissue::dentine);
+  make();
+  ASSERT_TRUE(keep()->isVisibleTo(page.get()));
+  choose(QStringLiteral("What body is made of"), Tissue::enamel);
+  EXPECT_EQ(page->preview()->volume(), nullptr);
+  EXPECT_FALSE(keep()->isVisibleTo(page.get()));
+  EXPECT_TRUE(button(QStringLiteral("Make a specimen"))->isEnabled());
+}
+
+TEST_F(Page, a_shell_and_an_overlap_are_told_before_anything_is_kept) {
+  write_obj(folder / "incisor.obj", {prism("Enamel", {4.0, 0.0, 6.0, true}), prism("Dentine", {3.0, -10.0, 5.0}), prism("Pulp", {1.0, -9.0, 3.0})});
+  open({file("incisor.obj")});
+  for (QDoubleSpinBox* b : page->findChildren<QDoubleSpinBox*>())
+    if (b->accessibleName() == QStringLiteral("Widest hole that is closed")) b->setValue(12.0);
+  choose(QStringLiteral("What Enamel is made of"), Tissue::enamel);
+  choose(QStringLiteral("What Dentine is made of"), Tissue::dentine);
+  choose(QStringLiteral("What Pulp is made of"), Tissue::pulp);
+  make();
+  EXPECT_TRUE(texts().contains(QStringLiteral("was an open shell"))) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QRegularExpression(QStringLiteral("Dentine\\W* and \\W*Enamel\\W* overlap by")))) << texts().toStdString();
+  picture("shell");
 }
 
 TEST_F(Page, a_ct_shows_its_tissues_live_and_keeps_no_name) {
@@ -200,10 +342,9 @@ TEST_F(Page, a_ct_shows_its_tissues_live_and_keeps_no_name) {
   slider->setValue(0);
   EXPECT_LT(coloured(), before);
   for (QCheckBox* b : page->findChildren<QCheckBox*>()) b->setChecked(true);
-  button(QStringLiteral("Make a specimen"))->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+  make();
   EXPECT_TRUE(texts().contains(QStringLiteral("Nothing about the patient was read."))) << texts().toStdString();
-  button(QStringLiteral("Go on to the exercise"))->click();
+  keep()->click();
   ASSERT_TRUE(started.has_value());
   EXPECT_EQ(started->draft.title.at("en"), "CT");
   EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp}) << "the hollow";
@@ -285,6 +426,14 @@ TEST_F(Page, it_has_room_for_german_in_light_and_dark) {
       EXPECT_LE(label->mapTo(page.get(), QPoint(label->width(), 0)).x(), page->width()) << label->text().toStdString();
       EXPECT_GE(label->height(), label->heightForWidth(label->width()) > 0 ? label->heightForWidth(label->width()) : 0) << label->text().toStdString();
     }
+    QComboBox* crown = page->meshes()->findChildren<QComboBox*>().front();
+    crown->setCurrentIndex(crown->findData(static_cast<int>(Tissue::enamel)));
+    page->resize(1080, 1240);
+    for (QPushButton* b : page->findChildren<QPushButton*>())
+      if (b->objectName() == u"make"_qs) b->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
+    ASSERT_NE(page->preview()->volume(), nullptr);
+    picture(dark ? "made-de-dark" : "made-de-light");
     page->open_files({file("ct")});
     ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
     picture(dark ? "ct-de-dark" : "ct-de-light");

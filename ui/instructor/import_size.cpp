@@ -1,0 +1,158 @@
+#include "ui/instructor/import_size.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <algorithm>
+
+#include "scenarios/import/import.h"
+#include "scenarios/import/size_question.h"
+#include "ui/app/import_words.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr double kDefaultVoxelMm = 0.1;
+
+QDoubleSpinBox* millimetre_box(double least, double most, double value, int decimals) {
+  auto* box = new QDoubleSpinBox;
+  box->setLocale(QLocale());
+  box->setDecimals(decimals);
+  box->setRange(least, most);
+  box->setValue(value);
+  box->setSingleStep(value / 10);
+  box->setSuffix(QChar(0x00A0) + QStringLiteral("mm"));
+  box->setFixedWidth(px(140));
+  return box;
+}
+
+QString millimetres(double mm) {
+  return format_value({.value = mm, .unit = QStringLiteral("mm"), .decimals = 1});
+}
+
+}  // namespace
+
+ImportSize::ImportSize(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(12));
+  auto* numbers = new QHBoxLayout;
+  numbers->setSpacing(px(16));
+  unit_ = new QComboBox;
+  const QStringList names = {tr("Millimetre"), tr("Centimetre"), tr("Metre"), tr("Inch"), tr("Micrometre")};
+  for (std::size_t i = 0; i < kUsualUnitsMm.size(); ++i) unit_->addItem(names[static_cast<qsizetype>(i)], kUsualUnitsMm[i]);
+  unit_->addItem(tr("Another"), 0.0);
+  other_unit_ = millimetre_box(0.0001, 1000, 1, 4);
+  voxel_ = millimetre_box(0.02, 5, kDefaultVoxelMm, 3);
+  up_ = new QComboBox;
+  for (const std::string_view key : kUpAxisKeys) up_->addItem(QString::fromLatin1(key.data(), static_cast<int>(key.size())));
+  up_->setMinimumWidth(px(80));
+  unit_field_ = labelled(tr("One unit of the file is"), unit_);
+  other_field_ = labelled(tr("Its length"), other_unit_);
+  for (QWidget* field : {unit_field_, other_field_, labelled(tr("Fineness"), voxel_), labelled(tr("Axis of the file that points up"), up_)})
+    numbers->addWidget(field);
+  numbers->addStretch();
+  column->addLayout(numbers);
+  size_ = make_label({}, TextRole::body, true);
+  size_->setWordWrap(true);
+  column->addWidget(size_);
+  question_ = new QWidget;
+  auto* row = new QVBoxLayout(question_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(px(8));
+  why_ = make_label({}, TextRole::body, false, "look");
+  why_->setWordWrap(true);
+  row->addWidget(why_);
+  answers_ = new QHBoxLayout;
+  answers_->setSpacing(px(8));
+  row->addLayout(answers_);
+  column->addWidget(question_);
+  question_->hide();
+  const auto unit_changed = [this] {
+    forget_answers();
+    Q_EMIT changed();
+  };
+  connect(unit_, &QComboBox::currentIndexChanged, this, unit_changed);
+  connect(other_unit_, &QDoubleSpinBox::valueChanged, this, unit_changed);
+  connect(voxel_, &QDoubleSpinBox::valueChanged, this, &ImportSize::changed);
+  connect(up_, &QComboBox::currentIndexChanged, this, &ImportSize::changed);
+}
+
+void ImportSize::begin(bool asks_unit, double unit_mm, std::optional<double> voxel_mm) {
+  const QSignalBlocker quiet(this);
+  asks_unit_ = asks_unit;
+  own_voxels_ = voxel_mm.has_value();
+  unit_->setCurrentIndex(std::max(0, unit_->findData(unit_mm)));
+  if (voxel_mm) voxel_->setValue(std::clamp(*voxel_mm, voxel_->minimum(), voxel_->maximum()));
+  forget_answers();
+}
+
+void ImportSize::set_changeable(bool on) {
+  voxel_->setEnabled(on);
+  up_->setEnabled(on);
+}
+
+double ImportSize::unit_mm() const {
+  const double usual = unit_->currentData().toDouble();
+  return scale_ * (!asks_unit_ ? 1.0 : usual > 0.0 ? usual : other_unit_->value());
+}
+
+double ImportSize::voxel_mm() const { return voxel_->value(); }
+UpAxis ImportSize::up() const { return static_cast<UpAxis>(up_->currentIndex()); }
+
+void ImportSize::show_size(const QString& sentence, std::optional<double> longest_mm) {
+  unit_field_->setVisible(asks_unit_);
+  other_field_->setVisible(asks_unit_ && unit_->currentData().toDouble() == 0.0);
+  size_->setText(sentence);
+  const bool odd = longest_mm && !believed(*longest_mm) && !believed_;
+  if (odd) ask(*longest_mm);
+  questioned_ = odd;
+  question_->setVisible(odd);
+}
+
+void ImportSize::ask(double longest_mm) {
+  const QString text = odd_size_text(longest_mm) + u' ' + tr("Is the unit right?");
+  if (questioned_ && why_->text() == text) return;
+  while (QLayoutItem* item = answers_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  why_->setText(text);
+  for (const double factor : size_factors(longest_mm)) {
+    QPushButton* way = make_button(tr("× %1: %2").arg(isolate(QLocale().toString(factor, 'g', 3)), millimetres(factor * longest_mm)));
+    answers_->addWidget(way);
+    connect(way, &QPushButton::clicked, this, [this, factor] { answer(factor); }, Qt::QueuedConnection);
+  }
+  QPushButton* keep = make_button(tr("It is %1").arg(millimetres(longest_mm)), ButtonKind::quiet);
+  answers_->addWidget(keep);
+  connect(keep, &QPushButton::clicked, this, [this] { answer(1.0); }, Qt::QueuedConnection);
+  answers_->addStretch();
+  announce(this, text);
+}
+
+void ImportSize::forget_answers() {
+  scale_ = 1.0;
+  believed_ = false;
+}
+
+/// Queued, for the buttons that call it go with the question.
+void ImportSize::answer(double factor) {
+  if (factor == 1.0) {
+    believed_ = true;
+    return Q_EMIT confirmed();
+  }
+  scale_ *= factor;
+  if (own_voxels_) {
+    const QSignalBlocker quiet(voxel_);
+    voxel_->setValue(factor * voxel_->value());
+  }
+  Q_EMIT changed();
+}
+
+}  // namespace cusp
