@@ -81,18 +81,7 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     ++line;
   }
   column->addLayout(grid);
-  if (several) {
-    auto* row = new QHBoxLayout;
-    precedence_ = new QComboBox;
-    precedence_->addItem(tr("the one inside wins"));  // in the order of PartPrecedence
-    precedence_->addItem(tr("the upper one of this list wins"));
-    precedence_->setAccessibleName(tr("Where parts overlap"));
-    row->addWidget(make_label(tr("Where parts overlap,")));
-    row->addWidget(precedence_);
-    row->addStretch();
-    column->addLayout(row);
-    connect(precedence_, &QComboBox::currentIndexChanged, this, &MeshForm::changed);
-  }
+  if (several) add_precedence(*column);
   if (faulty) {
     auto* row = new QHBoxLayout;
     mend_ = new QCheckBox(tr("Mend: join, turn and close holes up to"));
@@ -118,6 +107,19 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     });
   }
   tell();
+}
+
+void MeshForm::add_precedence(QVBoxLayout& column) {
+  auto* row = new QHBoxLayout;
+  precedence_ = new QComboBox;
+  precedence_->addItem(tr("the one inside wins"));  // in the order of PartPrecedence
+  precedence_->addItem(tr("the upper one of this list wins"));
+  precedence_->setAccessibleName(tr("Where parts overlap"));
+  row->addWidget(make_label(tr("Where parts overlap,")));
+  row->addWidget(precedence_);
+  row->addStretch();
+  column.addLayout(row);
+  connect(precedence_, &QComboBox::currentIndexChanged, this, &MeshForm::changed);
 }
 
 void MeshForm::set_unit_mm(double unit_mm) {

@@ -10,6 +10,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QVBoxLayout;
 
 namespace cusp {
 
@@ -42,6 +43,7 @@ class MeshForm : public QWidget {
     QLabel *size, *state;
     QComboBox* tissue;
   };
+  void add_precedence(QVBoxLayout& column);
   void tell();
 
   double unit_mm_ = 1.0;
