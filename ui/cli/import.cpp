@@ -371,7 +371,8 @@ void add_import(CLI::App& program, Job& job) {
       ->check(CLI::NonNegativeNumber);
   verb->add_option("--up", o->up, help(CliWords::tr("The file's axis towards the chewing surface")))->capture_default_str();
   verb->add_option("--turn", o->turns, help(CliWords::tr("A quarter turn of what was made about this axis, by the right hand; -x turns back; may be repeated")))
-      ->type_name("AXIS");
+      ->type_name("AXIS")
+      ->allow_extra_args(false);
   verb->add_option("--precedence", o->precedence,
                    help(CliWords::tr("Which mesh wins where several overlap: the innermost one, or the first --tissue given")))
       ->capture_default_str();
