@@ -1,4 +1,4 @@
-/// Closed triangle meshes (OBJ, STL, PLY, 3DS) to a specimen volume, and volumes of others (image.h) too. Foreign readers are not to be
+/// Closed triangle meshes (OBJ, STL, PLY, 3DS, OFF) to a specimen volume, and volumes of others (image.h) too. Foreign readers are not to be
 /// trusted with foreign files: a program calls these through worker.h, in a process of their own.
 #pragma once
 
