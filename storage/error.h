@@ -21,6 +21,7 @@ enum class StorageError : std::uint8_t {
   corrupt,    // the file's structure is damaged
   // Accounts and rights
   wrong_password,      // also for an unknown number: the two cannot be told apart
+  other_secret,        // this account signs in by Failure::detail, "pin" or "password"; where = number; no wrong try
   locked,              // too many wrong tries; Failure::detail is the UTC µs at which it opens again
   disabled,            // the account was switched off
   not_allowed,         // the role does not have this right

@@ -11,7 +11,10 @@ Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   Transaction transaction(c_.db);
   transaction.run("INSERT INTO cohorts (id, name, created_at) VALUES (?1, ?2, ?3)", id, name, c_.clock());
   AuditLog::add(c_, transaction, actor.id, "cohort_created", id.uuid);
-  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  if (auto done = transaction.commit(); !done) {
+    if (done.error().code == StorageError::duplicate) done.error().where = name;
+    return std::unexpected(done.error());
+  }
   return Cohort{id, name, 0};
 }
 
@@ -36,7 +39,9 @@ Stored<void> Cohorts::remove(const Actor& actor, CohortId cohort, UserId student
 Stored<std::vector<Cohort>> Cohorts::list() {
   return c_.db.all(
       "SELECT id, name, (SELECT count(*) FROM cohort_students WHERE cohort = cohorts.id) FROM cohorts ORDER BY name",
-      [](Row row) { return Cohort{row.id<CohortId>(0), row.text(1), static_cast<int>(row.integer(2))}; });
+      [](Row row) {
+        return Cohort{row.id<CohortId>(0), row.text(1), static_cast<int>(row.integer(2))};
+      });
 }
 
 Stored<std::vector<UserId>> Cohorts::students(CohortId cohort) {

@@ -78,6 +78,21 @@ void keep_an_administrator(Transaction& transaction) {
   if (left && *left == 0) transaction.refuse({StorageError::last_administrator, "people"});
 }
 
+/// A number that is taken is what the failure is about, not the file.
+template <class T>
+Stored<T> about(Stored<T> done, const std::string& number) {
+  if (!done && done.error().code == StorageError::duplicate) done.error().where = number;
+  return done;
+}
+
+/// Which secret signs this account in, when the one given is of the other kind.
+const char* other_secret(const Account& a, std::string_view given, bool by_pin) noexcept {
+  if (!a.has_pin && !a.has_password) return nullptr;
+  if (by_pin) return !a.has_pin ? "password" : nullptr;
+  if (!a.has_password) return "pin";
+  return acceptable_pin(given) ? "password" : nullptr;
+}
+
 /// Refuses when the UPDATE before it met no row.
 void changed_one(StorageContext& c, Transaction& transaction) {
   if (transaction.ok() && c.db.changes() != 1) transaction.refuse({StorageError::not_found, "people"});
@@ -101,7 +116,7 @@ Stored<Account> People::create_first_administrator(const NewAccount& account) {
   if (!there) transaction.refuse(there.error());
   if (there && *there) transaction.refuse({StorageError::not_allowed, std::string(key_of(Action::manage_people))});
   auto made = transaction.ok() ? insert(c_, transaction, UserId{}, wanted, false) : std::nullopt;
-  return committed(transaction, std::move(made));
+  return about(committed(transaction, std::move(made)), account.number);
 }
 
 Stored<Account> People::demo_student() {
@@ -134,7 +149,7 @@ Stored<Account> People::create(const Actor& actor, const NewAccount& account) {
   if (auto good = check(account); !good) return std::unexpected(good.error());
   Transaction transaction(c_.db);
   auto made = insert(c_, transaction, actor.id, account, false);
-  return committed(transaction, std::move(made));
+  return about(committed(transaction, std::move(made)), account.number);
 }
 
 Stored<void> People::rename(const Actor& actor, UserId user, const std::string& number, const std::string& name) {
@@ -145,7 +160,7 @@ Stored<void> People::rename(const Actor& actor, UserId user, const std::string& 
   transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND guest = 0", user, number, name);
   changed_one(c_, transaction);
   AuditLog::add(c_, transaction, actor.id, "account_renamed", user.uuid);
-  return transaction.commit();
+  return about(transaction.commit(), number);
 }
 
 Stored<void> People::set_role(const Actor& actor, UserId user, Role role) {
@@ -178,8 +193,8 @@ Stored<void> People::set_password(const Actor& actor, UserId user, std::string_v
   if (actor.id != user) {
     if (auto allowed = require(actor, Action::manage_people); !allowed) return allowed;
   }
-  const auto stored =
-      c_.db.first("SELECT password FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.text(0); }, user);
+  const auto stored = c_.db.first(
+      "SELECT password FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.text(0); }, user);
   if (!stored) return std::unexpected(stored.error());
   if (!*stored) return fail(StorageError::not_found, "people");
   const bool none_yet = (*stored)->empty() && old.empty();
@@ -213,6 +228,8 @@ Stored<Account> People::sign_in_with_pin(std::string_view number, std::string_vi
 }
 
 Stored<Account> People::sign_in_by(std::string_view number, std::string_view given, bool by_pin) {
+  // Before anybody is looked for: it says nothing of who is known here.
+  if (by_pin && !acceptable_pin(given)) return fail(StorageError::other_secret, std::string(number), "pin");
   struct Secrets {
     Account account;
     std::string password, pin;
@@ -221,7 +238,10 @@ Stored<Account> People::sign_in_by(std::string_view number, std::string_view giv
   const auto found = c_.db.first(
       "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at, password, pin, "
       "locked_until FROM people WHERE number = ?1 AND guest = 0",
-      [](Row row) { return Secrets{account_of(row), row.text(9), row.text(10), row.integer(11)}; }, number);
+      [](Row row) {
+        return Secrets{account_of(row), row.text(9), row.text(10), row.integer(11)};
+      },
+      number);
   if (!found) return std::unexpected(found.error());
   const std::int64_t now = c_.clock();
   if (!*found) {
@@ -230,6 +250,9 @@ Stored<Account> People::sign_in_by(std::string_view number, std::string_view giv
     return fail(StorageError::wrong_password, "sign_in");
   }
   const Secrets& s = **found;
+  if (const char* kind = other_secret(s.account, given, by_pin)) {
+    return fail(StorageError::other_secret, s.account.number, kind);
+  }
   if (s.locked_until > now) return fail(StorageError::locked, "sign_in", std::to_string(s.locked_until));
   const bool open = s.password.empty() && s.pin.empty() && s.account.role == Role::student;
   const bool right = open ? given.empty() : password_matches(by_pin ? s.pin : s.password, given);

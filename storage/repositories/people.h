@@ -47,7 +47,7 @@ class People {
   /// The account behind "Try it"; made at first use.
   Stored<Account> guest();
 
-  /// Needs manage_people. duplicate, weak_password, bad_value.
+  /// Needs manage_people. duplicate (where = number), weak_password, bad_value.
   Stored<Account> create(const Actor& actor, const NewAccount& account);
   Stored<void> rename(const Actor& actor, UserId user, const std::string& number, const std::string& name);
   Stored<void> set_role(const Actor& actor, UserId user, Role role);
@@ -58,6 +58,8 @@ class People {
   Stored<void> set_pin(const Actor& actor, UserId user, std::string_view pin);
 
   /// wrong_password, disabled, or locked: five wrong tries lock for 30 s, each further one doubles, up to 15 min.
+  /// other_secret, which is no wrong try: a PIN that is not six digits, a secret of a kind that the account does not
+  /// have, or six digits where the account's password is asked for, which is never as short.
   /// A student without password and PIN signs in with an empty one. Guests cannot sign in.
   Stored<Account> sign_in(std::string_view number, std::string_view password);
   Stored<Account> sign_in_with_pin(std::string_view number, std::string_view pin);

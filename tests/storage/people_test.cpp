@@ -29,7 +29,7 @@ TEST_F(PeopleTest, the_right_password_signs_in_and_a_wrong_one_does_not) {
   EXPECT_EQ(must(people.sign_in("ADMIN", "correct horse")).id, admin.id);
   EXPECT_EQ(code_of(people.sign_in("admin", "correct horsf")), StorageError::wrong_password);
   EXPECT_EQ(code_of(people.sign_in("admin", "")), StorageError::wrong_password);
-  EXPECT_EQ(code_of(people.sign_in_with_pin("admin", "")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(people.sign_in_with_pin("admin", "")), StorageError::other_secret);
 }
 
 TEST_F(PeopleTest, an_unknown_number_cannot_be_told_from_a_wrong_password) {
@@ -78,6 +78,44 @@ TEST_F(PeopleTest, five_wrong_tries_lock_for_half_a_minute_and_each_further_one_
   EXPECT_TRUE(people.sign_in("20267314", "battery staple"));
   EXPECT_EQ(code_of(people.sign_in("20267314", "guess")), StorageError::wrong_password);
   EXPECT_TRUE(people.sign_in("20267314", "battery staple"));  // counting began anew
+}
+
+TEST_F(PeopleTest, a_secret_of_the_wrong_kind_is_no_wrong_try_and_the_failure_names_the_number) {
+  const Actor admin = make_administrator(*store).actor();
+  must(people.create(admin, {.number = "271", .name = "Omar", .pin = "271828"}));
+  const auto refused = [&](const Stored<Account>& account, const std::string& number, const std::string& kind) {
+    ASSERT_FALSE(account);
+    EXPECT_EQ(account.error().code, StorageError::other_secret);
+    EXPECT_EQ(account.error().where, number);
+    EXPECT_EQ(account.error().detail, kind);
+  };
+  for (int i = 0; i < 9; ++i) {  // twice what would lock the account
+    refused(people.sign_in("271", "a long password"), "271", "pin");
+    refused(people.sign_in_with_pin("271", "letter"), "271", "pin");
+    refused(people.sign_in_with_pin("271", "12345"), "271", "pin");
+    refused(people.sign_in_with_pin("admin", "123456"), "admin", "password");
+    refused(people.sign_in("admin", "123456"), "admin", "password");
+  }
+  EXPECT_TRUE(people.sign_in_with_pin("271", "271828"));
+  EXPECT_TRUE(people.sign_in("admin", "correct horse"));
+  // What is no PIN says nothing of who is known here.
+  refused(people.sign_in_with_pin("nobody", "letter"), "nobody", "pin");
+  EXPECT_EQ(code_of(people.sign_in_with_pin("nobody", "123456")), StorageError::wrong_password);
+  // A PIN that could be one is a try.
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(code_of(people.sign_in_with_pin("271", "000000")), StorageError::wrong_password);
+  }
+  EXPECT_EQ(code_of(people.sign_in_with_pin("271", "271828")), StorageError::locked);
+}
+
+TEST_F(PeopleTest, a_number_or_name_that_is_taken_is_named_and_not_the_file) {
+  const Actor admin = make_administrator(*store).actor();
+  const Actor instructor = make_instructor(*store).actor();
+  const auto where = [](const auto& result) { return result ? std::string("went through") : result.error().where; };
+  EXPECT_EQ(where(people.create(admin, {.number = "Okafor", .name = "x"})), "Okafor");
+  EXPECT_EQ(where(people.rename(admin, instructor.id, "admin", "x")), "admin");
+  must(store->cohorts.create(instructor, "Year 2"));
+  EXPECT_EQ(where(store->cohorts.create(instructor, "year 2")), "year 2");
 }
 
 TEST_F(PeopleTest, a_disabled_account_is_told_so_only_with_the_right_password) {

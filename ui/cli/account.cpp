@@ -10,7 +10,7 @@ namespace cusp {
 
 void AccountOption::add_to(CLI::App& verb) {
   verb.add_option("--as", number,
-                  help(CliWords::tr("Number of the account to act as; its password comes from CUSP_PASSWORD or stdin. "
+                  help(CliWords::tr("Number of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. "
                                     "Without it: the student demo")))
       ->type_name("NAME");
 }
@@ -29,6 +29,39 @@ std::expected<std::unique_ptr<Store>, Told> open_records(const std::filesystem::
   return std::move(*store);
 }
 
+namespace {
+
+/// One account's number and the secret that was tried; the same for a number that nobody has.
+Told no_match(const QString& number, bool by_pin) {
+  return {by_pin ? CliWords::tr("Number %1 and PIN do not match.").arg(number)
+                 : CliWords::tr("Number %1 and password do not match.").arg(number),
+          {}};
+}
+
+/// PIN or password, as the account has them; what was given decides where it has both or nobody has the number.
+std::expected<Account, Told> sign_in_by_secret(Store& store, const std::string& typed) {
+  const QString number = QString::fromStdString(typed);
+  const auto known = store.people.find_number(typed);
+  if (!known && known.error().code != StorageError::not_found) return std::unexpected(tell(known.error()));
+  const bool pin = known && known->has_pin, password = !known || known->has_password;
+  std::string secret;
+  // An account without a secret asks for none: a script need not close its stdin.
+  if (pin || password) {
+    const char* given = std::getenv("CUSP_PASSWORD");
+    secret = given                ? given
+             : pin && password    ? read_secret(help(CliWords::tr("Password or PIN: ")))
+             : pin                ? read_secret(help(CliWords::tr("PIN: ")))
+                                  : read_secret(help(CliWords::tr("Password: ")));
+  }
+  const bool by_pin = known ? pin && (!password || acceptable_pin(secret)) : acceptable_pin(secret);
+  auto account = by_pin ? store.people.sign_in_with_pin(typed, secret) : store.people.sign_in(typed, secret);
+  if (account) return std::move(*account);
+  if (account.error().code == StorageError::wrong_password) return std::unexpected(no_match(number, by_pin));
+  return std::unexpected(tell_account(account.error(), number, by_pin ? Secret::pin : Secret::password));
+}
+
+}  // namespace
+
 std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, bool may_make) {
   if (option.number.empty()) {
     auto demo = may_make ? store.people.demo_student() : store.people.find_number("demo");
@@ -37,16 +70,7 @@ std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, 
     if (!missing) return std::unexpected(tell(demo.error()));
     return std::unexpected(Told{CliWords::tr("This database has accounts: say with --as which one to act as."), {}});
   }
-  std::string password;
-  // An account without a password asks for none: a script need not close its stdin.
-  const auto known = store.people.find_number(option.number);
-  if (!known || known->has_password) {
-    const char* given = std::getenv("CUSP_PASSWORD");
-    password = given ? given : read_secret(help(CliWords::tr("Password: ")));
-  }
-  auto account = store.people.sign_in(option.number, password);
-  if (!account) return std::unexpected(tell(account.error()));
-  return std::move(*account);
+  return sign_in_by_secret(store, option.number);
 }
 
 }  // namespace cusp
