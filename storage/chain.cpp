@@ -15,6 +15,18 @@ std::string hex(const Hash256& hash) {
   return out;
 }
 
+std::optional<Hash256> hash_from_hex(std::string_view text) noexcept {
+  Hash256 hash{};
+  if (text.size() != 2 * hash.size()) return std::nullopt;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool digit = c >= '0' && c <= '9';
+    if (!digit && !(c >= 'a' && c <= 'f')) return std::nullopt;
+    hash[i / 2] = static_cast<std::uint8_t>(hash[i / 2] << 4 | (digit ? c - '0' : c - 'a' + 10));
+  }
+  return hash;
+}
+
 namespace {
 crypto_generichash_state* of(std::array<unsigned char, 384>& state) {
   static_assert(sizeof(crypto_generichash_state) <= 384 && alignof(crypto_generichash_state) <= 64);
@@ -93,18 +105,23 @@ StationKey StationKey::make() {
 Hash256 key_id(std::span<const std::uint8_t, 32> public_key) { return blake2b_256(std::as_bytes(public_key)); }
 Hash256 StationKey::id() const { return key_id(public_key); }
 
-Signature StationKey::sign_head(const Uuid& owner, std::uint64_t count, const Hash256& link) const {
-  const Hash256 message = head_message(owner, count, link);
+Signature StationKey::sign(const Hash256& message) const {
   Signature signature{};
   crypto_sign_detached(signature.data(), nullptr, message.data(), message.size(), secret_key.data());
   return signature;
 }
+Signature StationKey::sign_head(const Uuid& owner, std::uint64_t count, const Hash256& link) const {
+  return sign(head_message(owner, count, link));
+}
 
+bool signature_holds(std::span<const std::uint8_t, 32> public_key, const Hash256& message,
+                     const Signature& signature) noexcept {
+  ready_sodium();
+  return crypto_sign_verify_detached(signature.data(), message.data(), message.size(), public_key.data()) == 0;
+}
 bool head_signature_holds(std::span<const std::uint8_t, 32> public_key, const Uuid& owner, std::uint64_t count,
                           const Hash256& link, const Signature& signature) noexcept {
-  ready_sodium();
-  const Hash256 message = head_message(owner, count, link);
-  return crypto_sign_verify_detached(signature.data(), message.data(), message.size(), public_key.data()) == 0;
+  return signature_holds(public_key, head_message(owner, count, link), signature);
 }
 
 }  // namespace cusp

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@ using Hash256 = std::array<std::uint8_t, 32>;
 
 /// Lower-case hex, 64 characters.
 std::string hex(const Hash256& hash);
+/// nullopt unless exactly 64 characters of lower-case hex.
+std::optional<Hash256> hash_from_hex(std::string_view text) noexcept;
 
 /// BLAKE2b-256, fed in pieces. Each add_* writes a fixed-size or length-prefixed form, so that pieces never run
 /// together.
@@ -66,10 +69,14 @@ struct StationKey {
   static StationKey make();
   /// BLAKE2b-256 of the public key: how a head names the key that signed it.
   Hash256 id() const;
+  /// The message's own label keeps what was signed for one purpose from serving another.
+  Signature sign(const Hash256& message) const;
   /// The bytes that a head's signature covers are H(label, owner, count, link).
   Signature sign_head(const Uuid& owner, std::uint64_t count, const Hash256& link) const;
 };
 Hash256 key_id(std::span<const std::uint8_t, 32> public_key);
+bool signature_holds(std::span<const std::uint8_t, 32> public_key, const Hash256& message,
+                     const Signature& signature) noexcept;
 bool head_signature_holds(std::span<const std::uint8_t, 32> public_key, const Uuid& owner, std::uint64_t count,
                           const Hash256& link, const Signature& signature) noexcept;
 

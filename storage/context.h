@@ -20,8 +20,11 @@ struct StorageContext {
   UtcClock clock;
   PasswordCost cost;
   Uuid station;
-  std::optional<StationKey> key;  // none when the file was opened read-only
-  std::shared_ptr<const ProcessMark> mark{};  // from the first session on that this store starts or resumes
+  std::optional<StationKey> key;                    // none when the file was opened read-only
+  std::shared_ptr<const ProcessMark> mark{};        // from the first session on that this store starts or resumes
+  std::filesystem::path counter_file{};             // storage/rollback_counter.h
+  std::optional<StorageFailure> counter_failure{};  // why the counter lags behind the log; none when it does not
+  std::optional<std::string> incident{};            // what opening or a later write met: an action of storage/sealing.h
 
   /// Beside the database: holds the locks by which others see that a session's process still runs.
   std::filesystem::path lock_file() const { return db.file().string() + ".running"; }

@@ -18,6 +18,8 @@ bool can_write(const std::filesystem::path& path);
 /// Writes a file that only its owner can read, on the disk before it returns, never half there. duplicate when the
 /// file exists.
 Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);
+/// The same for a file that may be there: the old one or the whole new one. One writer at a time.
+Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content);
 /// nullopt when there is none.
 Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file);
 

@@ -57,6 +57,16 @@ StorageFailure failure_now(const std::filesystem::path& file) {
   return {code, file.string(), std::strerror(error)};
 }
 
+/// All of it, on the disk.
+bool write_through(int descriptor, const std::string& content) {
+  for (std::size_t at = 0; at < content.size();) {
+    const ssize_t wrote = write(descriptor, content.data() + at, content.size() - at);
+    if (wrote > 0) at += static_cast<std::size_t>(wrote);
+    if (wrote <= 0 && !(wrote < 0 && errno == EINTR)) return false;
+  }
+  return fsync(descriptor) == 0;
+}
+
 }  // namespace
 
 bool on_network_drive(const std::filesystem::path& folder) {
@@ -88,13 +98,7 @@ Stored<void> write_private_file(const std::filesystem::path& file, const std::st
   std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp fills the last six in
   const int descriptor = mkstemp(fresh.data());                   // made readable by its owner alone
   if (descriptor < 0) return std::unexpected(failure_now(file));
-  bool good = true;
-  for (std::size_t at = 0; good && at < content.size();) {
-    const ssize_t wrote = write(descriptor, content.data() + at, content.size() - at);
-    if (wrote > 0) at += static_cast<std::size_t>(wrote);
-    good = wrote > 0 || (wrote < 0 && errno == EINTR);
-  }
-  good = good && fsync(descriptor) == 0;
+  bool good = write_through(descriptor, content);
   // link() and not rename(): it refuses to replace a file that came in between.
   good = good && link(fresh.c_str(), file.c_str()) == 0;
   Stored<void> result;
@@ -108,6 +112,21 @@ Stored<void> write_private_file(const std::filesystem::path& file, const std::st
       close(d);
     }
   }
+  return result;
+}
+
+Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content) {
+  // One name, so that a process that dies here leaves one file and the next one writes over it.
+  const std::string fresh = file.string() + ".new";
+  const int descriptor = open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
+  if (descriptor < 0) return std::unexpected(failure_now(file));
+  const bool good = write_through(descriptor, content) && rename(fresh.c_str(), file.c_str()) == 0;
+  Stored<void> result;
+  if (!good) {
+    result = std::unexpected(failure_now(file));
+    unlink(fresh.c_str());
+  }
+  close(descriptor);
   return result;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "storage/files.h"
+#include "storage/rollback_counter.h"
+#include "storage/sealing.h"
 
 namespace cusp {
 namespace {
@@ -86,16 +88,19 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
   auto database = Database::open(file, options.database);
   if (!database) return std::unexpected(database.error());
   auto store = std::make_unique<Store>(
-      StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
+      StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt, {}, {}, {}});
   StorageContext& context = store->context();
+  const auto key_file = options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
+  context.counter_file = counter_file_of(key_file);
   if (context.db.read_only()) {
     const auto station = context.db.first("SELECT id FROM station", [](Row row) { return row.uuid(0); });
     if (!station) return std::unexpected(station.error());
     context.station = station->value_or(Uuid{});
+    look_at_counter(context);
     return store;
   }
-  const auto key_file = options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
   if (auto ready = ready_station(context, key_file); !ready) return std::unexpected(ready.error());
+  if (auto sealed = begin_sealing(context); !sealed) return std::unexpected(sealed.error());
   if (options.mark_interrupted) {
     if (auto marked = store->sessions.mark_interrupted(); !marked) return std::unexpected(marked.error());
   }

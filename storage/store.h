@@ -37,6 +37,7 @@ class Store {
  public:
   /// Opens or makes the file and the station's key. Where the key's file is gone a new key is made; old signatures are
   /// still checked against the key that they name. A damaged one fails with corrupt, where = its name.
+  /// What the rollback counter shows refuses nothing: it stands in context().incident, and for good in the log.
   static Stored<std::unique_ptr<Store>> open(const std::filesystem::path& file, StoreOptions options = {});
   explicit Store(StorageContext context);
   Store(const Store&) = delete;

@@ -1,89 +1,25 @@
 #include "storage/verify.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "storage/chain_check.h"
 #include "storage/session_tables.h"
 #include "storage/trace_codec.h"
 
 namespace cusp {
 
 std::string_view key_of(FindingCode code) noexcept {
-  constexpr std::array<std::string_view, 8> keys = {"row_changed", "row_missing", "row_added",  "link_broken",
-                                                    "head_broken", "key_changed", "unreadable", "count_wrong"};
+  constexpr std::array<std::string_view, 13> keys = {
+      "row_changed", "row_missing", "row_added",   "link_broken",     "head_broken",    "key_changed", "unreadable",
+      "count_wrong", "seal_broken", "rolled_back", "counter_missing", "counter_broken", "log_damaged"};
   return keys[static_cast<std::size_t>(code)];
 }
 
 namespace {
-
-struct StoredLink {
-  ChainLink link;
-  Hash256 hash{};  // as stored
-};
-
-struct Head {
-  std::uint64_t links = 0;
-  Hash256 link{}, key{};
-  Signature signature{};
-};
-
-Signature signature_of(std::span<const std::byte> bytes) {
-  Signature out{};
-  if (bytes.size() == out.size()) {
-    std::ranges::transform(bytes, out.begin(), [](std::byte b) { return std::to_integer<std::uint8_t>(b); });
-  }
-  return out;
-}
-
-/// Follows a chain of stored links. After one that does not hold, what comes next may follow either from the link as
-/// stored (its entry was changed) or as reckoned (the link itself was): so one changed byte gives one finding.
-class Follower {
- public:
-  Follower(Uuid owner) : owner_{owner}, stored_{chain_start(owner)}, reckoned_{stored_} {}
-  bool follows(const StoredLink& entry) {
-    const Hash256 a = chain_link(stored_, owner_, entry.link);
-    const Hash256 b = chain_link(reckoned_, owner_, entry.link);
-    const bool good = entry.hash == a || entry.hash == b;
-    reckoned_ = good ? entry.hash : a;
-    stored_ = entry.hash;
-    return good;
-  }
-  bool ends_in(const Hash256& link) const { return link == stored_ || link == reckoned_; }
-  const Hash256& reckoned() const { return reckoned_; }
-
- private:
-  Uuid owner_;
-  Hash256 stored_, reckoned_;
-};
-
-/// Key and signature of a head.
-void check_head(Database& db, const Uuid& owner, const Head& head, const char* table,
-                std::vector<ChainFinding>& findings) {
-  const auto key =
-      db.first("SELECT public_key FROM station_keys WHERE id = ?1", [](Row row) { return row.hash(0); }, head.key);
-  if (!key) return findings.push_back({FindingCode::unreadable, "station_keys"});
-  if (!*key || key_id(**key) != head.key) {
-    // Was the head's name of the key changed, or the key? Another key under which the signature holds tells.
-    const auto keys =
-        db.all("SELECT id, public_key FROM station_keys", [](Row row) { return std::pair{row.hash(0), row.hash(1)}; });
-    bool head_is_wrong = false;
-    if (keys) {
-      for (const auto& [id, other] : *keys) {
-        head_is_wrong = head_is_wrong || (key_id(other) == id &&
-                                          head_signature_holds(other, owner, head.links, head.link, head.signature));
-      }
-    }
-    return findings.push_back(head_is_wrong ? ChainFinding{FindingCode::head_broken, table}
-                                            : ChainFinding{FindingCode::key_changed, "station_keys"});
-  }
-  if (!head_signature_holds(**key, owner, head.links, head.link, head.signature)) {
-    findings.push_back({FindingCode::head_broken, table});
-  }
-}
 
 class SessionVerifier {
  public:
@@ -134,8 +70,12 @@ class SessionVerifier {
   void compare(SessionTable table) {
     const auto number = static_cast<std::uint64_t>(table);
     std::set<std::uint64_t> seen;
-    const auto rows =
-        db_.all(select_rows(table), [](Row row) { return std::pair{row.u64(0), row.content_hash(1)}; }, session_);
+    const auto rows = db_.all(
+        select_rows(table),
+        [](Row row) {
+          return std::pair{row.u64(0), row.content_hash(1)};
+        },
+        session_);
     if (!rows) return find(FindingCode::unreadable, name_of(table));
     anything_ = anything_ || !rows->empty();
     for (const auto& [row, content] : *rows) {
@@ -158,7 +98,10 @@ class SessionVerifier {
   void check_heads() {
     const auto head = db_.first(
         "SELECT links, link, key, signature FROM session_heads WHERE session = ?1",
-        [](Row row) { return Head{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))}; }, session_);
+        [](Row row) {
+          return StoredHead{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))};
+        },
+        session_);
     if (!head) return find(FindingCode::unreadable, "session_heads");
     if (!*head) return find(FindingCode::row_missing, "session_heads");
     anything_ = true;
@@ -213,8 +156,12 @@ class SessionVerifier {
   }
 
   void check_unfolds(const char* sql, const char* table) {
-    const auto rows =
-        db_.all(sql, [](Row row) { return std::pair{row.integer(0), unpack(row.bytes(1)).has_value()}; }, session_);
+    const auto rows = db_.all(
+        sql,
+        [](Row row) {
+          return std::pair{row.integer(0), unpack(row.bytes(1)).has_value()};
+        },
+        session_);
     if (!rows || !out_.findings.empty()) return;
     for (const auto& [row, good] : *rows) {
       if (!good) find(FindingCode::unreadable, table, row);
@@ -261,7 +208,7 @@ class SessionVerifier {
   Database& db_;
   SessionId session_;
   Verification out_;
-  Follower follower_{session_.uuid};
+  ChainFollower follower_{session_.uuid};
   std::map<std::pair<std::uint64_t, std::uint64_t>, Entry> entries_;  // (table, row)
   bool whole_ = true;                                                 // no gap in the chain's positions so far
   bool anything_ = false;
@@ -271,39 +218,6 @@ class SessionVerifier {
 
 Stored<Verification> verify_session(StorageContext& context, SessionId session) {
   return SessionVerifier(context, session).run();
-}
-
-Stored<Verification> verify_audit_log(StorageContext& context) {
-  Verification out;
-  const auto rows = context.db.all(
-      "SELECT link, number, at, sequence, actor, action, subject, detail FROM audit_log ORDER BY number",
-      [](Row row) { return StoredLink{{row.u64(1), 0, row.u64(1), -1, row.content_hash(1)}, row.hash(0)}; });
-  if (!rows) return std::unexpected(rows.error());
-  Follower follower(context.station);
-  std::uint64_t expected = 0;
-  for (const StoredLink& entry : *rows) {
-    const auto number = static_cast<std::int64_t>(entry.link.position);
-    if (entry.link.position != expected) {
-      out.findings.push_back({FindingCode::row_missing, "audit_log", static_cast<std::int64_t>(expected)});
-    }
-    const bool gap = entry.link.position != expected;
-    expected = entry.link.position + 1;
-    if (!follower.follows(entry) && !gap) out.findings.push_back({FindingCode::row_changed, "audit_log", number});
-  }
-  out.links = rows->size();
-  const auto head = context.db.first("SELECT entries, link, key, signature FROM audit_head", [](Row row) {
-    return Head{row.u64(0), row.hash(1), row.hash(2), signature_of(row.bytes(3))};
-  });
-  if (!head) return std::unexpected(head.error());
-  if (!*head) {
-    if (!rows->empty()) out.findings.push_back({FindingCode::row_missing, "audit_head"});
-    return out;
-  }
-  check_head(context.db, context.station, **head, "audit_head", out.findings);
-  if (out.findings.empty() && ((*head)->links != out.links || !follower.ends_in((*head)->link))) {
-    out.findings.push_back({FindingCode::head_broken, "audit_head"});
-  }
-  return out;
 }
 
 Stored<std::vector<SessionId>> sessions_to_verify(StorageContext& context) {

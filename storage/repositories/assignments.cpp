@@ -1,6 +1,6 @@
 #include "storage/repositories/assignments.h"
 
-#include "storage/repositories/audit_log.h"
+#include "storage/sealing.h"
 
 namespace cusp {
 namespace {
@@ -36,8 +36,8 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a) {
       "sequence) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
       a.id, a.version, a.cohort, key_of(a.kind), a.opens_utc_us, a.due_utc_us, a.goes_allowed, a.author,
       a.created_utc_us, sequence);
-  AuditLog::add(c_, transaction, actor.id, "assigned", a.id.uuid);
-  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  log_row(c_, transaction, actor.id, "assigned", SealedTable::assignments, a.id.uuid);
+  if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return a;
 }
 

@@ -18,13 +18,29 @@ struct AuditEntry {
   UserId actor;        // nil = the program
   std::string action;  // code: "account_created", "sign_in_failed", "version_published", ...
   Uuid subject;        // whom or what it was done to; nil = nothing
-  std::string detail;  // codes and numbers, never names
+  std::string detail;  // codes, numbers and seals (storage/sealing.h), never names
+};
+
+/// Appends entries within the transaction that does the thing, and signs the log's head once, last.
+class AuditWriter {
+ public:
+  /// A head that does not hold, or that is gone while entries are there, is not signed over in silence: the entry
+  /// "log_damaged" comes first, and the log goes on behind its last entry.
+  AuditWriter(StorageContext& context, Transaction& transaction);
+  void add(UserId actor, std::string_view action, Uuid subject, std::string_view detail = {});
+  void finish();
+
+ private:
+  StorageContext& context_;
+  Transaction& transaction_;
+  std::uint64_t entries_ = 0;
+  Hash256 link_{};
 };
 
 class AuditLog {
  public:
   explicit AuditLog(StorageContext& context) : c_{context} {}
-  /// Within the transaction that does the thing.
+  /// One entry, within the transaction that does the thing.
   static void add(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action,
                   Uuid subject, std::string_view detail = {});
   /// In a transaction of its own.

@@ -1,6 +1,7 @@
 #include "storage/repositories/cohorts.h"
 
 #include "storage/repositories/audit_log.h"
+#include "storage/sealing.h"
 
 namespace cusp {
 
@@ -10,8 +11,8 @@ Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   const CohortId id = CohortId::make();
   Transaction transaction(c_.db);
   transaction.run("INSERT INTO cohorts (id, name, created_at) VALUES (?1, ?2, ?3)", id, name, c_.clock());
-  AuditLog::add(c_, transaction, actor.id, "cohort_created", id.uuid);
-  if (auto done = transaction.commit(); !done) {
+  log_row(c_, transaction, actor.id, "cohort_created", SealedTable::cohorts, id.uuid);
+  if (auto done = commit_sealed(c_, transaction); !done) {
     if (done.error().code == StorageError::duplicate) done.error().where = name;
     return std::unexpected(done.error());
   }
@@ -24,7 +25,7 @@ Stored<void> Cohorts::add(const Actor& actor, CohortId cohort, UserId student) {
   transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort,
                   student);
   AuditLog::add(c_, transaction, actor.id, "cohort_joined", student.uuid, cohort.text());
-  return transaction.commit();
+  return commit_sealed(c_, transaction);
 }
 
 Stored<void> Cohorts::remove(const Actor& actor, CohortId cohort, UserId student) {
@@ -33,7 +34,7 @@ Stored<void> Cohorts::remove(const Actor& actor, CohortId cohort, UserId student
   transaction.run("DELETE FROM cohort_students WHERE cohort = ?1 AND student = ?2", cohort, student);
   if (transaction.ok() && c_.db.changes() == 0) transaction.refuse({StorageError::not_found, "cohort_students"});
   AuditLog::add(c_, transaction, actor.id, "cohort_left", student.uuid, cohort.text());
-  return transaction.commit();
+  return commit_sealed(c_, transaction);
 }
 
 Stored<std::vector<Cohort>> Cohorts::list() {

@@ -1,6 +1,6 @@
 #include "storage/repositories/comments.h"
 
-#include "storage/repositories/audit_log.h"
+#include "storage/sealing.h"
 
 namespace cusp {
 
@@ -14,8 +14,8 @@ Stored<Comment> Comments::add(const Actor& actor, SessionId session, std::option
   transaction.run(
       "INSERT INTO comments (id, session, author, at, sequence, tick, text) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
       comment.id, session, actor.id, comment.at_utc_us, sequence, tick, text);
-  AuditLog::add(c_, transaction, actor.id, "commented", session.uuid);
-  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  log_row(c_, transaction, actor.id, "commented", SealedTable::comments, comment.id);
+  if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return comment;
 }
 

@@ -4,6 +4,7 @@
 
 #include "storage/chain_writer.h"
 #include "storage/repositories/session_state.h"
+#include "storage/sealing.h"
 
 namespace cusp {
 namespace {
@@ -107,7 +108,8 @@ Stored<StoredGrade> Grades::save(SessionId session, const Grade& grade, const Ha
   chain.add(SessionTable::session_events, insert_event(c_, transaction, session, EventKind::graded, "", end),
             end.second());
   chain.finish();
-  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  log_session(c_, transaction, grader ? grader->id : UserId{}, session, key_of(EventKind::graded));
+  if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   auto saved = newest(session);
   if (!saved) return std::unexpected(saved.error());
   return std::move(**saved);
@@ -122,7 +124,10 @@ Stored<std::vector<StoredGrade>> Grades::all(SessionId session) {
   const auto criteria = c_.db.all(
       "SELECT grade, id, metric, measured, value, uncertainty, unit, where_x_mm, where_y_mm, where_z_mm, band, points, "
       "points_max, reason_code, reason_args FROM criteria WHERE session = ?1 ORDER BY row",
-      [](Row row) { return std::pair{static_cast<int>(row.integer(0)), criterion_of(row)}; }, session);
+      [](Row row) {
+        return std::pair{static_cast<int>(row.integer(0)), criterion_of(row)};
+      },
+      session);
   if (!criteria) return std::unexpected(criteria.error());
   for (StoredGrade& grade : *grades) {
     for (const auto& [number, criterion] : *criteria) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "storage/repositories/audit_log.h"
+#include "storage/sealing.h"
 
 namespace cusp {
 namespace {
@@ -62,12 +63,12 @@ std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserI
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
       id, a.number, a.name, key_of(a.role), secret(transaction, a.password, c.cost), secret(transaction, a.pin, c.cost),
       guest, c.clock());
-  if (transaction.ok()) AuditLog::add(c, transaction, actor, "account_created", id.uuid, key_of(a.role));
+  log_person(c, transaction, actor, "account_created", id);
   return transaction.first(std::string(kColumns) + "WHERE id = ?1", account_of, id);
 }
 
-Stored<Account> committed(Transaction& transaction, std::optional<Account> account) {
-  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+Stored<Account> committed(StorageContext& c, Transaction& transaction, std::optional<Account> account) {
+  if (auto done = commit_sealed(c, transaction); !done) return std::unexpected(done.error());
   return *account;
 }
 
@@ -116,7 +117,7 @@ Stored<Account> People::create_first_administrator(const NewAccount& account) {
   if (!there) transaction.refuse(there.error());
   if (there && *there) transaction.refuse({StorageError::not_allowed, std::string(key_of(Action::manage_people))});
   auto made = transaction.ok() ? insert(c_, transaction, UserId{}, wanted, false) : std::nullopt;
-  return about(committed(transaction, std::move(made)), account.number);
+  return about(committed(c_, transaction, std::move(made)), account.number);
 }
 
 Stored<Account> People::demo_student() {
@@ -127,7 +128,7 @@ Stored<Account> People::demo_student() {
   if (others.value_or(0) > 0) transaction.refuse({StorageError::not_allowed, "demo"});
   auto made =
       transaction.ok() ? insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"}, false) : std::nullopt;
-  return committed(transaction, std::move(made));
+  return committed(c_, transaction, std::move(made));
 }
 
 Stored<Account> People::guest() {
@@ -141,7 +142,7 @@ Stored<Account> People::guest() {
   if (!account && transaction.ok()) {
     account = insert(c_, transaction, UserId{}, {.number = "\nguest", .name = "guest"}, true);
   }
-  return committed(transaction, std::move(account));
+  return committed(c_, transaction, std::move(account));
 }
 
 Stored<Account> People::create(const Actor& actor, const NewAccount& account) {
@@ -149,7 +150,7 @@ Stored<Account> People::create(const Actor& actor, const NewAccount& account) {
   if (auto good = check(account); !good) return std::unexpected(good.error());
   Transaction transaction(c_.db);
   auto made = insert(c_, transaction, actor.id, account, false);
-  return about(committed(transaction, std::move(made)), account.number);
+  return about(committed(c_, transaction, std::move(made)), account.number);
 }
 
 Stored<void> People::rename(const Actor& actor, UserId user, const std::string& number, const std::string& name) {
@@ -159,8 +160,8 @@ Stored<void> People::rename(const Actor& actor, UserId user, const std::string& 
   Transaction transaction(c_.db);
   transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND guest = 0", user, number, name);
   changed_one(c_, transaction);
-  AuditLog::add(c_, transaction, actor.id, "account_renamed", user.uuid);
-  return about(transaction.commit(), number);
+  log_person(c_, transaction, actor.id, "account_renamed", user);
+  return about(commit_sealed(c_, transaction), number);
 }
 
 Stored<void> People::set_role(const Actor& actor, UserId user, Role role) {
@@ -174,8 +175,8 @@ Stored<void> People::set_role(const Actor& actor, UserId user, Role role) {
   }
   transaction.run("UPDATE people SET role = ?2, pin = iif(?2 = 'student', pin, '') WHERE id = ?1", user, key_of(role));
   keep_an_administrator(transaction);
-  AuditLog::add(c_, transaction, actor.id, "role_changed", user.uuid, key_of(role));
-  return transaction.commit();
+  log_person(c_, transaction, actor.id, "role_changed", user);
+  return commit_sealed(c_, transaction);
 }
 
 Stored<void> People::set_disabled(const Actor& actor, UserId user, bool disabled) {
@@ -184,8 +185,8 @@ Stored<void> People::set_disabled(const Actor& actor, UserId user, bool disabled
   transaction.run("UPDATE people SET disabled = ?2 WHERE id = ?1 AND guest = 0", user, disabled);
   changed_one(c_, transaction);
   keep_an_administrator(transaction);
-  AuditLog::add(c_, transaction, actor.id, disabled ? "account_disabled" : "account_enabled", user.uuid);
-  return transaction.commit();
+  log_person(c_, transaction, actor.id, disabled ? "account_disabled" : "account_enabled", user);
+  return commit_sealed(c_, transaction);
 }
 
 Stored<void> People::set_password(const Actor& actor, UserId user, std::string_view old, std::string_view fresh) {
@@ -204,8 +205,8 @@ Stored<void> People::set_password(const Actor& actor, UserId user, std::string_v
   Transaction transaction(c_.db);
   transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1", user,
                   secret(transaction, fresh, c_.cost));
-  AuditLog::add(c_, transaction, actor.id, "password_changed", user.uuid);
-  return transaction.commit();
+  log_person(c_, transaction, actor.id, "password_changed", user);
+  return commit_sealed(c_, transaction);
 }
 
 Stored<void> People::set_pin(const Actor& actor, UserId user, std::string_view pin) {
@@ -216,8 +217,8 @@ Stored<void> People::set_pin(const Actor& actor, UserId user, std::string_view p
       "UPDATE people SET pin = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND role = 'student' AND guest = 0",
       user, secret(transaction, pin, c_.cost));
   changed_one(c_, transaction);
-  AuditLog::add(c_, transaction, actor.id, "pin_changed", user.uuid);
-  return transaction.commit();
+  log_person(c_, transaction, actor.id, "pin_changed", user);
+  return commit_sealed(c_, transaction);
 }
 
 Stored<Account> People::sign_in(std::string_view number, std::string_view password) {
@@ -265,7 +266,7 @@ Stored<Account> People::sign_in_by(std::string_view number, std::string_view giv
   if (right) {
     transaction.run("UPDATE people SET wrong_tries = 0, locked_until = 0 WHERE id = ?1", s.account.id);
     AuditLog::add(c_, transaction, s.account.id, "signed_in", s.account.id.uuid);
-    return committed(transaction, s.account);
+    return committed(c_, transaction, s.account);
   }
   const auto tries = transaction.first(
       "UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
@@ -274,7 +275,7 @@ Stored<Account> People::sign_in_by(std::string_view number, std::string_view giv
     transaction.run("UPDATE people SET locked_until = ?2 WHERE id = ?1", s.account.id, now + lock);
   }
   AuditLog::add(c_, transaction, UserId{}, "sign_in_failed", s.account.id.uuid, std::to_string(tries.value_or(0)));
-  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return fail(StorageError::wrong_password, "sign_in");
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "storage/repositories/audit_log.h"
 #include "storage/repositories/title.h"
+#include "storage/sealing.h"
 
 namespace cusp {
 namespace {
@@ -28,7 +28,10 @@ ScenarioVersion version_of(Row row) {
 Stored<void> add_files(Database& db, ScenarioVersion& version) {
   const auto files = db.all(
       "SELECT name, blob FROM version_files WHERE version = ?1",
-      [](Row row) { return std::pair{row.text(0), row.hash(1)}; }, version.id);
+      [](Row row) {
+        return std::pair{row.text(0), row.hash(1)};
+      },
+      version.id);
   if (!files) return std::unexpected(files.error());
   version.files.insert(files->begin(), files->end());
   return {};
@@ -51,7 +54,10 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
   Transaction transaction(c_.db);
   const auto newest = transaction.first(
       "SELECT number, content_hash FROM scenario_versions WHERE scenario = ?1 ORDER BY number DESC LIMIT 1",
-      [](Row row) { return std::pair{static_cast<int>(row.integer(0)), row.hash(1)}; }, scenario.id);
+      [](Row row) {
+        return std::pair{static_cast<int>(row.integer(0)), row.hash(1)};
+      },
+      scenario.id);
   const int last = newest ? newest->first : 0;
   if (published && newest && newest->second == content_hash) {
     transaction.refuse({StorageError::duplicate, "scenario_versions"});
@@ -69,9 +75,10 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
   }
   if (published) {
     transaction.run("DELETE FROM scenario_drafts WHERE scenario = ?1 AND author = ?2", scenario.id, author);
-    AuditLog::add(c_, transaction, author, "version_published", id.uuid, hex(content_hash));
   }
-  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  log_row(c_, transaction, author, published ? "version_published" : "version_kept", SealedTable::scenario_versions,
+          id.uuid);
+  if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
   return version(id);
 }
 

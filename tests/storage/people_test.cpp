@@ -204,7 +204,7 @@ TEST_F(PeopleTest, what_is_done_to_accounts_stands_in_the_audit_log_without_name
   must(people.set_disabled(admin.actor(), student.id, true));
   EXPECT_EQ(code_of(store->audit.list(student.actor(), 10)), StorageError::not_allowed);
   const auto entries = must(store->audit.list(admin.actor(), 100));
-  ASSERT_EQ(entries.size(), 4u);  // key, two accounts, disabled
+  ASSERT_EQ(entries.size(), 5u);  // key, sealing, two accounts, disabled
   EXPECT_EQ(entries[0].action, "account_disabled");
   EXPECT_EQ(entries[0].actor, admin.id);
   EXPECT_EQ(entries[0].subject, student.id.uuid);

@@ -115,8 +115,8 @@ Told tell(const StorageFailure& f) {
     case StorageError::wrong_password:
       return {Words::tr("Number and password do not match."), Words::tr("Check both and try again.")};
     case StorageError::other_secret:
-      if (f.detail == "pin") return {Words::tr("%1 signs in with a PIN of six digits.").arg(isolate(where)), {}};
-      return {Words::tr("%1 signs in with a password.").arg(isolate(where)), {}};
+      if (f.detail == "pin") return {Words::tr("%1 signs in with a PIN of six digits.").arg(where), {}};
+      return {Words::tr("%1 signs in with a password.").arg(where), {}};
     case StorageError::locked: return tell_locked(f, Words::tr("Too many wrong tries."));
     case StorageError::disabled:
       return {Words::tr("This account is switched off."), Words::tr("Ask an administrator to switch it on again.")};

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "storage/verify.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -30,6 +31,19 @@ std::expected<std::unique_ptr<Store>, Told> open_records(const std::filesystem::
 }
 
 namespace {
+
+/// What opening met, or why the counter lags: said once, on stderr; the verb goes on.
+void warn_of(const StorageContext& context) {
+  for (const FindingCode code : {FindingCode::rolled_back, FindingCode::counter_missing, FindingCode::counter_broken,
+                                 FindingCode::log_damaged}) {
+    if (context.incident != key_of(code)) continue;
+    warn(finding_text(ChainFinding{code, "audit_log"}) + u' ' + CliWords::tr("Look at: history DB verify."));
+  }
+  if (context.counter_failure) {
+    warn(CliWords::tr("The counter beside the station’s key lags behind: %1. What was recorded is kept; the counter catches up later.")
+             .arg(QString::fromStdString(context.counter_failure->where)));
+  }
+}
 
 /// One account's number and the secret that was tried; the same for a number that nobody has.
 Told no_match(const QString& number, bool by_pin) {
@@ -65,12 +79,17 @@ std::expected<Account, Told> sign_in_by_secret(Store& store, const std::string& 
 std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, bool may_make) {
   if (option.number.empty()) {
     auto demo = may_make ? store.people.demo_student() : store.people.find_number("demo");
-    if (demo) return std::move(*demo);
+    if (demo) {
+      warn_of(store.context());
+      return std::move(*demo);
+    }
     const bool missing = demo.error().code == StorageError::not_allowed || demo.error().code == StorageError::not_found;
     if (!missing) return std::unexpected(tell(demo.error()));
     return std::unexpected(Told{CliWords::tr("This database has accounts: say with --as which one to act as."), {}});
   }
-  return sign_in_by_secret(store, option.number);
+  auto account = sign_in_by_secret(store, option.number);
+  if (account) warn_of(store.context());
+  return account;
 }
 
 }  // namespace cusp

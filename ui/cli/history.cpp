@@ -127,6 +127,58 @@ int show(const HistoryOptions& o) {
   return kDone;
 }
 
+/// Whose or what record a finding is of, for a line and for JSON.
+struct FindingOwner {
+  std::string key = "session", id, number;
+};
+FindingOwner owner_of(Store& store, const ChainFinding& f) {
+  FindingOwner owner;
+  if (!f.owner.is_nil()) owner.id = f.owner.text();
+  if (f.table == "people") {
+    owner.key = "person";
+    if (const auto person = store.people.find(UserId{f.owner})) owner.number = person->number;
+  }
+  for (const char* table : {"station", "cohorts", "cohort_students", "assignments", "scenario_versions", "blobs"}) {
+    if (f.table == table) owner.key = "subject";
+  }
+  return owner;
+}
+
+QString finding_line(const FindingOwner& owner, const ChainFinding& f) {
+  if (owner.id.empty()) return finding_text(f);
+  QString who = QString::fromStdString(owner.id);
+  if (!owner.number.empty()) who = QStringLiteral("%1 (%2)").arg(QString::fromStdString(owner.number), who);
+  return who + QStringLiteral(": ") + finding_text(f);
+}
+
+nlohmann::ordered_json finding_json(const FindingOwner& owner, const ChainFinding& f) {
+  nlohmann::ordered_json json;
+  json["session"] = owner.key == "session" ? owner.id : std::string();
+  if (owner.key != "session") json[owner.key] = owner.id;
+  if (!owner.number.empty()) json["number"] = owner.number;
+  json["code"] = std::string(key_of(f.code));
+  json["table"] = f.table;
+  json["row"] = f.row;
+  json["second"] = f.second;
+  json["what"] = f.what;
+  json["logged"] = f.at_utc_us > 0 ? nlohmann::ordered_json(iso_utc(f.at_utc_us)) : nullptr;
+  return json;
+}
+
+/// Since when the log holds seals, and how far the counter is behind it.
+void say_since(const StoreVerification& v) {
+  if (!v.sealed_since_utc_us) {
+    say(plain(CliWords::tr("Nothing is sealed yet: that begins when the database is next opened for writing.")));
+  } else if (v.sealed_later > 0) {
+    say(plain(CliWords::tr("Sealed since %1; what was there before is held against what it was then.")
+                  .arg(QString::fromStdString(iso_utc(*v.sealed_since_utc_us)))));
+  }
+  if (v.uncounted > 0) {
+    say(plain(CliWords::tr("%n entry/entries of the audit log are not yet in the counter beside the key.", nullptr,
+                           static_cast<int>(v.uncounted))));
+  }
+}
+
 int verify(const HistoryOptions& o) {
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
@@ -135,36 +187,32 @@ int verify(const HistoryOptions& o) {
   auto sound = (*store)->database().integrity_check();
   if (!sound) return failed(tell(sound.error()));
   if (!sound->empty()) return failed(tell(StorageFailure{StorageError::corrupt, o.db, *sound}));
-  auto sessions = sessions_to_verify((*store)->context());
-  if (!sessions) return failed(tell(sessions.error()));
+  const auto verified = verify_store((*store)->context());
+  if (!verified) return failed(tell(verified.error()));
 
   nlohmann::ordered_json json;
-  json["sessions"] = sessions->size();
+  json["sessions"] = verified->sessions;
+  json["log_entries"] = verified->entries;
+  json["sealed_since"] = verified->sealed_since_utc_us
+                             ? nlohmann::ordered_json(iso_utc(*verified->sealed_since_utc_us))
+                             : nullptr;
+  json["sealed_later"] = verified->sealed_later;
+  json["uncounted"] = verified->uncounted;
   json["findings"] = nlohmann::ordered_json::array();
   std::optional<QString> first;
-  const auto take = [&](const std::string& owner, const Verification& verification) {
-    for (const ChainFinding& f : verification.findings) {
-      json["findings"].push_back({{"session", owner},
-                                  {"code", std::string(key_of(f.code))},
-                                  {"table", f.table},
-                                  {"row", f.row},
-                                  {"second", f.second}});
-      if (!first) first = owner.empty() ? finding_text(f) : QString::fromStdString(owner) + QStringLiteral(": ") + finding_text(f);
-    }
-  };
-  for (const SessionId id : *sessions) {
-    auto found = verify_session((*store)->context(), id);
-    if (!found) return failed(tell(found.error()));
-    take(id.text(), *found);
+  for (const ChainFinding& f : verified->findings) {
+    const FindingOwner owner = owner_of(**store, f);
+    const QString line = finding_line(owner, f);
+    json["findings"].push_back(finding_json(owner, f));
+    if (!o.json.on_stdout()) say(plain(line));
+    if (!first) first = line;
   }
-  auto log = verify_audit_log((*store)->context());
-  if (!log) return failed(tell(log.error()));
-  take({}, *log);
-  json["intact"] = !first.has_value();
+  json["intact"] = verified->intact();
   if (!o.json.write(json)) return kFailed;
+  if (!o.json.on_stdout()) say_since(*verified);
   if (first) return failed(*first);
   if (!o.json.on_stdout()) {
-    say(plain(CliWords::tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(sessions->size()))));
+    say(plain(CliWords::tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(verified->sessions))));
   }
   return kDone;
 }

@@ -18,8 +18,9 @@ std::string plain(const QString& text) {
   return out.toStdString();
 }
 
+void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
 int failed(const QString& what) {
-  std::fprintf(stderr, "cusp: %s\n", plain(what).c_str());
+  warn(what);
   return kFailed;
 }
 int failed(const Told& told) { return failed(told.line()); }

@@ -31,6 +31,8 @@ void add_history(CLI::App& program, Job& job);
 /// One line on stderr, "cusp: …", and kFailed.
 int failed(const Told& told);
 int failed(const QString& what);
+/// One line on stderr; the verb goes on.
+void warn(const QString& what);
 /// One line on stderr and kWrongUsage.
 int wrong_usage(const QString& what);
 /// One line on stdout.

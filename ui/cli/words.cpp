@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "storage/clock.h"
 #include "ui/app/sentences.h"
 
 namespace cusp {
@@ -65,8 +66,10 @@ QString finding_text(const Finding& f) {
 }
 
 QString finding_text(const ChainFinding& f) {
-  const QString where = f.row >= 0 ? CliWords::tr("%1, row %2").arg(text(f.table)).arg(f.row) : text(f.table);
-  const QString when = f.second >= 0 ? CliWords::tr(", second %1 of the session").arg(f.second) : QString();
+  QString where = f.row >= 0 ? CliWords::tr("%1, row %2").arg(text(f.table)).arg(f.row) : text(f.table);
+  if (!f.what.empty()) where += QStringLiteral(", ") + text(f.what);
+  QString when = f.second >= 0 ? CliWords::tr(", second %1 of the session").arg(f.second) : QString();
+  if (f.at_utc_us > 0) when += CliWords::tr(", in the audit log since %1").arg(text(iso_utc(f.at_utc_us)));
   switch (f.code) {
     case FindingCode::row_changed: return CliWords::tr("The record was changed: %1%2.").arg(where, when);
     case FindingCode::row_missing: return CliWords::tr("A part of the record is missing: %1%2.").arg(where, when);
@@ -78,6 +81,15 @@ QString finding_text(const ChainFinding& f) {
       return CliWords::tr("The station’s key is not the one that signed: %1%2.").arg(where, when);
     case FindingCode::unreadable: return CliWords::tr("The record cannot be read: %1%2.").arg(where, when);
     case FindingCode::count_wrong: return CliWords::tr("The record does not add up: %1%2.").arg(where, when);
+    case FindingCode::seal_broken: return CliWords::tr("The record is not the one that was sealed: %1%2.").arg(where, when);
+    case FindingCode::rolled_back:
+      return CliWords::tr("The database is older than the counter beside its key, or its audit log was cut: %1%2.").arg(where, when);
+    case FindingCode::counter_missing:
+      return CliWords::tr("The counter beside the station’s key is missing: %1%2.").arg(where, when);
+    case FindingCode::counter_broken:
+      return CliWords::tr("The counter beside the station’s key is not the one of this database: %1%2.").arg(where, when);
+    case FindingCode::log_damaged:
+      return CliWords::tr("The audit log’s end was changed or taken out: %1%2.").arg(where, when);
   }
   return where;
 }

@@ -1,0 +1,294 @@
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "storage/log_words.h"
+#include "storage/rollback_counter.h"
+#include "storage/session_tables.h"
+#include "storage/trace_codec.h"
+#include "storage/verify_log.h"
+
+namespace cusp {
+namespace {
+
+class StoreVerifier {
+ public:
+  explicit StoreVerifier(StorageContext& context) : context_{context}, db_{context.db} {}
+
+  Stored<StoreVerification> run() {
+    if (auto done = read_log(); !done) return std::unexpected(done.error());
+    check_schema();
+    check_alone("audit_head");
+    check_counter_file();
+    check_station();
+    check_keys();
+    if (auto done = check_sessions(); !done) return std::unexpected(done.error());
+    check_people();
+    check_comments();
+    check_members();
+    for (const SealedTable table : kSealedTables) check_rows(table);
+    check_blobs();
+    return std::move(out_);
+  }
+
+ private:
+  void find(FindingCode code, std::string_view table, const Uuid& owner = {}, std::string what = {},
+            std::int64_t at_utc_us = 0) {
+    out_.findings.push_back({code, std::string(table), -1, -1, owner, std::move(what), at_utc_us});
+  }
+  /// False, and named, when the table cannot be read.
+  template <class T>
+  bool readable(const Stored<T>& rows, std::string_view table) {
+    if (!rows) find(FindingCode::unreadable, table);
+    return rows.has_value();
+  }
+  bool sealed() const { return log_.began_utc_us.has_value(); }
+
+  Stored<void> read_log() {
+    // Whose log it is, its own first entry says: the row of `station` could have been changed.
+    const auto named = db_.first("SELECT subject FROM audit_log WHERE action = 'station_key_added' LIMIT 1",
+                                 [](Row row) { return row.uuid(0); });
+    if (!named) return std::unexpected(named.error());
+    station_ = named->value_or(context_.station);
+    auto followed = follow_audit_log(context_, station_, [this](const AuditEntry& e) { log_.take(e); });
+    if (!followed) return std::unexpected(followed.error());
+    out_.findings = std::move(followed->findings);
+    out_.entries = followed->links;
+    out_.findings.insert(out_.findings.end(), log_.incidents.begin(), log_.incidents.end());
+    out_.sealed_since_utc_us = log_.began_utc_us;
+    out_.sealed_later = log_.sealed_later;
+    return {};
+  }
+
+  /// The schema has no trigger and no view: one would change what the program writes or reads.
+  void check_schema() {
+    const auto names = db_.all("SELECT name FROM sqlite_schema WHERE type IN ('trigger', 'view')",
+                               [](Row row) { return row.text(0); });
+    if (!readable(names, "sqlite_schema")) return;
+    for (const std::string& name : *names) find(FindingCode::row_added, "sqlite_schema", {}, name);
+  }
+
+  /// Tables of one row: a second one would be a second truth.
+  void check_alone(const std::string& table) {
+    const auto rows = db_.first("SELECT count(*) FROM " + table, [](Row row) { return row.integer(0); });
+    if (rows && rows->value_or(0) > 1) find(FindingCode::row_added, table);
+  }
+
+  void check_counter_file() {
+    const auto check = check_counter(context_);
+    if (!check) return find(FindingCode::counter_missing, "audit_log", {}, context_.counter_file.string());
+    switch (check->state) {
+      case CounterState::good:
+        out_.uncounted = check->entries - check->counted;
+        return;
+      case CounterState::missing:
+        if (sealed()) find(FindingCode::counter_missing, "audit_log");
+        return;
+      case CounterState::broken:
+        return find(FindingCode::counter_broken, "audit_log");
+      case CounterState::rolled_back:
+        return find(FindingCode::rolled_back, "audit_log", {},
+                    std::to_string(check->counted) + ' ' + std::to_string(check->entries));
+    }
+  }
+
+  void check_station() {
+    const auto station = db_.first("SELECT id, next_sequence FROM station", [](Row row) {
+      return std::pair{row.uuid(0), row.integer(1)};
+    });
+    if (!readable(station, "station")) return;
+    if (!*station) return find(FindingCode::row_missing, "station", station_);
+    if ((*station)->first != station_) find(FindingCode::row_changed, "station", station_, "id");
+    const auto used = db_.first(
+        "SELECT max(n) FROM (SELECT max(sequence) n FROM audit_log UNION ALL SELECT max(sequence) FROM sessions "
+        "UNION ALL SELECT max(sequence) FROM session_events UNION ALL SELECT max(sequence) FROM grades "
+        "UNION ALL SELECT max(sequence) FROM scenario_versions UNION ALL SELECT max(sequence) FROM assignments "
+        "UNION ALL SELECT max(sequence) FROM comments)",
+        [](Row row) { return row.integer(0); });
+    check_alone("station");
+    const bool given_twice = used && used->value_or(0) >= (*station)->second;
+    if (given_twice || log_.sequence_fell) find(FindingCode::count_wrong, "station", station_, "next_sequence");
+  }
+
+  void check_keys() {
+    const auto keys = db_.all("SELECT id, public_key FROM station_keys", [](Row row) {
+      return std::pair{row.hash(0), row.hash(1)};
+    });
+    if (!readable(keys, "station_keys")) return;
+    std::set<std::string> there;
+    for (const auto& [id, key] : *keys) {
+      there.insert(hex(id));
+      if (key_id(key) != id) find(FindingCode::key_changed, "station_keys", {}, hex(id));
+      if (!log_.keys.contains(hex(id))) find(FindingCode::row_added, "station_keys", {}, hex(id));
+    }
+    for (const auto& [name, added] : log_.keys) {
+      // Added again: it had been taken out.
+      if (!there.contains(name) || added.size() > 1) {
+        find(FindingCode::row_missing, "station_keys", {}, name, added.back());
+      }
+    }
+  }
+
+  Stored<void> check_sessions() {
+    const auto ids = sessions_to_verify(context_);
+    if (!ids) return std::unexpected(ids.error());
+    out_.sessions = ids->size();
+    std::set<Uuid> there;
+    for (const SessionId id : *ids) {
+      there.insert(id.uuid);
+      auto proof = verify_session(context_, id);
+      if (!proof) return std::unexpected(proof.error());
+      const bool sound = proof->intact();
+      for (ChainFinding& finding : proof->findings) {
+        finding.owner = id.uuid;
+        out_.findings.push_back(std::move(finding));
+      }
+      check_seals(id, sound, proof->links);
+    }
+    for (const auto& [id, seals] : log_.sessions) {
+      if (there.contains(id)) continue;
+      find(FindingCode::row_missing, "sessions", id, {}, seals.back().at_utc_us);
+      gone_.insert(id);
+    }
+    return {};
+  }
+
+  /// The log knows the session; and if it is sound in itself, every seal of it names a link of its chain.
+  void check_seals(SessionId id, bool sound, std::uint64_t links) {
+    const auto seals = log_.sessions.find(id.uuid);
+    if (seals == log_.sessions.end()) {
+      if (sealed()) find(FindingCode::row_added, "sessions", id.uuid);
+      return;
+    }
+    if (!sound) return;
+    for (const SessionSeal& seal : seals->second) {
+      const auto same = db_.first(
+          "SELECT link = ?3 FROM session_chain WHERE session = ?1 AND position = ?2",
+          [](Row row) { return row.flag(0); }, id, seal.links - 1, seal.link);
+      if (same && same->value_or(false)) continue;
+      const auto row = static_cast<std::int64_t>(std::min(links, seal.links));
+      out_.findings.push_back({FindingCode::seal_broken, "session_chain", row, -1, id.uuid, {}, seal.at_utc_us});
+      return;
+    }
+  }
+
+  void check_people() {
+    const auto people = db_.all(kSealedPeople, [](Row row) { return std::pair{row.uuid(0), person_seal(row)}; });
+    if (!readable(people, "people")) return;
+    std::set<Uuid> there;
+    for (const auto& [id, seal] : *people) {
+      there.insert(id);
+      const auto word = log_.people.find(id);
+      if (!log_.accounts_created.contains(id) || (sealed() && word == log_.people.end())) {
+        find(FindingCode::row_added, "people", id);
+        continue;
+      }
+      if (word == log_.people.end()) continue;
+      const PersonSeal& logged = word->second.seal;
+      // A changed secret salts the last word's hash anew: what it says of number and name is then not known.
+      const bool same_secrets = seal[3] == logged[3] && seal[4] == logged[4];
+      for (std::size_t i = 0; i < seal.size(); ++i) {
+        if (seal[i] == logged[i] || (i == 5 && !same_secrets)) continue;
+        find(FindingCode::row_changed, "people", id, std::string(kPersonSealWords[i]), word->second.at_utc_us);
+      }
+    }
+    for (const auto& [id, word] : log_.people) {
+      if (!there.contains(id)) find(FindingCode::row_missing, "people", id, {}, word.at_utc_us);
+    }
+  }
+
+  void check_comments() {
+    auto left = log_.comments;
+    const auto rows = db_.all(select_sealed(SealedTable::comments), [&](Row row) {
+      return std::pair{row.uuid(0), row_seal(db_, SealedTable::comments, row)};
+    });
+    if (!readable(rows, "comments")) return;
+    for (const auto& key : *rows) {
+      const auto word = left.find(key);
+      if (word != left.end() && word->second.seal > 0) {
+        --word->second.seal;
+      } else if (sealed()) {
+        find(FindingCode::row_added, "comments", key.first);
+      }
+    }
+    for (const auto& [key, word] : left) {
+      // With its session gone, that is what there is to say.
+      if (word.seal > 0 && !gone_.contains(key.first)) {
+        find(FindingCode::row_missing, "comments", key.first, {}, word.at_utc_us);
+      }
+    }
+  }
+
+  void check_members() {
+    const auto rows = db_.all("SELECT cohort, student FROM cohort_students", [](Row row) {
+      return std::pair{row.uuid(0), row.uuid(1)};
+    });
+    if (!readable(rows, "cohort_students")) return;
+    const std::set<std::pair<Uuid, Uuid>> there(rows->begin(), rows->end());
+    for (const auto& member : there) {
+      const auto word = log_.members.find(member);
+      if (word == log_.members.end() || !word->second.seal) {
+        find(FindingCode::row_added, "cohort_students", member.first, member.second.text());
+      }
+    }
+    for (const auto& [member, word] : log_.members) {
+      if (word.seal && !there.contains(member)) {
+        find(FindingCode::row_missing, "cohort_students", member.first, member.second.text(), word.at_utc_us);
+      }
+    }
+  }
+
+  void check_rows(SealedTable table) {
+    if (table == SealedTable::comments) return;  // by session, in check_comments()
+    const auto& words = log_.rows[static_cast<std::size_t>(table)];
+    const auto rows = db_.all(select_sealed(table), [&](Row row) {
+      return std::pair{row.uuid(0), row_seal(db_, table, row)};
+    });
+    if (!readable(rows, name_of(table))) return;
+    std::set<Uuid> there;
+    for (const auto& [id, seal] : *rows) {
+      there.insert(id);
+      const auto word = words.find(id);
+      if (word == words.end()) {
+        if (sealed()) find(FindingCode::row_added, name_of(table), id);
+      } else if (word->second.seal != seal) {
+        find(FindingCode::row_changed, name_of(table), id, {}, word->second.at_utc_us);
+      }
+    }
+    for (const auto& [id, word] : words) {
+      if (!there.contains(id)) find(FindingCode::row_missing, name_of(table), id, {}, word.at_utc_us);
+    }
+  }
+
+  /// Blobs are named by their content. One that nothing names decides nothing, whether it is there or not.
+  void check_blobs() {
+    const auto blobs = db_.all("SELECT hash, packed FROM blobs", [](Row row) {
+      const auto bytes = unpack(row.bytes(1));
+      return std::pair{row.hash(0), bytes && blake2b_256(*bytes) == row.hash(0)};
+    });
+    if (!readable(blobs, "blobs")) return;
+    for (const auto& [hash, good] : *blobs) {
+      if (!good) find(FindingCode::row_changed, "blobs", {}, hex(hash));
+    }
+    const auto lost = db_.all(
+        "SELECT f.version, f.blob FROM version_files f LEFT JOIN blobs b ON b.hash = f.blob WHERE b.hash IS NULL",
+        [](Row row) {
+          return std::pair{row.uuid(0), row.hash(1)};
+        });
+    if (!readable(lost, "version_files")) return;
+    for (const auto& [version, hash] : *lost) find(FindingCode::row_missing, "blobs", version, hex(hash));
+  }
+
+  StorageContext& context_;
+  Database& db_;
+  Uuid station_;
+  LogWords log_;
+  std::set<Uuid> gone_;  // sessions that the log knows and no table does
+  StoreVerification out_;
+};
+
+}  // namespace
+
+Stored<StoreVerification> verify_store(StorageContext& context) { return StoreVerifier(context).run(); }
+
+}  // namespace cusp
