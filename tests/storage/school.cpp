@@ -1,0 +1,74 @@
+#include "tests/storage/school.h"
+
+namespace cusp::testing {
+
+namespace fs = std::filesystem;
+
+void copy_school(const fs::path& from, const fs::path& to) {
+  for (const char* part : {"", ".key", ".key-counter"}) {
+    fs::remove(to.string() + part);
+    if (fs::exists(from.string() + part)) fs::copy_file(from.string() + part, to.string() + part);
+  }
+  for (const char* part : {"-wal", "-shm"}) fs::remove(to.string() + part);
+}
+
+School::School() {
+  auto store = open(folder_ / "a.db");
+  admin = make_administrator(*store);
+  instructor = make_instructor(*store);
+  const Account lena = make_student(*store);
+  const Account omar = must(store->people.create(admin.actor(), {.number = "2", .name = "Omar", .pin = "271828"}));
+  open_account = must(store->people.create(admin.actor(), {.number = "3", .name = "Ida"})).id;
+  const Cohort cohort = must(store->cohorts.create(instructor.actor(), "Year 2"));
+  must(store->cohorts.create(instructor.actor(), "Year 3"));
+  must(store->cohorts.add(instructor.actor(), cohort.id, lena.id));
+  const std::vector<std::byte> voxels(4000, std::byte{5}), picture(300, std::byte{6}), nobodys(70, std::byte{7});
+  const Hash256 specimen = must(store->blobs.put(voxels)), file_blob = must(store->blobs.put(picture));
+  must(store->blobs.put(nobodys));
+  const auto version = keep(*store);
+  Scenario own = small_scenario();
+  own.id = *ScenarioId::parse("018f0000-0000-7000-8000-000000000002");
+  must(store->scenarios.publish(instructor.actor(), own, "{\"id\":2}", blake2b_256(std::string_view{"2"}),
+                                {{"volume.nrrd", file_blob}}));
+  must(store->scenarios.save_draft(instructor.actor(), own.id, "{}"));
+  must(store->assignments.create(instructor.actor(), {.version = version.id, .cohort = cohort.id}));
+  const SessionId first = complete_session(*store, lena, version, 40, false);
+  NewSession wanted = new_session(omar, version);
+  wanted.header.specimen_blob = specimen;
+  const SessionId second = must(store->sessions.start(omar.actor(), wanted)).id;
+  must(store->traces.append(second, second_from(1)));
+  must(store->sessions.finish(second, volume_after(12), "student"));
+  must(store->comments.add(instructor.actor(), first, 12, "Here the floor begins to rise."));
+  keep_as("old.db", *store);
+  second_half(*store, cohort.id, version, lena, omar, first, second);
+}
+
+void School::second_half(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& lena,
+                         const Account& omar, SessionId first, SessionId second) {
+  must(store.grades.save(second, small_grade(62, false), {}));
+  must(store.grades.save(first, small_grade(45, false), {}, instructor.actor()));
+  const SessionId third = complete_session(store, omar, version, 90, true);
+  must(store.comments.add(instructor.actor(), third, std::nullopt, "Well done."));
+  must(store.cohorts.add(instructor.actor(), cohort, omar.id));
+  must(store.people.rename(admin.actor(), lena.id, "20267314", "Lena Brandt-Meier"));
+  must(store.people.set_password(admin.actor(), instructor.id, "", "another password"));
+  must(store.people.set_disabled(admin.actor(), omar.id, true));
+  must(store.people.set_disabled(admin.actor(), omar.id, false));
+  EXPECT_FALSE(store.people.sign_in("20267314", "a wrong guess"));
+  must(store.people.sign_in("admin", "correct horse"));
+  const SessionId stopped = must(store.sessions.start(lena.actor(), new_session(lena, version))).id;
+  must(store.traces.append(stopped, second_from(1)));
+  must(store.sessions.interrupt(stopped, "recorder_full"));
+  const SessionId running = must(store.sessions.start(lena.actor(), new_session(lena, version))).id;
+  must(store.traces.append(running, second_from(1)));
+  keep_as("now.db", store);
+  sessions = {first, second, third, stopped, running};
+  in_old = {first, second};
+}
+
+void School::keep_as(const std::string& name, Store& store) {
+  must(store.database().run("PRAGMA wal_checkpoint(TRUNCATE)"));
+  copy_school(folder_ / "a.db", folder_ / name);
+}
+
+}  // namespace cusp::testing

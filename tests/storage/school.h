@@ -1,0 +1,33 @@
+/// Months of a school in a few rows, for tests that tamper with it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/storage/sample.h"
+
+namespace cusp::testing {
+
+/// Database, key and counter; no log. What stood at `to` goes.
+void copy_school(const std::filesystem::path& from, const std::filesystem::path& to);
+
+class School {
+ public:
+  School();
+  std::filesystem::path old() const { return folder_ / "old.db"; }  // what the file was half way
+  std::filesystem::path now() const { return folder_ / "now.db"; }
+  std::filesystem::path trial() const { return folder_ / "trial.db"; }  // a copy to tamper with
+
+  Account admin, instructor;
+  UserId open_account;  // without password and PIN
+  std::vector<SessionId> sessions, in_old;
+
+ private:
+  void second_half(Store& store, CohortId cohort, const ScenarioVersion& version, const Account& lena,
+                   const Account& omar, SessionId first, SessionId second);
+  void keep_as(const std::string& name, Store& store);
+  Folder folder_;
+};
+
+}  // namespace cusp::testing

@@ -1,0 +1,55 @@
+/// Ways to tamper with a school by SQL, drawn with a seed.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/storage/school.h"
+
+namespace cusp::testing {
+
+struct Tampering {
+  std::string table, kind, column{};
+  Uuid owner{};                         // whom or what the finding has to name; nil = nothing in particular
+  std::vector<std::string> named_as{};  // other tables under which it may be named
+};
+
+class Tamperer {
+ public:
+  /// nullopt where SQLite would not have it.
+  using Act = std::function<std::optional<Tampering>(Database&)>;
+
+  Tamperer(const School& school, unsigned seed) : school_{school}, random_{seed} {}
+  /// Change, delete and insert for every table there is, then what needs more than a row.
+  std::vector<Act> acts();
+  /// Makes school.trial() anew and tampers with it as a stranger would; the same act again until it succeeds.
+  Tampering tamper(const Act& act);
+  std::size_t draw(std::size_t below) { return random_() % below; }
+
+ private:
+  template <class T>
+  const T& one_of(const std::vector<T>& some) {
+    return some[draw(some.size())];
+  }
+  std::string one_row(Database& db, const std::string& table);
+  std::optional<Tampering> change(Database& db, const std::string& table);
+  std::optional<Tampering> remove(Database& db, const std::string& table);
+  std::optional<Tampering> insert(Database& db, const std::string& table);
+  void attach_old(Database& db) { must(db.run("ATTACH ?1 AS old", school_.old().string())); }
+  Act on_person(std::string kind, std::string set, std::string where);
+  Act on_counter(std::string kind, bool old_file, std::function<void(const std::filesystem::path&)> act);
+  std::vector<Act> session_acts();
+  std::vector<Act> log_acts();
+  std::vector<Act> forged_acts();
+  std::vector<Act> people_acts();
+  std::vector<Act> counter_acts();
+
+  const School& school_;
+  std::mt19937 random_;
+  std::function<void()> after_closing_;  // what is done to files
+};
+
+}  // namespace cusp::testing
