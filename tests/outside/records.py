@@ -1,0 +1,95 @@
+"""The database of a small school, tampered with by SQL: `cusp history verify` names what and whom, and exits with 1.
+Accounts act by password or PIN; a secret of the wrong kind is no wrong try and is called by its name.
+
+  records.py CUSP
+"""
+import argparse
+import contextlib
+import os
+import shutil
+import sqlite3
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from desk import SOURCE, Desk, check, one_sentence  # noqa: E402
+
+STUDENT, PIN, PASSWORD = "20267314", "314159", "battery staple"
+
+
+def make_school(database):
+    """A file of schema 1: an administrator, a student with password and PIN, an instructor, one graded session."""
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        for name in ("storage/sqlite/migrations/0001.sql", "tests/storage/fixtures/schema-0001.sql"):
+            with open(os.path.join(SOURCE, name), encoding="utf-8") as sql:
+                db.executescript(sql.read())
+        db.execute("PRAGMA user_version = 1")
+        db.commit()
+
+
+def tampered(desk, *statements):
+    for end in ("", ".key", ".key-counter"):
+        shutil.copy(desk.path("school.db") + end, desk.path("bad.db") + end)
+    with contextlib.closing(sqlite3.connect(desk.path("bad.db"))) as db:
+        db.execute("PRAGMA foreign_keys = OFF")
+        for sql in statements:
+            db.execute(sql)
+        db.commit()
+    return desk.path("bad.db")
+
+
+def verify_names(desk):
+    with contextlib.closing(sqlite3.connect(desk.path("school.db"))) as db:
+        (session,) = db.execute("SELECT lower(hex(id)) FROM sessions").fetchone()
+    session = "-".join((session[:8], session[8:12], session[12:16], session[16:20], session[20:]))
+    whole = [f"DELETE FROM {t} WHERE 1" for t in (
+        "sessions", "session_events", "trace_chunks", "key_states", "metrics", "removed_tissues", "final_volumes",
+        "grades", "criteria", "session_chain", "session_heads", "comments")]
+    cases = [
+        (whole, ("sessions", session)),
+        (["DELETE FROM audit_log", "DELETE FROM audit_head"], ("audit_log",)),
+        (["UPDATE people SET role = 'administrator', pin = '' WHERE number = 'okafor'"], ("people", "okafor", "role")),
+        (["UPDATE people SET password = '' WHERE number = 'admin'"], ("people", "admin", "password")),
+    ]
+    for statements, words in cases:
+        database = tampered(desk, *statements)
+        status, out, err = desk.run("history", database, "verify", "--as", STUDENT, CUSP_PASSWORD=PIN)
+        check(status == 1, f"{statements[0]}: exit {status}, {out}")
+        for word in words:
+            check(word in out, f"{statements[0]}: {word} is not named: {out}{err}")
+        status, out, _ = desk.run("history", database, "verify", "--as", STUDENT, "--json", "-", CUSP_PASSWORD=PIN)
+        check(status == 1 and words[0] in out and '"intact": false' in out, f"{statements[0]}: {out}")
+
+
+def secrets(desk, database):
+    listed = ("history", database, "list", "--as")
+    check(desk.run(*listed, STUDENT, CUSP_PASSWORD=PIN)[0] == 0, "a PIN signs a student in")
+    check(desk.run(*listed, STUDENT, CUSP_PASSWORD=PASSWORD)[0] == 0, "so does the password")
+    for _ in range(6):  # one more than would lock the account
+        status, _, err = desk.run(*listed, "admin", CUSP_PASSWORD="123456")
+        one_sentence(err, "a PIN for a member of staff")
+        check(status == 1 and "admin" in err and "password" in err and "PIN" not in err and database not in err, err)
+    status, _, err = desk.run(*listed, "admin", CUSP_PASSWORD="correct horse")
+    check(status == 0, f"six PINs were no wrong tries: {err}")
+    for secret, word, other in (("000000", "PIN", "password"), ("a wrong one", "password", "PIN")):
+        status, _, err = desk.run(*listed, STUDENT, CUSP_PASSWORD=secret)
+        one_sentence(err, "a wrong secret")
+        check(status == 1 and STUDENT in err and word in err and other not in err and database not in err, err)
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("cusp")
+    o = arguments.parse_args()
+    with Desk(o.cusp) as desk:
+        database = desk.path("school.db")
+        make_school(database)
+        status, out, err = desk.run("history", database, "verify", "--as", STUDENT, CUSP_PASSWORD=PIN)
+        check(status == 0 and "Sealed since" in out, f"an old file is whole and sealed from now on: {out}{err}")
+        secrets(desk, database)
+        with contextlib.closing(sqlite3.connect(database)) as db:
+            db.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        verify_names(desk)
+        print("four tamperings were named, and PIN and password called by their names")
+
+
+main()
