@@ -88,7 +88,7 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
   auto database = Database::open(file, options.database);
   if (!database) return std::unexpected(database.error());
   auto store = std::make_unique<Store>(
-      StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt, {}, {}, {}});
+      StorageContext{std::move(*database), std::move(options.clock), options.cost, Uuid{}, std::nullopt});
   StorageContext& context = store->context();
   const auto key_file = options.key_file.empty() ? std::filesystem::path(file.string() + ".key") : options.key_file;
   context.counter_file = counter_file_of(key_file);
