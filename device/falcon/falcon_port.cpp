@@ -18,6 +18,7 @@ constexpr LinkTime kRephase = std::chrono::microseconds(200);  // an answer late
 constexpr LinkTime kRepeat = std::chrono::microseconds(100);   // a packet waits so long for an answer to go before it
 constexpr LinkTime kLongestWait = std::chrono::milliseconds(20);
 constexpr LinkTime kGlance = std::chrono::milliseconds(100);  // of open(), at cancel()
+constexpr int kMostWaiting = 64;                              // events that are read at once after a stall
 constexpr int kLastWords = 5;                                 // packets of zero torque before the device is let go
 constexpr std::uint8_t kPressTicks = 20;  // a button counts when it was down so long: switches bounce
 
@@ -61,12 +62,25 @@ void FalconPort::hand_over() noexcept {
   while (const auto ask = session_.next_ask()) link_->start(*ask);
 }
 
-void FalconPort::once(LinkTime until) noexcept {
+falcon::LinkEvent::Kind FalconPort::once(LinkTime until) noexcept {
   hand_over();
   const LinkTime now = link_->now();
   const falcon::LinkEvent event = link_->wait(std::min(until, std::max(session_.due(), now)));
   session_.advance(event, link_->now());
   hand_over();
+  return event.kind;
+}
+
+/// What came while the host did something else is read before anything is sent: after a stall it is old.
+void FalconPort::catch_up() noexcept {
+  for (int i = 0; i < kMostWaiting; ++i) {
+    if (once(link_->now()) == falcon::LinkEvent::Kind::time) return;
+  }
+}
+
+bool FalconPort::answered(LinkTime now) const noexcept {
+  return session_.phase() == Phase::ready && session_.state().replies != seen_replies_ &&
+         session_.fresh(session_.asked(), now);
 }
 
 Result<void, PortFailure> FalconPort::open() {
@@ -75,6 +89,7 @@ Result<void, PortFailure> FalconPort::open() {
   session_ = falcon::Session(settings_.session);
   if (image_) session_.give_image(*image_);
   pose_.reset();
+  reach_.forget();
   last_ = Sample{};
   open_ = true;
   for (;;) {
@@ -138,15 +153,22 @@ Sample FalconPort::fresh() noexcept {
   const falcon::SessionState& state = session_.state();
   seen_replies_ = state.replies;
   const Vec3 arms = falcon::arm_rad_of_ticks(settings_.geometry, settings_.calibration, state.encoders);
-  pose_ = falcon::forward(settings_.geometry, arms, last_grip_m_);
-  if (!pose_) {
+  const auto pose = falcon::forward(settings_.geometry, arms, last_grip_m_);
+  Sample doubtful = last_;
+  doubtful.status = Sample::Status::late;
+  if (!pose) {
     // No place of the grip has these angles: a broken encoder, a wrong offset. No force on such a reading.
     ++unsolved_;
+    pose_.reset();
     session_.command({});
-    Sample doubtful = last_;
-    doubtful.status = Sample::Status::late;
     return doubtful;
   }
+  if (!reach_.believes(pose->grip_m, session_.asked())) {
+    ++unreached_;
+    return doubtful;
+  }
+  pose_ = pose;
+  pose_asked_ = session_.asked();
   last_grip_m_ = pose_->grip_m;
   if ((state.buttons & settings_.buttons.clutch) != 0) {
     workspace_.hold(pose_->grip_m);
@@ -169,12 +191,12 @@ Sample FalconPort::wait(std::chrono::steady_clock::time_point deadline) noexcept
   session_.set_leds(leds_.load(std::memory_order_relaxed));
   const LinkTime wanted = std::chrono::duration_cast<LinkTime>(deadline.time_since_epoch());
   const LinkTime until = std::min(wanted, link_->now() + kLongestWait);
+  catch_up();
   for (;;) {
     const LinkTime now = link_->now();
     const bool ready = session_.phase() == Phase::ready;
-    const bool answered = ready && session_.state().replies != seen_replies_;
     if (now >= due_) {
-      if (answered) {
+      if (answered(now)) {
         // What was missed is not made up for by a burst: the pace begins anew where an answer came late.
         due_ = now - due_ < kRephase ? due_ + kPeriod : now + kPeriod;
         repeated_ = false;
@@ -201,6 +223,7 @@ Sample FalconPort::wait(std::chrono::steady_clock::time_point deadline) noexcept
   }
   if (session_.phase() != Phase::ready) {
     pose_.reset();
+    reach_.forget();
     session_.command({});
     publish();
     return lost;
@@ -220,7 +243,7 @@ void FalconPort::write(const Feedback& feedback) noexcept {
     const Vec3 weight = falcon::gravity_torque_nm(settings_.geometry, *pose_, settings_.gravity);
     falcon::Calibration calibration = settings_.calibration;
     calibration.force_gain = force_gain_.load(std::memory_order_relaxed);
-    session_.command(falcon::counts_of_torque(calibration, push + weight));
+    session_.command(falcon::counts_of_torque(calibration, push + weight), pose_asked_);
   }
   session_.exchange(link_->now());
   hand_over();
@@ -246,6 +269,7 @@ void FalconPort::publish() noexcept {
   view.grip_m = last_grip_m_;
   view.torque = session_.last_torque();
   view.unsolved = unsolved_;
+  view.unreached = unreached_;
   view.clutched = workspace_.held();
   view_.write(view);
 }

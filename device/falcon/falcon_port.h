@@ -1,7 +1,8 @@
 /// The Falcon as a device of the haptic loop, over any link. It paces the loop: wait() returns when the device has
 /// answered, one packet a millisecond, at most two unanswered. Sample::gone whenever its place or its force cannot be
 /// trusted (unplugged, uploading, not homed, 10 ms of silence): the loop then holds at zero force, and resuming
-/// re-arms.
+/// re-arms. A sample is fresh if the packet that asked for it left within 10 ms; a torque leaves only if the sample that
+/// it answers is.
 #pragma once
 
 #include <atomic>
@@ -12,6 +13,7 @@
 #include "device/falcon/gravity.h"
 #include "device/falcon/kinematics.h"
 #include "device/falcon/link.h"
+#include "device/falcon/reach.h"
 #include "device/falcon/session.h"
 #include "device/falcon/workspace.h"
 #include "engine/base/haptic_port.h"
@@ -56,6 +58,7 @@ struct FalconView {
   Vec3 grip_m{0.0};                      // last solved; of no meaning before homing
   std::array<std::int16_t, 3> torque{};  // words of the last packet
   std::uint64_t unsolved = 0;            // readings that no place of the grip has
+  std::uint64_t unreached = 0;           // places that no hand can have reached: not believed
   bool clutched = false;
 };
 
@@ -91,7 +94,9 @@ class FalconPort final : public HapticPort {
 
  private:
   void hand_over() noexcept;
-  void once(falcon::LinkTime until) noexcept;
+  falcon::LinkEvent::Kind once(falcon::LinkTime until) noexcept;
+  void catch_up() noexcept;
+  bool answered(falcon::LinkTime now) const noexcept;
   Sample fresh() noexcept;
   void take_buttons(std::uint8_t bits) noexcept;
   void publish() noexcept;
@@ -102,10 +107,12 @@ class FalconPort final : public HapticPort {
   falcon::Session session_;
   std::optional<falcon::FirmwareImage> image_;
   falcon::Workspace workspace_;
-  std::optional<falcon::Pose> pose_;  // of the newest answer; none when it cannot be trusted
+  std::optional<falcon::Pose> pose_;  // newest that is believed; none when it cannot be trusted
+  falcon::LinkTime pose_asked_{0};    // when the packet left that told of it
+  falcon::Reach reach_;
   Vec3 last_grip_m_ = falcon::kMiddleM;
   falcon::LinkTime due_{0};  // of the next packet
-  std::uint64_t seen_replies_ = 0, unsolved_ = 0;
+  std::uint64_t seen_replies_ = 0, unsolved_ = 0, unreached_ = 0;
   bool repeated_ = false;  // this period's packet went out without a new force
   std::uint8_t next_ticks_ = 0, previous_ticks_ = 0;
   Sample last_;

@@ -39,6 +39,8 @@ inline constexpr FtdiRequest kLatency16ms{0x09, 16}, kLatency1ms{0x09, 1};
 /// What a transfer from the bridge said of the line besides its payload.
 struct LineErrors {
   std::uint32_t overrun = 0, parity = 0, framing = 0, broken = 0, short_packets = 0;
+  /// Packets' errors that spoil bytes.
+  std::uint32_t spoilt() const noexcept { return overrun + parity + framing + broken; }
 };
 
 /// Calls `take(payload)` for each 64-byte packet of a transfer with its two status bytes taken off, empty ones left

@@ -1,6 +1,7 @@
 #include "device/falcon/protocol.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cusp::falcon {
 
@@ -62,16 +63,19 @@ void FrameParser::drop_to_next_start() noexcept {
             buffer_.begin());
   dropped_ += from;
   size_ -= from;
+  if (size_ == 0) flawed_ = false;
 }
 
-std::optional<Frame> FrameParser::push(std::uint8_t byte) noexcept {
+std::optional<Frame> FrameParser::push(std::uint8_t byte, Line line) noexcept {
   buffer_[size_++] = byte;
+  if (line == Line::flawed) flawed_ = true;
   if (!fits(size_ - 1, byte)) {
     drop_to_next_start();
     return std::nullopt;
   }
   if (size_ < kFrameBytes) return std::nullopt;
   size_ = 0;
+  last_flawed_ = std::exchange(flawed_, false);
   return decode(buffer_);
 }
 

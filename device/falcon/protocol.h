@@ -43,14 +43,24 @@ std::array<std::uint8_t, kFrameBytes> encode(const Frame& frame) noexcept;
 /// Exactly one frame, or nothing: '<' and '>' at their places, nibbles within 'A'..'P', bits within 0..127.
 std::optional<Frame> decode(std::span<const std::uint8_t, kFrameBytes> bytes) noexcept;
 
+/// What the bridge reports of the line that bytes came over.
+enum class Line : std::uint8_t { clean, flawed };
+
 /// Finds frames in a stream that arrives in pieces. What is no frame is dropped byte by byte and counted, so that a
 /// fragment is never taken for a frame and never hides the one after it.
 class FrameParser {
  public:
   /// The next byte; the frame that it completes, if it does.
-  std::optional<Frame> push(std::uint8_t byte) noexcept;
+  std::optional<Frame> push(std::uint8_t byte, Line line = Line::clean) noexcept;
+  /// The line reports an error after the bytes so far: a frame that is begun is flawed.
+  void flaw() noexcept { flawed_ = size_ > 0; }
+  /// Whether the frame that push() returned last has a byte of a flawed line, however well it is formed.
+  bool flawed() const noexcept { return last_flawed_; }
   /// Forgets what is begun: after a purge, a silence, a change of speed.
-  void reset() noexcept { size_ = 0; }
+  void reset() noexcept {
+    size_ = 0;
+    flawed_ = false;
+  }
   std::uint64_t dropped_bytes() const noexcept { return dropped_; }
 
  private:
@@ -59,6 +69,7 @@ class FrameParser {
   std::array<std::uint8_t, kFrameBytes> buffer_{};
   std::size_t size_ = 0;
   std::uint64_t dropped_ = 0;
+  bool flawed_ = false, last_flawed_ = false;
 };
 
 }  // namespace cusp::falcon

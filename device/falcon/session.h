@@ -6,6 +6,9 @@
 ///       │ from anywhere: unplugged                  │ image                │       ▼ 10 ms without an answer
 ///       │                          arming ─ greeting ─ locking ─ uploading ─ switching ─ probing      silent
 ///       └─ each failed attempt closes, opens and begins again; ten make `failed`, which rests before the next ten
+/// An answer is as old as the packet that it belongs to (in_flight.h): beyond SessionTimes::fresh it is stale, counted and
+/// not used, and no torque leaves that rests on it. Packets count as lost only after a time in which nothing was sent and
+/// nothing came; after a silence that time is longer than an answer was seen to take.
 /// Source: facts 1.4, 1.5, 1.8 to 1.10.
 #pragma once
 
@@ -18,6 +21,7 @@
 
 #include "device/falcon/firmware_image.h"
 #include "device/falcon/ftdi.h"
+#include "device/falcon/in_flight.h"
 #include "device/falcon/link.h"
 #include "device/falcon/protocol.h"
 
@@ -66,8 +70,16 @@ struct SessionTimes {
   LinkTime echo = ms(1000);     // for the echo of one chunk
   int attempts = 10;            // first attempts are known to fail
   LinkTime rest = ms(5000);     // after them: the plug may be pulled and put in again meanwhile
-  LinkTime lost = ms(4);        // an exchange not answered by then never will be
+  LinkTime fresh = ms(10);      // an answer older than this moves nothing and carries no torque
+  LinkTime wary = ms(300);      // after packets were given up half of `fresh` counts: which answer is whose may be off
+  LinkTime lost = ms(4);        // of a pause in which nothing came: what is not answered by then never will be
+  LinkTime proof = ms(2);       // of a pause after an answer in doubt: one that had been given up would come now
+  int lost_ages = 3;            // of `lost`: at the least so many times what answers took lately
+  LinkTime slow = LinkTime(2'500'000);  // beyond it one packet is under way, and a pause follows each answer
+  LinkTime check = ms(250);     // packets under way all this time: a pause tells whether an answer was lost
   LinkTime silence = ms(10);    // without any answer: torque zero
+  LinkTime drain = ms(40);      // of a pause after a silence, doubled whenever an answer takes longer
+  LinkTime drain_most = ms(160);
   LinkTime give_up = ms(1000);  // of silence: begins again with the line, for the adapter may have lost power
   LinkTime resync = ms(5);      // between neutral packets in silence
   LinkTime ramp = ms(500);      // from zero to the torque asked for
@@ -88,7 +100,11 @@ struct SessionState {
   std::array<std::int16_t, 3> encoders{};
   std::uint8_t buttons = 0;  // status::kPlus ...; 0 unless exchanging
   std::uint8_t homed = 0;    // status::kHomed1 ...
-  std::uint64_t sent = 0, replies = 0, lost = 0, dropped_bytes = 0, silences = 0;
+  std::uint64_t sent = 0, lost = 0, dropped_bytes = 0, silences = 0;
+  std::uint64_t replies = 0;  // fresh answers
+  std::uint64_t stale = 0;    // answers older than SessionTimes::fresh
+  std::uint64_t unasked = 0;  // answers that no packet waits for
+  std::uint64_t flawed = 0;   // answers in a packet whose line status reports an error
   LineErrors line{};
 };
 
@@ -109,15 +125,27 @@ class Session {
   /// When advance() wants to be called at the latest, with a `time` event if with nothing else.
   LinkTime due() const noexcept;
 
-  /// Torque words for the exchanges to come; taken in `ready` alone, and ramped in there.
-  void command(std::array<std::int16_t, 3> counts) noexcept {
-    if (state_.phase == Phase::ready) wanted_ = counts;
+  /// When the packet left that the newest fresh answer belongs to.
+  LinkTime asked() const noexcept { return asked_; }
+  /// Whether what the answer to a packet of that time tells may still be used.
+  bool fresh(LinkTime asked, LinkTime now) const noexcept {
+    return asked >= not_before_ && now - asked <= (now < wary_until_ ? settings_.times.fresh / 2 : settings_.times.fresh);
   }
+  /// Torque words for the exchanges to come; taken in `ready` alone, and ramped in there. They rest on the answer to the
+  /// packet that left at `rests_on`: SessionTimes::fresh later they are zero.
+  void command(std::array<std::int16_t, 3> counts, LinkTime rests_on) noexcept {
+    if (state_.phase != Phase::ready) return;
+    wanted_ = counts;
+    rests_on_ = rests_on;
+  }
+  /// Torque words that rest on the newest fresh answer.
+  void command(std::array<std::int16_t, 3> counts) noexcept { command(counts, asked_); }
   /// LEDs while ready (control::kLeds); red while homing or silent.
   void set_leds(std::uint8_t leds) noexcept { leds_ = leds & control::kLeds; }
   /// Torque to zero now, and ramped in from there.
   void restart_ramp(LinkTime now) noexcept { ramp_from_ = now; }
-  /// In homing and ready: sends one packet, unless two are unanswered. Once a millisecond, by whoever paces the loop.
+  /// In homing and ready: sends one packet, unless two are unanswered or a pause is under way. Once a millisecond, by
+  /// whoever paces the loop, after what the link holds was given to advance().
   bool exchange(LinkTime now) noexcept;
 
   const SessionState& state() const noexcept { return state_; }
@@ -142,11 +170,24 @@ class Session {
   void probe_failed(LinkTime now) noexcept;
   void say_hello(LinkTime now) noexcept;
   void send_chunk(LinkTime now) noexcept;
-  void received(std::span<const std::uint8_t> payload, LinkTime now) noexcept;
+  void take_transfer(std::span<const std::uint8_t> transfer, LinkTime now) noexcept;
+  void received(std::span<const std::uint8_t> payload, Line line, LinkTime now) noexcept;
   void heard_loader(std::uint8_t byte, LinkTime now) noexcept;
   void echoed(std::uint8_t byte, LinkTime now) noexcept;
   void answered(const Frame& frame, LinkTime now) noexcept;
+  void answered_probe(bool usable) noexcept;
+  void answered_silence(bool usable, LinkTime now, LinkTime age) noexcept;
+  void answered_too_often(LinkTime now) noexcept;
+  void use(const Frame& frame, LinkTime asked, LinkTime now) noexcept;
+  void pause(LinkTime quiet) noexcept { pause_ = quiet; }
+  void take_age(LinkTime age) noexcept;
+  bool one_by_one() const noexcept { return doubt_ || took_ >= settings_.times.slow; }
+  LinkTime given_up_after() const noexcept;
+  void watch(LinkTime now) noexcept;
+  void end_pause(LinkTime now) noexcept;
+  void forget_packets() noexcept;
   void fall_silent(LinkTime now) noexcept;
+  void ask_in_silence(LinkTime now) noexcept;
   void time_passed(LinkTime now) noexcept;
   void send_frame(std::array<std::int16_t, 3> torque, std::uint8_t leds, LinkTime now) noexcept;
   void ask(const LinkAsk& ask) noexcept;
@@ -164,12 +205,24 @@ class Session {
   std::array<std::uint8_t, 4> tail_{};  // the last bytes that came, for the hello
   std::size_t chunk_end_ = 0;           // bytes of the image sent; state_.uploaded of them came back
   int steady_ = 0;                      // homed answers in a row
-  std::array<LinkTime, kWindow> unanswered_{};
-  std::size_t unanswered_count_ = 0;
-  LinkTime busy_since_{0};                 // the window was empty last before this
-  int full_ = 0;                           // times that the window was full since it was last empty
-  std::optional<LinkTime> waiting_since_;  // first packet after the last answer
-  LinkTime silent_since_{0};
+  InFlight in_flight_;
+  LinkTime busy_since_{0};  // no packet was under way last before this
+  // The host's own stalls count for little: of the time between two calls at most kWatch was watched.
+  LinkTime watched_at_{0};
+  LinkTime quiet_{0};    // watched since anything was sent or came
+  LinkTime unheard_{0};  // watched since the first packet that no answer followed
+  LinkTime pause_{0};    // nothing leaves until it was quiet for so long; 0: no pause
+  bool doubt_ = false;   // packets were given up: answers count only after one that a quiet pause followed
+  LinkTime drain_{0};    // pause of this silence
+  bool drained_ = false;  // nothing from before the silence can come any more
+  int zeros_ = 0;         // packets still to be sent as a silence begins
+  std::uint32_t line_seen_ = 0;
+  LinkTime silent_since_{0};  // no frame since
+  LinkTime asked_{0}, rests_on_{0};
+  LinkTime not_before_ = LinkTime::min();  // no torque rests on an answer to an earlier packet
+  LinkTime wary_until_ = LinkTime::min();
+  LinkTime took_{0};        // what answers took lately, at the most
+  LinkTime given_up_{0};      // the oldest of the packets that were given up last left then
   LinkTime ramp_from_{0};
   LinkTime due_ = LinkTime::min();
   std::array<std::int16_t, 3> wanted_{}, sent_torque_{};

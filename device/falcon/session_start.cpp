@@ -83,9 +83,7 @@ void Session::begin_script(Phase phase, LinkTime now) noexcept {
   enter(phase);
   script_at_ = 0;
   lock_sent_ = false;
-  state_.lost += unanswered_count_;
-  unanswered_count_ = 0;
-  waiting_since_.reset();
+  forget_packets();
   next_request(now);
 }
 

@@ -133,7 +133,11 @@ TEST(FalconSession, no_stream_of_bytes_brings_force_before_homing) {
       session.exchange(now);
       look();
       ++phases[static_cast<std::size_t>(session.phase())];
-      now += std::chrono::microseconds(random() % (what % 16 == 7 ? 700'000 : 900));
+      const LinkTime next = now + std::chrono::microseconds(random() % (what % 16 == 7 ? 700'000 : 900));
+      // Now and then the host goes on looking, and hears nothing for a while.
+      for (LinkTime at = now + 2ms; at < std::min(next, now + 30ms); at += 2ms) session.advance({}, at);
+      look();
+      now = next;
     }
   }
   std::cout << streams << " streams, " << packets << " packets, " << forced << " packets with torque\n";

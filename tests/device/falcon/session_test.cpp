@@ -67,6 +67,7 @@ TEST(FalconSession, every_split_of_an_answer_reads_the_same) {
     Rig rig({.firmware_running = true});
     rig.reach(Phase::homing);
     for (int i = 0; i < 8; ++i) {
+      rig.session.exchange(rig.link.now());  // what comes is the answer to this
       for (const auto part : {std::span(bytes).first(cut), std::span(bytes).subspan(cut)}) {
         std::vector<std::uint8_t> packet = {0x01, 0x60};
         packet.insert(packet.end(), part.begin(), part.end());
@@ -90,7 +91,8 @@ TEST(FalconSession, a_fragment_of_14_bytes_homes_nothing_and_presses_nothing) {
   EXPECT_EQ(rig.session.state().buttons, 0);
   EXPECT_FALSE(rig.forced_ever);
   EXPECT_EQ(rig.session.phase(), Phase::silent);  // no whole answer for 10 ms
-  EXPECT_TRUE(rig.reach(Phase::homing, 2s));      // whole ones again
+  rig.falcon.cut_answers(0, 14);                  // whole ones again
+  EXPECT_TRUE(rig.reach(Phase::homing, 2s));
 }
 
 TEST(FalconSession, packets_of_status_alone_are_no_answers) {

@@ -1,0 +1,49 @@
+/// Packets under way, and which of them an answer belongs to. The protocol numbers nothing, so an answer belongs to the
+/// oldest packet that has none: a lost answer makes later ones look older than they are, never younger. Pure; no
+/// allocation.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <optional>
+
+#include "device/falcon/link.h"
+
+namespace cusp::falcon {
+
+class InFlight {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  /// Pre: fewer than kMost are under way.
+  void sent(LinkTime now) noexcept {
+    assert(count_ < kMost);
+    if (count_ == kMost) return;
+    times_[(at_ + count_++) % kMost] = now;
+  }
+  /// When the packet left that this answer belongs to, so that the answer is no older; nothing if no packet waits.
+  std::optional<LinkTime> answered() noexcept {
+    if (count_ == 0) return std::nullopt;
+    const LinkTime out = times_[at_];
+    at_ = (at_ + 1) % kMost;
+    --count_;
+    return out;
+  }
+  std::size_t count() const noexcept { return count_; }
+  bool empty() const noexcept { return count_ == 0; }
+  /// Pre: not empty.
+  LinkTime oldest() const noexcept { return times_[at_]; }
+  /// None of them will be answered any more; how many there were.
+  std::size_t forget() noexcept {
+    const std::size_t out = count_;
+    count_ = 0;
+    return out;
+  }
+
+ private:
+  std::array<LinkTime, kMost> times_{};
+  std::size_t at_ = 0, count_ = 0;
+};
+
+}  // namespace cusp::falcon
