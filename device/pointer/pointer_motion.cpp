@@ -8,6 +8,8 @@ namespace {
 
 /// After a stall the hand goes on from where it was.
 constexpr double kMostDtS = 0.004;
+/// Slower than this the pointer rests, mm/s.
+constexpr double kStillMmS = 0.5;
 /// Softer is not met (plastic 1 N/mm and up); keeps push / K finite.
 constexpr double kLeastStiffness = 0.05;
 
@@ -33,6 +35,10 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
       feedback.stiffness_n_per_mm > kLeastStiffness ? feedback.stiffness_n_per_mm : kLeastStiffness;
   const bool pushing = wish.push_n > 0.0 && !feedback.faulted;
 
+  const Vec3 lag = wish.target_mm - smooth_mm_;
+  const double asked_speed = glm::length(lag - wish.approach * glm::dot(lag, wish.approach)) / tuning_.smoothing_s;
+  sweep_ = std::max(std::min(asked_speed, tuning_.travel_mm_s), sweep_ * (1.0 - dt / tuning_.sweep_keeps_s));
+  const double sweeping = 1.0 / (1.0 + std::max(0.0, sweep_ - kStillMmS) / tuning_.sweep_mm_s);
   smooth_mm_ += (wish.target_mm - smooth_mm_) * (dt / (tuning_.smoothing_s + dt));
 
   // Along the approach: depths grow into the tissue.
@@ -43,13 +49,17 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   const double sink = tuning_.descend_mm_s * dt;
   const double rise = tuning_.retreat_mm_s * dt;
   double next_depth = depth;
+  if (touches && (!entry_mm_ || proxy_depth < glm::dot(*entry_mm_, along))) entry_mm_ = proxy;
+  const double clear_depth = entry_mm_ ? glm::dot(*entry_mm_, along) - tuning_.clear_mm : depth;
+  if (!touches && depth <= clear_depth) entry_mm_.reset();
+  const bool lifts_out = !pushing && entry_mm_;
   if (!pushing) {
     push_n_ = 0;
-    // Off first what is touched, then to the height of hovering.
-    next_depth =
-        touches ? std::min(depth, proxy_depth) - rise : towards(depth, shown_depth - tuning_.hover_mm, sink, rise);
+    // Off first what is touched and out of what was cut, then to the height of hovering.
+    next_depth = lifts_out ? std::min(depth, proxy_depth) - rise
+                           : towards(depth, shown_depth - tuning_.hover_mm, sink, rise);
   } else if (touches) {
-    push_n_ = std::min(wish.push_n, push_n_ + tuning_.push_rise_n_s * dt);
+    push_n_ = std::min(wish.push_n * sweeping, push_n_ + tuning_.push_rise_n_s * dt);
     // The contact may be a wall's: then nothing holds the burr, and it sinks no faster than through the air.
     next_depth = std::min(proxy_depth + push_n_ / stiffness, depth + sink);
   } else {
@@ -59,7 +69,8 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
 
   // Across: the pointer's place, as fast as a hand would, pulling with no more than lateral_n.
   const Vec3 across = device_mm_ - along * depth;
-  const Vec3 goal = smooth_mm_ - along * glm::dot(smooth_mm_, along);
+  // On its way out it pulls at no wall.
+  const Vec3 goal = lifts_out ? proxy - along * proxy_depth : smooth_mm_ - along * glm::dot(smooth_mm_, along);
   const double speed = touches ? tuning_.slide_mm_s : tuning_.travel_mm_s;
   Vec3 next = across + shortened(goal - across, speed * dt) + along * next_depth;
   if (touches) {

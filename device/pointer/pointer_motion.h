@@ -2,6 +2,8 @@
 /// Pure in (its state, wish, feedback, dt). Haptic thread: no allocation, no lock, bounded.
 #pragma once
 
+#include <optional>
+
 #include "device/pointer/pointer_hand.h"
 #include "engine/base/haptic_port.h"
 
@@ -18,6 +20,9 @@ struct PointerTuning {
   double lateral_n = 1.0;          // most force across the approach
   double push_rise_n_s = 20.0;     // how fast a push builds up; it may fall at once
   double smoothing_s = 0.025;      // of the pointer's own steps
+  double sweep_mm_s = 10.0;        // a pointer that moves so fast sideways halves the push: sweeping wins over sinking
+  double sweep_keeps_s = 0.15;     // a turn of the pointer is no rest: its speed falls no faster
+  double clear_mm = 1.0;           // so far above the first touch of a push the burr is out of what it cut
   double max_step_mm = 0.15;       // a tick never moves the point further, whatever happens
 };
 
@@ -36,6 +41,8 @@ class PointerMotion {
   Vec3 device_mm_;
   Vec3 smooth_mm_;     // the wish's place, smoothed
   double push_n_ = 0;  // the push as it builds up
+  double sweep_ = 0;   // of the pointer across the approach, mm/s
+  std::optional<Vec3> entry_mm_;  // highest place of contact since the burr was clear
 };
 
 }  // namespace cusp
