@@ -115,7 +115,9 @@ nlohmann::ordered_json to_json(const LiveFigures& f) {
           {"holds", f.holds},
           {"silences", f.silences},
           {"answers", f.answers},
-          {"lost_answers", f.lost_answers}};
+          {"lost_answers", f.lost_answers},
+          {"stale_answers", f.stale_answers},
+          {"dropped_answers", f.dropped_answers}};
 }
 
 Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOptions& options,
@@ -196,6 +198,8 @@ Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOpt
     figures.silences = falcon->session.silences;
     figures.lost_answers = falcon->session.lost;
     figures.answers = falcon->session.replies;
+    figures.stale_answers = falcon->session.stale;
+    figures.dropped_answers = falcon->session.flawed + falcon->session.unasked + falcon->unreached;
   }
   return result;
 }

@@ -28,6 +28,7 @@ struct LiveFigures {
   double tick_max_at_s = 0;     // session time, within a twentieth of a second
   int holds = 0;                // the loop held because the device was lost, and went on by itself
   std::uint64_t silences = 0, lost_answers = 0, answers = 0;
+  std::uint64_t stale_answers = 0, dropped_answers = 0;  // too old; flawed, asked for by nothing, or at a place not believed
 };
 nlohmann::ordered_json to_json(const LiveFigures& figures);
 
