@@ -54,7 +54,7 @@ Stored<void> check_header(sqlite3* database, const fs::path& file, std::size_t n
 /// Whose file this is. new_file: empty as SQLite sees it.
 enum class Owner { cusp, new_file };
 
-Stored<Owner> owner_of(Database& database, std::size_t newest) {
+Stored<Owner> owner_within(Database& database, std::size_t newest) {
   const auto number = [](Row row) { return row.integer(0); };
   const auto application = database.first("PRAGMA application_id", number);
   if (!application) return std::unexpected(application.error());
@@ -70,6 +70,14 @@ Stored<Owner> owner_of(Database& database, std::size_t newest) {
   }
   if (application->value_or(0) == 0 && version->value_or(0) == 0 && tables->value_or(0) == 0) return Owner::new_file;
   return fail(StorageError::not_a_database, database.file().string());
+}
+
+/// As of one moment: another program may just be making the file.
+Stored<Owner> owner_of(Database& database, std::size_t newest) {
+  if (auto begun = database.run("BEGIN"); !begun) return std::unexpected(begun.error());
+  auto owner = owner_within(database, newest);
+  if (database.in_transaction()) static_cast<void>(database.run("ROLLBACK"));
+  return owner;
 }
 
 /// The folder where the log comes to lie: SQLite follows links.

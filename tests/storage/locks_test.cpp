@@ -107,7 +107,13 @@ TEST(Locks, programs_that_start_together_on_a_new_file_all_open_it) {
   for (int round = 0; round < 10; ++round) {
     const fs::path file = folder / (std::to_string(round) + ".db");
     std::vector<Program> programs;
-    for (int i = 0; i < 4; ++i) programs.emplace_back([&] { return Store::open(file, quick()).has_value(); });
+    const auto open_it = [&] {
+      const auto store = Store::open(file, quick());
+      if (!store)
+        std::fprintf(stderr, "code %d: %s\n", static_cast<int>(store.error().code), store.error().detail.c_str());
+      return store.has_value();
+    };
+    for (int i = 0; i < 4; ++i) programs.emplace_back(open_it);
     for (Program& program : programs) program.go();
     for (Program& program : programs) EXPECT_TRUE(program.succeeded()) << round;
     const auto store = open(file);

@@ -117,7 +117,7 @@ TEST(Opening, a_name_without_a_folder_is_made_where_the_program_stands_and_a_lin
   const Folder folder;
   const fs::path before = fs::current_path();
   fs::current_path((folder / "a.db").parent_path());
-  EXPECT_TRUE(Database::open("a.db"));
+  must(Database::open("a.db"));
   EXPECT_TRUE(Database::open("a.db", {.access = Access::existing}));
   EXPECT_TRUE(Database::open(":memory:"));
   EXPECT_TRUE(fs::exists(folder / ":memory:"));
