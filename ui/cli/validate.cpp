@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/checks/checks.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/library/library.h"
@@ -42,6 +43,10 @@ int validate_verb(const ValidateOptions& o) {
       if (!volume) return failed(tell(volume.error()));
       const SpecimenFacts facts = facts_of(*volume);
       findings = validate_text(text, &facts);
+      if (!has_error(findings)) {
+        const std::vector<Finding> checks = check_exercise(*scenario, Specimen::build(*volume, reading_of(scenario->method)));
+        findings.insert(has_error(checks) ? findings.begin() : findings.end(), checks.begin(), checks.end());
+      }
     }
   }
 

@@ -47,6 +47,19 @@ QString reason(const Finding& f) {
   if (c == "point_off_floor") return CliWords::tr("points of the path do not lie on the floor");
   if (c == "target_scores_less") return CliWords::tr("a go that meets the target loses points");
   if (c == "language_missing") return CliWords::tr("a text is missing in a language (%1)").arg(text(f.detail));
+  if (c == "weight_vanishes") return CliWords::tr("a criterion brings less than a twentieth of a point");
+  if (c == "target_opens_pulp") return CliWords::tr("the target opens the pulp");
+  if (c == "target_holds_pulp") return CliWords::tr("the target holds pulp, as the access to a root canal does");
+  if (c == "pulp_rule_off") return CliWords::tr("opening the pulp does not fail the attempt");
+  if (c == "leeway_opens_pulp") return CliWords::tr("the tolerance zone reaches the pulp");
+  if (c == "target_cuts_protected") return CliWords::tr("the target takes a protected tissue (%1)").arg(text(f.detail));
+  if (c == "leeway_cuts_protected") return CliWords::tr("the tolerance zone reaches a protected tissue (%1)").arg(text(f.detail));
+  if (c == "target_without_tissue") return CliWords::tr("the target holds nothing that could be cut");
+  if (c == "idle_earns") return CliWords::tr("an attempt that cuts nothing earns points");
+  if (c == "token_passes") return CliWords::tr("an attempt that cuts a twentieth of the target passes");
+  if (c == "text_of_template") return CliWords::tr("the text is still that of the exercise it was copied from (%1)").arg(text(f.detail));
+  if (c == "text_other_tooth") return CliWords::tr("the title names another tooth (%1)").arg(text(f.detail));
+  if (c == "text_figure") return CliWords::tr("the text names a length that the target has not (%1)").arg(text(f.detail));
   if (c == "nothing_can_be_cut") return CliWords::tr("nothing can be cut");
   if (c == "schema") return text(f.detail);
   return text(c);
@@ -62,6 +75,7 @@ QString finding_text(const Finding& f) {
   const QString value = number(f.args, "value");
   const QString limit = number(f.args, "limit");
   if (!value.isEmpty() && !limit.isEmpty()) return CliWords::tr("%1 (%2, limit %3).").arg(out, value, limit);
+  if (!value.isEmpty()) return CliWords::tr("%1 (%2).").arg(out, value);
   return out + u'.';
 }
 

@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include "scenarios/format/keys.h"
+#include "scenarios/format/ranges.h"
 #include "ui/app/sentences.h"
 #include "ui/widgets/format.h"
 
@@ -26,6 +27,71 @@ QString language_of(const Finding& f) {
   return locale.nativeLanguageName().isEmpty() ? QString::fromStdString(f.detail) : locale.nativeLanguageName();
 }
 
+/// What a number is of, where it has a name of its own; else empty.
+QString figure_name(const std::string& path) {
+  const auto ends = [&](const char* with) { return path.ends_with(with); };
+  if (ends("/stiffness_n_per_mm")) return Words::tr("The stiffness of a tissue");
+  if (ends("/speed_mm_s")) return Words::tr("The removal speed of a tissue");
+  if (path.starts_with("/instruments/")) return Words::tr("A measure of a bur");
+  if (ends("/full_force_n")) return Words::tr("The push at which cutting is fastest");
+  if (ends("/width_mm")) return Words::tr("The target’s width");
+  if (ends("/depth_mm") && path.starts_with("/target")) return Words::tr("The target’s depth");
+  if (ends("/corner_radius_mm")) return Words::tr("The corner radius");
+  if (path.starts_with("/leeway/")) return Words::tr("The tolerance zone");
+  if (ends("/time_s")) return Words::tr("The time limit");
+  if (ends("/pass")) return Words::tr("The pass mark");
+  if (ends("/weight")) return Words::tr("The points of a criterion");
+  if (ends("/voxel_mm")) return Words::tr("The fineness");
+  return {};
+}
+
+QString range_sentence(const Finding& f, double value, double least, double most) {
+  const QString name = figure_name(f.path);
+  const NumberRange* range = range_of(f.path);
+  const QString unit = range ? QString::fromUtf8(range->unit.data(), static_cast<qsizetype>(range->unit.size())) : QString();
+  const auto shown = [&](double v) {
+    return isolate(QLocale().toString(v, 'g', 6) + (unit.isEmpty() ? QString() : QChar(0x00A0) + unit));
+  };
+  return Words::tr("%1 is %2; it has to lie between %3 and %4.")
+      .arg(name.isEmpty() ? isolate(QString::fromStdString(f.path)) : name, shown(value), shown(least), shown(most));
+}
+
+/// What scenarios/checks finds; empty for anything else.
+QString exercise_sentence(const Finding& f, double value, double limit) {
+  const QString& c = QString::fromStdString(f.code);
+  const bool title = f.path.starts_with("/title");
+  if (c == u"target_holds_pulp") {
+    return Words::tr("The target holds %1 of pulp, as the access to a root canal does. If that is not meant, raise its floor.")
+        .arg(format({value, {}, QStringLiteral("mm3"), 1}));
+  }
+  if (c == u"pulp_rule_off") return Words::tr("Opening the pulp does not fail the attempt. Switch that on unless it is meant so.");
+  if (c == u"target_cuts_protected") return Words::tr("The target takes %1, which is protected.").arg(tissue_of(f));
+  if (c == u"leeway_cuts_protected") return Words::tr("The tolerance zone reaches %1, which is protected.").arg(tissue_of(f));
+  if (c == u"target_without_tissue") return Words::tr("The target holds nothing that could be cut.");
+  if (c == u"idle_earns") {
+    return Words::tr("An attempt that cuts nothing gets %1 points. Grade how much of the target is removed.").arg(format_points(value));
+  }
+  if (c == u"token_passes") {
+    return Words::tr("An attempt that cuts a twentieth of the target passes, with %1 points. Grade how much of the target is removed.")
+        .arg(format_points(value));
+  }
+  if (c == u"weight_vanishes") {
+    return Words::tr("%1 brings less than a twentieth of a point. Give it more, or remove it.").arg(metric_name(f.detail));
+  }
+  if (c == u"text_of_template") {
+    return title ? Words::tr("The title in %1 is still that of the exercise it was copied from.").arg(language_of(f))
+                 : Words::tr("The briefing in %1 is still that of the exercise it was copied from.").arg(language_of(f));
+  }
+  if (c == u"text_other_tooth") {
+    return Words::tr("The title in %1 names tooth %2; the exercise is on tooth %3.")
+        .arg(language_of(f), format_number(value, 0), format_number(limit, 0));
+  }
+  if (c == u"text_figure") {
+    return Words::tr("The briefing in %1 names %2, which the target no longer has.").arg(language_of(f), mm(value));
+  }
+  return {};
+}
+
 }  // namespace
 
 QString check_sentence(const Finding& f) {
@@ -36,6 +102,8 @@ QString check_sentence(const Finding& f) {
   const double value = arg("value"), limit = arg("limit");
   const QString name = QString::fromStdString(f.detail);
   const QString& c = QString::fromStdString(f.code);
+  if (c == u"out_of_range" && f.args.contains("least")) return range_sentence(f, value, arg("least"), arg("most"));
+  if (const QString found = exercise_sentence(f, value, limit); !found.isEmpty()) return found;
   if (c == u"no_instrument") return Words::tr("There is no burr to work with. Add one.");
   if (c == u"no_target" || c == u"empty_target") return Words::tr("There is no target to cut.");
   if (c == u"path_count" || c == u"point_count") return Words::tr("The target’s points do not fit its shape.");
@@ -88,7 +156,9 @@ QString check_sentence(const Finding& f) {
                               : Words::tr("The briefing is missing in %1.").arg(language_of(f));
   }
   if (c == u"target_opens_pulp") {
-    return Words::tr("The target reaches into the pulp, and opening it fails the go: nobody could pass.");
+    return f.detail == "horn"
+               ? Words::tr("The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.").arg(mm(value))
+               : Words::tr("The target reaches into the pulp, and opening it fails the go: nobody could pass.");
   }
   if (c == u"leeway_opens_pulp") {
     return Words::tr("The leeway reaches the pulp: it lies %1 from the target.").arg(mm(value));

@@ -5,9 +5,11 @@
 #include <QObject>
 #include <QUndoStack>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "engine/volume/specimen.h"
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/format/validate.h"
@@ -73,11 +75,16 @@ class EditorModel : public QObject {
   void end_gesture() { ++gesture_; }
 
   /// Known once the specimen has been grown; nullopt while it is not. `pulp_mm`: the outermost voxels of its pulp.
-  void set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm = {});
+  /// With the specimen itself the target is held against its tissues too.
+  void set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm = {},
+                 std::shared_ptr<const Specimen> specimen = nullptr);
+  /// Grades an untouched specimen and two token cuts (scenarios/checks): some tenths of a second, before publishing. False
+  /// where one of them earns or passes: findings() says so until the next edit.
+  bool prove();
   const std::optional<SpecimenFacts>& facts() const { return facts_; }
 
-  /// Errors first: those of validate(), and where opening the pulp fails the go "target_opens_pulp" (error: nobody could
-  /// pass) and "leeway_opens_pulp". Without facts the checks that need the specimen are left out.
+  /// Errors first: those of validate(), of check_regions() and of check_words(). Without facts the checks that need the
+  /// specimen are left out; with the pulp's voxels alone its opening is held against the rule only.
   const std::vector<Finding>& findings() const { return findings_; }
   enum class Standing {
     unchanged,  // equals what is published
@@ -102,6 +109,8 @@ class EditorModel : public QObject {
   bool edit(const QString& text, const QString& field, const std::function<void(Scenario&)>& change);
   void after_change();
   void check();
+  void check_pulp();
+  void add(std::vector<Finding> findings);
 
   Scenario scenario_;
   std::optional<Scenario> published_;
@@ -109,6 +118,7 @@ class EditorModel : public QObject {
   SpecimenSource grown_from_;  // what specimen_changed() told last
   std::optional<SpecimenFacts> facts_;
   std::vector<Vec3> pulp_mm_;
+  std::shared_ptr<const Specimen> specimen_;  // what facts_ are of; may be null
   std::vector<Finding> findings_;
   int gesture_ = 0;
   QUndoStack stack_;  // last: its commands refer to scenario_

@@ -83,7 +83,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
     stage_->set_centre(nullptr);
     grown_ = grown;
     stage_->set_specimen(grown);
-    model_->set_facts(grown->facts, grown->pulp_mm);
+    model_->set_facts(grown->facts, grown->pulp_mm, grown->whole->specimen_ptr());
     Q_EMIT ready();
   });
   connect(grower_, &SpecimenGrower::failed, this, [this](const ImportFailure& failure) {
@@ -259,6 +259,7 @@ void EditorPage::try_out() {
 }
 
 void EditorPage::publish_version() {
+  if (!model_->prove()) return;
   const auto version = publish(store_, actor_, *model_);
   if (!version) {
     const Told told = tell(version.error());
