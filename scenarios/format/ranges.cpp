@@ -10,7 +10,7 @@ namespace cusp {
 namespace {
 
 constexpr std::string_view kPlace = "a metre: no specimen is larger, and 0.1 µm steps of it fit 32 bits";
-constexpr std::string_view kHead = "a head lies within its burr's figures";
+constexpr std::string_view kHead = "a head lies within its bur's figures";
 constexpr std::string_view kBand = "any figure that a measure can have, and an open end";
 constexpr std::string_view kThin = "a needle's tip is 0.1 mm wide; the widest wheel 10 mm [M]";
 constexpr std::string_view kFloorReach = "a shell thicker than half a crown tolerates everything";
@@ -20,7 +20,7 @@ constexpr auto kRanges = std::to_array<NumberRange>({
     {"/version", "", 1, 1e9, false, "counts from 1; fits 32 bits"},
     {"/specimen/fdi", "", 11, 48, false, "FDI numbers of permanent teeth"},
     {"/specimen/seed", "", 0, 9007199254740991.0, false, "2^53 - 1: every JSON reader keeps it"},
-    {"/specimen/voxel_mm", "mm", 0.04, 1, false, "the finest grid of a molar that fits memory; coarser no burr is resolved"},
+    {"/specimen/voxel_mm", "mm", 0.04, 1, false, "the finest grid of a molar that fits memory; coarser no bur is resolved"},
     {"/specimen/lesions/*/radius_mm", "mm", 0.2, 4, false, "two voxels to half a crown (scenarios/teeth/caries.h)"},
     {"/specimen/lesions/*/depth_mm", "mm", 0, 5, false, "from enamel alone to the pulp (scenarios/teeth/caries.h)"},
     {"/specimen/lesions/*/softness", "", 0, 1, false, "a share"},
@@ -30,7 +30,7 @@ constexpr auto kRanges = std::to_array<NumberRange>({
      "0: cannot be cut; slower takes minutes for a tenth of a millimetre; faster is a voxel a tick"},
     {"/instruments/*/radius_mm", "mm", 0.05, 5, false, kThin},
     {"/instruments/*/neck_radius_mm", "mm", 0.05, 5, false, kThin},
-    {"/instruments/*/neck_length_mm", "mm", 0, 50, false, "a surgical burr is 50 mm long [M]"},
+    {"/instruments/*/neck_length_mm", "mm", 0, 50, false, "a surgical bur is 50 mm long [M]"},
     {"/instruments/*/shank_radius_mm", "mm", 0.05, 5, false, kThin},
     {"/instruments/*/shank_length_mm", "mm", 0, 100, false, "a surgical handpiece's shank [M]"},
     {"/instruments/*/head/*/*", "mm", -50, 50, false, kHead},
@@ -40,10 +40,10 @@ constexpr auto kRanges = std::to_array<NumberRange>({
     {"/device/tool_tilt_deg", "deg", -80, 80, false, "short of lying: the neck would be the first to touch"},
     {"/device/tool_turn_deg", "deg", 0, 60, false, "what a wrist turns a handpiece [M]"},
     {"/target/paths/*/*/*", "mm", -1000, 1000, false, kPlace},
-    {"/target/width_mm", "mm", 0.1, 100, false, "the thinnest burr's width to the largest imported specimen's"},
+    {"/target/width_mm", "mm", 0.1, 100, false, "the thinnest bur's width to the largest imported specimen's"},
     {"/target/depth_mm", "mm", 0.1, 100, false, "two voxels of the finest grid to the largest imported specimen's"},
     {"/target/top_mm", "mm", -1000, 1000, false, kPlace},
-    {"/target/corner_radius_mm", "mm", 0, 5, false, "a flat end leaves none; the widest burr's radius"},
+    {"/target/corner_radius_mm", "mm", 0, 5, false, "a flat end leaves none; the widest bur's radius"},
     {"/target/box_size_mm/*", "mm", 0, 1000, false, kPlace},
     {"/leeway/floor_mm", "mm", 0, 5, false, kFloorReach},
     {"/leeway/side_mm", "mm", 0, 5, false, kFloorReach},
