@@ -300,7 +300,7 @@ QWidget* ReportPage::make_against() {
 }
 
 const DrawnTooth& ReportPage::drawing() {
-  if (!drawing_) drawing_ = draw_report_tooth(data_.result, kPictureSide, places_on_paper(data_));
+  if (!drawing_ || !*drawing_) drawing_ = draw_report_tooth(data_.result, kPictureSide, places_on_paper(data_));
   return *drawing_;
 }
 
@@ -310,13 +310,14 @@ void ReportPage::save_pdf() {
   wish.name = (data_.title + u' ' + data_.when.toString(u"yyyy-MM-dd HH-mm"_qs)).trimmed() + u".pdf"_qs;
   wish.filter = tr("PDF (*.pdf)");
   ports_.pick_file(this, wish, [this](const QString& path) {
-    const auto done = write_report_pdf(path.toStdString(), data_, drawing());
+    const DrawnTooth& tooth = drawing();
+    const auto done = write_report_pdf(path.toStdString(), data_, tooth);
     if (!done) {
       band_->show_message(Band::Kind::bad, tr("The report was not saved."),
                           tr("%1 cannot be written. The go and its grade are kept.").arg(path));
-    } else if (!drawing()) {
+    } else if (!tooth) {
       band_->show_message(Band::Kind::look, tr("The report is saved without the picture of the tooth."),
-                          picture_failure_text(drawing().error()) + u' ' + path);
+                          picture_failure_text(tooth.error()) + u' ' + path);
     } else {
       band_->show_message(Band::Kind::good, tr("The report is saved."), path);
     }
@@ -330,10 +331,11 @@ void ReportPage::print() {
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
     QPainter painter(printer);
     const QRectF page(QPointF(0, 0), printer->pageRect(QPrinter::DevicePixel).size());
-    paint_report(painter, page, printer->resolution() / 84.0, data_, drawing());
-    if (!drawing()) {
+    const DrawnTooth& tooth = drawing();
+    paint_report(painter, page, printer->resolution() / 84.0, data_, tooth);
+    if (!tooth) {
       band_->show_message(Band::Kind::look, tr("The report is printed without the picture of the tooth."),
-                          picture_failure_text(drawing().error()));
+                          picture_failure_text(tooth.error()));
     }
   });
   dialog->open();

@@ -46,7 +46,7 @@ class ReportPage : public QWidget {
   void choose(int row);
   void save_pdf();
   void print();
-  /// For the paper: drawn at the first asking, and kept.
+  /// For the paper: drawn at the first asking, and kept once it came out.
   const DrawnTooth& drawing();
 
   ReportData data_;
