@@ -1,0 +1,114 @@
+// A pinned place on the tooth: seen where nothing hides it, and said where something does.
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "scenarios/library/library.h"
+#include "ui/drill/tooth_view.h"
+#include "ui/report/pinned_tooth.h"
+#include "ui/report/place_view.h"
+
+namespace cusp {
+namespace {
+
+/// A block with a deep narrow pit.
+struct Pit {
+  Volume volume{Specimen::build(block(), Reading::banded)};
+  PatchStore store;
+  static VoxelVolume block() {
+    VoxelVolume out(Grid{IVec3(40, 40, 40), 0.2, Vec3(-3.9)});
+    IVec3 v;
+    for (v.z = 0; v.z < 40; ++v.z)
+      for (v.y = 0; v.y < 40; ++v.y)
+        for (v.x = 0; v.x < 40; ++v.x) {
+          const Vec3 p = out.grid.centre_mm(v);
+          const double box = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 3.0;
+          const double pit = std::max({std::abs(p.x) - 0.8, std::abs(p.y) - 0.8, -p.z});
+          const std::size_t i = out.grid.index(v);
+          out.s[i] = solid_from_distance(std::max(box, -pit) / 0.2);
+          if (out.s[i] > 0) out.tissue[i] = Tissue::enamel;
+        }
+    return out;
+  }
+  Pit() {
+    PatchFeed feed({});
+    feed.build_all(volume);
+    for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) store.put(std::move(patch));
+  }
+};
+
+TEST(PlaceView, a_camera_looks_into_the_pit_and_never_through_a_wall) {
+  const Pit pit;
+  const PatchStore nothing;
+  const Meshes meshes = {&pit.store, &nothing};
+  const Camera from = Camera::about(Vec3(0.0), 5.0);
+  for (const Vec3 place : {Vec3(0, 0, 0.0), Vec3(0.8, 0, 1.5), Vec3(-0.8, 0.2, 2.5), Vec3(3.0, 0, 0), Vec3(0, -3.0, 1.0),
+                           Vec3(2.0, 2.0, 3.0)}) {
+    const Camera to = look_at_place(from, meshes, place);
+    EXPECT_TRUE(seen_from(to, meshes, place)) << place.x << ' ' << place.y << ' ' << place.z;
+    EXPECT_LT(glm::length(to.centre_mm() - place), 1e-9);
+    EXPECT_DOUBLE_EQ(to.distance_mm(), from.distance_mm());
+  }
+  // Chosen again from somewhere else, the same place is seen again.
+  const Camera second = look_at_place(look_at_place(from, meshes, {3.0, 0, 0}), meshes, {0, 0, 0});
+  EXPECT_TRUE(seen_from(second, meshes, {0, 0, 0}));
+}
+
+TEST(PlaceView, what_stands_beside_the_tooth_hides_a_place_too) {
+  const Pit pit;
+  Camera side = Camera::about(Vec3(3.0, 0, 0), 5.0);
+  side.set_angles(-1.5707963, 0.1);  // the eye on the +x side
+  const PatchStore nothing;
+  EXPECT_TRUE(seen_from(side, {&pit.store, &nothing}, {3.0, 0, 0}));
+  PatchStore wall;
+  BakedPatch patch;
+  for (const auto& [y, z] : {std::pair{-4.f, -4.f}, {4.f, -4.f}, {4.f, 4.f}, {-4.f, 4.f}}) {
+    PackedVertex v{};
+    v.position_mm[0] = 4.0f;
+    v.position_mm[1] = y;
+    v.position_mm[2] = z;
+    v.normal[0] = 32767;
+    patch.vertices.push_back(v);
+  }
+  patch.indices = {0, 1, 2, 0, 2, 3};
+  patch.low_mm = {4.f, -4.f, -4.f};
+  patch.high_mm = {4.f, 4.f, 4.f};
+  wall.put(patch);
+  EXPECT_FALSE(seen_from(side, {&pit.store, &wall}, {3.0, 0, 0}));
+}
+
+TEST(PinnedTooth, shows_its_ring_where_the_place_is_seen_and_takes_it_away_where_the_tooth_hides_it) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
+  tooth.resize(600, 600);
+  tooth.show();
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), {});
+  EXPECT_TRUE(tooth.ring_shown());
+  Camera from_below = tooth.view()->camera();
+  from_below.set_angles(0.0, -1.2);
+  tooth.view()->set_camera(from_below);
+  EXPECT_FALSE(tooth.ring_shown());
+  QString all;
+  for (const QLabel* label : tooth.findChildren<QLabel*>()) all += label->text();
+  EXPECT_TRUE(all.contains(QStringLiteral("The tooth hides this place."))) << all.toStdString();
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), {});
+  EXPECT_TRUE(tooth.ring_shown());
+  tooth.pin(std::nullopt, QStringLiteral("Time"), {});
+  EXPECT_FALSE(tooth.ring_shown());
+}
+
+TEST(PinnedTooth, a_place_inside_the_tooth_has_no_ring_on_its_front) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
+  tooth.resize(600, 600);
+  tooth.show();
+  tooth.pin(Vec3(2.0, 2.0, 1.0), QStringLiteral("Dentine over pulp"), {});
+  EXPECT_FALSE(tooth.ring_shown());
+  QString all;
+  for (const QLabel* label : tooth.findChildren<QLabel*>()) all += label->text();
+  EXPECT_TRUE(all.contains(QStringLiteral("This place lies below the surface."))) << all.toStdString();
+}
+
+}  // namespace
+}  // namespace cusp
