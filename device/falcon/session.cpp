@@ -101,7 +101,7 @@ void Session::forget_packets() noexcept {
 
 bool Session::exchange(LinkTime now) noexcept {
   if (!exchanging() || pause_ > LinkTime(0) || in_flight_.count() >= (one_by_one() ? 1 : kWindow)) return false;
-  // Whether an answer was lost or is late shows when nothing is sent meanwhile: watch() ends it.
+  // Whether an answer was lost or is late shows when nothing is sent meanwhile: end_pause() ends it.
   if (!in_flight_.empty() &&
       (now - in_flight_.oldest() >= settings_.times.lost || now - busy_since_ >= settings_.times.check)) {
     return false;

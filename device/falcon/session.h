@@ -222,7 +222,7 @@ class Session {
   LinkTime not_before_ = LinkTime::min();  // no torque rests on an answer to an earlier packet
   LinkTime wary_until_ = LinkTime::min();
   LinkTime took_{0};        // what answers took lately, at the most
-  LinkTime given_up_{0};      // the oldest of the packets that were given up last left then
+  LinkTime given_up_{0};    // the oldest of the packets that were given up last left then
   LinkTime ramp_from_{0};
   LinkTime due_ = LinkTime::min();
   std::array<std::int16_t, 3> wanted_{}, sent_torque_{};

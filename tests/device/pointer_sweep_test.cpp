@@ -72,10 +72,11 @@ struct Strip {
 };
 
 struct Bench {
+  explicit Bench(Vec3 start) : hand(start), motion(start), felt(strip.feel(start)) {}
   Strip strip;
-  PointerHand hand{Vec3(0, 0, 1)};
-  PointerMotion motion{Vec3(0, 0, 1)};
-  Feedback felt = strip.feel(Vec3(0, 0, 1));
+  PointerHand hand;
+  PointerMotion motion;
+  Feedback felt;
   double most_step_mm = 0;
   void tick() {
     const Vec3 before = motion.device_mm();
@@ -88,11 +89,11 @@ struct Bench {
 
 TEST(PointerMotion, SweepsCutABroadShallowLayerAndHoldingStillSinks) {
   for (const double push : {0.5, 1.0}) {
-    Bench still;
+    Bench still(Vec3(0, 0, 1));
     still.hand.set_push(push);
     for (int i = 0; i < 8000; ++i) still.tick();
     for (const double speed : {4.0, 8.0, 16.0}) {
-      Bench bench;
+      Bench bench(Vec3(0, 0, 1));
       bench.hand.set_push(push);
       double x = 0, way = 1;
       for (int i = 0; i < 8000; ++i) {
@@ -113,7 +114,7 @@ TEST(PointerMotion, SweepsCutABroadShallowLayerAndHoldingStillSinks) {
 }
 
 TEST(PointerMotion, LettingGoTakesItOutOfADeepHoleAtOnceWhateverThePointerPullsAt) {
-  Bench bench;
+  Bench bench(Vec3(0, 0, 1));
   bench.hand.set_push(1.5);
   while (bench.strip.depth() < 5.0) bench.tick();
   bench.hand.move_to(Vec3(3, 0, -5));  // the pointer shows the floor of the hole, and lies to the side
