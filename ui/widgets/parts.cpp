@@ -11,6 +11,8 @@
 #include <QShortcut>
 #include <QToolButton>
 
+#include "ui/widgets/number_field.h"
+
 namespace cusp {
 namespace {
 
@@ -157,6 +159,7 @@ QWidget* labelled(const QString& label, QWidget* field, QLabel** out_label) {
   field->setAccessibleName(label);
   column->addWidget(text);
   column->addWidget(field);
+  if (auto* number = qobject_cast<NumberField*>(field)) column->addWidget(number->note());
   if (out_label) *out_label = text;
   return box;
 }

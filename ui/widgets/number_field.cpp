@@ -1,0 +1,180 @@
+#include "ui/widgets/number_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolTip>
+#include <QWheelEvent>
+#include <cmath>
+#include <utility>
+
+#include "ui/widgets/format.h"
+#include "ui/widgets/icon.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp {
+namespace {
+
+constexpr QChar kArabicDecimal(0x066B), kTrueMinus(0x2212);
+
+bool is_direction_mark(QChar c) {
+  const char16_t u = c.unicode();
+  return u == 0x200E || u == 0x200F || u == 0x061C || (u >= 0x2066 && u <= 0x2069);
+}
+
+}  // namespace
+
+std::optional<double> read_number(const QString& text) {
+  QString plain;
+  int decimal_signs = 0, digits = 0;
+  for (const QChar c : text.trimmed()) {
+    if (is_direction_mark(c)) continue;
+    if (c.isDigit()) {
+      plain += QChar(u'0' + c.digitValue());
+      ++digits;
+    } else if (c == u',' || c == u'.' || c == kArabicDecimal) {
+      plain += u'.';
+      ++decimal_signs;
+    } else if ((c == u'-' || c == kTrueMinus || c == u'+') && plain.isEmpty()) {
+      plain += c == u'+' ? u'+' : u'-';
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (digits == 0 || decimal_signs > 1) return std::nullopt;
+  bool ok = false;
+  const double value = QLocale::c().toDouble(plain, &ok);
+  return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent), note_(new QWidget(this)) {
+  setLocale(QLocale());  // the language may be another than when the window was made
+  // A half-typed number is not one yet; arrows and wheel tell every step.
+  setKeyboardTracking(false);
+  setFocusPolicy(Qt::StrongFocus);
+  auto* line = new QHBoxLayout(note_);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(px(4));
+  auto* sign = new QLabel;
+  sign->setPixmap(icon_pixmap(QStringLiteral("warning"), Ink::look, 16, devicePixelRatioF()));
+  note_text_ = make_label({}, TextRole::caption, false, "look");
+  note_text_->setWordWrap(true);
+  line->addWidget(sign, 0, Qt::AlignTop);
+  line->addWidget(note_text_, 1);
+  note_->hide();
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { say_nothing(); });
+  connect(this, &QDoubleSpinBox::valueChanged, this, [this] {
+    say_nothing();
+    tell_rounding();
+  });
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { tell_rounding(); });  // to the value before, perhaps
+}
+
+QString NumberField::said() const { return saying_ ? note_text_->text() : QString(); }
+
+void NumberField::say(const QString& sentence) {
+  if (said() == sentence) return;
+  if (!std::exchange(saying_, true)) description_ = accessibleDescription();
+  note_text_->setText(sentence);
+  if (note_->parentWidget() != this) {
+    note_->show();
+  } else {
+    QToolTip::showText(mapToGlobal(rect().bottomLeft()), sentence, this);
+  }
+  set_kind(this, "refused");
+  announce(this, sentence);
+}
+
+void NumberField::say_nothing() {
+  if (!std::exchange(saying_, false)) return;
+  note_->hide();
+  set_kind(this, "");
+  setAccessibleDescription(description_);
+}
+
+QString NumberField::bare(const QString& text) const {
+  QString out = text;
+  if (!prefix().isEmpty() && out.startsWith(prefix())) out.remove(0, prefix().size());
+  out = out.trimmed();
+  const QString unit = suffix().trimmed();
+  // "1,5 mm" that is pasted stands before the field's own unit.
+  while (!unit.isEmpty() && out.endsWith(unit)) out = out.chopped(unit.size()).trimmed();
+  return out;
+}
+
+std::optional<double> NumberField::number_in(const QString& text) const {
+  if (!specialValueText().isEmpty() && text.trimmed() == specialValueText()) return minimum();
+  return read_number(bare(text));
+}
+
+QString NumberField::shown(double value) const { return isolate(textFromValue(value) + suffix()); }
+
+QValidator::State NumberField::validate(QString& text, int&) const {
+  const auto number = number_in(text);
+  // Nothing that is typed is swallowed: what cannot be taken is refused as a whole, when the field is left.
+  if (!number) return QValidator::Intermediate;
+  // A hair of the last decimal: 0.30000000000000004 is 0.3.
+  const double hair = 1e-6 * std::pow(10.0, -decimals());
+  return *number >= minimum() - hair && *number <= maximum() + hair ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+double NumberField::valueFromText(const QString& text) const {
+  const double step = std::pow(10.0, decimals());
+  const double typed = number_in(text).value_or(value());
+  const double taken = std::round(typed * step) / step;
+  rounded_ = std::abs(taken - typed) * step > 1e-6;
+  return taken;
+}
+
+void NumberField::fixup(QString& text) const {
+  // The base class asks this of a constant object, at the moment when it puts the text aside for the value before.
+  const_cast<NumberField*>(this)->refuse(bare(text));
+}
+
+QString NumberField::refusal(const QString& typed) const {
+  const QString range = tr("%1 to %2").arg(shown(minimum()), shown(maximum()));
+  const QString stays = shown(value());
+  if (typed.isEmpty()) return tr("A number is needed here: %1. It stays at %2.").arg(range, stays);
+  if (!read_number(typed)) return tr("“%1” is no number. Possible: %2. It stays at %3.").arg(isolate(typed), range, stays);
+  return tr("%1 is outside %2. It stays at %3.").arg(isolate(typed + suffix()), range, stays);
+}
+
+void NumberField::refuse(const QString& typed) { say(refusal(typed)); }
+
+void NumberField::tell_rounding() {
+  if (std::exchange(rounded_, false)) say(tr("Rounded to %1.").arg(shown(value())));
+}
+
+void NumberField::show_value(double value) {
+  const double before = this->value();
+  // The same value leaves a half-typed number alone.
+  if (textFromValue(value) != textFromValue(before)) {
+    const QSignalBlocker quiet(this);
+    setValue(value);
+  }
+  const double step = std::pow(10.0, -decimals());
+  if (value < minimum() - step || value > maximum() + step) {
+    say(tr("%1 stands in the exercise, outside %2.")
+            .arg(isolate(format_number(value, decimals(), locale()) + suffix()),
+                 tr("%1 to %2").arg(shown(minimum()), shown(maximum()))));
+  } else if (this->value() != before) {
+    say_nothing();
+  }
+}
+
+void NumberField::stepBy(int steps) {
+  const double before = value();
+  say_nothing();
+  QDoubleSpinBox::stepBy(steps);  // from what was typed; where that is refused there is no step
+  if (value() != before) say_nothing();
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+  // A page that is scrolled under the pointer changes no number.
+  if (!hasFocus()) return event->ignore();
+  QDoubleSpinBox::wheelEvent(event);
+}
+
+}  // namespace cusp
