@@ -11,7 +11,13 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
   view_.setMouseTracking(true);
   view_.set_wheel_taken(true);
   connect(&view_, &ToothView::camera_changed, this, &PointerInput::show_view);
+  view_.installEventFilter(this);
+  connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+    if (state != Qt::ApplicationActive) let_go();
+  });
   connect(&view_, &ToothView::moved, this, [this](QPointF at, Qt::MouseButtons buttons) {
+    // The button was let go where nobody was told of it: over another window, in a menu.
+    if (button_ && !(buttons & Qt::LeftButton)) let_go();
     if (!(buttons & (Qt::RightButton | Qt::MiddleButton))) slide(at);
   });
   connect(&view_, &ToothView::pressed, this, [this](QPointF at) {
@@ -30,6 +36,20 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
   timer_.setInterval(8);
   connect(&timer_, &QTimer::timeout, this, &PointerInput::step_keys);
   show_view();
+}
+
+bool PointerInput::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::WindowDeactivate:  // Alt+Tab, a dialog
+    case QEvent::WindowBlocked:
+    case QEvent::Hide:              // the page was left
+    case QEvent::EnabledChange:
+    case QEvent::TouchCancel:
+    case QEvent::TabletLeaveProximity:
+    case QEvent::UngrabMouse: let_go(); break;
+    default: break;
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void PointerInput::show_view() {

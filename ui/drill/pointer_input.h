@@ -38,6 +38,10 @@ class PointerInput : public QObject {
   void push_changed(double newtons);
   void drilled();  // the cut was switched on
 
+ protected:
+  /// Of the view: whatever takes the mouse away from it lets go.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void show_view();
   void slide(QPointF at);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QTest>
+#include <cmath>
 
 #include "tests/ui/render/ball.h"
 
@@ -71,6 +73,42 @@ TEST_F(Input, a_mouse_held_still_while_drilling_does_not_move_the_burr_sideways_
   ASSERT_GT(glm::length(view.pick(at)->at_mm - pressed), 0.2);
   Q_EMIT view.moved(at, Qt::LeftButton, Qt::NoModifier);
   EXPECT_LT(glm::length(hand.wish().target_mm - pressed), 1e-6);
+}
+
+TEST_F(Input, whatever_takes_the_mouse_away_lets_go_at_once) {
+  for (const QEvent::Type type : {QEvent::WindowDeactivate, QEvent::WindowBlocked, QEvent::Hide, QEvent::TouchCancel,
+                                  QEvent::TabletLeaveProximity, QEvent::UngrabMouse}) {
+    Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+    input->press_key(Qt::Key_PageDown, false);
+    ASSERT_TRUE(hand.wish().cut);
+    QEvent event(type);
+    QApplication::sendEvent(&view, &event);
+    EXPECT_FALSE(hand.wish().cut) << type;
+    EXPECT_EQ(hand.wish().push_n, 0) << type;
+    // The button that is still down is none that drills.
+    Q_EMIT view.moved(px({0.3, 0, 2}), Qt::LeftButton, Qt::NoModifier);
+    EXPECT_FALSE(hand.wish().cut) << type;
+  }
+}
+
+TEST_F(Input, a_button_that_was_let_go_elsewhere_lets_go_with_the_next_move) {
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  Q_EMIT view.moved(px({0.1, 0, 2}), Qt::LeftButton, Qt::NoModifier);
+  EXPECT_TRUE(hand.wish().cut);
+  Q_EMIT view.moved(px({0.2, 0, 2}), Qt::NoButton, Qt::NoModifier);
+  EXPECT_FALSE(hand.wish().cut);
+  EXPECT_EQ(hand.wish().push_n, 0);
+}
+
+TEST_F(Input, every_step_of_a_sweep_reaches_the_hand_on_the_plane_that_was_pressed) {
+  Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
+  const double height = hand.wish().target_mm.z;
+  for (int i = 1; i <= 40; ++i) {
+    const double x = 1.5 * std::sin(0.4 * i);
+    Q_EMIT view.moved(px({x, 0, height}), Qt::LeftButton, Qt::NoModifier);
+    EXPECT_NEAR(hand.wish().target_mm.x, x, 1e-6);
+    EXPECT_NEAR(hand.wish().target_mm.z, height, 1e-6);
+  }
 }
 
 TEST_F(Input, page_down_rests_on_the_tooth_and_page_up_lifts_off) {
