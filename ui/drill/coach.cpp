@@ -14,13 +14,17 @@ constexpr double kFirstMm3 = 0.01;       // less is a touch, not a cut
 
 }  // namespace
 
+bool stands_still(const LiveView& live) noexcept {
+  return live.phase == LoopPhase::paused || live.phase == LoopPhase::held || live.device == Sample::Status::gone;
+}
+
 CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double burr_radius_mm) {
+  if (shape.empty() || stands_still(live)) return {Coach::quiet, 0};
   double removed = 0;
   for (const double mm3 : live.removed_mm3) removed += mm3;
   if (live.pulp_exposed) return {Coach::pulp_open, 0};
   if (removed < kFirstMm3) return {Coach::begin, 0};
-  if (shape.empty()) return {};
-  if (live.over_pulp_mm && *live.over_pulp_mm < kThinMm) return {Coach::over_pulp, *live.over_pulp_mm};
+  if (live.output.contact && live.over_pulp_mm && *live.over_pulp_mm < kThinMm) return {Coach::over_pulp, *live.over_pulp_mm};
   const double floor_depth = shape.top_mm() - shape.floor_mm();
   const double left = floor_depth - live.burr_depth_mm;
   const Vec3 at = live.output.proxy_mm;
@@ -43,7 +47,8 @@ CoachTone tone_of(const CoachLine& line, const Leeway& leeway) noexcept {
     case Coach::deeper:
     case Coach::sideways:
     case Coach::finish:
-    case Coach::carry_on: break;
+    case Coach::carry_on:
+    case Coach::quiet: break;
   }
   return CoachTone::good;
 }

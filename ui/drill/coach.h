@@ -18,7 +18,8 @@ enum class Coach : std::uint8_t {
   deeper,        // mm: so much is left to the floor
   sideways,      // the floor is reached here
   finish,        // hardly anything is left
-  carry_on,      // lifted, or no target
+  carry_on,      // lifted
+  quiet,         // no target, or the go stands: there is nothing to say
 };
 
 /// How the sentence is signed: on the way, worth a look, or wrong.
@@ -39,7 +40,11 @@ bool worth_saying(const CoachLine& spoken, const CoachLine& line) noexcept;
 /// mm: twice what the sentence shows as its last digit; every tenth would talk without a pause.
 inline constexpr double kWorthSayingMm = 0.2;
 
-/// `burr_radius_mm`: of the burr in use.
+/// Whether the go stands: paused, held, or without its device. What the loop said last is then no longer so: the force is
+/// off and the handpiece stands.
+bool stands_still(const LiveView& live) noexcept;
+
+/// Says only what holds now: of a place that the bur has left it says nothing. `burr_radius_mm`: of the burr in use.
 CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double burr_radius_mm);
 
 }  // namespace cusp

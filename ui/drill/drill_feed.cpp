@@ -42,11 +42,11 @@ void DrillFeed::on_tick(const StepInput&, const StepState& after) {
   if (before && now != *before) changes_.push_back(when);
 }
 
-SectionImage DrillFeed::draw(const StepState& state, const SectionWish& wish) const {
+SectionImage DrillFeed::draw(const StepState& state, const SectionWish& wish, Vec3 through_mm) const {
   SectionSettings settings;
   const StepOutput& out = state.last();
   const Scene& scene = state.scene();
-  settings.plane = {out.proxy_mm + wish.shift_mm, wish.right, wish.up};
+  settings.plane = {through_mm + wish.shift_mm, wish.right, wish.up};
   settings.width = wish.width;
   settings.height = wish.height;
   settings.mm_per_px = wish.mm_per_px;
@@ -81,10 +81,11 @@ void DrillFeed::on_state(const StepState& state, const StateNews& news) {
   if ((panel || lid) && (section_stale_ || moved) && now - section_at_ >= kSectionEvery && news.behind_ticks < 100) {
     section_at_ = now;
     section_burr_ = state.last().proxy_mm;
+    const Vec3 through_mm = lid_place_.follow(section_burr_);
     section_stale_ = false;
     std::optional<SectionImage> panel_image, lid_image;
-    if (panel) panel_image = draw(state, *panel);
-    if (lid) lid_image = draw(state, *lid);
+    if (panel) panel_image = draw(state, *panel, section_burr_);
+    if (lid) lid_image = draw(state, *lid, through_mm);
     const std::lock_guard lock(mutex_);
     if (panel_image) panel_ = std::move(panel_image);
     if (lid_image) lid_ = std::move(lid_image);

@@ -10,27 +10,32 @@
 
 #include "ui/render/patch_feed.h"
 #include "ui/render/section.h"
+#include "ui/drill/section_place.h"
 #include "ui/render/target_look.h"
 #include "ui/session/observer.h"
 
 namespace cusp {
 
-/// Which section the window wants; the plane goes through the burr.
+/// Which section the window wants; the panel's plane goes through the bur, the lid's stands as SectionPlace says.
 struct SectionWish {
   Vec3 right{0.0, -1.0, 0.0}, up{0.0, 0.0, 1.0};  // unit
   int width = 271, height = 202;
   double mm_per_px = 0.045;
-  Vec3 shift_mm{0.0};   // of the picture's middle from the burr's pivot
+  Vec3 shift_mm{0.0};   // of the picture's middle from there
   bool with_burr = true;
 };
 
 class DrillFeed : public Observer {
  public:
-  /// `changed` is called on the mirror's thread when patches wait to be taken, before a section is drawn. `scenery` may be
-  /// null.
-  DrillFeed(std::shared_ptr<PatchFeed> patches, TargetLook look, std::function<void()> changed,
+  /// `changed` is called on the mirror's thread when patches wait to be taken, before a section is drawn. `bounds`: of the
+  /// specimen. `scenery` may be null.
+  DrillFeed(std::shared_ptr<PatchFeed> patches, TargetLook look, const Box& bounds, std::function<void()> changed,
             std::shared_ptr<const SceneryLook> scenery = nullptr)
-      : patches_(std::move(patches)), look_(std::move(look)), changed_(std::move(changed)), scenery_(std::move(scenery)) {}
+      : patches_(std::move(patches)),
+        look_(std::move(look)),
+        lid_place_(look_, bounds),
+        changed_(std::move(changed)),
+        scenery_(std::move(scenery)) {}
 
   void on_tick(const StepInput& input, const StepState& after) override;
   void on_state(const StepState& state, const StateNews& news) override;
@@ -45,10 +50,11 @@ class DrillFeed : public Observer {
   using Clock = std::chrono::steady_clock;
   /// When the tick happened in the loop: the mirror sees it later.
   Clock::time_point time_of(std::uint64_t elapsed_us);
-  SectionImage draw(const StepState& state, const SectionWish& wish) const;
+  SectionImage draw(const StepState& state, const SectionWish& wish, Vec3 through_mm) const;
 
   std::shared_ptr<PatchFeed> patches_;
   TargetLook look_;
+  SectionPlace lid_place_;
   std::function<void()> changed_;
   std::shared_ptr<const SceneryLook> scenery_;
 

@@ -209,7 +209,7 @@ void DrillScreen::opened(std::shared_ptr<OpenedGo> opened, const std::optional<R
   in.panel->set_device(go.run->device(), go.run->stiffness_share());
   in.bar->set_device(go.run->device());
   in.sound->begin(scenario);
-  in.stage->set_exercise(scenario, *go.look, go.bounds, go.device.hand != nullptr, is_tooth);
+  in.stage->set_exercise(scenario, *go.look, go.bounds, go.device.hand != nullptr, is_tooth, go.pulp_depth_mm);
   ToothView* view = in.stage->view();
   view->set_feed(go.patches);
   view->set_scenery(go.scenery);
@@ -217,9 +217,10 @@ void DrillScreen::opened(std::shared_ptr<OpenedGo> opened, const std::optional<R
   view->set_burr_source([this, view]() -> std::optional<BurrPose> {
     if (!running() || inner_->working) return view->scene().burr;
     const Scene& scene = *inner_->go->run->scene();
-    const StepOutput& out = inner_->go->run->view().output;
+    const LiveView live = inner_->go->run->view();
+    const StepOutput& out = live.output;
     return BurrPose{scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)], out.proxy_mm,
-                    out.tick > 0 ? out.axis : scene.tool_axis, out.cutting};
+                    out.tick > 0 ? out.axis : scene.tool_axis, out.cutting && !stands_still(live)};
   });
   if (go.device.hand) {
     // An emulated Falcon has three axes: it cannot turn the handpiece.
@@ -385,6 +386,12 @@ void DrillScreen::keyReleaseEvent(QKeyEvent* event) {
   QWidget::keyReleaseEvent(event);
 }
 
+void DrillScreen::focusOutEvent(QFocusEvent* event) {
+  // Another widget or window, or a menu, gets what follows: a key that is let go there is never told here.
+  if (inner_->input) inner_->input->let_go();
+  QWidget::focusOutEvent(event);
+}
+
 void DrillScreen::hideEvent(QHideEvent* event) {
   if (inner_->input) inner_->input->let_go();
   QWidget::hideEvent(event);
@@ -393,7 +400,6 @@ void DrillScreen::hideEvent(QHideEvent* event) {
 bool DrillScreen::eventFilter(QObject* watched, QEvent* event) {
   // A click on the tooth brings the keys back to drilling.
   if (event->type() == QEvent::MouseButtonPress) setFocus(Qt::MouseFocusReason);
-  if (event->type() == QEvent::WindowDeactivate && inner_->input) inner_->input->let_go();
   return QWidget::eventFilter(watched, event);
 }
 

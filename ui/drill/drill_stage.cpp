@@ -13,6 +13,7 @@
 
 #include "ui/app/sentences.h"
 #include "ui/drill/compass.h"
+#include "ui/drill/depth_scale.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
@@ -160,16 +161,16 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
 }
 
 void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse,
-                              bool is_tooth) {
+                              bool is_tooth, std::optional<double> pulp_depth_mm) {
   look_ = look;
+  pulp_depth_mm_ = pulp_depth_mm;
   leeway_ = scenario.leeway;
   burrs_ = scenario.instruments;
   by_mouse_ = by_mouse;
   is_tooth_ = is_tooth;
   wide_ = glm::length(glm::dvec2(bounds.high - bounds.low)) > kLidMm;
-  const double depth = look.empty() ? 2.0 : look.shape().top_mm() - look.shape().floor_mm();
-  const double most = std::ceil(2 * (depth + leeway_.floor_mm) + 0.5) / 2;
-  depth_->set_range(0, most, most > 4 ? 1.0 : 0.5);
+  const double depth = required_depth_mm();
+  scale_depth(0);
   if (!look.empty()) {
     depth_->set_band(depth - leeway_.floor_mm, depth);
     depth_->set_limit(depth + leeway_.floor_mm);
@@ -192,11 +193,21 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   target_->setVisible(!look.empty());
   legend_->setVisible(!look.empty());
   compass_->setVisible(is_tooth);
-  coach_card_->show();
+  coach_card_->hide();
   wanted_push_->setVisible(by_mouse);
   said_ = spoken_ = {Coach::carry_on, -1};
   want_sections();
   place_all();
+}
+
+double DrillStage::required_depth_mm() const {
+  constexpr double kUsualMm = 2.0;  // without a target
+  return look_ && !look_->empty() ? look_->shape().top_mm() - look_->shape().floor_mm() : kUsualMm;
+}
+
+void DrillStage::scale_depth(double seen_mm) {
+  const double most = depth_scale_mm(required_depth_mm(), leeway_.floor_mm, pulp_depth_mm_, seen_mm);
+  depth_->set_range(0, most, most > 4 ? 1.0 : 0.5);
 }
 
 void DrillStage::want_sections() {
@@ -242,6 +253,7 @@ QString DrillStage::coach_text(const CoachLine& line) const {
     case Coach::sideways: return tr("Deep enough, go sideways");
     case Coach::finish: return tr("Nearly all is out: smooth it, then finish");
     case Coach::carry_on: return tr("Go on where the target still stands");
+    case Coach::quiet: return {};
   }
   return {};
 }
@@ -257,8 +269,10 @@ void DrillStage::sign_coach(CoachTone tone) {
 
 void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   live_ = live;
-  depth_->set_value(live.burr_depth_mm < 0 ? std::nullopt : std::optional(live.burr_depth_mm));
-  push_->set_value(live.output.contact ? live.push_n : 0.0);
+  const double radius =
+      burrs_.empty() ? 0.0 : burrs_[std::min<std::size_t>(live.output.burr, burrs_.size() - 1)].radius_mm;
+  show_depth(live, radius);
+  push_->set_value(live.output.contact && !stands_still(live) ? live.push_n : 0.0);
   Stop stop = Stop::none;
   if (live.recording == RecordingState::failed) {
     stop = Stop::record;
@@ -273,19 +287,30 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   show_stopped(stop, QString::fromStdString(live.recording_where), live.fault);
   if (stop_card_->show_falcon(falcon)) place_all();
 
-  if (!look_) return;
-  const double radius =
-      burrs_.empty() ? 0.0 : burrs_[std::min<std::size_t>(live.output.burr, burrs_.size() - 1)].radius_mm;
-  CoachLine line = coach(live, look_->shape(), leeway_, radius);
+  if (look_) show_coach(coach(live, look_->shape(), leeway_, radius));
+}
+
+void DrillStage::show_depth(const LiveView& live, double burr_radius_mm) {
+  // Beside the tooth a bur is below the plane too, and in nothing.
+  const Vec3 at = live.output.proxy_mm;
+  const bool over_target = !look_ || look_->empty() ||
+                           look_->shape().outline_mm({at.x, at.y}) < burr_radius_mm + leeway_.side_mm;
+  const bool known = live.device != Sample::Status::gone && (live.output.contact || over_target) && live.burr_depth_mm >= 0;
+  if (known && live.burr_depth_mm > depth_->most()) scale_depth(live.burr_depth_mm);
+  depth_->set_value(known ? std::optional(live.burr_depth_mm) : std::nullopt);
+}
+
+void DrillStage::show_coach(CoachLine line) {
   line.mm = std::round(line.mm * 10) / 10;
   if (line == said_) return;
   said_ = line;
   coach_->setText(coach_text(line));
   sign_coach(tone_of(line, leeway_));
+  coach_card_->setVisible(line.what != Coach::quiet);
   place_all();
   if (!worth_saying(spoken_, line)) return;
   spoken_ = line;
-  announce(coach_, coach_->text());
+  if (line.what != Coach::quiet) announce(coach_, coach_->text());
 }
 
 void DrillStage::show_stopped(Stop stop, const QString& where, Fault fault) {

@@ -33,7 +33,9 @@ class DrillStage : public QWidget {
   explicit DrillStage(QWidget* parent = nullptr);
   ToothView* view() const { return view_; }
 
-  void set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse, bool is_tooth);
+  /// `pulp_depth_mm`: of the highest pulp under the target, below its top; nullopt: none.
+  void set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse, bool is_tooth,
+                    std::optional<double> pulp_depth_mm = {});
   /// `falcon`: what it tells while it does not answer the go; nullptr for another device.
   void show_values(const LiveView& live, const FalconView* falcon = nullptr);
   /// What the mouse would push with, N.
@@ -61,6 +63,10 @@ class DrillStage : public QWidget {
  private:
   void place_all();
   void want_sections();
+  double required_depth_mm() const;
+  void scale_depth(double seen_mm);
+  void show_depth(const LiveView& live, double burr_radius_mm);
+  void show_coach(CoachLine line);
   QString coach_text(const CoachLine& line) const;
   void sign_coach(CoachTone tone);
 
@@ -81,6 +87,7 @@ class DrillStage : public QWidget {
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
   bool wide_ = false;  // the specimen is more than one tooth
   int preset_ = 0;
+  std::optional<double> pulp_depth_mm_;
 };
 
 }  // namespace cusp

@@ -1,5 +1,6 @@
 #include "ui/drill/go_opening.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -23,6 +24,27 @@ Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Burr& b
   }
   at.z = top.z + burr.radius_mm + kStartAboveMm;
   return at;
+}
+
+/// Of the highest pulp under the target and what stands about it, below the target's top; nullopt where there is none.
+std::optional<double> pulp_under(const Specimen& specimen, const TargetLook& look) {
+  if (look.empty()) return std::nullopt;
+  constexpr double kAboutMm = 0.5;  // about the outline: a wall that leans out reaches there
+  const Grid& grid = specimen.grid();
+  const TargetShape& shape = look.shape();
+  std::optional<double> highest_mm;
+  for (int y = 0; y < grid.size.y; ++y) {
+    for (int x = 0; x < grid.size.x; ++x) {
+      const Vec3 foot = grid.centre_mm({x, y, 0});
+      if (shape.outline_mm({foot.x, foot.y}) > kAboutMm) continue;
+      for (int z = grid.size.z - 1; z >= 0; --z) {
+        if (specimen.tissue({x, y, z}) != Tissue::pulp) continue;
+        highest_mm = std::max(highest_mm.value_or(-1e300), grid.centre_mm({x, y, z}).z);
+        break;
+      }
+    }
+  }
+  return highest_mm ? std::optional(shape.top_mm() - *highest_mm) : std::nullopt;
 }
 
 }  // namespace
@@ -71,8 +93,9 @@ void GoOpening::open(Order order, const Answer& answer) {
   const Grid& grid = (*specimen)->grid();
   go->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
   for (const ScenarioTissue& t : plan.scenario.tissues) go->has_pulp = go->has_pulp || t.tissue == Tissue::pulp;
+  if (go->has_pulp) go->pulp_depth_mm = pulp_under(**specimen, *go->look);
   beside.join();
-  go->feed = std::make_shared<DrillFeed>(go->patches, *go->look, std::move(order.frame_wanted), go->scenery);
+  go->feed = std::make_shared<DrillFeed>(go->patches, *go->look, go->bounds, std::move(order.frame_wanted), go->scenery);
   plan.observers.push_back(go->feed.get());
   if (order.port) {
     go->device.port = std::move(order.port);

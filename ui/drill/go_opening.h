@@ -25,6 +25,7 @@ struct OpenedGo {
   std::shared_ptr<const SceneryLook> scenery;
   Box bounds;
   bool has_pulp = false;
+  std::optional<double> pulp_depth_mm;  // of the highest pulp under the target, below its top
   std::unique_ptr<ExerciseRun> run;
 };
 

@@ -11,6 +11,7 @@
 
 #include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
+#include "ui/drill/coach.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
@@ -135,8 +136,9 @@ void HandpiecePanel::toggle_coolant() { coolant_->toggle(); }
 void HandpiecePanel::show_values(const LiveView& live) {
   const StepOutput& out = live.output;
   if (spindle_) {
-    const bool stalled = out.has(PhenomenonSign::stalled);
-    const double rpm = std::round(static_cast<double>(out.spindle_rpm) / kShownRpm) * kShownRpm;
+    const bool stands = stands_still(live);
+    const bool stalled = !stands && out.has(PhenomenonSign::stalled);
+    const double rpm = stands ? 0.0 : std::round(static_cast<double>(out.spindle_rpm) / kShownRpm) * kShownRpm;
     //: Turns of the burr in a minute.
     QLocale grouped;
     grouped.setNumberOptions(grouped.numberOptions() & ~QLocale::OmitGroupSeparator);

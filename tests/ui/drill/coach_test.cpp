@@ -70,7 +70,30 @@ TEST(Coach, with_nearly_all_out_it_says_finish_and_lifted_off_it_is_quiet) {
 }
 
 TEST(Coach, without_a_target_it_has_nothing_to_say) {
-  EXPECT_EQ(coach(drilling({0, 0, -1}, kRadius), TargetShape(Target{}), kLeeway, kRadius).what, Coach::carry_on);
+  EXPECT_EQ(coach(drilling({0, 0, -1}, kRadius), TargetShape(Target{}), kLeeway, kRadius).what, Coach::quiet);
+}
+
+TEST(Coach, of_a_place_that_the_bur_has_left_it_says_nothing) {
+  LiveView live = drilling({0, 0.7, -2.9}, kRadius);
+  live.over_pulp_mm = 0.3;
+  live.target_removed_percent = 50;
+  ASSERT_NE(coach(live, slot(), kLeeway, kRadius).what, Coach::carry_on);
+  live.output.contact = false;  // it hangs in the air
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::carry_on);
+  live.pulp_exposed = true;  // of the tooth, wherever the bur is
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::pulp_open);
+}
+
+TEST(Coach, while_the_go_stands_or_its_device_is_gone_it_is_quiet) {
+  for (const LoopPhase phase : {LoopPhase::paused, LoopPhase::held}) {
+    LiveView live = drilling({0, 0, -2.9}, kRadius);
+    live.phase = phase;
+    EXPECT_TRUE(stands_still(live));
+    EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::quiet);
+  }
+  LiveView live = drilling({0, 0, -2.9}, kRadius);
+  live.device = Sample::Status::gone;
+  EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::quiet);
 }
 
 TEST(Coach, below_the_floor_is_worth_a_look_within_the_leeway_and_wrong_beyond_it) {
@@ -80,7 +103,7 @@ TEST(Coach, below_the_floor_is_worth_a_look_within_the_leeway_and_wrong_beyond_i
   EXPECT_EQ(tone_of({Coach::outside, 0.4}, kLeeway), CoachTone::bad);
   EXPECT_EQ(tone_of({Coach::pulp_open, 0}, kLeeway), CoachTone::bad);
   EXPECT_EQ(tone_of({Coach::over_pulp, 0.4}, kLeeway), CoachTone::look);
-  for (const Coach good : {Coach::begin, Coach::deeper, Coach::sideways, Coach::finish, Coach::carry_on}) {
+  for (const Coach good : {Coach::begin, Coach::deeper, Coach::sideways, Coach::finish, Coach::carry_on, Coach::quiet}) {
     EXPECT_EQ(tone_of({good, 0.6}, kLeeway), CoachTone::good);
   }
 }

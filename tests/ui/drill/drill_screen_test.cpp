@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
+#include <thread>
 
 #include "scenarios/library/library.h"
 #include "ui/app/settings.h"
@@ -156,6 +157,50 @@ TEST_F(Screen, pause_says_so_and_the_same_key_goes_on) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Go on")); }, kPatienceMs));
   screen->toggle_pause();
   ASSERT_TRUE(QTest::qWaitFor([&] { return button(QStringLiteral("Pause")); }, kPatienceMs));
+}
+
+/// A device that lies on the table, 30 mm beside the block.
+class LaidAside final : public HapticPort {
+ public:
+  Result<void, PortFailure> open() override { return {}; }
+  Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
+    std::this_thread::sleep_until(deadline);
+    return {.status = Sample::Status::fresh, .position_mm = {0, -30, 3}};
+  }
+  void write(const Feedback&) noexcept override {}
+  DeviceLimits limits() const override {
+    DeviceLimits out;
+    out.name = "Laid aside";
+    out.device_class = "scripted";
+    return out;
+  }
+  void close() noexcept override {}
+};
+
+TEST_F(Screen, the_cutaway_of_a_bur_that_is_laid_aside_cuts_the_target) {
+  RunPlan plan;
+  plan.scenario = load_builtin("channel-1").value();
+  plan.kind = SessionKind::try_it;
+  screen->begin(std::move(plan), {}, std::make_unique<LaidAside>());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return screen->running(); }, kPatienceMs));
+  QTest::keyClick(screen.get(), Qt::Key_3);
+  const auto lid = [&] { return screen->view()->scene().cutaway; };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return lid().has_value(); }, kPatienceMs));
+  EXPECT_LT(std::abs(lid()->centre_mm.y), 1.0) << "the channel lies along y = 0";
+}
+
+TEST_F(Screen, a_key_that_is_held_while_the_focus_goes_elsewhere_drills_no_longer) {
+  begin("channel-1");
+  const auto push = [this] {
+    for (const Gauge* gauge : screen->findChildren<Gauge*>())
+      if (gauge->title() == QStringLiteral("Push")) return gauge->value().value_or(0);
+    return -1.0;
+  };
+  QTest::keyPress(screen.get(), Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return push() > 0.1; }, kPatienceMs));
+  // As Tab does: the key comes up in another widget, and the screen is never told.
+  screen->findChild<BurrTray*>()->findChild<QAbstractButton*>()->setFocus();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return push() == 0; }, kPatienceMs));
 }
 
 TEST_F(Screen, leaving_before_anything_is_cut_asks_nothing) {

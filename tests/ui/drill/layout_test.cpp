@@ -5,8 +5,10 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "ui/drill/depth_scale.h"
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/score_panel.h"
+#include "ui/drill/section_place.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/theme.h"
 
@@ -71,6 +73,90 @@ TEST(DrillLayout, in_half_a_full_hd_screen_the_tools_fit_and_nothing_covers_the_
     EXPECT_LE(gauge->geometry().bottom(), 400 - 50);  // the legend and the coach stand below
     EXPECT_GE(gauge->height(), gauge->minimumSizeHint().height());
   }
+}
+
+/// A stage for a slot 1.6 mm wide and 1.8 mm deep in a specimen of 20 x 20 x 10 mm below z = 0.
+struct DrillGauges : testing::Test {
+  DrillStage stage;
+  LiveView live;
+  void SetUp() override {
+    Scenario scenario;
+    scenario.target.shape = "channel";
+    scenario.target.paths = {{{-4, 0, -1.8}, {4, 0, -1.8}}};
+    scenario.target.width_mm = 1.6;
+    scenario.target.depth_mm = 1.8;
+    scenario.leeway = {0.2, 0.2};
+    stage.resize(900, 600);
+    stage.show();
+    stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway), {{-10, -10, -10}, {10, 10, 0}}, true, true, 3.1);
+    live.phase = LoopPhase::running;
+    live.output.contact = true;
+    live.push_n = 0.8;
+    live.removed_mm3[index_of(Tissue::enamel)] = 1.0;
+    at({0, 0, -1}, 1.5);
+  }
+  void at(Vec3 pivot_mm, double depth_mm) {
+    live.output.proxy_mm = pivot_mm;
+    live.burr_depth_mm = depth_mm;
+    stage.show_values(live);
+  }
+  Gauge& gauge(const char* name) {
+    for (Gauge* one : stage.findChildren<Gauge*>())
+      if (one->title() == QLatin1String(name)) return *one;
+    throw std::runtime_error(name);
+  }
+  QLabel* coach() {
+    for (QLabel* label : stage.findChildren<QLabel*>())
+      if (label->accessibleName() == QStringLiteral("Coach")) return label;
+    return nullptr;
+  }
+};
+
+TEST_F(DrillGauges, the_depth_scale_shows_what_is_too_deep_and_the_pulp) {
+  EXPECT_DOUBLE_EQ(gauge("Depth").most(), 4.0);  // pulp at 3.1, and half a millimetre beyond it
+  EXPECT_DOUBLE_EQ(depth_scale_mm(1.8, 0.2, std::nullopt), 3.0);
+  EXPECT_DOUBLE_EQ(depth_scale_mm(1.8, 0.2, 2.4), 3.0);
+  EXPECT_DOUBLE_EQ(depth_scale_mm(2.0, 0.3, std::nullopt), 3.5);
+  EXPECT_DOUBLE_EQ(depth_scale_mm(0.5, 0.1, 6.2), 7.0);
+  at({0, 0, -4.2}, 4.7);
+  EXPECT_GE(gauge("Depth").most(), 4.7);
+  EXPECT_DOUBLE_EQ(gauge("Depth").value().value(), 4.7);
+}
+
+TEST_F(DrillGauges, a_bur_beside_the_tooth_has_no_depth_and_one_over_the_cavity_has) {
+  live.output.contact = false;
+  at({9, 9, -6}, 6.5);
+  EXPECT_FALSE(gauge("Depth").value().has_value());
+  at({0, 0, -0.5}, 1.0);
+  EXPECT_TRUE(gauge("Depth").value().has_value());
+}
+
+TEST_F(DrillGauges, what_a_go_that_stands_said_last_is_no_longer_shown) {
+  EXPECT_GT(gauge("Push").value().value(), 0);
+  EXPECT_TRUE(coach()->isVisible());
+  live.phase = LoopPhase::paused;
+  stage.show_values(live);
+  EXPECT_DOUBLE_EQ(gauge("Push").value().value(), 0);
+  EXPECT_FALSE(coach()->isVisible());
+  live.phase = LoopPhase::held;
+  live.device = Sample::Status::gone;
+  stage.show_values(live);
+  EXPECT_FALSE(gauge("Depth").value().has_value());
+}
+
+TEST_F(DrillGauges, the_cutaway_keeps_to_the_target_when_the_bur_leaves_it) {
+  Target target;
+  target.shape = "channel";
+  target.paths = {{{-4, 2, -1.8}, {4, 2, -1.8}}};
+  target.width_mm = 1.6;
+  target.depth_mm = 1.8;
+  SectionPlace place(TargetLook(target, {0.2, 0.2}), {{-10, -10, -10}, {10, 10, 0}});
+  EXPECT_EQ(place.follow({40, 30, 5}), Vec3(0, 2, 0)) << "not there yet: the target's middle";
+  EXPECT_EQ(place.follow({1.5, 2.2, -1}), Vec3(1.5, 2.2, 0)) << "where it works";
+  EXPECT_EQ(place.follow({1.5, 2.2, 12}), Vec3(1.5, 2.2, 0)) << "lifted straight out";
+  EXPECT_EQ(place.follow({1.5, -30, 12}), Vec3(1.5, 2.2, 0)) << "laid aside: as it was";
+  SectionPlace free(TargetLook(Target{}, {}), {{-10, -10, -10}, {10, 10, 0}});
+  EXPECT_EQ(free.follow({0, -30, 3}), Vec3(0, 0, 0)) << "without a target: the specimen's middle";
 }
 
 TEST(StopCard, a_device_that_answers_again_is_told_so_and_not_to_look_for_its_cable) {
