@@ -167,7 +167,10 @@ void DevicePage::fill() {
     pick->setChecked(is_chosen(one));
     pick->setEnabled(in.staff || is_chosen(one));
     in.group->addButton(pick);
-    connect(pick, &QRadioButton::clicked, this, [this, one] { use(one); });
+    // However it is set down: a screen reader does it without a click.
+    connect(pick, &QRadioButton::toggled, this, [this, one](bool on) {
+      if (on) use(one);
+    });
     line->addWidget(pick);
     const bool missing = !there && is_chosen(one);
     denied = denied || one.denied;
@@ -199,6 +202,7 @@ void DevicePage::fill() {
 void DevicePage::use(const FoundDevice& device) {
   inner_->device.choose(device.kind, device.name);
   show_chosen();
+  Q_EMIT chosen();
 }
 
 void DevicePage::show_chosen() {

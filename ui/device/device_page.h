@@ -35,6 +35,10 @@ class DevicePage : public QWidget {
   /// Takes over what was found; by itself while the page is seen.
   void look();
 
+ Q_SIGNALS:
+  /// Another device was chosen, and is kept: DeviceSettings tells which.
+  void chosen();
+
  protected:
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;

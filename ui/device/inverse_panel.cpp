@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
@@ -22,6 +21,7 @@
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -64,7 +64,7 @@ struct InversePanel::Inner {
   QPushButton *ask, *free, *cancel;
   Bar* progress;
   QComboBox* turned;
-  QSpinBox *scale, *service;
+  NumberField *scale, *service;
   QWidget* values;
 
   void keep() {
@@ -122,12 +122,14 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   in.turned->addItem(tr("A quarter to the right"));
   in.turned->setCurrentIndex(static_cast<int>(std::lround(in.settings.yaw_rad / (std::numbers::pi / 2))) % 4);
   fields->addWidget(labelled(tr("It stands turned"), in.turned), 1);
-  in.scale = new QSpinBox;
+  in.scale = new NumberField;
+  in.scale->setDecimals(0);
   in.scale->setRange(kLeastPercent, kMostPercent);
   in.scale->setSuffix(QStringLiteral("\u00A0%"));
-  in.scale->setValue(static_cast<int>(std::lround(100 * in.settings.scale)));
+  in.scale->setValue(std::round(100 * in.settings.scale));
   fields->addWidget(labelled(tr("Of the hand's way"), in.scale));
-  in.service = new QSpinBox;
+  in.service = new NumberField;
+  in.service->setDecimals(0);
   in.service->setRange(1, 65535);
   in.service->setValue(in.settings.service.port);
   fields->addWidget(labelled(tr("Port of the service"), in.service));
@@ -152,11 +154,11 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
     inner_->settings.yaw_rad = radians(index * kQuarterDeg);
     inner_->keep();
   });
-  connect(in.scale, &QSpinBox::valueChanged, this, [this](int value) {
+  connect(in.scale, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     inner_->settings.scale = value / 100.0;
     inner_->keep();
   });
-  connect(in.service, &QSpinBox::valueChanged, this, [this](int value) {
+  connect(in.service, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     inner_->settings.service.port = static_cast<std::uint16_t>(value);
     inner_->keep();
   });

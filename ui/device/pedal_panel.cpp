@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <cmath>
@@ -22,6 +21,7 @@
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -67,7 +67,7 @@ struct PedalPanel::Inner {
   QLabel *down, *drills, *coolant, *keyboard_note, *task, *heard;
   Bar* bar;
   QPushButton *teach, *teach_coolant, *no_coolant, *next, *cancel;
-  QSpinBox* dead_zone;
+  NumberField* dead_zone;
   QWidget *dead_row, *lesson_box;
 
   void keep() {
@@ -130,7 +130,8 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   row(2, tr("Coolant"), &in.coolant, acts);
   column->addLayout(grid);
 
-  in.dead_zone = new QSpinBox;
+  in.dead_zone = new NumberField;
+  in.dead_zone->setDecimals(0);
   in.dead_zone->setRange(0, static_cast<int>(100 * hid::PedalCalibration::kMostDeadZone));
   in.dead_zone->setSuffix(QStringLiteral("\u00A0%"));
   in.dead_row = labelled(tr("Dead zone at both ends"), in.dead_zone);
@@ -211,7 +212,7 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
     inner_->keep();
     look();
   });
-  connect(in.dead_zone, &QSpinBox::valueChanged, this, [this](int value) {
+  connect(in.dead_zone, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     Inner& i = *inner_;
     const auto& old = i.settings.calibration;
     if (const auto wanted = hid::PedalCalibration::from(old.released_raw(), old.pressed_raw(), value / 100.0)) {
@@ -271,9 +272,9 @@ void PedalPanel::look() {
   }
   if (!in.device->view()->isVisible() && in.device->currentIndex() != index) in.device->setCurrentIndex(index);
 
-  const QSignalBlocker still(in.use), calm(in.dead_zone);
+  const QSignalBlocker still(in.use);
   in.use->setChecked(in.settings.on);
-  in.dead_zone->setValue(static_cast<int>(std::lround(100 * in.settings.calibration.dead_zone())));
+  in.dead_zone->show_value(std::round(100 * in.settings.calibration.dead_zone()));
   const bool chosen = in.settings.drill && *in.settings.drill != hid::ControlId{};
   const auto kind = chosen ? kind_of(view.controls, *in.settings.drill) : hid::ControlKind::button;
   in.drills->setText(chosen               ? control_name(*in.settings.drill, kind)

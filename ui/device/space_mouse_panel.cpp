@@ -7,7 +7,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,6 +22,7 @@
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -55,7 +55,7 @@ struct SpaceMousePanel::Inner {
   std::array<Bar*, kAxes> bars{};
   std::array<QLabel*, kAxes> values{};
   QSlider* speed;
-  QSpinBox* dead_zone;
+  NumberField* dead_zone;
   QLabel *speed_text, *battery, *rest_note;
   QPushButton* rest;
 
@@ -128,7 +128,8 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   speed_line->addWidget(in.speed, 1);
   speed_line->addWidget(in.speed_text);
   numbers->addWidget(labelled(tr("Speed"), speed_row), 1);
-  in.dead_zone = new QSpinBox;
+  in.dead_zone = new NumberField;
+  in.dead_zone->setDecimals(0);
   in.dead_zone->setRange(0, 40);
   in.dead_zone->setSuffix(QStringLiteral("\u00A0%"));
   numbers->addWidget(labelled(tr("Dead zone"), in.dead_zone));
@@ -162,7 +163,7 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
     inner_->speed_text->setText(percent(value / 100.0));
     inner_->keep();
   });
-  connect(in.dead_zone, &QSpinBox::valueChanged, this, [this](int value) {
+  connect(in.dead_zone, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     inner_->settings.dead_zone = value / 100.0;
     inner_->keep();
   });
@@ -196,13 +197,13 @@ void SpaceMousePanel::look() {
                 view.connected ? Chip::Kind::good : denied ? Chip::Kind::look : Chip::Kind::plain);
   in.rights->set_command(
       denied ? QString::fromStdString(hid::udev_install_command(view.device->vendor, view.device->product)) : QString());
-  const QSignalBlocker a(in.use), b(in.turns), c(in.moves), d(in.speed), e(in.dead_zone);
+  const QSignalBlocker a(in.use), b(in.turns), c(in.moves), d(in.speed);
   in.use->setChecked(in.settings.on);
   in.turns->setChecked(in.settings.turns);
   in.moves->setChecked(in.settings.moves);
   in.speed->setValue(static_cast<int>(std::lround(100 * in.settings.speed)));
   in.speed_text->setText(percent(in.settings.speed));
-  in.dead_zone->setValue(static_cast<int>(std::lround(100 * in.settings.dead_zone)));
+  in.dead_zone->show_value(std::round(100 * in.settings.dead_zone));
   const auto& m = view.motion;
   const std::array<double, kAxes> shares = {m.move[0], m.move[1], m.move[2], m.turn[0], m.turn[1], m.turn[2]};
   for (std::size_t i = 0; i < shares.size(); ++i) {

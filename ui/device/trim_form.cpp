@@ -1,12 +1,10 @@
 #include "ui/device/trim_form.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -17,6 +15,7 @@
 #include "ui/device/panel_card.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -54,9 +53,9 @@ struct TrimForm::Inner {
   std::optional<falcon::Workspace> workspace;
   Vec3 grip_m = falcon::kMiddleM;
 
-  std::array<QDoubleSpinBox*, 3> centre{};
+  std::array<NumberField*, 3> centre{};
   QPushButton *here, *undo, *reset;
-  QSpinBox *scale, *gain;
+  NumberField *scale, *gain;
   QComboBox* clutch;
   QLabel* place;
   Chip* held;
@@ -82,7 +81,7 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
   column->addWidget(make_label(tr("Where the grip stands when a go begins, from the middle of its travel:"), TextRole::body, false, "text2"));
   const QString ways[] = {tr("Right"), tr("Up"), tr("Nearer")};
   for (std::size_t i = 0; i < in.centre.size(); ++i) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberField;
     box->setRange(-kMmPerM * kMostCentreShiftM, kMmPerM * kMostCentreShiftM);
     box->setDecimals(0);
     box->setSuffix(QStringLiteral("\u00A0mm"));
@@ -101,12 +100,14 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
 
   auto* rest = new QHBoxLayout;
   rest->setSpacing(px(12));
-  in.scale = new QSpinBox;
+  in.scale = new NumberField;
+  in.scale->setDecimals(0);
   in.scale->setRange(static_cast<int>(100 * falcon::Workspace::kMinScale), static_cast<int>(100 * falcon::Workspace::kMaxScale));
   in.scale->setSingleStep(5);
   in.scale->setSuffix(QStringLiteral("\u00A0%"));
   rest->addWidget(labelled(tr("Of the hand's way"), in.scale), 1);
-  in.gain = new QSpinBox;
+  in.gain = new NumberField;
+  in.gain->setDecimals(0);
   in.gain->setRange(static_cast<int>(100 * kLeastForceGain), static_cast<int>(100 * kMostForceGain));
   in.gain->setSingleStep(5);
   in.gain->setSuffix(QStringLiteral("\u00A0%"));
@@ -143,12 +144,12 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
     inner_->last_field = kAll;  // a step of its own
     set(wanted, kCentre);
   });
-  connect(in.scale, &QSpinBox::valueChanged, this, [this](int percent) {
+  connect(in.scale, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
     FalconTrim wanted = inner_->trim;
     wanted.scale = percent / 100.0;
     set(wanted, kScale);
   });
-  connect(in.gain, &QSpinBox::valueChanged, this, [this](int percent) {
+  connect(in.gain, &QDoubleSpinBox::valueChanged, this, [this](double percent) {
     FalconTrim wanted = inner_->trim;
     wanted.force_gain = percent / 100.0;
     set(wanted, kGain);
@@ -200,13 +201,12 @@ void TrimForm::fill() {
   Inner& in = *inner_;
   const FalconTrim& trim = in.trim;
   for (std::size_t i = 0; i < in.centre.size(); ++i) {
-    const QSignalBlocker quiet(in.centre[i]);
     const int axis = static_cast<int>(i);
-    in.centre[i]->setValue(kMmPerM * (trim.centre_m[axis] - falcon::kMiddleM[axis]));
+    in.centre[i]->show_value(kMmPerM * (trim.centre_m[axis] - falcon::kMiddleM[axis]));
   }
-  const QSignalBlocker a(in.scale), b(in.gain), c(in.clutch);
-  in.scale->setValue(static_cast<int>(std::lround(100 * trim.scale)));
-  in.gain->setValue(static_cast<int>(std::lround(100 * trim.force_gain)));
+  const QSignalBlocker quiet(in.clutch);
+  in.scale->show_value(std::round(100 * trim.scale));
+  in.gain->show_value(std::round(100 * trim.force_gain));
   const auto clutch = std::find(kClutches.begin(), kClutches.end(), trim.clutch);
   in.clutch->setCurrentIndex(static_cast<int>(clutch == kClutches.end() ? 0 : clutch - kClutches.begin()));
   in.undo->setEnabled(!in.before.empty());

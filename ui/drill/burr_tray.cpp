@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -103,7 +104,10 @@ BurrTray::BurrTray(QWidget* parent) : QFrame(parent) {
   lay->addLayout(row_);
   lay->addStretch();
   group_ = new QButtonGroup(this);
-  connect(group_, &QButtonGroup::idClicked, this, &BurrTray::burr_chosen);
+  // However it is set down: a screen reader does it without a click.
+  connect(group_, &QButtonGroup::idToggled, this, [this](int index, bool on) {
+    if (on) Q_EMIT burr_chosen(index);
+  });
 }
 
 void BurrTray::set_burrs(const std::vector<Burr>& burrs) {
@@ -121,6 +125,7 @@ void BurrTray::set_burrs(const std::vector<Burr>& burrs) {
 }
 
 void BurrTray::choose(int index) {
+  const QSignalBlocker quiet(group_);
   if (QAbstractButton* button = group_->button(index)) button->setChecked(true);
 }
 

@@ -3,7 +3,6 @@
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QIcon>
 #include <QLabel>
@@ -17,6 +16,7 @@
 #include "ui/instructor/slice_view.h"
 #include "ui/render/colours.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -86,7 +86,7 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     auto* row = new QHBoxLayout;
     mend_ = new QCheckBox(tr("Mend: join, turn and close holes up to"));
     mend_->setChecked(true);
-    width_ = new QDoubleSpinBox;
+    width_ = new NumberField;
     width_->setLocale(QLocale());
     width_->setRange(0.0, 100.0);
     width_->setValue(kMendMm);
@@ -96,6 +96,7 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     row->addWidget(width_);
     row->addStretch();
     column->addLayout(row);
+    column->addWidget(width_->note());
     connect(mend_, &QCheckBox::toggled, this, [this](bool on) {
       width_->setEnabled(on);
       tell();
@@ -249,7 +250,7 @@ QWidget* VolumeForm::make_ranges(const ImagePreview& preview) {
   for (std::size_t i = 0; i < kRanges; ++i) {
     QComboBox* tissue = make_tissue_box(tr("Not used"), tr("Tissue of range %1").arg(i + 1));
     tissue->insertItem(1, tr("Nothing: left out"), kNothing);
-    auto* from = new QDoubleSpinBox;
+    auto* from = new NumberField;
     from->setLocale(QLocale());
     from->setDecimals(0);
     from->setRange(std::floor(info_.low), std::ceil(info_.high) + 1.0);

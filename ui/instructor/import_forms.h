@@ -8,12 +8,12 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QVBoxLayout;
 
 namespace cusp {
 
+class NumberField;
 class SliceView;
 
 /// A list of tissues with their codes as data, `none` (0) first.
@@ -50,7 +50,7 @@ class MeshForm : public QWidget {
   std::vector<Row> rows_;
   QCheckBox* mend_ = nullptr;
   QComboBox* precedence_ = nullptr;  // of several meshes
-  QDoubleSpinBox* width_ = nullptr;
+  NumberField* width_ = nullptr;
 };
 
 /// A volume: its labels, colours or ranges of grey, and a slice that shows what they become.
@@ -78,7 +78,7 @@ class VolumeForm : public QWidget {
   };
   struct Range {
     QComboBox* tissue;
-    QDoubleSpinBox* from;
+    NumberField* from;
   };
   ImageInfo info_;
   std::vector<Label> labels_;

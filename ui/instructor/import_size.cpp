@@ -2,7 +2,6 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 #include "scenarios/import/size_question.h"
 #include "ui/app/import_words.h"
 #include "ui/widgets/format.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kDefaultVoxelMm = 0.1;
 
-QDoubleSpinBox* millimetre_box(double least, double most, double value, int decimals) {
-  auto* box = new QDoubleSpinBox;
+NumberField* millimetre_box(double least, double most, double value, int decimals) {
+  auto* box = new NumberField;
   box->setLocale(QLocale());
   box->setDecimals(decimals);
   box->setRange(least, most);
@@ -79,8 +79,8 @@ ImportSize::ImportSize(QWidget* parent) : QWidget(parent) {
     Q_EMIT changed();
   };
   connect(unit_, &QComboBox::currentIndexChanged, this, unit_changed);
-  connect(other_unit_, &QDoubleSpinBox::valueChanged, this, unit_changed);
-  connect(voxel_, &QDoubleSpinBox::valueChanged, this, &ImportSize::changed);
+  connect(other_unit_, &NumberField::valueChanged, this, unit_changed);
+  connect(voxel_, &NumberField::valueChanged, this, &ImportSize::changed);
   connect(up_, &QComboBox::currentIndexChanged, this, &ImportSize::changed);
 }
 

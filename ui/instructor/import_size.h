@@ -8,7 +8,7 @@
 #include "scenarios/import/up_axis.h"
 
 class QComboBox;
-class QDoubleSpinBox;
+class NumberField;
 class QHBoxLayout;
 class QLabel;
 
@@ -47,7 +47,7 @@ class ImportSize : public QWidget {
   bool asks_unit_ = false, own_voxels_ = false, questioned_ = false, believed_ = false;
   double scale_ = 1.0;
   QComboBox *unit_, *up_;
-  QDoubleSpinBox *other_unit_, *voxel_;
+  NumberField *other_unit_, *voxel_;
   QWidget *unit_field_, *other_field_, *question_;
   QLabel *size_, *why_;
   QHBoxLayout* answers_;

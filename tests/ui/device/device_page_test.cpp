@@ -3,10 +3,10 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QAccessible>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QRadioButton>
-#include <QSpinBox>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
@@ -23,6 +23,7 @@
 #include "ui/device/trim_form.h"
 #include "ui/session/errand.h"
 #include "ui/widgets/chip.h"
+#include "ui/widgets/number_field.h"
 
 namespace cusp {
 namespace {
@@ -86,6 +87,24 @@ TEST(DevicePage, lists_what_is_plugged_in_and_keeps_what_was_chosen) {
   page->findChildren<QRadioButton*>()[1]->click();
   EXPECT_EQ(desk.choice().kind, "falcon");
   EXPECT_EQ(desk.choice().name, "FT000002");
+}
+
+TEST(DevicePage, a_device_is_chosen_by_a_screen_reader_as_by_a_click) {
+  Desk desk;
+  auto page = desk.page(true);
+  QSignalSpy chosen(page.get(), &DevicePage::chosen);
+  const auto buttons = page->findChildren<QRadioButton*>();  // the emulated Falcon, the mouse
+  QRadioButton* emulated = nullptr;
+  for (QRadioButton* one : buttons)
+    if (one->text().contains(QStringLiteral("Emulated"))) emulated = one;
+  ASSERT_NE(emulated, nullptr);
+  QAccessibleActionInterface* act = QAccessible::queryAccessibleInterface(emulated)->actionInterface();
+  ASSERT_NE(act, nullptr);
+  act->doAction(QAccessibleActionInterface::toggleAction());
+  EXPECT_TRUE(emulated->isChecked());
+  EXPECT_EQ(desk.choice().kind, "emulated-falcon");
+  EXPECT_EQ(chosen.count(), 1);
+  EXPECT_TRUE(page->falcon()->isVisibleTo(page.get()));
 }
 
 TEST(DevicePage, one_that_comes_or_goes_is_listed_without_a_click) {
@@ -183,10 +202,10 @@ TEST(DevicePage, the_trim_of_each_falcon_is_kept_under_its_name_and_can_be_taken
   page->findChildren<QRadioButton*>()[0]->click();
   auto* form = page->findChild<TrimForm*>();
   ASSERT_TRUE(form->isVisibleTo(page.get()));
-  const auto spins = form->findChildren<QSpinBox*>();  // the hand's way, the force
-  spins[0]->setValue(80);
-  spins[1]->setValue(125);
-  form->findChildren<QDoubleSpinBox*>()[1]->setValue(-7);
+  const auto numbers = form->findChildren<NumberField*>();  // right, up, nearer, the hand's way, the force
+  numbers[3]->setValue(80);
+  numbers[4]->setValue(125);
+  numbers[1]->setValue(-7);
   const FalconProfile kept = DeviceSettings(desk.settings.file()).profile("FT000001");
   EXPECT_DOUBLE_EQ(kept.scale, 0.8);
   EXPECT_DOUBLE_EQ(kept.calibration.force_gain, 1.25);
@@ -257,9 +276,9 @@ TEST(TrimForm, each_field_s_steps_are_one_and_all_can_be_taken_back_to_the_start
   form.set_trim(began);
   int told = 0;
   QObject::connect(&form, &TrimForm::changed, [&told] { ++told; });
-  QSpinBox* scale = form.findChildren<QSpinBox*>()[0];
+  NumberField* scale = form.findChildren<NumberField*>()[3];
   for (int percent = 41; percent <= 60; ++percent) scale->setValue(percent);
-  form.findChildren<QSpinBox*>()[1]->setValue(130);
+  form.findChildren<NumberField*>()[4]->setValue(130);
   auto* clutch = form.findChild<QComboBox*>();
   clutch->setCurrentIndex(3);
   Q_EMIT clutch->activated(3);

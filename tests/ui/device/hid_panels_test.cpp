@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTemporaryDir>
 #include <numbers>
 
@@ -18,6 +17,7 @@
 #include "ui/device/pedal_words.h"
 #include "ui/device/space_mouse_panel.h"
 #include "ui/device/space_mouse_turner.h"
+#include "ui/widgets/number_field.h"
 
 namespace cusp {
 namespace {
@@ -84,7 +84,7 @@ TEST_F(Panels, a_rheostat_is_calibrated_by_pressing_it_and_stays_so) {
   EXPECT_TRUE(shows(panel, "100"));
   EXPECT_EQ(HidSettings(settings.file()).pedal(), reader.settings());
 
-  panel.findChild<QSpinBox*>()->setValue(20);
+  panel.findChild<NumberField*>()->setValue(20);
   EXPECT_DOUBLE_EQ(HidSettings(settings.file()).pedal().calibration.dead_zone(), 0.2);
   desk.unplug(rudder);
   EXPECT_TRUE(eventually([&] {

@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <numbers>
@@ -18,6 +17,7 @@
 #include "ui/app/settings.h"
 #include "ui/session/errand.h"
 #include "ui/widgets/gauge.h"
+#include "ui/widgets/number_field.h"
 
 namespace cusp {
 namespace {
@@ -42,7 +42,7 @@ TEST_F(InversePanelTest, follows_the_hand_once_it_was_asked_for) {
   service.set_hand({0.0125, 0, 0.1});
   InversePanel panel(&settings);
   panel.show();
-  panel.findChildren<QSpinBox*>().last()->setValue(service.port());
+  panel.findChildren<NumberField*>().last()->setValue(service.port());
   EXPECT_EQ(service.connections(), 0u);
   EXPECT_TRUE(panel.summary().contains("not asked"));
   panel.connect_to_it();
@@ -63,7 +63,7 @@ TEST_F(InversePanelTest, says_what_is_missing) {
   service.set_way(FakeService::Way::no_device);
   InversePanel panel(&settings);
   panel.show();
-  panel.findChildren<QSpinBox*>().last()->setValue(service.port());
+  panel.findChildren<NumberField*>().last()->setValue(service.port());
   panel.connect_to_it();
   EXPECT_TRUE(eventually([&] { return shows(panel, "knows of no Inverse3"); }));
   std::uint16_t nobody = 0;
@@ -71,7 +71,7 @@ TEST_F(InversePanelTest, says_what_is_missing) {
     FakeService gone;
     nobody = gone.port();
   }
-  panel.findChildren<QSpinBox*>().last()->setValue(nobody);
+  panel.findChildren<NumberField*>().last()->setValue(nobody);
   panel.connect_to_it();
   EXPECT_TRUE(eventually([&] { return shows(panel, "No service answers"); }));
 }
@@ -128,7 +128,7 @@ TEST_F(InversePanelTest, one_that_says_nothing_is_asked_until_the_limit_and_the_
   service.set_way(FakeService::Way::silent);
   InversePanel panel(&settings);
   panel.show();
-  panel.findChildren<QSpinBox*>().last()->setValue(service.port());
+  panel.findChildren<NumberField*>().last()->setValue(service.port());
   panel.connect_to_it();
   const auto* bar = panel.findChild<Bar*>();
   EXPECT_TRUE(bar->isVisibleTo(&panel));
@@ -162,7 +162,7 @@ TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {
 TEST_F(InversePanelTest, how_it_stands_is_kept_and_rubbish_is_the_usual) {
   InversePanel panel(&settings);
   panel.findChild<QComboBox*>()->setCurrentIndex(3);
-  panel.findChildren<QSpinBox*>().first()->setValue(80);
+  panel.findChildren<NumberField*>().first()->setValue(80);
   const InverseSettings kept = DeviceSettings(settings.file()).inverse();
   EXPECT_DOUBLE_EQ(kept.yaw_rad, 1.5 * std::numbers::pi);
   EXPECT_DOUBLE_EQ(kept.scale, 0.8);
