@@ -48,7 +48,8 @@ Stored<std::vector<ScenarioVersion>> with_files(Database& db, Stored<std::vector
 }  // namespace
 
 Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenario, const std::string& json,
-                                          const Hash256& content_hash, const std::map<std::string, Hash256>& files) {
+                                          const Hash256& content_hash, const std::map<std::string, Hash256>& files,
+                                          const std::optional<std::string>& draft) {
   const bool published = !author.is_nil();
   const VersionId id = VersionId::make();
   Transaction transaction(c_.db);
@@ -73,8 +74,8 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
   for (const auto& [name, blob] : files) {
     transaction.run("INSERT INTO version_files (version, name, blob) VALUES (?1, ?2, ?3)", id, name, blob);
   }
-  if (published) {
-    transaction.run("DELETE FROM scenario_drafts WHERE scenario = ?1 AND author = ?2", scenario.id, author);
+  if (published && draft) {
+    transaction.run("DELETE FROM scenario_drafts WHERE scenario = ?1 AND author = ?2 AND json = ?3", scenario.id, author, *draft);
   }
   log_row(c_, transaction, author, published ? "version_published" : "version_kept", SealedTable::scenario_versions,
           id.uuid);
@@ -89,13 +90,14 @@ Stored<ScenarioVersion> Scenarios::ensure(const Scenario& scenario, const std::s
       [](Row row) { return row.id<VersionId>(0); }, scenario.id, content_hash);
   if (!there) return std::unexpected(there.error());
   if (*there) return version(**there);
-  return insert(UserId{}, scenario, json, content_hash, files);
+  return insert(UserId{}, scenario, json, content_hash, files, std::nullopt);
 }
 
 Stored<ScenarioVersion> Scenarios::publish(const Actor& actor, const Scenario& scenario, const std::string& json,
-                                           const Hash256& content_hash, const std::map<std::string, Hash256>& files) {
+                                           const Hash256& content_hash, const std::map<std::string, Hash256>& files,
+                                           const std::optional<std::string>& draft) {
   if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
-  return insert(actor.id, scenario, json, content_hash, files);
+  return insert(actor.id, scenario, json, content_hash, files, draft);
 }
 
 Stored<ScenarioVersion> Scenarios::version(VersionId id) {
@@ -118,14 +120,29 @@ Stored<std::vector<ScenarioVersion>> Scenarios::library() {
                               version_of));
 }
 
-Stored<void> Scenarios::save_draft(const Actor& actor, ScenarioId scenario, const std::string& json) {
-  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return allowed;
+namespace {
+/// The draft's JSON as the transaction sees it.
+std::optional<std::string> draft_json(Transaction& transaction, ScenarioId scenario, UserId author) {
+  return transaction.first("SELECT json FROM scenario_drafts WHERE scenario = ?1 AND author = ?2",
+                           [](Row row) { return row.text(0); }, scenario, author);
+}
+}  // namespace
+
+Stored<DraftSave> Scenarios::save_draft(const Actor& actor, ScenarioId scenario, const std::string& json,
+                                        const std::optional<std::string>& before) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
   Transaction transaction(c_.db);
-  transaction.run(
-      "INSERT INTO scenario_drafts (scenario, author, json, saved_at) VALUES (?1, ?2, ?3, ?4) "
-      "ON CONFLICT (scenario, author) DO UPDATE SET json = excluded.json, saved_at = excluded.saved_at",
-      scenario, actor.id, json, c_.clock());
-  return transaction.commit();
+  const auto there = draft_json(transaction, scenario, actor.id);
+  // Two windows that came to the same draft have nothing to lose.
+  const bool mine = there == before || there == json;
+  if (mine) {
+    transaction.run(
+        "INSERT INTO scenario_drafts (scenario, author, json, saved_at) VALUES (?1, ?2, ?3, ?4) "
+        "ON CONFLICT (scenario, author) DO UPDATE SET json = excluded.json, saved_at = excluded.saved_at",
+        scenario, actor.id, json, c_.clock());
+  }
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return mine ? DraftSave::kept : DraftSave::changed_elsewhere;
 }
 
 namespace {
@@ -145,11 +162,14 @@ Stored<std::vector<ScenarioDraft>> Scenarios::drafts(const Actor& actor) {
       actor.id);
 }
 
-Stored<void> Scenarios::drop_draft(const Actor& actor, ScenarioId scenario) {
-  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return allowed;
+Stored<DraftSave> Scenarios::drop_draft(const Actor& actor, ScenarioId scenario, const std::string& before) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
   Transaction transaction(c_.db);
-  transaction.run("DELETE FROM scenario_drafts WHERE scenario = ?1 AND author = ?2", scenario, actor.id);
-  return transaction.commit();
+  const auto there = draft_json(transaction, scenario, actor.id);
+  const bool mine = !there || there == before;
+  if (mine) transaction.run("DELETE FROM scenario_drafts WHERE scenario = ?1 AND author = ?2", scenario, actor.id);
+  if (auto done = transaction.commit(); !done) return std::unexpected(done.error());
+  return mine ? DraftSave::kept : DraftSave::changed_elsewhere;
 }
 
 }  // namespace cusp

@@ -36,12 +36,12 @@ TEST_F(ScenariosTest, a_file_that_changed_under_the_same_number_becomes_the_next
 
 TEST_F(ScenariosTest, publishing_makes_the_next_version_and_drops_the_draft) {
   const auto first = keep(*store);
-  must(scenarios.save_draft(instructor, first.scenario, "{\"draft\":1}"));
-  must(scenarios.save_draft(instructor, first.scenario, "{\"draft\":2}"));
+  must(scenarios.save_draft(instructor, first.scenario, "{\"draft\":1}", {}));
+  must(scenarios.save_draft(instructor, first.scenario, "{\"draft\":2}", "{\"draft\":1}"));
   EXPECT_EQ(must(scenarios.draft(instructor, first.scenario))->json, "{\"draft\":2}");
   EXPECT_EQ(must(scenarios.drafts(instructor)).size(), 1u);
   const auto second =
-      must(scenarios.publish(instructor, small_scenario(), "{\"id\":3}", blake2b_256(std::string_view{"3"})));
+      must(scenarios.publish(instructor, small_scenario(), "{\"id\":3}", blake2b_256(std::string_view{"3"}), {}, "{\"draft\":2}"));
   EXPECT_EQ(second.number, 2);
   EXPECT_EQ(second.author, instructor.id);
   EXPECT_FALSE(must(scenarios.draft(instructor, first.scenario)));
@@ -50,10 +50,31 @@ TEST_F(ScenariosTest, publishing_makes_the_next_version_and_drops_the_draft) {
   EXPECT_EQ(must(scenarios.version(first.id)).json, "{\"id\":1}");
 }
 
+TEST_F(ScenariosTest, of_two_stores_on_one_draft_the_second_is_told_and_nothing_is_lost) {
+  const auto first = keep(*store);
+  const auto other = open(folder / "a.db");
+  Scenarios& theirs = other->scenarios;
+  const std::string zero = "{\"draft\":0}", mine = "{\"draft\":1}", their = "{\"draft\":2}";
+  EXPECT_EQ(must(scenarios.save_draft(instructor, first.scenario, zero, {})), DraftSave::kept);
+  EXPECT_EQ(must(theirs.save_draft(instructor, first.scenario, their, zero)), DraftSave::kept);
+  EXPECT_EQ(must(scenarios.save_draft(instructor, first.scenario, mine, zero)), DraftSave::changed_elsewhere);
+  EXPECT_EQ(must(scenarios.save_draft(instructor, first.scenario, mine, {})), DraftSave::changed_elsewhere);
+  EXPECT_EQ(must(scenarios.drop_draft(instructor, first.scenario, zero)), DraftSave::changed_elsewhere);
+  EXPECT_EQ(must(scenarios.draft(instructor, first.scenario))->json, their);
+  // Publishing leaves alone what it did not come from.
+  must(scenarios.publish(instructor, small_scenario(), "{\"id\":3}", blake2b_256(std::string_view{"3"}), {}, zero));
+  EXPECT_EQ(must(scenarios.draft(instructor, first.scenario))->json, their);
+  EXPECT_EQ(must(scenarios.save_draft(instructor, first.scenario, their, zero)), DraftSave::kept) << "both came to the same";
+  EXPECT_EQ(must(scenarios.save_draft(instructor, first.scenario, mine, their)), DraftSave::kept);
+  EXPECT_EQ(must(theirs.drop_draft(instructor, first.scenario, mine)), DraftSave::kept);
+  EXPECT_EQ(must(scenarios.save_draft(instructor, first.scenario, zero, mine)), DraftSave::changed_elsewhere) << "it is gone";
+  EXPECT_FALSE(must(scenarios.draft(instructor, first.scenario)));
+}
+
 TEST_F(ScenariosTest, a_student_publishes_nothing) {
   const Actor student = make_student(*store).actor();
   EXPECT_EQ(code_of(scenarios.publish(student, small_scenario(), "{}", {})), StorageError::not_allowed);
-  EXPECT_EQ(code_of(scenarios.save_draft(student, small_scenario().id, "{}")), StorageError::not_allowed);
+  EXPECT_EQ(code_of(scenarios.save_draft(student, small_scenario().id, "{}", {})), StorageError::not_allowed);
   EXPECT_EQ(code_of(scenarios.drafts(student)), StorageError::not_allowed);
 }
 

@@ -127,6 +127,7 @@ void BurrsForm::follow_model() {
       line->addWidget(away);
       connect(away, &QPushButton::clicked, this, [this, i] { model_.remove_burr(i); });
       list_->addWidget(row);
+      if (diameter != nullptr) list_->addWidget(diameter->note());
       diameters_.push_back(diameter);
     }
   }

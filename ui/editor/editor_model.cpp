@@ -174,6 +174,18 @@ void EditorModel::now_published(const Scenario& version) {
   after_change();
 }
 
+bool EditorModel::take(const Scenario& draft) {
+  if (draft.id != scenario_.id) return false;
+  end_gesture();
+  const bool taken = edit(tr("The other window’s draft"), u"draft"_qs, [&](Scenario& s) {
+    const int version = s.version;
+    s = draft;
+    s.version = version;
+  });
+  end_gesture();
+  return taken;
+}
+
 bool EditorModel::set_title(const std::string& language, const QString& text) {
   return edit(tr("Title"), u"title/"_qs + QString::fromStdString(language), [&](Scenario& s) {
     if (text.isEmpty()) {

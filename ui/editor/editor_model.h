@@ -21,6 +21,7 @@ struct EditorStart {
   Scenario draft;                     // its version is the one that would be published
   std::optional<Scenario> published;  // the newest version; nullopt for an exercise that was never published
   std::string folder;                 // where a volume lies that the draft names
+  std::optional<std::string> kept{};  // the draft's JSON as the records held it; nullopt: no draft was kept yet
 };
 
 class EditorModel : public QObject {
@@ -36,6 +37,7 @@ class EditorModel : public QObject {
   /// All edits: true when the value was taken (also when it was there already), false when an exercise may not hold it
   /// (not a number, out of its range, a name twice): then nothing changes. One edit is one step of undo; edits of one
   /// field merge until end_gesture().
+  bool take(const Scenario& draft);  // another window's draft of this exercise, as one step: undo brings this one's back
   bool set_title(const std::string& language, const QString& text);     // empty: takes the language away
   bool set_briefing(const std::string& language, const QString& text);
   /// Other tissues come with another specimen; critical ones (scenarios/tissues) stay protected where there are any.

@@ -40,6 +40,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
       store_(store),
       actor_(actor),
       ports_(ports),
+      kept_(start.kept),
       model_(new EditorModel(std::move(start), this)),
       grower_(new SpecimenGrower(this)) {
   setAccessibleName(tr("Editor"));
@@ -52,6 +53,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   column->addWidget(make_top_bar());
   band_ = new Band;
   column->addWidget(band_);
+  column->addWidget(make_clash());
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
   row->addWidget(make_left());
@@ -256,32 +258,6 @@ void EditorPage::try_out() {
   plan.kind = SessionKind::try_out;  // and no database: nothing is kept
   plan.specimen = grown_->whole->specimen_ptr();
   Q_EMIT try_out_wanted(plan, local(model_->scenario().title));
-}
-
-void EditorPage::publish_version() {
-  if (!model_->prove()) return;
-  const auto version = publish(store_, actor_, *model_);
-  if (!version) {
-    const Told told = tell(version.error());
-    band_->show_message(Band::Kind::bad, told.what, told.more);
-    return;
-  }
-  band_->show_message(Band::Kind::good, tr("Version %1 is published.").arg(version->number),
-                      tr("Students find it among their exercises. Earlier results keep the version they were made with."));
-  Q_EMIT published(*version);
-}
-
-bool EditorPage::keep() {
-  autosave_.stop();
-  const auto kept = keep_draft(store_, actor_, *model_);
-  if (kept) return true;
-  const Told told = tell(kept.error());
-  band_->show_message(Band::Kind::bad, told.what, told.more);
-  return false;
-}
-
-void EditorPage::leave() {
-  if (keep()) Q_EMIT back_wanted();
 }
 
 }  // namespace cusp

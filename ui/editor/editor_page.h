@@ -45,6 +45,8 @@ class EditorPage : public QWidget {
   /// Starts a go at the draft as it stands, of which nothing is kept.
   void try_out();
   void publish_version();
+  /// The window is being closed: what is not kept yet is kept, as a copy where another window has changed the draft.
+  void keep_before_closing();
   /// Keeps the draft, then back_wanted(); stays when it cannot be kept, and says why.
   void leave();
 
@@ -52,6 +54,8 @@ class EditorPage : public QWidget {
   void back_wanted();
   void try_out_wanted(const cusp::RunPlan& plan, const QString& title);
   void published(const cusp::ScenarioVersion& version);
+  /// The draft goes on as this new exercise; the one that was opened is another window's.
+  void copied(const cusp::EditorStart& copy);
   /// The tooth is there and shown.
   void ready();
 
@@ -60,7 +64,14 @@ class EditorPage : public QWidget {
   QWidget* make_left();
   QWidget* make_right();
   QWidget* make_checks();
+  Band* make_clash();
   bool keep();
+  void show_clash();
+  void see_theirs();
+  void keep_copy();
+  void ask_to_replace_theirs();
+  void publish_now();
+  void tell_failure(const StorageFailure& failure);
   void grow();
   void follow_model();
   void show_title();
@@ -72,12 +83,14 @@ class EditorPage : public QWidget {
   Store& store_;
   Actor actor_;
   const Ports& ports_;
+  std::optional<std::string> kept_;  // the draft's JSON as this window has read or written it last
   QTimer autosave_, grow_soon_;
   EditorModel* model_;
   SpecimenGrower* grower_;
   std::shared_ptr<const GrownSpecimen> grown_;
   TargetView* stage_ = nullptr;
-  Band* band_ = nullptr;
+  Band *band_ = nullptr, *clash_ = nullptr;
+  QPushButton* see_theirs_ = nullptr;
   Busy* busy_ = nullptr;
   QLineEdit* title_ = nullptr;
   Chip *version_ = nullptr, *checks_chip_ = nullptr;

@@ -52,6 +52,7 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
   const auto draft = store.scenarios.draft(actor, exercise.scenario.id);
   if (!draft) return std::unexpected(draft.error());
   if (*draft) {
+    start.kept = (*draft)->json;
     if (auto read = read_scenario((*draft)->json)) start.draft = std::move(*read);
   }
   start.draft.version = start.published->version + 1;
@@ -61,8 +62,8 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
   return start;
 }
 
-EditorStart open_draft(const Scenario& draft, const fs::path& database) {
-  return {draft, std::nullopt, drafts_folder(database, draft.id).string()};
+EditorStart open_draft(const Scenario& draft, const std::string& json, const fs::path& database) {
+  return {draft, std::nullopt, drafts_folder(database, draft.id).string(), json};
 }
 
 Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const LocalText& title,
@@ -79,13 +80,52 @@ Stored<EditorStart> copy_exercise(Store& store, const Exercise& pattern, const L
   return start;
 }
 
-Stored<void> keep_draft(Store& store, const Actor& actor, const EditorModel& model) {
+Stored<DraftSave> keep_draft(Store& store, const Actor& actor, const EditorModel& model, std::optional<std::string>& kept) {
+  if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
   const Scenario& s = model.scenario();
-  if (model.unchanged()) return store.scenarios.drop_draft(actor, s.id);
-  return store.scenarios.save_draft(actor, s.id, canonical_json(s));
+  if (model.unchanged()) {
+    if (!kept) return DraftSave::kept;
+    const auto done = store.scenarios.drop_draft(actor, s.id, *kept);
+    if (done && *done == DraftSave::kept) kept.reset();
+    return done;
+  }
+  std::string json = canonical_json(s);
+  if (json == kept) return DraftSave::kept;  // a window that changed nothing overwrites nothing
+  const auto done = store.scenarios.save_draft(actor, s.id, json, kept);
+  if (done && *done == DraftSave::kept) kept = std::move(json);
+  return done;
 }
 
-Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& model) {
+Stored<EditorStart> keep_as_copy(Store& store, const Actor& actor, const EditorModel& model, const LocalText& title) {
+  EditorStart start;
+  start.draft = model.scenario();
+  start.draft.id = ScenarioId::make();
+  start.draft.key.clear();
+  start.draft.version = 1;
+  start.draft.title = title;
+  const fs::path from = model.folder(), to = from.parent_path() / start.draft.id.text();
+  start.folder = to.string();
+  if (const std::string& volume = start.draft.specimen.volume; start.draft.specimen.generator.empty()) {
+    std::error_code error;
+    fs::create_directories(to, error);
+    if (!error) fs::copy_file(from / volume, to / volume, error);
+    if (error) return fail(StorageError::io, to.string(), error.message());
+  }
+  start.kept = canonical_json(start.draft);
+  const auto done = store.scenarios.save_draft(actor, start.draft.id, *start.kept, std::nullopt);
+  if (!done) return std::unexpected(done.error());
+  return start;
+}
+
+Stored<int> next_version(Store& store, const EditorModel& model) {
+  const auto versions = store.scenarios.versions(model.scenario().id);
+  if (!versions) return std::unexpected(versions.error());
+  // A built-in exercise that was never played here is its own first version.
+  if (versions->empty()) return model.published() ? model.published()->version + 1 : 1;
+  return versions->back().number + 1;
+}
+
+Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& model, std::optional<std::string>& draft) {
   if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
   if (!model.publishable()) return fail(StorageError::bad_value, "scenario.json");
   if (const auto builtin = load_builtin(model.scenario().key); builtin && builtin->id == model.scenario().id) {
@@ -107,8 +147,11 @@ Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& m
     beside[volume] = std::move(*bytes);
   }
   auto version =
-      store.scenarios.publish(actor, fresh, canonical_json(fresh), content_hash(fresh, beside).bytes, files);
-  if (version) model.now_published(fresh);
+      store.scenarios.publish(actor, fresh, canonical_json(fresh), content_hash(fresh, beside).bytes, files, draft);
+  if (version) {
+    draft.reset();
+    model.now_published(fresh);
+  }
   return version;
 }
 

@@ -3,7 +3,6 @@
 #include <QBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QSignalBlocker>
 
 #include "ui/editor/editor_model.h"
 #include "ui/widgets/format.h"
@@ -13,7 +12,6 @@ namespace cusp {
 
 NumberBox::NumberBox(EditorModel& model, const QString& name, const QString& unit, double least, double most,
                      double step, int decimals, std::function<bool(double)> take) {
-  setLocale(QLocale());  // the language may be another than when the window was made
   setDecimals(decimals);
   setRange(least, most);
   setSingleStep(step);
@@ -21,23 +19,22 @@ NumberBox::NumberBox(EditorModel& model, const QString& name, const QString& uni
   setFixedWidth(px(112));
   setAccessibleName(name);
   if (!unit.isEmpty()) setSuffix(QChar(0x00A0) + unit_text(unit));
-  // A half-typed number is not one yet; arrows and wheel tell every step.
-  setKeyboardTracking(false);
-  setFocusPolicy(Qt::StrongFocus);
   connect(this, &QDoubleSpinBox::valueChanged, this, [this, take](double value) {
     if (take(value)) {
-      shown_ = value;
-    } else {
-      show_value(shown_);
+      shown_ = this->value();  // the exercise may have taken another one
+      return;
     }
+    const QString wanted = isolate(textFromValue(value) + suffix());
+    show_value(shown_);
+    say(tr("%1 does not go with the rest of the exercise. It stays at %2.")
+            .arg(wanted, isolate(textFromValue(shown_) + suffix())));
   });
   connect(this, &QDoubleSpinBox::editingFinished, this, [&model] { model.end_gesture(); });
 }
 
 void NumberBox::show_value(double value) {
   shown_ = value;
-  const QSignalBlocker quiet(this);
-  setValue(value);
+  NumberField::show_value(value);
 }
 
 bool NumberBox::event(QEvent* event) {
@@ -50,7 +47,7 @@ bool NumberBox::event(QEvent* event) {
       return true;
     }
   }
-  return QDoubleSpinBox::event(event);
+  return NumberField::event(event);
 }
 
 QLabel* add_row(QBoxLayout* column, const QString& text, QWidget* field) {
@@ -62,6 +59,7 @@ QLabel* add_row(QBoxLayout* column, const QString& text, QWidget* field) {
   row->addWidget(label, 1);
   row->addWidget(field);
   column->addLayout(row);
+  if (auto* number = qobject_cast<NumberField*>(field)) column->addWidget(number->note());
   return label;
 }
 

@@ -1,10 +1,12 @@
 // A handle on the target: how it looks, is dragged, and answers to the arrow keys.
 
 #include <QAccessibleWidget>
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/drill/tooth_view.h"
 #include "ui/editor/target_view.h"
@@ -16,13 +18,30 @@ namespace {
 constexpr int kBody = 14, kWhole = 22;                // px: a handle, and the room of its focus ring
 constexpr double kStepMm = 0.05, kFineStepMm = 0.01;  // of an arrow key
 
-/// A handle as a screen reader meets it: something that slides, with its place or size as the value.
+/// A handle as a screen reader meets it: something that slides, with its place or size as the value. A depth or a width grows
+/// and shrinks by actions, a step of the arrow keys each; a point has no more and less, and its numbers stand in the form.
 class KnobForReaders : public QAccessibleWidget {
  public:
-  explicit KnobForReaders(QWidget* knob) : QAccessibleWidget(knob, QAccessible::Slider) {}
+  explicit KnobForReaders(HandleKnob* knob) : QAccessibleWidget(knob, QAccessible::Slider), knob_(*knob) {}
+  QStringList actionNames() const override {
+    QStringList names = QAccessibleWidget::actionNames();
+    if (knob_.handle().kind != TargetHandle::Kind::point) names << increaseAction() << decreaseAction();
+    return names;
+  }
+  void doAction(const QString& name) override {
+    const bool more = name == increaseAction();
+    if (!more && name != decreaseAction()) return QAccessibleWidget::doAction(name);
+    const bool down = knob_.handle().kind == TargetHandle::Kind::depth;
+    const auto [less_key, more_key] = down ? std::pair{Qt::Key_Up, Qt::Key_Down} : std::pair{Qt::Key_Left, Qt::Key_Right};
+    QKeyEvent press(QEvent::KeyPress, more ? more_key : less_key, Qt::NoModifier);
+    QCoreApplication::sendEvent(&knob_, &press);
+  }
   QString text(QAccessible::Text what) const override {
     return what == QAccessible::Value ? widget()->accessibleDescription() : QAccessibleWidget::text(what);
   }
+
+ private:
+  HandleKnob& knob_;
 };
 
 QAccessibleInterface* knob_for_readers(const QString&, QObject* object) {

@@ -125,6 +125,7 @@ PointsForm::Row PointsForm::make_row(std::size_t index) {
   away->setFixedWidth(px(32));
   line->addWidget(away);
   column->addLayout(line);
+  column->addWidget(row.weight->note());
   connect(away, &QPushButton::clicked, this, [this, index] { model_.remove_criterion(index); });
   row.bands = new QFrame;
   row.bands->setProperty("kind", u"sunken"_qs);

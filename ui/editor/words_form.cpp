@@ -15,6 +15,16 @@ constexpr const char* kLanguages[] = {"en", "de"};
 
 }  // namespace
 
+LocalText title_of_copy(const LocalText& title) {
+  LocalText out;
+  for (const auto& [language, text] : title) {
+    const QString name = QString::fromStdString(text);
+    // Content, not the screen's words: each language has its own.
+    out[language] = (language == "de" ? u"%1 (Kopie)"_qs : u"%1 (copy)"_qs).arg(name).toStdString();
+  }
+  return out;
+}
+
 void show_text(QLineEdit& edit, const LocalText& texts, const std::string& language) {
   const auto it = texts.find(language);
   const QString text = it == texts.end() ? QString() : QString::fromStdString(it->second);

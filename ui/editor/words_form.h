@@ -25,6 +25,9 @@ class WordsForm : public QWidget {
 };
 
 /// The text of a language, unless it stands there but for a space that is just being typed.
+/// "Fissure (copy)", in each language that the title is in.
+LocalText title_of_copy(const LocalText& title);
+
 void show_text(QLineEdit& edit, const LocalText& texts, const std::string& language);
 
 }  // namespace cusp

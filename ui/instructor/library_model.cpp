@@ -30,9 +30,10 @@ Stored<Library> load_library(Store& store, const Actor& actor) {
       if (!row.exercise || row.exercise->scenario.id != draft.scenario) continue;
       row.draft = *scenario;
       row.saved_utc_us = draft.saved_utc_us;
+      row.draft_json = draft.json;
       published = true;
     }
-    if (!published) out.rows.push_back({std::nullopt, std::move(*scenario), draft.saved_utc_us});
+    if (!published) out.rows.push_back({std::nullopt, std::move(*scenario), draft.saved_utc_us, draft.json});
   }
   return out;
 }

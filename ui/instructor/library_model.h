@@ -15,6 +15,7 @@ struct LibraryRow {
   std::optional<Exercise> exercise;  // nullopt: a draft that was never published
   std::optional<Scenario> draft;     // the actor's
   std::int64_t saved_utc_us = 0;     // of the draft; 0 without one
+  std::string draft_json = {};       // as the records hold it
   const Scenario& shown() const { return draft ? *draft : exercise->scenario; }
 };
 

@@ -6,6 +6,7 @@
 #include "scenarios/library/library.h"
 #include "ui/app/sentences.h"
 #include "ui/editor/editor_records.h"
+#include "ui/editor/words_form.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -84,11 +85,17 @@ void LibraryPage::discard_draft() {
   ports_.ask(this, {tr("Discard the draft of %1?").arg(local(row.draft->title)),
                     row.exercise ? tr("What is published stays as it is.") : tr("It was never published: nothing of it is left."),
                     tr("Discard the draft"), true},
-             [this, id, published = row.exercise.has_value()](bool yes) {
+             [this, id, published = row.exercise.has_value(), json = row.draft_json](bool yes) {
                if (!yes) return;
-               if (const auto done = store_.scenarios.drop_draft(actor_, id); !done) return tell_failure(done.error());
-               std::error_code ignored;  // a volume that stays behind costs room and nothing else
-               if (!published) std::filesystem::remove_all(drafts_folder(database_, id), ignored);
+               const auto done = store_.scenarios.drop_draft(actor_, id, json);
+               if (!done) return tell_failure(done.error());
+               if (*done == DraftSave::changed_elsewhere) {
+                 band_->show_message(Band::Kind::look, tr("The draft was changed in another window meanwhile."),
+                                     tr("It was not discarded. The list shows it as it is now."));
+               } else if (!published) {
+                 std::error_code ignored;  // a volume that stays behind costs room and nothing else
+                 std::filesystem::remove_all(drafts_folder(database_, id), ignored);
+               }
                read();
                fit_buttons();
              });
@@ -104,7 +111,7 @@ void LibraryPage::open_chosen() {
   if (index < 0) return;
   const LibraryRow& row = model_->row(index);
   if (!row.exercise) {
-    Q_EMIT edit_wanted(open_draft(*row.draft, database_));
+    Q_EMIT edit_wanted(open_draft(*row.draft, row.draft_json, database_));
     return;
   }
   const auto start = open_for_editing(store_, actor_, *row.exercise, database_, cache_);
@@ -120,12 +127,7 @@ void LibraryPage::copy_chosen() {
     band_->show_message(Band::Kind::look, tr("A draft has nothing to copy yet."), tr("Publish it first."));
     return;
   }
-  LocalText title;
-  for (const auto& [language, text] : row.exercise->scenario.title) {
-    const QString name = QString::fromStdString(text);
-    title[language] = (language == "de" ? u"%1 (Kopie)"_qs : u"%1 (copy)"_qs).arg(name).toStdString();
-  }
-  begin_as_copy(*row.exercise, title);
+  begin_as_copy(*row.exercise, title_of_copy(row.exercise->scenario.title));
 }
 
 void LibraryPage::begin_new() {

@@ -26,6 +26,7 @@
 #include "ui/editor/target_view.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
 
 namespace cusp {
@@ -92,6 +93,25 @@ TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   EXPECT_FALSE(publish->isEnabled());
 }
 
+TEST_F(EditorPages, a_number_that_cannot_be_taken_leaves_the_target_and_says_why_at_the_field) {
+  const auto page = open();
+  auto* depth = named<NumberField>(*page, "Depth");
+  ASSERT_NE(depth, nullptr);
+  const auto type = [&](const QString& text) {
+    depth->selectAll();
+    QTest::keyClicks(depth, text);
+    QTest::keyClick(depth, Qt::Key_Return);
+    return page->model().scenario().target.depth_mm;
+  };
+  EXPECT_DOUBLE_EQ(type(QStringLiteral("1,5")), 1.5);
+  EXPECT_DOUBLE_EQ(type(QStringLiteral("-3")), 1.5);
+  EXPECT_TRUE(depth->note()->isVisibleTo(page.get())) << "below its row";
+  EXPECT_DOUBLE_EQ(type(QStringLiteral("1e9")), 1.5);
+  EXPECT_TRUE(depth->said().contains(QStringLiteral("1e9")));
+  page->model().stack().undo();
+  EXPECT_TRUE(depth->said().isEmpty()) << "another value stands there now";
+}
+
 TEST_F(EditorPages, a_shape_chosen_in_the_library_is_taken_however_it_was_pressed) {
   const auto page = open();
   named<QPushButton>(*page, "Box")->setChecked(true);  // as a screen reader presses it
@@ -120,6 +140,14 @@ TEST_F(EditorPages, every_handle_has_a_name_and_answers_to_the_arrow_keys) {
   EXPECT_EQ(page->model().stack().count(), 2);
   QTest::keyClick(knobs[2], Qt::Key_Right);
   EXPECT_DOUBLE_EQ(page->model().scenario().target.width_mm, 1.65);
+  // And to a screen reader's actions, the same step each.
+  const auto act = [](HandleKnob* knob, const QString& name) {
+    QAccessible::queryAccessibleInterface(knob)->actionInterface()->doAction(name);
+  };
+  act(depth, QAccessibleActionInterface::increaseAction());
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.depth_mm, 2.09);
+  act(knobs[2], QAccessibleActionInterface::decreaseAction());
+  EXPECT_DOUBLE_EQ(page->model().scenario().target.width_mm, 1.6);
 }
 
 TEST_F(EditorPages, dragging_a_handle_is_one_step_and_follows_the_hand) {
@@ -309,7 +337,7 @@ TEST_F(EditorPages, a_file_that_is_no_volume_is_refused_in_words) {
 }
 
 TEST_F(EditorPages, a_draft_is_discarded_only_after_asking_and_what_is_published_stays) {
-  ASSERT_TRUE(records.store().scenarios.save_draft(teacher.actor(), coarse().draft.id, canonical_json(coarse().draft)).has_value());
+  ASSERT_TRUE(records.store().scenarios.save_draft(teacher.actor(), coarse().draft.id, canonical_json(coarse().draft), {}).has_value());
   bool answer = false;
   ports.ask = [&answer](QWidget*, const Question&, std::function<void(bool)> then) { then(answer); };
   LibraryPage page(records.store(), teacher.actor(), ports, records.file(), folder.path().toStdString());

@@ -1,0 +1,136 @@
+// The editor's page and the records: keeping the draft, another window that changed it, publishing.
+
+#include <QBoxLayout>
+#include <QDateTime>
+#include <QPointer>
+#include <QPushButton>
+
+#include "scenarios/format/read.h"
+#include "ui/app/language.h"
+#include "ui/app/sentences.h"
+#include "ui/editor/editor_page.h"
+#include "ui/editor/editor_records.h"
+#include "ui/editor/words_form.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+
+Band* EditorPage::make_clash() {
+  clash_ = new Band;
+  QPushButton* copy = make_button(tr("Keep mine as a copy"), ButtonKind::primary);
+  see_theirs_ = make_button(tr("See theirs"));
+  QPushButton* replace = make_button(tr("Replace theirs"), ButtonKind::erase);
+  for (QPushButton* button : {copy, see_theirs_, replace}) clash_->ways_out()->addWidget(button);
+  connect(copy, &QPushButton::clicked, this, &EditorPage::keep_copy);
+  connect(see_theirs_, &QPushButton::clicked, this, &EditorPage::see_theirs);
+  connect(replace, &QPushButton::clicked, this, &EditorPage::ask_to_replace_theirs);
+  return clash_;
+}
+
+void EditorPage::tell_failure(const StorageFailure& failure) {
+  const Told told = tell(failure);
+  band_->show_message(Band::Kind::bad, told.what, told.more);
+}
+
+bool EditorPage::keep() {
+  autosave_.stop();
+  const auto kept = keep_draft(store_, actor_, *model_, kept_);
+  if (!kept) {
+    tell_failure(kept.error());
+    return false;
+  }
+  if (*kept == DraftSave::changed_elsewhere) {
+    show_clash();
+    return false;
+  }
+  clash_->clear();
+  return true;
+}
+
+void EditorPage::show_clash() {
+  if (!clash_->isHidden()) return;  // it was said, and stands until one chooses
+  const auto theirs = store_.scenarios.draft(actor_, model_->scenario().id);
+  if (!theirs) return tell_failure(theirs.error());
+  band_->clear();
+  see_theirs_->setVisible(theirs->has_value());
+  if (*theirs) {
+    const QDateTime when = QDateTime::fromMSecsSinceEpoch((*theirs)->saved_utc_us / 1000, Qt::UTC);
+    clash_->show_message(Band::Kind::look, tr("Another window saved this draft: %1.").arg(format_day_time(when)),
+                         tr("Yours is not saved. Nothing is replaced until you choose."));
+  } else {
+    clash_->show_message(Band::Kind::look, tr("Another window published or discarded this draft."),
+                         tr("Yours is not saved. Nothing is replaced until you choose."));
+  }
+}
+
+void EditorPage::see_theirs() {
+  const auto theirs = store_.scenarios.draft(actor_, model_->scenario().id);
+  if (!theirs) return tell_failure(theirs.error());
+  clash_->clear();
+  if (!*theirs) return show_clash();  // gone meanwhile
+  const auto read = read_scenario((*theirs)->json);
+  if (!read || !model_->take(*read)) {
+    band_->show_message(Band::Kind::bad, tr("The other window’s draft cannot be read."), tr("Yours stands as it was."));
+    return;
+  }
+  kept_ = (*theirs)->json;
+  band_->show_message(Band::Kind::info, tr("This is the other window’s draft."), tr("Undo brings yours back."));
+}
+
+void EditorPage::keep_copy() {
+  const auto copy = keep_as_copy(store_, actor_, *model_, title_of_copy(model_->scenario().title));
+  if (!copy) return tell_failure(copy.error());
+  autosave_.stop();
+  Q_EMIT copied(*copy);
+}
+
+void EditorPage::ask_to_replace_theirs() {
+  ports_.ask(this, {tr("Replace the other window’s draft?"), tr("What was changed there is lost."), tr("Replace theirs"), true},
+             [self = QPointer(this)](bool yes) {
+               if (!self || !yes) return;
+               const auto theirs = self->store_.scenarios.draft(self->actor_, self->model_->scenario().id);
+               if (!theirs) return self->tell_failure(theirs.error());
+               self->kept_ = *theirs ? std::optional((*theirs)->json) : std::nullopt;
+               self->clash_->clear();
+               self->keep();
+             });
+}
+
+void EditorPage::keep_before_closing() {
+  autosave_.stop();
+  const auto kept = keep_draft(store_, actor_, *model_, kept_);
+  if (!kept || *kept == DraftSave::kept) return;
+  // Nobody is asked any more: both stay. A disk that refuses the copy has nobody to tell either.
+  [[maybe_unused]] const auto copy = keep_as_copy(store_, actor_, *model_, title_of_copy(model_->scenario().title));
+}
+
+void EditorPage::leave() {
+  if (keep()) Q_EMIT back_wanted();
+}
+
+void EditorPage::publish_version() {
+  if (!model_->prove()) return;
+  const auto next = next_version(store_, *model_);
+  if (!next) return tell_failure(next.error());
+  if (*next == model_->scenario().version) return publish_now();
+  ports_.ask(this,
+             {tr("Another window has published version %1. Publish yours as version %2?").arg(*next - 1).arg(*next),
+              tr("Students then drill yours. Version %1 stays in the records.").arg(*next - 1),
+              tr("Publish version %1").arg(*next)},
+             [self = QPointer(this)](bool yes) {
+               if (self && yes) self->publish_now();
+             });
+}
+
+void EditorPage::publish_now() {
+  const auto version = publish(store_, actor_, *model_, kept_);
+  if (!version) return tell_failure(version.error());
+  autosave_.stop();
+  clash_->clear();
+  band_->show_message(Band::Kind::good, tr("Version %1 is published.").arg(version->number),
+                      tr("Students find it among their exercises. Earlier results keep the version they were made with."));
+  Q_EMIT published(*version);
+}
+
+}  // namespace cusp
