@@ -185,8 +185,9 @@ Hash256 row_seal(Database& db, SealedTable table, Row row) {
 }
 
 void log_person(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action, UserId who) {
-  const auto seal = transaction.first(
-      std::string(kSealedPeople) + "WHERE id = ?1", [](Row row) { return text_of(person_seal(row)); }, who);
+  std::string one = kSealedPeople;
+  one += "WHERE id = ?1";
+  const auto seal = transaction.first(one, [](Row row) { return text_of(person_seal(row)); }, who);
   if (seal) AuditLog::add(context, transaction, actor, action, who.uuid, *seal);
 }
 

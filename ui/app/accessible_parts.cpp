@@ -4,6 +4,7 @@
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QGraphicsView>
 #include <QMainWindow>
 #include <QMenu>
@@ -73,8 +74,9 @@ QAccessibleInterface* make_part(const QString&, QObject* object) {
   if (qobject_cast<QScrollArea*>(object) || qobject_cast<QGraphicsView*>(object)) {
     return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::Client);
   }
-  if (qobject_cast<QPushButton*>(object) || qobject_cast<QToolButton*>(object)) {
-    return new PressedButton(static_cast<QAbstractButton*>(object));
+  // Own buttons too, of which Qt knows no more than that they are widgets. A check box is as good as Qt's own makes it.
+  if (auto* button = qobject_cast<QAbstractButton*>(object); button && !qobject_cast<QCheckBox*>(object)) {
+    return new PressedButton(button);
   }
   return nullptr;
 }

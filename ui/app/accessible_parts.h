@@ -2,8 +2,9 @@
 /// - The main window and areas that scroll read past the end of their list of parts when one goes between the question how
 ///   many there are and the question for the last one: a scroll bar that hides while a screen reader looks round would end
 ///   the program.
-/// - A button that stays down is only set down, as if nobody had pressed it: nothing that listens for a press happens. One
-///   with a menu waits in it before it answers, and the screen reader with it.
+/// - A button that stays down, and a radio button, is only set down, as if nobody had pressed it: nothing that listens for a
+///   press happens. One with a menu waits in it before it answers, and the screen reader with it.
+/// - A button that is painted by hand is a widget without a name for what it does: it cannot be pressed at all.
 #pragma once
 
 namespace cusp {

@@ -206,7 +206,9 @@ QVector<NavEntry> Desktop::entries() {
              }};
   }
   list += {u"device"_qs, tr("Device"), u"device"_qs, [this, role]() -> QWidget* {
-             return new DevicePage(settings_, ports_, role != Role::student, hid_);
+             auto* page = new DevicePage(settings_, ports_, role != Role::student, hid_);
+             connect(page, &DevicePage::chosen, this, &Desktop::show_device);
+             return page;
            }};
   list += {u"help"_qs, tr("Help"), u"book"_qs, []() -> QWidget* { return new HelpPage; }};
   return list;
@@ -223,9 +225,14 @@ void Desktop::show_shell(const QString& page_key) {
   connect(shell, &Shell::password_wanted, this, [this] { (new PasswordDialog(*store_, *account_, this))->open(); });
   replace_root(shell);
   shell_ = shell;
-  const DeviceChoice device = DeviceSettings(settings_.file()).choice();
-  shell->show_device(device_title(device.kind, device.name), device.kind == "falcon" ? u"device"_qs : u"mouse"_qs);
+  show_device();
   shell->show_page(page_key);
+}
+
+void Desktop::show_device() {
+  if (!shell_) return;
+  const DeviceChoice device = DeviceSettings(settings_.file()).choice();
+  shell_->show_device(device_title(device.kind, device.name), device.kind == "falcon" ? u"device"_qs : u"mouse"_qs);
 }
 
 void Desktop::push(QWidget* fresh) {
@@ -319,6 +326,7 @@ void Desktop::go_anywhere() {
 }
 
 void Desktop::closeEvent(QCloseEvent* event) {
+  for (EditorPage* editor : findChildren<EditorPage*>()) editor->keep_before_closing();
   settings_.set_window(saveGeometry());
   QMainWindow::closeEvent(event);
 }

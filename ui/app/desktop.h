@@ -21,6 +21,8 @@ namespace cusp {
 namespace hid {
 class HidStation;
 }
+class DrillScreen;
+struct DrillText;
 struct EditorStart;
 class PictureShelf;
 class Shell;
@@ -75,10 +77,13 @@ class Desktop : public QMainWindow {
   void show_sign_in(const QString& number = {}, bool staff = false);
   void show_cover();
   void show_shell(const QString& page_key);
+  void show_device();
   void show_refusal(const Told& told);
   void replace_root(QWidget* root);
   void show_briefing(const Exercise& exercise);
   void try_out(const RunPlan& plan, const QString& title);
+  /// A go on the station's device and with its pedal. Whoever calls connects what follows a finished go.
+  DrillScreen* open_drilling(const RunPlan& plan, const DrillText& text);
   static std::filesystem::path volume_folder();
   QVector<NavEntry> entries();
   enum class Keep : std::uint8_t { nothing, grade };

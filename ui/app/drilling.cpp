@@ -13,6 +13,30 @@
 
 namespace cusp {
 
+DrillScreen* Desktop::open_drilling(const RunPlan& plan, const DrillText& text) {
+  auto* screen = new DrillScreen(nullptr, ports_);
+  screen->keep_sound_in(&settings_);
+  const DeviceChoice device = DeviceSettings(settings_.file()).choice();
+  screen->use_device(device);
+  connect(screen, &DrillScreen::left, this, &Desktop::back);
+  connect(screen, &DrillScreen::failed, this, [this, kind = device.kind](const RunFailure& failure) {
+    back();
+    const auto* port = std::get_if<PortError>(&failure.cause);
+    tell_failure(port != nullptr && kind == "falcon" ? tell_falcon({*port, failure.where, failure.detail}) : tell(failure));
+  });
+  push(screen);
+  for (SpaceMouseTurner* turner : screen->findChildren<SpaceMouseTurner*>()) {
+    connect(turner, &SpaceMouseTurner::mirror_asked, screen, [screen] {
+      QKeyEvent mirror(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier);  // so that the tool bar shows it too
+      QApplication::sendEvent(screen, &mirror);
+    });
+  }
+  RunPlan with_pedal = plan;
+  if (hid_) with_pedal.pedal = hid_->pedal_source();
+  screen->begin(std::move(with_pedal), text);
+  return screen;
+}
+
 void Desktop::drill(const Exercise& exercise) {
   RunPlan plan;
   QString aside = tr("Try it: nothing is kept");
@@ -48,29 +72,11 @@ void Desktop::show_drilling(const Exercise& exercise, RunPlan plan, const QStrin
   plan.version = exercise.version;
   if (const auto folder = exercise_folder(*store_, exercise, volume_folder())) plan.scenario_folder = *folder;
   const DrillText text{local(exercise.scenario.title), aside};
-  if (hid_) plan.pedal = hid_->pedal_source();
-  auto* screen = new DrillScreen;
-  screen->keep_sound_in(&settings_);
-  connect(screen, &DrillScreen::left, this, &Desktop::back);
-  const DeviceChoice device = DeviceSettings(settings_.file()).choice();
-  screen->use_device(device);
-  connect(screen, &DrillScreen::failed, this, [this, kind = device.kind](const RunFailure& failure) {
-    back();
-    const auto* port = std::get_if<PortError>(&failure.cause);
-    tell_failure(port != nullptr && kind == "falcon" ? tell_falcon({*port, failure.where, failure.detail}) : tell(failure));
-  });
+  DrillScreen* screen = open_drilling(plan, text);
   connect(screen, &DrillScreen::finished, this, [this, exercise](std::shared_ptr<const RunResult> result) {
     back();
     show_result(std::move(result), exercise);
   });
-  push(screen);
-  for (SpaceMouseTurner* turner : screen->findChildren<SpaceMouseTurner*>()) {
-    connect(turner, &SpaceMouseTurner::mirror_asked, screen, [screen] {
-      QKeyEvent mirror(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier);  // so that the tool bar shows it too
-      QApplication::sendEvent(screen, &mirror);
-    });
-  }
-  screen->begin(std::move(plan), text);
 }
 
 }  // namespace cusp

@@ -11,6 +11,10 @@ void Desktop::edit(const EditorStart& start) {
   auto* editor = new EditorPage(*store_, account_->actor(), ports_, start);
   connect(editor, &EditorPage::back_wanted, this, &Desktop::back);
   connect(editor, &EditorPage::try_out_wanted, this, &Desktop::try_out);
+  connect(editor, &EditorPage::copied, this, [this](const EditorStart& copy) {
+    back();
+    edit(copy);
+  });
   push(editor);
 }
 
@@ -25,19 +29,11 @@ void Desktop::import_specimen() {
 }
 
 void Desktop::try_out(const RunPlan& plan, const QString& title) {
-  auto* screen = new DrillScreen(nullptr, ports_);
-  screen->keep_sound_in(&settings_);
-  connect(screen, &DrillScreen::left, this, &Desktop::back);
-  connect(screen, &DrillScreen::failed, this, [this](const RunFailure& failure) {
-    back();
-    tell_failure(tell(failure));
-  });
+  DrillScreen* screen = open_drilling(plan, {title, tr("Try-out: nothing is kept")});
   connect(screen, &DrillScreen::finished, this, [this](std::shared_ptr<const RunResult> result) {
     back();
     show_result(std::move(result), std::nullopt);
   });
-  push(screen);
-  screen->begin(plan, {title, tr("Try-out: nothing is kept")});
 }
 
 }  // namespace cusp

@@ -12,8 +12,20 @@ EXERCISE = "Straight channel, level 1"
 DEPTH_MM = "1.50"  # it ships with 2.00
 
 
+def choose_devices(program):
+    """As a screen reader chooses: by the action alone, never by the mouse."""
+    for device in ("Emulated Falcon, driven by mouse", "Mouse and keys"):
+        school.page(program, "Device")
+        program.press(device, "radio button")
+        side = program.find(None, "Pages")
+        program.find("label", device, within=side)
+        school.page(program, "Library")
+        program.find("label", device, within=side)
+
+
 def visit(program):
     school.sign_in_staff(program, *school.TEACHER[1:])
+    choose_devices(program)
     school.page(program, "Library")
     school.row_of(program, "Exercises", EXERCISE)[0].click()
     program.press("Open in the editor")
