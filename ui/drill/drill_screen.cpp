@@ -153,9 +153,7 @@ DrillScreen::~DrillScreen() {
 }
 
 void DrillScreen::keep_sound_in(Settings* settings) { inner_->sound->keep_in(settings); }
-
 bool DrillScreen::running() const { return inner_->go && inner_->go->run && !inner_->over; }
-
 ToothView* DrillScreen::view() const { return inner_->stage->view(); }
 
 void DrillScreen::enable_controls(bool on) {
@@ -219,8 +217,8 @@ void DrillScreen::opened(std::shared_ptr<OpenedGo> opened, const std::optional<R
     const Scene& scene = *inner_->go->run->scene();
     const LiveView live = inner_->go->run->view();
     const StepOutput& out = live.output;
-    return BurrPose{scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)], out.proxy_mm,
-                    out.tick > 0 ? out.axis : scene.tool_axis, out.cutting && !stands_still(live)};
+    const Burr& burr = scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)];
+    return BurrPose{burr, out.proxy_mm, out.tick > 0 ? out.axis : scene.tool_axis, out.cutting && !stands_still(live)};
   });
   if (go.device.hand) {
     // An emulated Falcon has three axes: it cannot turn the handpiece.
@@ -390,11 +388,6 @@ void DrillScreen::focusOutEvent(QFocusEvent* event) {
   // Another widget or window, or a menu, gets what follows: a key that is let go there is never told here.
   if (inner_->input) inner_->input->let_go();
   QWidget::focusOutEvent(event);
-}
-
-void DrillScreen::hideEvent(QHideEvent* event) {
-  if (inner_->input) inner_->input->let_go();
-  QWidget::hideEvent(event);
 }
 
 bool DrillScreen::eventFilter(QObject* watched, QEvent* event) {
