@@ -1,6278 +1,7014 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en_US">
-    <context>
-        <name>CliWords</name>
-        <message>
-            <source>passed</source>
-            <translation>bestanden</translation>
-        </message>
-        <message>
-            <source>not passed</source>
-            <translation>nicht bestanden</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::AgainstBefore</name>
-        <message>
-            <source>%1 %2</source>
-            <translation>%1 %2</translation>
-        </message>
-        <message>
-            <source>Against your best before</source>
-            <translation>Gegen Ihren besten Durchgang davor</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Briefing</name>
-        <message>
-            <source>Back</source>
-            <translation>Zurück</translation>
-        </message>
-        <message>
-            <source>The tooth with its target</source>
-            <translation>Der Zahn mit seinem Ziel</translation>
-        </message>
-        <message>
-            <source>Burrs</source>
-            <translation>Bohrer</translation>
-        </message>
-        <message>
-            <source>Wanted depth</source>
-            <translation>Gewünschte Tiefe</translation>
-        </message>
-        <message>
-            <source>Leeway</source>
-            <translation>Spielraum</translation>
-        </message>
-        <message>
-            <source>%1 at the floor, %2 at the sides</source>
-            <translation>%1 am Boden, %2 an den Seiten</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <source>%1 at most</source>
-            <translation>höchstens %1</translation>
-        </message>
-        <message>
-            <source>as much as you need; time earns no points</source>
-            <translation>so viel Sie brauchen; Zeit bringt keine Punkte</translation>
-        </message>
-        <message>
-            <source>Pass mark</source>
-            <translation>Bestehensgrenze</translation>
-        </message>
-        <message>
-            <source>%1 of 100</source>
-            <translation>%1 von 100</translation>
-        </message>
-        <message>
-            <source>Fails the go</source>
-            <translation>Führt zum Nichtbestehen</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Start</translation>
-        </message>
-        <message>
-            <source>Enter starts</source>
-            <translation>Enter startet</translation>
-        </message>
-        <message>
-            <source>What earns points</source>
-            <translation>Was Punkte bringt</translation>
-        </message>
-        <message>
-            <source>Full points</source>
-            <translation>Volle Punktzahl</translation>
-        </message>
-        <message>
-            <source>Criterion</source>
-            <translation>Kriterium</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>With mouse and keys</source>
-            <translation>Mit Maus und Tasten</translation>
-        </message>
-        <message>
-            <source>Move the mouse, or the arrow keys, to slide the burr over the tooth. Push with the wheel or with Page Down, let up with Page Up. Hold Space, or the left button, to cut.</source>
-            <translation>Mit der Maus oder den Pfeiltasten gleitet der Bohrer über den Zahn. Drücken Sie mit dem Mausrad oder Bild ab, geben Sie mit Bild auf nach. Zum Abtragen die Leertaste oder die linke Maustaste halten.</translation>
-        </message>
-        <message>
-            <source>; </source>
-            <extracomment>Between the burrs of a list, each of which has commas of its own.</extracomment>
-            <translation>; </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::BurrTray</name>
-        <message>
-            <source>Burrs</source>
-            <translation>Bohrer</translation>
-        </message>
-        <message>
-            <source>[ and ]</source>
-            <translation>[ und ]</translation>
-        </message>
-        <message>
-            <source>%1 %2</source>
-            <extracomment>Kind of burr and its diameter in mm, as "round 1.0".</extracomment>
-            <translation>%1 %2</translation>
-        </message>
-        <message>
-            <source>Burr %1</source>
-            <translation>Bohrer %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::BurrsForm</name>
-        <message>
-            <source>Burr to add</source>
-            <translation>Neuer Bohrer</translation>
-        </message>
-        <message>
-            <source>Add</source>
-            <translation>Hinzufügen</translation>
-        </message>
-        <message>
-            <source>Add a burr</source>
-            <translation>Bohrer hinzufügen</translation>
-        </message>
-        <message>
-            <source>Burr %1</source>
-            <translation>Bohrer %1</translation>
-        </message>
-        <message>
-            <source>Diameter of burr %1</source>
-            <translation>Durchmesser von Bohrer %1</translation>
-        </message>
-        <message>
-            <source>Remove burr %1</source>
-            <translation>Bohrer %1 entfernen</translation>
-        </message>
-        <message>
-            <source>Burrs</source>
-            <translation>Bohrer</translation>
-        </message>
-        <message>
-            <source>Number, shape and diameter</source>
-            <translation>Nummer, Form und Durchmesser</translation>
-        </message>
-        <message>
-            <source>Add from the catalogue</source>
-            <translation>Aus dem Katalog hinzufügen</translation>
-        </message>
-        <message>
-            <source>Shape of the burr to add</source>
-            <translation>Form des Bohrers, der hinzukommt</translation>
-        </message>
-        <message>
-            <source>Sizes and outlines are the usual ones, not verified. Blades are not modelled: a head is the body that they sweep.</source>
-            <translation>Größen und Umrisse sind die üblichen, nicht geprüft. Schneiden sind nicht nachgebildet: Ein Kopf ist der Körper, den sie überstreichen.</translation>
-        </message>
-        <message>
-            <source>%1, %2</source>
-            <extracomment>Number of a burr and its diameter.</extracomment>
-            <translation>%1, %2</translation>
-        </message>
-        <message>
-            <source>All burrs of this shape are in the exercise.</source>
-            <translation>Alle Bohrer dieser Form sind in der Übung.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Busy</name>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Chart</name>
-        <message>
-            <source>Which</source>
-            <translation>Welcher</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Checks</name>
-        <message>
-            <source>The target reaches into the pulp, and opening it fails the go: nobody could pass.</source>
-            <translation>Das Ziel reicht in die Pulpa, und sie zu eröffnen heißt nicht bestehen: Niemand könnte bestehen.</translation>
-        </message>
-        <message>
-            <source>The leeway reaches the pulp: it lies %1 from the target.</source>
-            <translation>Der Spielraum reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
-        </message>
-        <message>
-            <source>There is no burr to work with. Add one.</source>
-            <translation>Es gibt keinen Bohrer zum Arbeiten. Fügen Sie einen hinzu.</translation>
-        </message>
-        <message>
-            <source>There is no target to cut.</source>
-            <translation>Es gibt kein Ziel zum Abtragen.</translation>
-        </message>
-        <message>
-            <source>The target’s points do not fit its shape.</source>
-            <translation>Die Punkte des Ziels passen nicht zu seiner Form.</translation>
-        </message>
-        <message>
-            <source>Nothing is graded yet. Add a criterion.</source>
-            <translation>Noch wird nichts bewertet. Fügen Sie ein Kriterium hinzu.</translation>
-        </message>
-        <message>
-            <source>%1 has no points. Give it some, or remove it.</source>
-            <translation>%1 hat keine Punkte. Geben Sie ihm welche oder entfernen Sie es.</translation>
-        </message>
-        <message>
-            <source>The bands of %1 are not in rising order.</source>
-            <translation>Die Stufen von %1 steigen nicht an.</translation>
-        </message>
-        <message>
-            <source>The pass mark %1 is out of reach: at most %2 points can be had.</source>
-            <translation>Die Bestehensgrenze %1 ist nicht erreichbar: höchstens %2 Punkte sind möglich.</translation>
-        </message>
-        <message>
-            <source>%1 is protected, but this tooth has none.</source>
-            <translation>%1 ist geschützt, kommt an diesem Zahn aber nicht vor.</translation>
-        </message>
-        <message>
-            <source>The tooth holds %1, which this exercise does not describe.</source>
-            <translation>Der Zahn enthält %1; diese Übung beschreibt das nicht.</translation>
-        </message>
-        <message>
-            <source>%1 is described, but this tooth has none.</source>
-            <translation>%1 ist beschrieben, kommt an diesem Zahn aber nicht vor.</translation>
-        </message>
-        <message>
-            <source>The target reaches out of the tooth: to %1, where the tooth ends at %2.</source>
-            <translation>Das Ziel ragt aus dem Zahn: bis %1, der Zahn endet bei %2.</translation>
-        </message>
-        <message>
-            <source>The file’s fineness is %2, not %1 as stated.</source>
-            <translation>Die Feinheit der Datei ist %2, nicht %1 wie angegeben.</translation>
-        </message>
-        <message>
-            <source>%1 is too thin to be judged at this fineness; from %2 it can.</source>
-            <translation>%1 ist bei dieser Feinheit zu dünn zum Beurteilen; ab %2 geht es.</translation>
-        </message>
-        <message>
-            <source>No burr fits: the smallest is %1 wide, the target %2.</source>
-            <translation>Kein Bohrer passt: der kleinste ist %1 breit, das Ziel %2.</translation>
-        </message>
-        <message>
-            <source>The corner radius %1 is sharper than the smallest burr leaves it (%2).</source>
-            <translation>Der Eckenradius %1 ist schärfer, als ihn der kleinste Bohrer hinterlässt (%2).</translation>
-        </message>
-        <message>
-            <source>The leeway of %1 is finer than the tooth is known (%2).</source>
-            <translation>Der Spielraum von %1 ist feiner, als der Zahn bekannt ist (%2).</translation>
-        </message>
-        <message>
-            <source>A point of the target does not lie on its floor.</source>
-            <translation>Ein Punkt des Ziels liegt nicht auf seinem Boden.</translation>
-        </message>
-        <message>
-            <source>A go that meets the target exactly loses %1 points for %2.</source>
-            <translation>Ein Durchgang, der das Ziel genau trifft, verliert %1 Punkte für %2.</translation>
-        </message>
-        <message>
-            <source>The title is missing in %1.</source>
-            <translation>Der Titel fehlt auf %1.</translation>
-        </message>
-        <message>
-            <source>The briefing is missing in %1.</source>
-            <translation>Die Aufgabe fehlt auf %1.</translation>
-        </message>
-        <message>
-            <source>Nothing of this tooth can be cut.</source>
-            <translation>Von diesem Zahn lässt sich nichts abtragen.</translation>
-        </message>
-        <message>
-            <source>Something is wrong at %1.</source>
-            <translation>Bei %1 stimmt etwas nicht.</translation>
-        </message>
-        <message>
-            <source>Only one handpiece can be used at a time.</source>
-            <translation>Es kann nur ein Handstück zugleich benutzt werden.</translation>
-        </message>
-        <message>
-            <source>The drilling sound needs a handpiece.</source>
-            <translation>Das Bohrgeräusch braucht ein Handstück.</translation>
-        </message>
-        <message>
-            <source>Vibration needs a handpiece.</source>
-            <translation>Das Zittern braucht ein Handstück.</translation>
-        </message>
-        <message>
-            <source>%1 is graded, but this exercise does not reckon coolant and heat.</source>
-            <translation>%1 wird bewertet, aber diese Übung rechnet Kühlung und Wärme nicht.</translation>
-        </message>
-        <message>
-            <source>Burr %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.</source>
-            <translation>Bohrer %1 ist für diese Feinheit zu klein: sein Durchmesser ist %2, ab %3 trägt er genau ab.</translation>
-        </message>
-        <message>
-            <source>The head of burr %1 is too short for this fineness: %2 long, from %3 it cuts truly.</source>
-            <translation>Der Kopf von Bohrer %1 ist für diese Feinheit zu kurz: %2 lang, ab %3 trägt er genau ab.</translation>
-        </message>
-        <message>
-            <source>The neck of burr %1 is wider than its head.</source>
-            <translation>Der Hals von Bohrer %1 ist dicker als sein Kopf.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Cli</name>
-        <message>
-            <source>Number of the account to act as; its password comes from CUSP_PASSWORD or stdin. Without it: the student demo</source>
-            <translation>Nummer des Kontos, das handelt; sein Passwort kommt aus CUSP_PASSWORD oder stdin. Ohne Angabe: demo</translation>
-        </message>
-        <message>
-            <source>This database has accounts: say with --as which one to act as.</source>
-            <translation>Diese Datenbank hat Konten: mit --as angeben, welches handelt.</translation>
-        </message>
-        <message>
-            <source>Password: </source>
-            <translation>Passwort: </translation>
-        </message>
-        <message>
-            <source>%1 is not a session’s id.</source>
-            <translation>%1 ist keine Kennung eines Durchgangs.</translation>
-        </message>
-        <message>
-            <source>Nothing can be written to %1.</source>
-            <translation>In %1 kann nichts geschrieben werden.</translation>
-        </message>
-        <message>
-            <source>%1 of %2 points: %3</source>
-            <translation>%1 von %2 Punkten: %3</translation>
-        </message>
-        <message>
-            <source>passed</source>
-            <translation>bestanden</translation>
-        </message>
-        <message>
-            <source>not passed</source>
-            <translation>nicht bestanden</translation>
-        </message>
-        <message>
-            <source>Run a stored session again and grade it as it stands; an interrupted one keeps that grade</source>
-            <translation>Einen gespeicherten Durchgang erneut rechnen und bewerten, wie er ist; ein unterbrochener behält diese Bewertung</translation>
-        </message>
-        <message>
-            <source>Database</source>
-            <translation>Datenbank</translation>
-        </message>
-        <message>
-            <source>The session's id</source>
-            <translation>Kennung des Durchgangs</translation>
-        </message>
-        <message>
-            <source>Another rubric: a scenario.json or its rubric alone. Shown, not stored</source>
-            <translation>Anderer Bewertungsschlüssel: eine scenario.json oder nur deren Schlüssel. Wird gezeigt, nicht gespeichert</translation>
-        </message>
-        <message>
-            <source>Folder for the report</source>
-            <translation>Ordner für den Bericht</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n session(s) and the audit log are whole.</source>
-            <translation>
-                <numerusform>%n Durchgang und das Protokoll sind vollständig.</numerusform>
-                <numerusform>%n Durchgänge und das Protokoll sind vollständig.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>What is kept: sessions, one of them, or proof of all</source>
-            <translation>Was aufbewahrt ist: Durchgänge, einer davon oder der Nachweis für alle</translation>
-        </message>
-        <message>
-            <source>Sessions, newest first</source>
-            <translation>Durchgänge, neueste zuerst</translation>
-        </message>
-        <message>
-            <source>Part of a name or number</source>
-            <translation>Teil eines Namens oder einer Nummer</translation>
-        </message>
-        <message>
-            <source>At most so many</source>
-            <translation>Höchstens so viele</translation>
-        </message>
-        <message>
-            <source>One session: events, removed tissue, grade</source>
-            <translation>Ein Durchgang: Ereignisse, abgetragenes Gewebe, Bewertung</translation>
-        </message>
-        <message>
-            <source>The file, each session's chain, and the audit log</source>
-            <translation>Die Datei, die Kette jedes Durchgangs und das Protokoll</translation>
-        </message>
-        <message>
-            <source>closed</source>
-            <translation>geschlossen</translation>
-        </message>
-        <message>
-            <source>open</source>
-            <translation>offen</translation>
-        </message>
-        <message>
-            <source>Say with -o where the volume is to be written.</source>
-            <translation>Mit -o angeben, wohin das Volumen geschrieben wird.</translation>
-        </message>
-        <message>
-            <source>%1 is no axis: x, y, z, -x, -y or -z.</source>
-            <translation>%1 ist keine Achse: x, y, z, -x, -y oder -z.</translation>
-        </message>
-        <message>
-            <source>%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.</source>
-            <translation>%1 ist nicht NETZ=GEWEBE mit einem Gewebe wie enamel, dentine oder pulp.</translation>
-        </message>
-        <message>
-            <source>Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes.</source>
-            <translation>Mit --tissue NETZ=GEWEBE angeben, woraus jedes Netz besteht; --list nennt die Netze.</translation>
-        </message>
-        <message>
-            <source>Volume to write (NRRD)</source>
-            <translation>Zu schreibendes Volumen (NRRD)</translation>
-        </message>
-        <message>
-            <source>Length of one unit of the file in millimetres</source>
-            <translation>Länge einer Einheit der Datei in Millimetern</translation>
-        </message>
-        <message>
-            <source>Edge of a voxel in millimetres</source>
-            <translation>Kantenlänge eines Voxels in Millimetern</translation>
-        </message>
-        <message>
-            <source>The file's axis towards the chewing surface</source>
-            <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
-        </message>
-        <message>
-            <source>Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session's id</source>
-            <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
-        </message>
-        <message>
-            <source>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
-            <translation>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
-        </message>
-        <message>
-            <source>Of the hand's tremor</source>
-            <translation>Des Zitterns der Hand</translation>
-        </message>
-        <message>
-            <source>Print each second of the session to stderr as it is played</source>
-            <translation>Jede Sekunde des Durchgangs auf stderr ausgeben, während er läuft</translation>
-        </message>
-        <message>
-            <source>Database; made when it is not there. Without it: cusp.db in DIR</source>
-            <translation>Datenbank; wird angelegt, wenn sie fehlt. Ohne Angabe: cusp.db in DIR</translation>
-        </message>
-        <message>
-            <source>The record is whole. It was made by engine %1 and is not computed again by engine %2.</source>
-            <translation>Die Aufzeichnung ist vollständig. Sie stammt von Rechenkern %1 und wird von Rechenkern %2 nicht neu berechnet.</translation>
-        </message>
-        <message numerus="yes">
-            <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
-            <translation>
-                <numerusform>Die Aufzeichnung ist vollständig; %n Takt ergibt denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
-                <numerusform>Die Aufzeichnung ist vollständig; %n Takte ergeben denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Run a stored session again and print the hash of its tooth</source>
-            <translation>Einen gespeicherten Durchgang erneut rechnen und die Prüfsumme seines Zahns ausgeben</translation>
-        </message>
-        <message>
-            <source>Prove it: the record's chain, then tooth and grade bit for bit</source>
-            <translation>Nachweisen: die Kette der Aufzeichnung, dann Zahn und Bewertung Bit für Bit</translation>
-        </message>
-        <message>
-            <source>Write the tooth as it is after the last tick (NRRD)</source>
-            <translation>Den Zahn schreiben, wie er nach dem letzten Takt ist (NRRD)</translation>
-        </message>
-        <message>
-            <source>%1 cannot be written.</source>
-            <translation>%1 kann nicht geschrieben werden.</translation>
-        </message>
-        <message>
-            <source>The picture of the tooth cannot be drawn: there is no OpenGL.</source>
-            <translation>Das Bild des Zahns kann nicht gezeichnet werden: OpenGL fehlt.</translation>
-        </message>
-        <message>
-            <source>The record and the report are kept.</source>
-            <translation>Aufzeichnung und Bericht sind aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>Grow a specimen and write its volume</source>
-            <translation>Ein Präparat erzeugen und sein Volumen schreiben</translation>
-        </message>
-        <message>
-            <source>tooth, block, layered-block or paper-block</source>
-            <translation>tooth, block, layered-block oder paper-block</translation>
-        </message>
-        <message>
-            <source>A tooth of plastic, as in a training model</source>
-            <translation>Ein Zahn aus Kunststoff, wie in einem Übungsmodell</translation>
-        </message>
-        <message>
-            <source>With the teeth that touch it</source>
-            <translation>Mit den Zähnen, die ihn berühren</translation>
-        </message>
-        <message>
-            <source>With the gingiva about it</source>
-            <translation>Mit der Gingiva ringsum</translation>
-        </message>
-        <message>
-            <source>With the bone and the ligament about its roots</source>
-            <translation>Mit Knochen und Wurzelhaut um seine Wurzeln</translation>
-        </message>
-        <message>
-            <source>Decay: fissure, proximal or root, then its place, radius and depth in millimetres, and softness from 0 to 1</source>
-            <translation>Karies: fissure, proximal oder root, dann Ort, Radius und Tiefe in Millimetern und Weichheit von 0 bis 1</translation>
-        </message>
-        <message>
-            <source>Tooth number, 11 to 48</source>
-            <translation>Zahnnummer, 11 bis 48</translation>
-        </message>
-        <message>
-            <source>Natural variation; 0 = the average tooth</source>
-            <translation>Natürliche Schwankung; 0 = der Durchschnittszahn</translation>
-        </message>
-        <message>
-            <source>Error: %1</source>
-            <translation>Fehler: %1</translation>
-        </message>
-        <message>
-            <source>Warning: %1</source>
-            <translation>Warnung: %1</translation>
-        </message>
-        <message>
-            <source>%1 cannot be used: %2</source>
-            <translation>%1 ist nicht verwendbar: %2</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1 cannot be used: %2 (and %n more)</source>
-            <translation>
-                <numerusform>%1 ist nicht verwendbar: %2 (und %n weiterer Grund)</numerusform>
-                <numerusform>%1 ist nicht verwendbar: %2 (und %n weitere Gründe)</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 can be used.</source>
-            <translation>%1 ist verwendbar.</translation>
-        </message>
-        <message>
-            <source>Check a scenario: its form, its values, and its specimen</source>
-            <translation>Eine Übung prüfen: Form, Werte und Präparat</translation>
-        </message>
-        <message>
-            <source>A scenario.json, its folder, or a built-in one</source>
-            <translation>Eine scenario.json, ihr Ordner oder eine mitgelieferte</translation>
-        </message>
-        <message>
-            <source>Leave the specimen out</source>
-            <translation>Das Präparat auslassen</translation>
-        </message>
-        <message>
-            <source>Write the result as JSON to FILE, or to stdout for -</source>
-            <translation>Das Ergebnis als JSON in FILE schreiben, bei - auf stdout</translation>
-        </message>
-        <message>
-            <source>Cusp: cavity preparation with a grade. Without a verb it opens the desktop.</source>
-            <translation>Cusp: Kavitätenpräparation mit Bewertung. Ohne Befehl öffnet sich die Oberfläche.</translation>
-        </message>
-        <message>
-            <source>%1 (cusp VERB --help says more)</source>
-            <translation>%1 (mehr sagt cusp BEFEHL --help)</translation>
-        </message>
-        <message>
-            <source>There is not enough memory.</source>
-            <translation>Der Speicher reicht nicht.</translation>
-        </message>
-        <message>
-            <source>Something unexpected happened (%1). What was recorded before is kept.</source>
-            <translation>Etwas Unerwartetes ist geschehen (%1). Was vorher aufgezeichnet war, ist aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>it has no instrument</source>
-            <translation>es gibt kein Instrument</translation>
-        </message>
-        <message>
-            <source>it has no target</source>
-            <translation>es gibt kein Ziel</translation>
-        </message>
-        <message>
-            <source>the target’s path does not fit its shape</source>
-            <translation>der Pfad des Ziels passt nicht zu seiner Form</translation>
-        </message>
-        <message>
-            <source>the target is empty</source>
-            <translation>das Ziel ist leer</translation>
-        </message>
-        <message>
-            <source>the rubric has no criterion</source>
-            <translation>der Bewertungsschlüssel hat kein Kriterium</translation>
-        </message>
-        <message>
-            <source>no criterion brings points</source>
-            <translation>kein Kriterium bringt Punkte</translation>
-        </message>
-        <message>
-            <source>the bands are not in rising order</source>
-            <translation>die Stufen steigen nicht an</translation>
-        </message>
-        <message>
-            <source>the pass mark cannot be reached</source>
-            <translation>die Bestehensgrenze ist nicht erreichbar</translation>
-        </message>
-        <message>
-            <source>a protected tissue is missing (%1)</source>
-            <translation>ein geschütztes Gewebe fehlt (%1)</translation>
-        </message>
-        <message>
-            <source>the specimen holds a tissue that is not described (%1)</source>
-            <translation>das Präparat enthält ein Gewebe, das nicht beschrieben ist (%1)</translation>
-        </message>
-        <message>
-            <source>a tissue does not occur in the specimen (%1)</source>
-            <translation>ein Gewebe kommt im Präparat nicht vor (%1)</translation>
-        </message>
-        <message>
-            <source>the target lies outside the specimen</source>
-            <translation>das Ziel liegt außerhalb des Präparats</translation>
-        </message>
-        <message>
-            <source>the volume’s voxels are not of the size that is stated</source>
-            <translation>die Voxel des Volumens haben nicht die angegebene Größe</translation>
-        </message>
-        <message>
-            <source>a feature is thinner than 2.5 voxels and cannot be judged</source>
-            <translation>eine Einzelheit ist dünner als 2,5 Voxel und nicht beurteilbar</translation>
-        </message>
-        <message>
-            <source>a burr’s radius is below 3 voxels</source>
-            <translation>der Radius eines Bohrers liegt unter 3 Voxeln</translation>
-        </message>
-        <message>
-            <source>a burr’s neck is wider than its ball</source>
-            <translation>der Hals eines Bohrers ist breiter als seine Kugel</translation>
-        </message>
-        <message>
-            <source>no burr fits into the target</source>
-            <translation>kein Bohrer passt in das Ziel</translation>
-        </message>
-        <message>
-            <source>the target’s corners are sharper than the smallest burr</source>
-            <translation>die Ecken des Ziels sind schärfer als der kleinste Bohrer</translation>
-        </message>
-        <message>
-            <source>the leeway is thinner than a voxel</source>
-            <translation>der Spielraum ist dünner als ein Voxel</translation>
-        </message>
-        <message>
-            <source>points of the path do not lie on the floor</source>
-            <translation>Punkte des Pfads liegen nicht auf dem Boden</translation>
-        </message>
-        <message>
-            <source>a go that meets the target loses points</source>
-            <translation>ein Durchgang, der das Ziel trifft, verliert Punkte</translation>
-        </message>
-        <message>
-            <source>a text is missing in a language (%1)</source>
-            <translation>ein Text fehlt in einer Sprache (%1)</translation>
-        </message>
-        <message>
-            <source>nothing can be cut</source>
-            <translation>nichts lässt sich abtragen</translation>
-        </message>
-        <message>
-            <source>%1 (%2, limit %3).</source>
-            <translation>%1 (%2, Grenze %3).</translation>
-        </message>
-        <message>
-            <source>%1, row %2</source>
-            <translation>%1, Zeile %2</translation>
-        </message>
-        <message>
-            <source>, second %1 of the session</source>
-            <translation>, Sekunde %1 des Durchgangs</translation>
-        </message>
-        <message>
-            <source>The record was changed: %1%2.</source>
-            <translation>Die Aufzeichnung wurde verändert: %1%2.</translation>
-        </message>
-        <message>
-            <source>A part of the record is missing: %1%2.</source>
-            <translation>Ein Teil der Aufzeichnung fehlt: %1%2.</translation>
-        </message>
-        <message>
-            <source>Something was added to the record: %1%2.</source>
-            <translation>Der Aufzeichnung wurde etwas hinzugefügt: %1%2.</translation>
-        </message>
-        <message>
-            <source>The record’s chain is broken: %1%2.</source>
-            <translation>Die Kette der Aufzeichnung ist unterbrochen: %1%2.</translation>
-        </message>
-        <message>
-            <source>The signature over the record does not hold: %1%2.</source>
-            <translation>Die Signatur der Aufzeichnung stimmt nicht: %1%2.</translation>
-        </message>
-        <message>
-            <source>The station’s key is not the one that signed: %1%2.</source>
-            <translation>Der Schlüssel der Station ist nicht der, mit dem signiert wurde: %1%2.</translation>
-        </message>
-        <message>
-            <source>The record cannot be read: %1%2.</source>
-            <translation>Die Aufzeichnung kann nicht gelesen werden: %1%2.</translation>
-        </message>
-        <message>
-            <source>The record does not add up: %1%2.</source>
-            <translation>Die Aufzeichnung geht nicht auf: %1%2.</translation>
-        </message>
-        <message>
-            <source>The replay comes to another state at tick %1.</source>
-            <translation>Die Wiederholung kommt bei Takt %1 zu einem anderen Zustand.</translation>
-        </message>
-        <message>
-            <source>The replay comes to another tooth than the one that is stored.</source>
-            <translation>Die Wiederholung kommt zu einem anderen Zahn als dem gespeicherten.</translation>
-        </message>
-        <message>
-            <source>The replay comes to another grade than the one that is stored (%1).</source>
-            <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
-        </message>
-        <message>
-            <source>turned inside out</source>
-            <translation>nach innen gewendet</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: %n triangle(s), %2, %3 mm</source>
-            <translation>
-                <numerusform>%1: %n Dreieck, %2, %3 mm</numerusform>
-                <numerusform>%1: %n Dreiecke, %2, %3 mm</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>gap of %1 mm at %2, %3, %4 mm</source>
-            <translation>Lücke von %1 mm bei %2, %3, %4 mm</translation>
-        </message>
-        <message>
-            <source>%1 × %2 × %3 voxels of %4 × %5 × %6 mm</source>
-            <translation>%1 × %2 × %3 Voxel zu %4 × %5 × %6 mm</translation>
-        </message>
-        <message>
-            <source>The file does not say how large a voxel is; --unit-mm does.</source>
-            <translation>Die Datei sagt nicht, wie groß ein Voxel ist; --unit-mm sagt es.</translation>
-        </message>
-        <message>
-            <source>Grey values from %1 to %2</source>
-            <translation>Grauwerte von %1 bis %2</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: %n voxel(s)</source>
-            <translation>
-                <numerusform>%1: %n Voxel</numerusform>
-                <numerusform>%1: %n Voxel</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 is no label of a volume: it takes its number.</source>
-            <translation>%1 ist kein Kennwert eines Volumens: er wird als Zahl angegeben.</translation>
-        </message>
-        <message>
-            <source>%1 is not TISSUE=VALUE, such as dentine=1200.</source>
-            <translation>%1 ist nicht TISSUE=VALUE, etwa dentine=1200.</translation>
-        </message>
-        <message>
-            <source>Make a specimen volume of closed meshes, of a label volume or of a CT series</source>
-            <translation>Aus geschlossenen Netzen, einem Volumen mit Kennwerten oder einer CT-Serie ein Volumen machen</translation>
-        </message>
-        <message>
-            <source>STL, OBJ, PLY, 3DS (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices</source>
-            <translation>STL, OBJ, PLY, 3DS (mehrere werden zusammengefügt), NRRD, MetaImage, NIfTI, binvox oder ein Ordner mit DICOM-Schichten</translation>
-        </message>
-        <message>
-            <source>Volume to write (NRRD, or binvox by its ending)</source>
-            <translation>Volumen, das geschrieben wird (NRRD, oder binvox nach der Endung)</translation>
-        </message>
-        <message>
-            <source>What a mesh or a label is made of; once for each to be taken</source>
-            <translation>Woraus ein Netz oder Kennwert besteht; einmal für jeden, der übernommen wird</translation>
-        </message>
-        <message>
-            <source>The tissue from a grey value on, up to the next; “empty” leaves out</source>
-            <translation>Das Gewebe ab einem Grauwert, bis zum nächsten; „empty“ lässt weg</translation>
-        </message>
-        <message>
-            <source>What closed hollows of a volume are made of</source>
-            <translation>Woraus geschlossene Hohlräume eines Volumens bestehen</translation>
-        </message>
-        <message>
-            <source>Of a volume keep only the largest piece</source>
-            <translation>Von einem Volumen nur das größte Stück behalten</translation>
-        </message>
-        <message>
-            <source>Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes</source>
-            <translation>Kantenlänge eines Voxels in Millimetern; 0,1 bei Netzen, die der Datei bei Volumen</translation>
-        </message>
-        <message>
-            <source>Mend meshes, and close holes up to this width in millimetres</source>
-            <translation>Netze ausbessern und Löcher bis zu dieser Breite in Millimetern schließen</translation>
-        </message>
-        <message>
-            <source>Only tell what the file holds</source>
-            <translation>Nur sagen, was die Datei enthält</translation>
-        </message>
-        <message>
-            <source>Choice</source>
-            <translation>Wahl</translation>
-        </message>
-        <message>
-            <source>µs</source>
-            <translation>µs</translation>
-        </message>
-        <message>
-            <source>MB</source>
-            <translation>MB</translation>
-        </message>
-        <message>
-            <source>start, s</source>
-            <translation>Start, s</translation>
-        </message>
-        <message>
-            <source>force, N</source>
-            <translation>Kraft, N</translation>
-        </message>
-        <message>
-            <source>score</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>as it is set</source>
-            <translation>wie eingestellt</translation>
-        </message>
-        <message>
-            <source>µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change on the same path. Score: the largest change of a hand’s go.</source>
-            <translation>µs: Rechenzeit eines Schritts; unter der ersten Zeile, was er mehr oder weniger braucht. Kraft: quadratisches Mittel und größter Wert ihrer Änderung auf demselben Weg. Punkte: die größte Änderung eines Durchgangs.</translation>
-        </message>
-        <message>
-            <source>This machine does not count instructions: times alone are told.</source>
-            <translation>Dieser Rechner zählt keine Befehle: Nur Zeiten werden genannt.</translation>
-        </message>
-        <message>
-            <source>%1 is built in: --apply needs -o FILE for the copy.</source>
-            <translation>%1 ist eingebaut: --apply braucht -o FILE für die Kopie.</translation>
-        </message>
-        <message>
-            <source>-o FILE belongs to --apply.</source>
-            <translation>-o FILE gehört zu --apply.</translation>
-        </message>
-        <message>
-            <source>Written to %1 as version %2.</source>
-            <translation>Als Version %2 nach %1 geschrieben.</translation>
-        </message>
-        <message>
-            <source>What each part of an exercise’s model costs and changes, and the leanest model that grades the same; scripted hands play it many times, which takes minutes</source>
-            <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Hände spielen sie viele Male, was Minuten dauert</translation>
-        </message>
-        <message>
-            <source>Goes of each hand: expert, fair and novice</source>
-            <translation>Durchgänge jeder Hand: expert, fair und novice</translation>
-        </message>
-        <message>
-            <source>Only the size of the voxels: seconds to a few minutes</source>
-            <translation>Nur die Größe der Voxel: Sekunden bis wenige Minuten</translation>
-        </message>
-        <message>
-            <source>Write the leanest into the scenario, as its next version</source>
-            <translation>Das schlankste in die Übung schreiben, als ihre nächste Version</translation>
-        </message>
-        <message>
-            <source>With --apply: write a copy there</source>
-            <translation>Mit --apply: dorthin eine Kopie schreiben</translation>
-        </message>
-        <message>
-            <source>Print how far it is to stderr</source>
-            <translation>Den Fortschritt auf stderr ausgeben</translation>
-        </message>
-        <message>
-            <source>A scenario.json, its folder, or a built-in one: %1</source>
-            <translation>Eine scenario.json, ihr Ordner oder eine eingebaute: %1</translation>
-        </message>
-        <message>
-            <source>--device has to be falcon, falcon:NAME or emulated-falcon.</source>
-            <translation>--device ist falcon, falcon:NAME oder emulated-falcon.</translation>
-        </message>
-        <message>
-            <source>An emulated Falcon needs a hand by name: expert, novice and so on.</source>
-            <translation>Ein nachgebildeter Falcon braucht eine Hand mit Namen: expert, novice und so weiter.</translation>
-        </message>
-        <message>
-            <source>Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon (led by the scripted hand)</source>
-            <translation>In Echtzeit an einem Gerät spielen: falcon, falcon:NAME (ein Mensch hält es) oder emulated-falcon (die Hand aus dem Skript führt es)</translation>
-        </message>
-        <message>
-            <source>With --device: end after so many seconds of the session; the scripted hand begins anew meanwhile</source>
-            <translation>Mit --device: nach so vielen Sekunden des Durchgangs enden; die Hand aus dem Skript beginnt so lange von vorn</translation>
-        </message>
-        <message>
-            <source>With the emulated Falcon: it answers nothing for 50 ms every so many seconds</source>
-            <translation>Mit dem nachgebildeten Falcon: Er antwortet alle so viele Sekunden 50 ms lang nicht</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Compass</name>
-        <message>
-            <source>Directions</source>
-            <translation>Richtungen</translation>
-        </message>
-        <message>
-            <source>M</source>
-            <comment>mesial</comment>
-            <translation>M</translation>
-        </message>
-        <message>
-            <source>D</source>
-            <comment>distal</comment>
-            <translation>D</translation>
-        </message>
-        <message>
-            <source>B</source>
-            <comment>buccal</comment>
-            <translation>B</translation>
-        </message>
-        <message>
-            <source>L</source>
-            <comment>lingual</comment>
-            <translation>L</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::CourseModel</name>
-        <message>
-            <source>Briefing</source>
-            <translation>Aufgabe</translation>
-        </message>
-        <message>
-            <source>always open</source>
-            <translation>immer offen</translation>
-        </message>
-        <message>
-            <source>%1 of %2</source>
-            <translation>%1 von %2</translation>
-        </message>
-        <message>
-            <source>none yet</source>
-            <translation>noch keine</translation>
-        </message>
-        <message>
-            <source>Exercise</source>
-            <translation>Übung</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>Art</translation>
-        </message>
-        <message>
-            <source>Due</source>
-            <translation>Fällig</translation>
-        </message>
-        <message>
-            <source>Goes</source>
-            <translation>Durchgänge</translation>
-        </message>
-        <message>
-            <source>Best</source>
-            <translation>Bestwert</translation>
-        </message>
-        <message>
-            <source>Block</source>
-            <translation>Block</translation>
-        </message>
-        <message>
-            <source>Tooth</source>
-            <translation>Zahn</translation>
-        </message>
-        <message>
-            <source>Model tooth</source>
-            <translation>Modellzahn</translation>
-        </message>
-        <message>
-            <source>From a file</source>
-            <translation>Aus einer Datei</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::CriteriaModel</name>
-        <message>
-            <source>An edge of the marking is nearer than the figure is known.</source>
-            <translation>Eine Grenze der Bewertung liegt näher, als der Wert bekannt ist.</translation>
-        </message>
-        <message>
-            <source>not marked</source>
-            <translation>nicht bewertet</translation>
-        </message>
-        <message>
-            <source>full points</source>
-            <translation>volle Punktzahl</translation>
-        </message>
-        <message>
-            <source>points lost</source>
-            <translation>Punkte verloren</translation>
-        </message>
-        <message>
-            <source>shows its place on the tooth</source>
-            <translation>zeigt die Stelle am Zahn</translation>
-        </message>
-        <message>
-            <source>not measured</source>
-            <translation>nicht gemessen</translation>
-        </message>
-        <message>
-            <source>no points</source>
-            <translation>keine Punkte</translation>
-        </message>
-        <message>
-            <source>Criterion</source>
-            <translation>Kriterium</translation>
-        </message>
-        <message>
-            <source>Yours</source>
-            <translation>Ihr Wert</translation>
-        </message>
-        <message>
-            <source>Full points</source>
-            <translation>Volle Punktzahl</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>Punkte</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Desktop</name>
-        <message>
-            <source>Try again</source>
-            <translation>Noch einmal versuchen</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Start</translation>
-        </message>
-        <message>
-            <source>Exercises</source>
-            <translation>Übungen</translation>
-        </message>
-        <message>
-            <source>My results</source>
-            <translation>Meine Ergebnisse</translation>
-        </message>
-        <message>
-            <source>People</source>
-            <translation>Personen</translation>
-        </message>
-        <message>
-            <source>Performance</source>
-            <translation>Leistungen</translation>
-        </message>
-        <message>
-            <source>Help</source>
-            <translation>Hilfe</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>Zurück</translation>
-        </message>
-        <message>
-            <source>page</source>
-            <translation>Seite</translation>
-        </message>
-        <message>
-            <source>exercise</source>
-            <translation>Übung</translation>
-        </message>
-        <message>
-            <source>Try it: nothing is kept</source>
-            <translation>Ausprobieren: nichts wird aufbewahrt</translation>
-        </message>
-        <message>
-            <source>Practice, go %1</source>
-            <translation>Training, Durchgang %1</translation>
-        </message>
-        <message>
-            <source>Opening the report</source>
-            <translation>Bericht wird geöffnet</translation>
-        </message>
-        <message>
-            <source>Sign in</source>
-            <translation>Anmelden</translation>
-        </message>
-        <message>
-            <source>Library</source>
-            <translation>Bibliothek</translation>
-        </message>
-        <message>
-            <source>Try-out: nothing is kept</source>
-            <translation>Probelauf: nichts wird aufbewahrt</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Gerät</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::DeviationLegend</name>
-        <message>
-            <source>Colours: left standing, on target, cut too far; from -0.5 to +0.5 mm</source>
-            <translation>Farben: stehen gelassen, auf dem Ziel, zu weit abgetragen; von -0,5 bis +0,5 mm</translation>
-        </message>
-        <message>
-            <source>Left standing</source>
-            <translation>Stehen gelassen</translation>
-        </message>
-        <message>
-            <source>Cut too far</source>
-            <translation>Zu weit abgetragen</translation>
-        </message>
-        <message>
-            <source>on target</source>
-            <translation>auf dem Ziel</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::DrillBar</name>
-        <message>
-            <source>Time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>Pause</translation>
-        </message>
-        <message>
-            <source>Go on</source>
-            <translation>Weiter</translation>
-        </message>
-        <message>
-            <source>%1, may be delayed</source>
-            <translation>%1, kann aufgehalten werden</translation>
-        </message>
-        <message>
-            <source>Leave</source>
-            <translation>Verlassen</translation>
-        </message>
-        <message>
-            <source>Finish</source>
-            <translation>Beenden</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::DrillScreen</name>
-        <message>
-            <source>Leave</source>
-            <translation>Verlassen</translation>
-        </message>
-        <message>
-            <source>Finish</source>
-            <translation>Beenden</translation>
-        </message>
-        <message>
-            <source>Getting the tooth ready</source>
-            <translation>Der Zahn wird vorbereitet</translation>
-        </message>
-        <message>
-            <source>Finish and see the result?</source>
-            <translation>Beenden und das Ergebnis sehen?</translation>
-        </message>
-        <message>
-            <source>The tooth is measured as it is now.</source>
-            <translation>Der Zahn wird vermessen, wie er jetzt ist.</translation>
-        </message>
-        <message>
-            <source>Measuring the tooth</source>
-            <translation>Der Zahn wird vermessen</translation>
-        </message>
-        <message>
-            <source>Leave this go?</source>
-            <translation>Diesen Durchgang verlassen?</translation>
-        </message>
-        <message>
-            <source>Nothing of it is kept.</source>
-            <translation>Nichts davon wird aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>It stays in your results as interrupted.</source>
-            <translation>Er bleibt als unterbrochen in Ihren Ergebnissen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::DrillStage</name>
-        <message>
-            <source>Turn</source>
-            <translation>Drehen</translation>
-        </message>
-        <message>
-            <source>Mirror</source>
-            <translation>Spiegel</translation>
-        </message>
-        <message>
-            <source>Cutaway</source>
-            <translation>Aufschnitt</translation>
-        </message>
-        <message>
-            <source>From above</source>
-            <translation>Von oben</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <source>Depth</source>
-            <translation>Tiefe</translation>
-        </message>
-        <message>
-            <source>Push</source>
-            <translation>Druck</translation>
-        </message>
-        <message>
-            <source>Coach</source>
-            <translation>Hinweis</translation>
-        </message>
-        <message>
-            <source>Leeway</source>
-            <translation>Spielraum</translation>
-        </message>
-        <message>
-            <source>Wheel: %1</source>
-            <translation>Rad: %1</translation>
-        </message>
-        <message>
-            <source>Hold the left button on the target to drill</source>
-            <translation>Zum Bohren die linke Maustaste auf dem Ziel halten</translation>
-        </message>
-        <message>
-            <source>Touch the target and hold the button to drill.</source>
-            <translation>Das Ziel berühren und zum Bohren die Taste halten.</translation>
-        </message>
-        <message>
-            <source>The pulp is open</source>
-            <translation>Die Pulpa ist eröffnet</translation>
-        </message>
-        <message>
-            <source>Only %1 left over the pulp</source>
-            <translation>Nur noch %1 über der Pulpa</translation>
-        </message>
-        <message>
-            <source>%1 too deep here</source>
-            <translation>Hier %1 zu tief</translation>
-        </message>
-        <message>
-            <source>Back inside the line: %1 outside</source>
-            <translation>Zurück in die Linie: %1 außerhalb</translation>
-        </message>
-        <message>
-            <source>%1 more down</source>
-            <translation>Noch %1 tiefer</translation>
-        </message>
-        <message>
-            <source>Deep enough, go sideways</source>
-            <translation>Tief genug, jetzt seitwärts</translation>
-        </message>
-        <message>
-            <source>Nearly all is out: smooth it, then finish</source>
-            <translation>Fast alles ist heraus: glätten, dann beenden</translation>
-        </message>
-        <message>
-            <source>Go on where the target still stands</source>
-            <translation>Dort weiter, wo das Ziel noch steht</translation>
-        </message>
-        <message>
-            <source>Depth %1, push %2, %3 of the target removed. %4</source>
-            <translation>Tiefe %1, Druck %2, %3 des Ziels abgetragen. %4</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::EditorModel</name>
-        <message>
-            <source>Title</source>
-            <translation>Titel</translation>
-        </message>
-        <message>
-            <source>Briefing</source>
-            <translation>Aufgabe</translation>
-        </message>
-        <message>
-            <source>Tooth</source>
-            <translation>Zahn</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <source>Shape</source>
-            <translation>Form</translation>
-        </message>
-        <message>
-            <source>Depth</source>
-            <translation>Tiefe</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Breite</translation>
-        </message>
-        <message>
-            <source>Height</source>
-            <translation>Höhe</translation>
-        </message>
-        <message>
-            <source>Corner radius</source>
-            <translation>Eckenradius</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source>Point</source>
-            <translation>Punkt</translation>
-        </message>
-        <message>
-            <source>Add a point</source>
-            <translation>Punkt hinzufügen</translation>
-        </message>
-        <message>
-            <source>Remove a point</source>
-            <translation>Punkt entfernen</translation>
-        </message>
-        <message>
-            <source>Add a branch</source>
-            <translation>Ast hinzufügen</translation>
-        </message>
-        <message>
-            <source>Leeway</source>
-            <translation>Spielraum</translation>
-        </message>
-        <message>
-            <source>Add a criterion</source>
-            <translation>Kriterium hinzufügen</translation>
-        </message>
-        <message>
-            <source>Remove a criterion</source>
-            <translation>Kriterium entfernen</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>Bands</source>
-            <translation>Stufen</translation>
-        </message>
-        <message>
-            <source>Pass mark</source>
-            <translation>Bestehensgrenze</translation>
-        </message>
-        <message>
-            <source>What fails the go</source>
-            <translation>Was zum Nichtbestehen führt</translation>
-        </message>
-        <message>
-            <source>Add a burr</source>
-            <translation>Bohrer hinzufügen</translation>
-        </message>
-        <message>
-            <source>Remove a burr</source>
-            <translation>Bohrer entfernen</translation>
-        </message>
-        <message>
-            <source>Burr</source>
-            <translation>Bohrer</translation>
-        </message>
-        <message>
-            <source>Time limit</source>
-            <translation>Zeitgrenze</translation>
-        </message>
-        <message>
-            <source>Tissue</source>
-            <translation>Gewebe</translation>
-        </message>
-        <message>
-            <source>Handpiece</source>
-            <translation>Handstück</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::EditorPage</name>
-        <message>
-            <source>Editor</source>
-            <translation>Editor</translation>
-        </message>
-        <message>
-            <source>Change</source>
-            <translation>Ändern</translation>
-        </message>
-        <message>
-            <source>The draft is saved.</source>
-            <translation>Der Entwurf ist gespeichert.</translation>
-        </message>
-        <message>
-            <source>Library</source>
-            <translation>Bibliothek</translation>
-        </message>
-        <message>
-            <source>Keeps the draft and goes back (Alt+Left)</source>
-            <translation>Bewahrt den Entwurf auf und geht zurück (Alt+Links)</translation>
-        </message>
-        <message>
-            <source>Title of the exercise</source>
-            <translation>Titel der Übung</translation>
-        </message>
-        <message>
-            <source>Title, in the language of the screen; the others stand under Words</source>
-            <translation>Titel in der Sprache der Oberfläche; die anderen stehen unter Texte</translation>
-        </message>
-        <message>
-            <source>Undo</source>
-            <translation>Rückgängig</translation>
-        </message>
-        <message>
-            <source>Redo</source>
-            <translation>Wiederholen</translation>
-        </message>
-        <message>
-            <source>Try out</source>
-            <translation>Probieren</translation>
-        </message>
-        <message>
-            <source>Publish</source>
-            <translation>Veröffentlichen</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <source>In this exercise</source>
-            <translation>In dieser Übung</translation>
-        </message>
-        <message>
-            <source>Put the target on the tooth</source>
-            <translation>Ziel auf den Zahn setzen</translation>
-        </message>
-        <message>
-            <source>Moves the target to the middle of the tooth, at its surface</source>
-            <translation>Setzt das Ziel in die Mitte des Zahns, an seine Oberfläche</translation>
-        </message>
-        <message>
-            <source>Tooth</source>
-            <translation>Zahn</translation>
-        </message>
-        <message>
-            <source>Change the tooth</source>
-            <translation>Zahn ändern</translation>
-        </message>
-        <message>
-            <source>Shape</source>
-            <translation>Form</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>Burrs</source>
-            <translation>Bohrer</translation>
-        </message>
-        <message>
-            <source>Words</source>
-            <translation>Texte</translation>
-        </message>
-        <message>
-            <source>Checks</source>
-            <translation>Prüfungen</translation>
-        </message>
-        <message>
-            <source>Show</source>
-            <translation>Zeigen</translation>
-        </message>
-        <message>
-            <source>Show where</source>
-            <translation>Stelle zeigen</translation>
-        </message>
-        <message>
-            <source>Growing the tooth</source>
-            <translation>Der Zahn wird erzeugt</translation>
-        </message>
-        <message>
-            <source>No tooth yet</source>
-            <translation>Noch kein Zahn</translation>
-        </message>
-        <message>
-            <source>Growing was stopped. The exercise is as it was.</source>
-            <translation>Das Erzeugen wurde angehalten. Die Übung ist, wie sie war.</translation>
-        </message>
-        <message>
-            <source>Grow it</source>
-            <translation>Erzeugen</translation>
-        </message>
-        <message>
-            <source>Version %1, published</source>
-            <translation>Version %1, veröffentlicht</translation>
-        </message>
-        <message>
-            <source>Version %1, not published</source>
-            <translation>Version %1, nicht veröffentlicht</translation>
-        </message>
-        <message>
-            <source>Publish version %1</source>
-            <translation>Version %1 veröffentlichen</translation>
-        </message>
-        <message>
-            <source>Undo: %1 (Ctrl+Z)</source>
-            <translation>Rückgängig: %1 (Strg+Z)</translation>
-        </message>
-        <message>
-            <source>Undo (Ctrl+Z)</source>
-            <translation>Rückgängig (Strg+Z)</translation>
-        </message>
-        <message>
-            <source>Redo: %1 (Ctrl+Y)</source>
-            <translation>Wiederholen: %1 (Strg+Y)</translation>
-        </message>
-        <message>
-            <source>Redo (Ctrl+Y)</source>
-            <translation>Wiederholen (Strg+Y)</translation>
-        </message>
-        <message>
-            <source>%1, protected</source>
-            <translation>%1, geschützt</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n thing(s) to look at</source>
-            <translation>
-                <numerusform>%n Sache zum Ansehen</numerusform>
-                <numerusform>%n Sachen zum Ansehen</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Everything fits</source>
-            <translation>Alles passt</translation>
-        </message>
-        <message>
-            <source>publishing waits for it</source>
-            <translation>das Veröffentlichen wartet darauf</translation>
-        </message>
-        <message>
-            <source>the tooth is still being checked</source>
-            <translation>der Zahn wird noch geprüft</translation>
-        </message>
-        <message>
-            <source>nothing was changed since it was published</source>
-            <translation>seit der Veröffentlichung wurde nichts geändert</translation>
-        </message>
-        <message>
-            <source>ready to publish</source>
-            <translation>bereit zum Veröffentlichen</translation>
-        </message>
-        <message>
-            <source>Check fails</source>
-            <translation>Prüfung misslingt</translation>
-        </message>
-        <message>
-            <source>Checks passed</source>
-            <translation>Prüfungen bestanden</translation>
-        </message>
-        <message>
-            <source>Version %1 is published.</source>
-            <translation>Version %1 ist veröffentlicht.</translation>
-        </message>
-        <message>
-            <source>Students find it among their exercises. Earlier results keep the version they were made with.</source>
-            <translation>Studierende finden sie unter ihren Übungen. Frühere Ergebnisse behalten die Version, mit der sie entstanden.</translation>
-        </message>
-        <message>
-            <source>Tissues</source>
-            <translation>Gewebe</translation>
-        </message>
-        <message>
-            <source>Audit</source>
-            <translation>Aufwand</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ExercisesPage</name>
-        <message>
-            <source>Exercises</source>
-            <translation>Übungen</translation>
-        </message>
-        <message>
-            <source>Enter opens the briefing</source>
-            <translation>Enter öffnet die Aufgabe</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n exercise(s) cannot be read.</source>
-            <translation>
-                <numerusform>%n Übung kann nicht gelesen werden.</numerusform>
-                <numerusform>%n Übungen können nicht gelesen werden.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>The others are below. Publish them again from the editor.</source>
-            <translation>Die anderen stehen unten. Veröffentlichen Sie sie im Editor erneut.</translation>
-        </message>
-        <message>
-            <source>No exercise fits</source>
-            <translation>Keine Übung passt</translation>
-        </message>
-        <message>
-            <source>No exercise has these words in its name.</source>
-            <translation>Keine Übung trägt diese Worte im Namen.</translation>
-        </message>
-        <message>
-            <source>Show all exercises</source>
-            <translation>Alle Übungen zeigen</translation>
-        </message>
-        <message>
-            <source>Find an exercise</source>
-            <translation>Übung finden</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::FalconNow</name>
-        <message>
-            <source>Answers a second</source>
-            <translation>Antworten je Sekunde</translation>
-        </message>
-        <message>
-            <source>Late: half of them, one in a hundred, the latest</source>
-            <translation>Verspätet: die Hälfte, eine von hundert, die späteste</translation>
-        </message>
-        <message>
-            <source>Silences and lost answers</source>
-            <translation>Aussetzer und verlorene Antworten</translation>
-        </message>
-        <message>
-            <source>Priority</source>
-            <translation>Vorrang</translation>
-        </message>
-        <message>
-            <source>Buttons</source>
-            <translation>Tasten</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>Licht</translation>
-        </message>
-        <message>
-            <source>Red</source>
-            <translation>Rot</translation>
-        </message>
-        <message>
-            <source>Green</source>
-            <translation>Grün</translation>
-        </message>
-        <message>
-            <source>Blue</source>
-            <translation>Blau</translation>
-        </message>
-        <message>
-            <source>Before everything else</source>
-            <translation>Vor allem anderen</translation>
-        </message>
-        <message>
-            <source>As any program: others may delay it</source>
-            <translation>Wie jedes Programm: Andere können es aufhalten</translation>
-        </message>
-        <message>
-            <source>Left</source>
-            <translation>Links</translation>
-        </message>
-        <message>
-            <source>Top</source>
-            <translation>Oben</translation>
-        </message>
-        <message>
-            <source>Middle</source>
-            <translation>Mitte</translation>
-        </message>
-        <message>
-            <source>Right</source>
-            <translation>Rechts</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::GoAnywhere</name>
-        <message>
-            <source>Go to</source>
-            <translation>Gehe zu</translation>
-        </message>
-        <message>
-            <source>Page or exercise</source>
-            <translation>Seite oder Übung</translation>
-        </message>
-        <message>
-            <source>Where to</source>
-            <translation>Wohin</translation>
-        </message>
-        <message>
-            <source>%1, %2</source>
-            <translation>%1, %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::GoesModel</name>
-        <message>
-            <source>Passed</source>
-            <translation>Bestanden</translation>
-        </message>
-        <message>
-            <source>Not passed</source>
-            <translation>Nicht bestanden</translation>
-        </message>
-        <message>
-            <source>Report</source>
-            <translation>Bericht</translation>
-        </message>
-        <message>
-            <source>Date</source>
-            <translation>Datum</translation>
-        </message>
-        <message>
-            <source>Student</source>
-            <translation>Student/in</translation>
-        </message>
-        <message>
-            <source>Exercise</source>
-            <translation>Übung</translation>
-        </message>
-        <message>
-            <source>Go</source>
-            <translation>Durchgang</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>Result</source>
-            <translation>Ergebnis</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Gerät</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::HandpiecePanel</name>
-        <message>
-            <source>Handpiece</source>
-            <translation>Handstück</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>Drehzahl</translation>
-        </message>
-        <message>
-            <source>Tooth warmer by</source>
-            <translation>Zahn wärmer um</translation>
-        </message>
-        <message>
-            <source>The pulp is at risk from %1 (not verified)</source>
-            <translation>Gefahr für die Pulpa ab %1 (nicht gesichert)</translation>
-        </message>
-        <message>
-            <source>Sound off</source>
-            <translation>Ton aus</translation>
-        </message>
-        <message>
-            <source>Sound on</source>
-            <translation>Ton ein</translation>
-        </message>
-        <message>
-            <source>Volume</source>
-            <translation>Lautstärke</translation>
-        </message>
-        <message>
-            <source>No sound: this computer has no audio output.</source>
-            <translation>Kein Ton: Dieser Rechner hat keine Tonausgabe.</translation>
-        </message>
-        <message>
-            <source>Coolant is on</source>
-            <translation>Kühlung ist ein</translation>
-        </message>
-        <message>
-            <source>Coolant is off</source>
-            <translation>Kühlung ist aus</translation>
-        </message>
-        <message>
-            <source>Turn the coolant off</source>
-            <translation>Kühlung ausschalten</translation>
-        </message>
-        <message>
-            <source>Turn the coolant on</source>
-            <translation>Kühlung einschalten</translation>
-        </message>
-        <message>
-            <source>stalled, push less</source>
-            <translation>steht, weniger Druck</translation>
-        </message>
-        <message>
-            <source>%1 rpm</source>
-            <translation>%1 U/min</translation>
-        </message>
-        <message>
-            <source>Too warm for the pulp (%1, not verified): run the coolant</source>
-            <translation>Zu warm für die Pulpa (%1, nicht gesichert): kühlen</translation>
-        </message>
-        <message>
-            <source>Speed %1.</source>
-            <translation>Drehzahl %1.</translation>
-        </message>
-        <message>
-            <source>Tooth warmer by %1.</source>
-            <translation>Zahn wärmer um %1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::HelpPage</name>
-        <message>
-            <source>Help</source>
-            <translation>Hilfe</translation>
-        </message>
-        <message>
-            <source>A go, from start to report</source>
-            <translation>Ein Durchgang, vom Start bis zum Bericht</translation>
-        </message>
-        <message>
-            <source>1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points.</source>
-            <translation>1. Übung wählen und die Aufgabe lesen: Sie sagt, was abzutragen ist, wie tief, und was Punkte bringt.</translation>
-        </message>
-        <message>
-            <source>2. Slide the burr over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
-            <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt den Druck, der Balken links die Tiefe.</translation>
-        </message>
-        <message>
-            <source>3. Hold Space or the left button to cut. The target is the solid line, the leeway round it the dashed one.</source>
-            <translation>3. Zum Abtragen die Leertaste oder die linke Maustaste halten. Die durchgezogene Linie ist das Ziel, die gestrichelte darum der Spielraum.</translation>
-        </message>
-        <message>
-            <source>4. Finish ends the go and grades it. The report says what was measured, how well it is known, and what to do next time.</source>
-            <translation>4. Beenden schließt den Durchgang ab und bewertet ihn. Der Bericht sagt, was gemessen wurde, wie genau es bekannt ist und was beim nächsten Mal zu tun ist.</translation>
-        </message>
-        <message>
-            <source>5. Every go stays under My results. A go that broke off is kept up to its last second.</source>
-            <translation>5. Jeder Durchgang bleibt unter Meine Ergebnisse. Ein abgebrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>Keys everywhere</source>
-            <translation>Tasten überall</translation>
-        </message>
-        <message>
-            <source>this page</source>
-            <translation>diese Seite</translation>
-        </message>
-        <message>
-            <source>next pane</source>
-            <translation>nächster Bereich</translation>
-        </message>
-        <message>
-            <source>go to any page or exercise</source>
-            <translation>zu jeder Seite oder Übung gehen</translation>
-        </message>
-        <message>
-            <source>back</source>
-            <translation>zurück</translation>
-        </message>
-        <message>
-            <source>out of what is open</source>
-            <translation>aus dem, was offen ist</translation>
-        </message>
-        <message>
-            <source>a chart as its table, and back</source>
-            <translation>ein Diagramm als Tabelle, und zurück</translation>
-        </message>
-        <message>
-            <source>opens the chosen row</source>
-            <translation>öffnet die gewählte Zeile</translation>
-        </message>
-        <message>
-            <source>Keys while drilling</source>
-            <translation>Tasten beim Bohren</translation>
-        </message>
-        <message>
-            <source>slide the burr</source>
-            <translation>den Bohrer führen</translation>
-        </message>
-        <message>
-            <source>push less, push more</source>
-            <translation>weniger drücken, mehr drücken</translation>
-        </message>
-        <message>
-            <source>turn the handpiece, where the exercise lets it; Home: back</source>
-            <translation>das Handstück drehen, wo die Übung es erlaubt; Pos1: zurück</translation>
-        </message>
-        <message>
-            <source>cut while held</source>
-            <translation>trägt ab, solange gehalten</translation>
-        </message>
-        <message>
-            <source>views of the tooth</source>
-            <translation>Ansichten des Zahns</translation>
-        </message>
-        <message>
-            <source>burr before, burr after</source>
-            <translation>Bohrer davor, Bohrer danach</translation>
-        </message>
-        <message>
-            <source>pause and go on</source>
-            <translation>Pause und weiter</translation>
-        </message>
-        <message>
-            <source>finish (asks)</source>
-            <translation>beenden (fragt nach)</translation>
-        </message>
-        <message>
-            <source>How it is marked</source>
-            <translation>Wie bewertet wird</translation>
-        </message>
-        <message>
-            <source>Target removed: how much of the wanted cavity is gone. Left standing: what of it is still there.</source>
-            <translation>Ziel abgetragen: wie viel der gewünschten Kavität fort ist. Stehen gelassen: was davon noch da ist.</translation>
-        </message>
-        <message>
-            <source>Cut too far: what is gone outside the target. Within the leeway it costs little, beyond it much.</source>
-            <translation>Zu weit abgetragen: was außerhalb des Ziels fort ist. Im Spielraum kostet es wenig, jenseits davon viel.</translation>
-        </message>
-        <message>
-            <source>± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so.</source>
-            <translation>± sagt, wie genau ein Wert bekannt ist. Liegt eine Grenze der Bewertung näher, so sagt es der Bericht.</translation>
-        </message>
-        <message>
-            <source>Time earns no points.</source>
-            <translation>Zeit bringt keine Punkte.</translation>
-        </message>
-        <message>
-            <source>coolant on and off, where the exercise has it</source>
-            <translation>Kühlung ein und aus, wo die Übung sie hat</translation>
-        </message>
-        <message>
-            <source>drilling sound on and off, likewise</source>
-            <translation>Bohrgeräusch ein und aus, ebenso</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::HistoryCharts</name>
-        <message>
-            <source>points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>pass %1</source>
-            <translation>Grenze %1</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n go(es), the last with %1 points.</source>
-            <translation>
-                <numerusform>%n Durchgang mit %1 Punkten.</numerusform>
-                <numerusform>%n Durchgänge, der letzte mit %1 Punkten.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Time and score</source>
-            <translation>Zeit und Punkte</translation>
-        </message>
-        <message>
-            <source>seconds</source>
-            <translation>Sekunden</translation>
-        </message>
-        <message>
-            <source>minutes</source>
-            <translation>Minuten</translation>
-        </message>
-        <message>
-            <source>You</source>
-            <translation>Sie</translation>
-        </message>
-        <message>
-            <source>Points by go</source>
-            <translation>Punkte je Durchgang</translation>
-        </message>
-        <message>
-            <source>go</source>
-            <translation>Durchgang</translation>
-        </message>
-        <message>
-            <source>Points</source>
-            <translation>Punkte</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ImportPage</name>
-        <message>
-            <source>Import a specimen</source>
-            <translation>Präparat importieren</translation>
-        </message>
-        <message>
-            <source>Library</source>
-            <translation>Bibliothek</translation>
-        </message>
-        <message>
-            <source>Choose a file…</source>
-            <translation>Datei wählen …</translation>
-        </message>
-        <message>
-            <source>One unit of the file is</source>
-            <translation>Eine Einheit der Datei ist</translation>
-        </message>
-        <message>
-            <source>Fineness</source>
-            <translation>Feinheit</translation>
-        </message>
-        <message>
-            <source>Chewing surface looks to</source>
-            <translation>Kaufläche zeigt nach</translation>
-        </message>
-        <message>
-            <source>Make a specimen</source>
-            <translation>Präparat machen</translation>
-        </message>
-        <message>
-            <source>Choose a file</source>
-            <translation>Datei wählen</translation>
-        </message>
-        <message>
-            <source>Importing was stopped.</source>
-            <translation>Das Importieren wurde angehalten.</translation>
-        </message>
-        <message>
-            <source>Nothing was kept.</source>
-            <translation>Nichts wurde aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>Reading the file</source>
-            <translation>Die Datei wird gelesen</translation>
-        </message>
-        <message>
-            <source>The specimen will be %1.</source>
-            <translation>Das Präparat wird %1 groß.</translation>
-        </message>
-        <message>
-            <source>With this unit the file is %1. Say what each mesh is made of.</source>
-            <translation>Mit dieser Einheit ist die Datei %1 groß. Geben Sie an, woraus jedes Netz besteht.</translation>
-        </message>
-        <message>
-            <source>Making the specimen</source>
-            <translation>Das Präparat wird gemacht</translation>
-        </message>
-        <message>
-            <source>Files</source>
-            <translation>Dateien</translation>
-        </message>
-        <message>
-            <source>What it is made of</source>
-            <translation>Woraus es besteht</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Größe</translation>
-        </message>
-        <message>
-            <source>Begin anew</source>
-            <translation>Neu beginnen</translation>
-        </message>
-        <message>
-            <source>Meshes and volumes (*.stl *.obj *.ply *.3ds *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;All files (*)</source>
-            <translation>Netze und Volumen (*.stl *.obj *.ply *.3ds *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;Alle Dateien (*)</translation>
-        </message>
-        <message>
-            <source>Millimetre</source>
-            <translation>Millimeter</translation>
-        </message>
-        <message>
-            <source>Centimetre</source>
-            <translation>Zentimeter</translation>
-        </message>
-        <message>
-            <source>Metre</source>
-            <translation>Meter</translation>
-        </message>
-        <message>
-            <source>Inch</source>
-            <translation>Zoll</translation>
-        </message>
-        <message>
-            <source>Micrometre</source>
-            <translation>Mikrometer</translation>
-        </message>
-        <message>
-            <source>Another</source>
-            <translation>Eine andere</translation>
-        </message>
-        <message>
-            <source>Its length</source>
-            <translation>Ihre Länge</translation>
-        </message>
-        <message>
-            <source>Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS; several are put together), volumes (NRRD, MetaImage, NIfTI, binvox) or a slice of a CT (DICOM).</source>
-            <translation>Dateien hierher ziehen oder auswählen: geschlossene Netze (STL, OBJ, PLY, 3DS; mehrere werden zusammengefügt), Volumen (NRRD, MetaImage, NIfTI, binvox) oder eine Schicht eines CT (DICOM).</translation>
-        </message>
-        <message>
-            <source>Add a file…</source>
-            <translation>Datei hinzufügen …</translation>
-        </message>
-        <message>
-            <source>%1 × %2 × %3 voxels of %4.</source>
-            <translation>%1 × %2 × %3 Voxel zu %4.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n slice(s) of a CT, in the order of their places.</source>
-            <translation>
-                <numerusform>%n Schicht eines CT.</numerusform>
-                <numerusform>%n Schichten eines CT, nach ihrer Lage geordnet.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>The largest of %n series was taken.</source>
-            <translation>
-                <numerusform>Die einzige Serie wurde genommen.</numerusform>
-                <numerusform>Die größte von %n Serien wurde genommen.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Nothing about the patient is read.</source>
-            <translation>Über die Person auf den Aufnahmen wird nichts gelesen.</translation>
-        </message>
-        <message>
-            <source>Go on to the exercise</source>
-            <translation>Weiter zur Übung</translation>
-        </message>
-        <message>
-            <source>The volume is %1.</source>
-            <translation>Das Volumen misst %1.</translation>
-        </message>
-        <message>
-            <source>Its voxels of %1 are resampled to cubes of %2.</source>
-            <translation>Seine Voxel zu %1 werden in Würfel zu %2 umgerechnet.</translation>
-        </message>
-        <message>
-            <source>That is smaller than any tooth. Is the unit right?</source>
-            <translation>Das ist kleiner als jeder Zahn. Stimmt die Einheit?</translation>
-        </message>
-        <message>
-            <source>That is larger than any jaw. Is the unit right?</source>
-            <translation>Das ist größer als jeder Kiefer. Stimmt die Einheit?</translation>
-        </message>
-        <message>
-            <source>CT</source>
-            <translation>CT</translation>
-        </message>
-        <message>
-            <source>The specimen is made.</source>
-            <translation>Das Präparat ist fertig.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ImportWords</name>
-        <message>
-            <source>Its voxels of %1 were resampled to cubes of %2.</source>
-            <translation>Seine Voxel zu %1 wurden in Würfel zu %2 umgerechnet.</translation>
-        </message>
-        <message>
-            <source>Its axes were oblique; it was turned by %1°, its shape is as it was.</source>
-            <translation>Seine Achsen standen schief; es wurde um %1° gedreht, seine Form ist unverändert.</translation>
-        </message>
-        <message>
-            <source>The file does not say how long a unit is; what was chosen was taken.</source>
-            <translation>Die Datei sagt nicht, wie lang eine Einheit ist; die gewählte gilt.</translation>
-        </message>
-        <message>
-            <source>Nothing about the patient was read.</source>
-            <translation>Über die Person auf den Aufnahmen wurde nichts gelesen.</translation>
-        </message>
-        <message numerus="yes">
-            <source>The folder holds %n series; the one with %1 slices was read.</source>
-            <translation>
-                <numerusform>Der Ordner enthält %n Serie; die mit %1 Schichten wurde gelesen.</numerusform>
-                <numerusform>Der Ordner enthält %n Serien; die mit %1 Schichten wurde gelesen.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n point(s) that lay in one place were joined.</source>
-            <translation>
-                <numerusform>In %1 wurde %n Punkt mit seinem Nachbarn verbunden.</numerusform>
-                <numerusform>In %1 wurden %n Punkte verbunden, die an einer Stelle lagen.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n triangle(s) too many were left out.</source>
-            <translation>
-                <numerusform>In %1 wurde %n überzähliges Dreieck weggelassen.</numerusform>
-                <numerusform>In %1 wurden %n überzählige Dreiecke weggelassen.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n triangle(s) were turned round.</source>
-            <translation>
-                <numerusform>In %1 wurde %n Dreieck gewendet.</numerusform>
-                <numerusform>In %1 wurden %n Dreiecke gewendet.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n hole(s) were closed, the widest of %2.</source>
-            <translation>
-                <numerusform>In %1 wurde %n Loch von %2 geschlossen.</numerusform>
-                <numerusform>In %1 wurden %n Löcher geschlossen, das breiteste von %2.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n voxel(s) of loose pieces were left out.</source>
-            <translation>
-                <numerusform>%n Voxel loser Stücke wurde weggelassen.</numerusform>
-                <numerusform>%n Voxel loser Stücke wurden weggelassen.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n voxel(s) of closed hollows were filled.</source>
-            <translation>
-                <numerusform>%n Voxel geschlossener Hohlräume wurde gefüllt.</numerusform>
-                <numerusform>%n Voxel geschlossener Hohlräume wurden gefüllt.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::InversePanel</name>
-        <message>
-            <source>It is reached through its maker&apos;s own service on this computer, which you install. Not yet tried with a real device: its directions, forces and rate are not verified.</source>
-            <translation>Es wird über den Dienst seines Herstellers auf diesem Computer erreicht, den Sie installieren. Noch nicht mit einem echten Gerät erprobt: Richtungen, Kräfte und Rate sind nicht überprüft.</translation>
-        </message>
-        <message>
-            <source>Place</source>
-            <translation>Ort</translation>
-        </message>
-        <message>
-            <source>Answers a second</source>
-            <translation>Antworten pro Sekunde</translation>
-        </message>
-        <message>
-            <source>Handle</source>
-            <translation>Griff</translation>
-        </message>
-        <message>
-            <source>As it comes</source>
-            <translation>Wie es kommt</translation>
-        </message>
-        <message>
-            <source>A quarter to the left</source>
-            <translation>Ein Viertel nach links</translation>
-        </message>
-        <message>
-            <source>Half round</source>
-            <translation>Halb herum</translation>
-        </message>
-        <message>
-            <source>A quarter to the right</source>
-            <translation>Ein Viertel nach rechts</translation>
-        </message>
-        <message>
-            <source>It stands turned</source>
-            <translation>Es steht gedreht</translation>
-        </message>
-        <message>
-            <source>Of the hand&apos;s way</source>
-            <translation>Vom Weg der Hand</translation>
-        </message>
-        <message>
-            <source>Port of the service</source>
-            <translation>Port des Dienstes</translation>
-        </message>
-        <message>
-            <source>Look for it</source>
-            <translation>Suchen</translation>
-        </message>
-        <message>
-            <source>Let it go</source>
-            <translation>Freigeben</translation>
-        </message>
-        <message>
-            <source>not asked</source>
-            <translation>nicht gefragt</translation>
-        </message>
-        <message>
-            <source>Start its service, switch the device on, and look for it.</source>
-            <translation>Starten Sie seinen Dienst, schalten Sie das Gerät ein und suchen Sie es.</translation>
-        </message>
-        <message>
-            <source>asking</source>
-            <translation>fragt</translation>
-        </message>
-        <message>
-            <source>Asking the service.</source>
-            <translation>Der Dienst wird gefragt.</translation>
-        </message>
-        <message>
-            <source>not found</source>
-            <translation>nicht gefunden</translation>
-        </message>
-        <message>
-            <source>No service answers at port %1. Start the maker&apos;s service and look again.</source>
-            <translation>An Port %1 antwortet kein Dienst. Starten Sie den Dienst des Herstellers und suchen Sie noch einmal.</translation>
-        </message>
-        <message>
-            <source>The service answers, but it knows of no Inverse3. Check its cable and power, and look again.</source>
-            <translation>Der Dienst antwortet, kennt aber kein Inverse3. Prüfen Sie Kabel und Strom und suchen Sie noch einmal.</translation>
-        </message>
-        <message>
-            <source>Something answers at port %1, but not as an Inverse3&apos;s service does.</source>
-            <translation>An Port %1 antwortet etwas, aber nicht wie der Dienst eines Inverse3.</translation>
-        </message>
-        <message>
-            <source>answers</source>
-            <translation>antwortet</translation>
-        </message>
-        <message>
-            <source>silent</source>
-            <translation>stumm</translation>
-        </message>
-        <message>
-            <source>Move it: the place below follows the hand.</source>
-            <translation>Bewegen Sie es: Der Ort unten folgt der Hand.</translation>
-        </message>
-        <message>
-            <source>It does not answer any more. It is looked for by itself; there is no force meanwhile.</source>
-            <translation>Es antwortet nicht mehr. Es wird von selbst gesucht; bis dahin gibt es keine Kraft.</translation>
-        </message>
-        <message>
-            <source>None: the burr keeps its axis</source>
-            <translation>Keiner: Der Bohrer behält seine Achse</translation>
-        </message>
-        <message>
-            <source>Tells how it is turned</source>
-            <translation>Sagt, wie er gedreht ist</translation>
-        </message>
-        <message>
-            <source>Pressed: %1</source>
-            <translation>Gedrückt: %1</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::LibraryModel</name>
-        <message>
-            <source>Draft</source>
-            <translation>Entwurf</translation>
-        </message>
-        <message>
-            <source>Draft of the next</source>
-            <translation>Entwurf der nächsten</translation>
-        </message>
-        <message>
-            <source>Comes with Cusp</source>
-            <translation>Liegt Cusp bei</translation>
-        </message>
-        <message>
-            <source>Published</source>
-            <translation>Veröffentlicht</translation>
-        </message>
-        <message>
-            <source>Exercise</source>
-            <translation>Übung</translation>
-        </message>
-        <message>
-            <source>Tooth</source>
-            <translation>Zahn</translation>
-        </message>
-        <message>
-            <source>Version</source>
-            <translation>Version</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>Stand</translation>
-        </message>
-        <message>
-            <source>Draft saved</source>
-            <translation>Entwurf gespeichert</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::LibraryPage</name>
-        <message>
-            <source>Discard the draft</source>
-            <translation>Entwurf verwerfen</translation>
-        </message>
-        <message>
-            <source>Discard the draft of %1?</source>
-            <translation>Den Entwurf von %1 verwerfen?</translation>
-        </message>
-        <message>
-            <source>What is published stays as it is.</source>
-            <translation>Was veröffentlicht ist, bleibt, wie es ist.</translation>
-        </message>
-        <message>
-            <source>It was never published: nothing of it is left.</source>
-            <translation>Er wurde nie veröffentlicht: Es bleibt nichts davon.</translation>
-        </message>
-        <message>
-            <source>Library</source>
-            <translation>Bibliothek</translation>
-        </message>
-        <message>
-            <source>Import a specimen</source>
-            <translation>Präparat importieren</translation>
-        </message>
-        <message>
-            <source>Copy</source>
-            <translation>Kopieren</translation>
-        </message>
-        <message>
-            <source>Copy the chosen exercise</source>
-            <translation>Gewählte Übung kopieren</translation>
-        </message>
-        <message>
-            <source>New exercise</source>
-            <translation>Neue Übung</translation>
-        </message>
-        <message>
-            <source>Open in the editor</source>
-            <translation>Im Editor öffnen</translation>
-        </message>
-        <message>
-            <source>Exercises</source>
-            <translation>Übungen</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n exercise(s) cannot be read.</source>
-            <translation>
-                <numerusform>%n Übung kann nicht gelesen werden.</numerusform>
-                <numerusform>%n Übungen können nicht gelesen werden.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>The others are below.</source>
-            <translation>Die anderen stehen unten.</translation>
-        </message>
-        <message>
-            <source>A draft has nothing to copy yet.</source>
-            <translation>Ein Entwurf hat noch nichts zum Kopieren.</translation>
-        </message>
-        <message>
-            <source>Publish it first.</source>
-            <translation>Veröffentlichen Sie ihn zuerst.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::MeshForm</name>
-        <message>
-            <source>Leave out</source>
-            <translation>Weglassen</translation>
-        </message>
-        <message>
-            <source>What %1 is made of</source>
-            <translation>Woraus %1 besteht</translation>
-        </message>
-        <message>
-            <source>Mend: join, turn and close holes up to</source>
-            <translation>Ausbessern: verbinden, wenden und Löcher schließen bis</translation>
-        </message>
-        <message>
-            <source>Widest hole that is closed</source>
-            <translation>Breitestes Loch, das geschlossen wird</translation>
-        </message>
-        <message>
-            <source>closed</source>
-            <translation>geschlossen</translation>
-        </message>
-        <message>
-            <source>wound against itself at %1</source>
-            <translation>bei %1 gegen sich selbst gewendet</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n gap(s), the widest of %1 at %2</source>
-            <translation>
-                <numerusform>%n Lücke von %1 bei %2</numerusform>
-                <numerusform>%n Lücken, die breiteste von %1 bei %2</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>An open surface cannot be made of anything: mend it first.</source>
-            <translation>Eine offene Oberfläche kann aus nichts bestehen: Erst ausbessern.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::OwnHistory</name>
-        <message>
-            <source>My results</source>
-            <translation>Meine Ergebnisse</translation>
-        </message>
-        <message>
-            <source>No go yet</source>
-            <translation>Noch kein Durchgang</translation>
-        </message>
-        <message>
-            <source>Each go you finish stays here, with its report.</source>
-            <translation>Jeder beendete Durchgang bleibt hier, mit seinem Bericht.</translation>
-        </message>
-        <message>
-            <source>Choose an exercise</source>
-            <translation>Übung wählen</translation>
-        </message>
-        <message>
-            <source>Exercise</source>
-            <translation>Übung</translation>
-        </message>
-        <message>
-            <source>All exercises</source>
-            <translation>Alle Übungen</translation>
-        </message>
-        <message>
-            <source>Points by go</source>
-            <translation>Punkte je Durchgang</translation>
-        </message>
-        <message>
-            <source>Time and score</source>
-            <translation>Zeit und Punkte</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::PasswordDialog</name>
-        <message>
-            <source>Change password</source>
-            <translation>Passwort ändern</translation>
-        </message>
-        <message>
-            <source>Password until now</source>
-            <translation>Bisheriges Passwort</translation>
-        </message>
-        <message>
-            <source>New password, at least 8 characters</source>
-            <translation>Neues Passwort, mindestens 8 Zeichen</translation>
-        </message>
-        <message>
-            <source>New password again</source>
-            <translation>Neues Passwort noch einmal</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
-            <source>The two new passwords differ.</source>
-            <translation>Die beiden neuen Passwörter sind verschieden.</translation>
-        </message>
-        <message>
-            <source>Type them again.</source>
-            <translation>Geben Sie sie noch einmal ein.</translation>
-        </message>
-        <message>
-            <source>The password until now is another one.</source>
-            <translation>Das bisherige Passwort ist ein anderes.</translation>
-        </message>
-        <message>
-            <source>Nothing was changed.</source>
-            <translation>Nichts wurde geändert.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::PedalPanel</name>
-        <message>
-            <source>Foot pedal</source>
-            <translation>Fußpedal</translation>
-        </message>
-        <message>
-            <source>The pedal drives the handpiece</source>
-            <translation>Das Pedal treibt das Handstück an</translation>
-        </message>
-        <message>
-            <source>Which pedal</source>
-            <translation>Welches Pedal</translation>
-        </message>
-        <message>
-            <source>This pedal plays keyboard: what it types goes to the window as well. With its maker&apos;s program, set it to a key from F13 to F24.</source>
-            <translation>Dieses Pedal spielt Tastatur: Was es tippt, geht auch ans Fenster. Stellen Sie es mit dem Programm des Herstellers auf eine Taste von F13 bis F24.</translation>
-        </message>
-        <message>
-            <source>Pressed</source>
-            <translation>Gedrückt</translation>
-        </message>
-        <message>
-            <source>Calibrate</source>
-            <translation>Kalibrieren</translation>
-        </message>
-        <message>
-            <source>Drills</source>
-            <translation>Bohrt</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>Keiner</translation>
-        </message>
-        <message>
-            <source>No switch for the coolant</source>
-            <translation>Kein Schalter für die Kühlung</translation>
-        </message>
-        <message>
-            <source>Choose</source>
-            <translation>Wählen</translation>
-        </message>
-        <message>
-            <source>Choose the switch for the coolant</source>
-            <translation>Schalter für die Kühlung wählen</translation>
-        </message>
-        <message>
-            <source>Coolant</source>
-            <translation>Kühlung</translation>
-        </message>
-        <message>
-            <source>Dead zone at both ends</source>
-            <translation>Totbereich an beiden Enden</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
-            <source>Next</source>
-            <translation>Weiter</translation>
-        </message>
-        <message>
-            <source>Take it over</source>
-            <translation>Übernehmen</translation>
-        </message>
-        <message>
-            <source>Press the pedal once, let go of it, and take the foot off.</source>
-            <translation>Treten Sie das Pedal einmal, lassen Sie es los und nehmen Sie den Fuß weg.</translation>
-        </message>
-        <message>
-            <source>Press the pedal all the way down.</source>
-            <translation>Treten Sie das Pedal ganz durch.</translation>
-        </message>
-        <message>
-            <source>Press the switch that runs the coolant.</source>
-            <translation>Treten Sie den Schalter, der die Kühlung laufen lässt.</translation>
-        </message>
-        <message>
-            <source>connected</source>
-            <translation>verbunden</translation>
-        </message>
-        <message>
-            <source>no permission</source>
-            <translation>keine Berechtigung</translation>
-        </message>
-        <message>
-            <source>not connected</source>
-            <translation>nicht verbunden</translation>
-        </message>
-        <message>
-            <source>The first foot pedal that is found</source>
-            <translation>Das erste Fußpedal, das gefunden wird</translation>
-        </message>
-        <message>
-            <source>Nothing yet: calibrate it</source>
-            <translation>Noch nichts: bitte kalibrieren</translation>
-        </message>
-        <message>
-            <source>Any switch of it</source>
-            <translation>Jeder seiner Schalter</translation>
-        </message>
-        <message>
-            <source>The pedal is not connected any more.</source>
-            <translation>Das Pedal ist nicht mehr verbunden.</translation>
-        </message>
-        <message>
-            <source>It is: %1</source>
-            <translation>Es ist: %1</translation>
-        </message>
-        <message>
-            <source>Nothing has moved yet.</source>
-            <translation>Noch hat sich nichts bewegt.</translation>
-        </message>
-        <message>
-            <source>No foot pedal is connected</source>
-            <translation>Kein Fußpedal ist verbunden</translation>
-        </message>
-        <message>
-            <source>%1: no permission</source>
-            <translation>%1: keine Berechtigung</translation>
-        </message>
-        <message>
-            <source>%1: not connected</source>
-            <translation>%1: nicht verbunden</translation>
-        </message>
-        <message>
-            <source>%1: connected</source>
-            <translation>%1: verbunden</translation>
-        </message>
-        <message>
-            <source>%1: connected, not used</source>
-            <translation>%1: verbunden, nicht benutzt</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::PeopleModel</name>
-        <message>
-            <source>PIN or password</source>
-            <translation>PIN oder Passwort</translation>
-        </message>
-        <message>
-            <source>PIN</source>
-            <translation>PIN</translation>
-        </message>
-        <message>
-            <source>Password</source>
-            <translation>Passwort</translation>
-        </message>
-        <message>
-            <source>number alone</source>
-            <translation>nur der Nummer</translation>
-        </message>
-        <message>
-            <source>Switched off</source>
-            <translation>Ausgeschaltet</translation>
-        </message>
-        <message>
-            <source>Active</source>
-            <translation>Aktiv</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>Name</translation>
-        </message>
-        <message>
-            <source>Number or user name</source>
-            <translation>Nummer oder Benutzername</translation>
-        </message>
-        <message>
-            <source>Role</source>
-            <translation>Rolle</translation>
-        </message>
-        <message>
-            <source>Signs in with</source>
-            <translation>Meldet sich an mit</translation>
-        </message>
-        <message>
-            <source>Account</source>
-            <translation>Konto</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::PeoplePage</name>
-        <message>
-            <source>People</source>
-            <translation>Personen</translation>
-        </message>
-        <message>
-            <source>Find somebody</source>
-            <translation>Jemanden finden</translation>
-        </message>
-        <message>
-            <source>Add a person</source>
-            <translation>Person hinzufügen</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>Name</translation>
-        </message>
-        <message>
-            <source>Number or user name</source>
-            <translation>Nummer oder Benutzername</translation>
-        </message>
-        <message>
-            <source>Role</source>
-            <translation>Rolle</translation>
-        </message>
-        <message>
-            <source>PIN, six digits</source>
-            <translation>PIN, sechs Ziffern</translation>
-        </message>
-        <message>
-            <source>Add</source>
-            <translation>Hinzufügen</translation>
-        </message>
-        <message>
-            <source>Switch account off</source>
-            <translation>Konto ausschalten</translation>
-        </message>
-        <message>
-            <source>New PIN, six digits</source>
-            <translation>Neue PIN, sechs Ziffern</translation>
-        </message>
-        <message>
-            <source>New password, at least 8 characters</source>
-            <translation>Neues Passwort, mindestens 8 Zeichen</translation>
-        </message>
-        <message>
-            <source>Password, at least 8 characters</source>
-            <translation>Passwort, mindestens 8 Zeichen</translation>
-        </message>
-        <message>
-            <source>Leave it empty to keep the one there is.</source>
-            <translation>Leer lassen, um es beizubehalten.</translation>
-        </message>
-        <message>
-            <source>Without a PIN the number alone signs in.</source>
-            <translation>Ohne PIN genügt zum Anmelden die Nummer.</translation>
-        </message>
-        <message>
-            <source>Staff change it themselves under their name at the top.</source>
-            <translation>Personal ändert es selbst, oben unter dem eigenen Namen.</translation>
-        </message>
-        <message>
-            <source>Save changes</source>
-            <translation>Änderungen speichern</translation>
-        </message>
-        <message>
-            <source>Switch account on</source>
-            <translation>Konto einschalten</translation>
-        </message>
-        <message>
-            <source>Name and number are needed.</source>
-            <translation>Name und Nummer fehlen.</translation>
-        </message>
-        <message>
-            <source>%1 is added.</source>
-            <translation>%1 ist hinzugefügt.</translation>
-        </message>
-        <message>
-            <source>%1 is saved.</source>
-            <translation>%1 ist gespeichert.</translation>
-        </message>
-        <message>
-            <source>%1 can no longer sign in.</source>
-            <translation>%1 kann sich nicht mehr anmelden.</translation>
-        </message>
-        <message>
-            <source>%1 can sign in again.</source>
-            <translation>%1 kann sich wieder anmelden.</translation>
-        </message>
-        <message>
-            <source>All results are kept.</source>
-            <translation>Alle Ergebnisse bleiben aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>Switch off the account of %1?</source>
-            <translation>Das Konto von %1 ausschalten?</translation>
-        </message>
-        <message>
-            <source>They can no longer sign in. All results are kept, and you can switch it on again.</source>
-            <translation>Eine Anmeldung ist dann nicht mehr möglich. Alle Ergebnisse bleiben aufbewahrt, und Sie können das Konto wieder einschalten.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Performance</name>
-        <message>
-            <source>Performance</source>
-            <translation>Leistungen</translation>
-        </message>
-        <message>
-            <source>Export CSV</source>
-            <translation>CSV exportieren</translation>
-        </message>
-        <message>
-            <source>How scores spread</source>
-            <translation>Verteilung der Punkte</translation>
-        </message>
-        <message>
-            <source>goes, five points a bar</source>
-            <translation>Durchgänge, fünf Punkte je Balken</translation>
-        </message>
-        <message>
-            <source>Learning</source>
-            <translation>Lernverlauf</translation>
-        </message>
-        <message>
-            <source>points by go</source>
-            <translation>Punkte je Durchgang</translation>
-        </message>
-        <message>
-            <source>Goes</source>
-            <translation>Durchgänge</translation>
-        </message>
-        <message>
-            <source>No go fits</source>
-            <translation>Kein Durchgang passt</translation>
-        </message>
-        <message>
-            <source>Nobody has a go that fits these filters, or none is finished yet.</source>
-            <translation>Niemand hat einen Durchgang, der zu diesen Filtern passt, oder noch keiner ist beendet.</translation>
-        </message>
-        <message>
-            <source>Show all goes</source>
-            <translation>Alle Durchgänge zeigen</translation>
-        </message>
-        <message>
-            <source>Exercise</source>
-            <translation>Übung</translation>
-        </message>
-        <message>
-            <source>Result</source>
-            <translation>Ergebnis</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Gerät</translation>
-        </message>
-        <message>
-            <source>From</source>
-            <translation>Von</translation>
-        </message>
-        <message>
-            <source>All results</source>
-            <translation>Alle Ergebnisse</translation>
-        </message>
-        <message>
-            <source>Passed</source>
-            <translation>Bestanden</translation>
-        </message>
-        <message>
-            <source>Not passed</source>
-            <translation>Nicht bestanden</translation>
-        </message>
-        <message>
-            <source>All dates</source>
-            <translation>Alle Tage</translation>
-        </message>
-        <message numerus="yes">
-            <source>Last %n day(s)</source>
-            <translation>
-                <numerusform>Letzter Tag</numerusform>
-                <numerusform>Letzte %n Tage</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Find a student</source>
-            <translation>Studierende finden</translation>
-        </message>
-        <message>
-            <source>All exercises</source>
-            <translation>Alle Übungen</translation>
-        </message>
-        <message>
-            <source>All devices</source>
-            <translation>Alle Geräte</translation>
-        </message>
-        <message>
-            <source>Goes counted</source>
-            <translation>Gezählte Durchgänge</translation>
-        </message>
-        <message>
-            <source>Median score</source>
-            <translation>Median der Punkte</translation>
-        </message>
-        <message>
-            <source>Median time</source>
-            <translation>Median der Zeit</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n student(s)</source>
-            <translation>
-                <numerusform>%n Person</numerusform>
-                <numerusform>%n Personen</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>half lie in %1 to %2</source>
-            <translation>die Hälfte liegt in %1 bis %2</translation>
-        </message>
-        <message>
-            <source>95 % interval %1 to %2</source>
-            <translation>95-%-Intervall %1 bis %2</translation>
-        </message>
-        <message>
-            <source>minutes and seconds</source>
-            <translation>Minuten und Sekunden</translation>
-        </message>
-        <message>
-            <source>points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>goes</source>
-            <translation>Durchgänge</translation>
-        </message>
-        <message>
-            <source>below %1</source>
-            <translation>unter %1</translation>
-        </message>
-        <message>
-            <source>%1 to %2</source>
-            <translation>%1 bis %2</translation>
-        </message>
-        <message>
-            <source>pass %1</source>
-            <translation>Grenze %1</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n go(es).</source>
-            <translation>
-                <numerusform>%n Durchgang.</numerusform>
-                <numerusform>%n Durchgänge.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>go</source>
-            <translation>Durchgang</translation>
-        </message>
-        <message>
-            <source>Each dot is one go: medians need three students.</source>
-            <translation>Jeder Punkt ist ein Durchgang: Mediane brauchen drei Studierende.</translation>
-        </message>
-        <message>
-            <source>Median</source>
-            <translation>Median</translation>
-        </message>
-        <message>
-            <source>Middle half</source>
-            <translation>Mittlere Hälfte</translation>
-        </message>
-        <message numerus="yes">
-            <source>Median over %n go(es).</source>
-            <translation>
-                <numerusform>Median über %n Durchgang.</numerusform>
-                <numerusform>Median über %n Durchgänge.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>CSV (*.csv)</source>
-            <translation>CSV (*.csv)</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n go(es) exported.</source>
-            <translation>
-                <numerusform>%n Durchgang exportiert.</numerusform>
-                <numerusform>%n Durchgänge exportiert.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>The file was not written.</source>
-            <translation>Die Datei wurde nicht geschrieben.</translation>
-        </message>
-        <message>
-            <source>%1: %2. What was there before is unchanged.</source>
-            <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::PinBoxes</name>
-        <message>
-            <source>PIN, digit %1 of %2</source>
-            <translation>PIN, Ziffer %1 von %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::PinnedTooth</name>
-        <message>
-            <source>The tooth after this go</source>
-            <translation>Der Zahn nach diesem Durchgang</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::PointsForm</name>
-        <message>
-            <source>Points</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>Criterion to add</source>
-            <translation>Neues Kriterium</translation>
-        </message>
-        <message>
-            <source>Add</source>
-            <translation>Hinzufügen</translation>
-        </message>
-        <message>
-            <source>Add a criterion</source>
-            <translation>Kriterium hinzufügen</translation>
-        </message>
-        <message>
-            <source>Pass mark, of 100</source>
-            <translation>Bestehensgrenze, von 100</translation>
-        </message>
-        <message>
-            <source>Opening the pulp fails the go</source>
-            <translation>Pulpa eröffnet: nicht bestanden</translation>
-        </message>
-        <message>
-            <source>Bands of depth move with the target’s depth.</source>
-            <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels.</translation>
-        </message>
-        <message>
-            <source>Bands of %1</source>
-            <translation>Stufen von %1</translation>
-        </message>
-        <message>
-            <source>Show what earns the points</source>
-            <translation>Zeigen, was die Punkte bringt</translation>
-        </message>
-        <message>
-            <source>Points for %1</source>
-            <translation>Punkte für %1</translation>
-        </message>
-        <message>
-            <source>Remove %1</source>
-            <translation>%1 entfernen</translation>
-        </message>
-        <message>
-            <source>No points below</source>
-            <translation>Keine Punkte unter</translation>
-        </message>
-        <message>
-            <source>Half from</source>
-            <translation>Halbe ab</translation>
-        </message>
-        <message>
-            <source>Full from</source>
-            <translation>Volle ab</translation>
-        </message>
-        <message>
-            <source>Full to</source>
-            <translation>Volle bis</translation>
-        </message>
-        <message>
-            <source>Half to</source>
-            <translation>Halbe bis</translation>
-        </message>
-        <message>
-            <source>No points above</source>
-            <translation>Keine Punkte über</translation>
-        </message>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
-        </message>
-        <message>
-            <source>Full points: %1</source>
-            <translation>Volle Punktzahl: %1</translation>
-        </message>
-        <message>
-            <source>pass %1 of 100, shares of %2</source>
-            <translation>Grenze %1, Summe %2</translation>
-        </message>
-        <message>
-            <source>Overheating the tooth fails the go</source>
-            <translation>Zahn überhitzt: nicht bestanden</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Report</name>
-        <message>
-            <source>Nothing of this go is kept</source>
-            <translation>Von diesem Durchgang wird nichts aufbewahrt</translation>
-        </message>
-        <message>
-            <source>%1 · %2, go %3</source>
-            <translation>%1 · %2, Durchgang %3</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 min</translation>
-        </message>
-        <message>
-            <source>peak push %1</source>
-            <translation>höchster Druck %1</translation>
-        </message>
-        <message>
-            <source>tissues at %1 of their stiffness</source>
-            <translation>Gewebe mit %1 ihrer Steifigkeit</translation>
-        </message>
-        <message>
-            <source>Passed</source>
-            <translation>Bestanden</translation>
-        </message>
-        <message>
-            <source>Not passed</source>
-            <translation>Nicht bestanden</translation>
-        </message>
-        <message>
-            <source>%1 of %2 points, pass mark %3</source>
-            <translation>%1 von %2 Punkten, Bestehensgrenze %3</translation>
-        </message>
-        <message>
-            <source>%1: this fails the go, whatever its points.</source>
-            <translation>%1: damit ist der Durchgang nicht bestanden, unabhängig von den Punkten.</translation>
-        </message>
-        <message>
-            <source>No picture: this computer has no OpenGL.</source>
-            <translation>Kein Bild: dieser Rechner hat kein OpenGL.</translation>
-        </message>
-        <message>
-            <source>Next time</source>
-            <translation>Beim nächsten Mal</translation>
-        </message>
-        <message>
-            <source>%1. %2. %3</source>
-            <translation>%1. %2. %3</translation>
-        </message>
-        <message>
-            <source>Every criterion has its full points.</source>
-            <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
-        </message>
-        <message numerus="yes">
-            <source>Best before: %1 point(s) on %2; today %3.</source>
-            <translation>
-                <numerusform>Bester davor: %1 Punkt am %2; heute %3.</numerusform>
-                <numerusform>Bester davor: %1 Punkte am %2; heute %3.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>0.5 mm and more left standing</source>
-            <translation>0,5 mm und mehr stehen gelassen</translation>
-        </message>
-        <message>
-            <source>0.3 mm left standing</source>
-            <translation>0,3 mm stehen gelassen</translation>
-        </message>
-        <message>
-            <source>on target, within 0.1 mm</source>
-            <translation>auf dem Ziel, innerhalb 0,1 mm</translation>
-        </message>
-        <message>
-            <source>0.3 mm cut too far</source>
-            <translation>0,3 mm zu weit abgetragen</translation>
-        </message>
-        <message>
-            <source>0.5 mm and more cut too far</source>
-            <translation>0,5 mm und mehr zu weit abgetragen</translation>
-        </message>
-        <message>
-            <source>Engine %1, marking %2</source>
-            <translation>Rechenkern %1, Bewertung %2</translation>
-        </message>
-        <message>
-            <source>%1 to %2</source>
-            <extracomment>From one moment of a go to another, as "1:12 to 3:05".</extracomment>
-            <translation>%1 bis %2</translation>
-        </message>
-        <message numerus="yes">
-            <source>and %n more</source>
-            <translation>
-                <numerusform>und %n weiteres Mal</numerusform>
-                <numerusform>und %n weitere Male</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Burr %1: %2</source>
-            <extracomment>A burr, and when it was used.</extracomment>
-            <translation>Bohrer %1: %2</translation>
-        </message>
-        <message>
-            <source>, </source>
-            <translation>, </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ReportPage</name>
-        <message>
-            <source>Report</source>
-            <translation>Bericht</translation>
-        </message>
-        <message>
-            <source>This fails the go, whatever its points; the points still stand.</source>
-            <translation>Damit ist der Durchgang nicht bestanden, unabhängig von den Punkten; die Punkte bleiben stehen.</translation>
-        </message>
-        <message>
-            <source>This go broke off.</source>
-            <translation>Dieser Durchgang brach ab.</translation>
-        </message>
-        <message>
-            <source>It is marked as it stands.</source>
-            <translation>Er ist bewertet, wie er ist.</translation>
-        </message>
-        <message>
-            <source>Print</source>
-            <translation>Drucken</translation>
-        </message>
-        <message>
-            <source>Save as PDF</source>
-            <translation>Als PDF speichern</translation>
-        </message>
-        <message>
-            <source>Go again</source>
-            <translation>Noch einmal</translation>
-        </message>
-        <message>
-            <source>Difference</source>
-            <translation>Abweichung</translation>
-        </message>
-        <message>
-            <source>As drilled</source>
-            <translation>Wie gebohrt</translation>
-        </message>
-        <message>
-            <source>Turn back to the view from above</source>
-            <translation>Zurück zur Ansicht von oben</translation>
-        </message>
-        <message>
-            <source>Passed</source>
-            <translation>Bestanden</translation>
-        </message>
-        <message>
-            <source>Not passed</source>
-            <translation>Nicht bestanden</translation>
-        </message>
-        <message>
-            <source>of %1 points, pass mark %2</source>
-            <translation>von %1 Punkten, Bestehensgrenze %2</translation>
-        </message>
-        <message>
-            <source>Best before</source>
-            <translation>Bester davor</translation>
-        </message>
-        <message>
-            <source>Criteria</source>
-            <translation>Kriterien</translation>
-        </message>
-        <message>
-            <source>not measured</source>
-            <translation>nicht gemessen</translation>
-        </message>
-        <message>
-            <source>Next time</source>
-            <translation>Beim nächsten Mal</translation>
-        </message>
-        <message>
-            <source>Every criterion has its full points.</source>
-            <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
-        </message>
-        <message>
-            <source>Against your best before</source>
-            <translation>Gegen Ihren besten Durchgang davor</translation>
-        </message>
-        <message>
-            <source>No go with this device came before. From the next one on this compares the two.</source>
-            <translation>Davor gab es keinen Durchgang mit diesem Gerät. Ab dem nächsten werden hier beide verglichen.</translation>
-        </message>
-        <message>
-            <source>%1, %2</source>
-            <translation>%1, %2</translation>
-        </message>
-        <message>
-            <source>this go, %1</source>
-            <translation>dieser Durchgang, %1</translation>
-        </message>
-        <message>
-            <source>Save the report</source>
-            <translation>Bericht speichern</translation>
-        </message>
-        <message>
-            <source>PDF (*.pdf)</source>
-            <translation>PDF (*.pdf)</translation>
-        </message>
-        <message>
-            <source>The report is saved.</source>
-            <translation>Der Bericht ist gespeichert.</translation>
-        </message>
-        <message>
-            <source>The report was not saved.</source>
-            <translation>Der Bericht wurde nicht gespeichert.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be written. The go and its grade are kept.</source>
-            <translation>%1 kann nicht geschrieben werden. Durchgang und Bewertung sind aufbewahrt.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::RightsRow</name>
-        <message>
-            <source>This user may not open it. Paste this line into a terminal once, then plug it in again:</source>
-            <translation>Dieses Benutzerkonto darf es nicht öffnen. Fügen Sie diese Zeile einmal in ein Terminal ein und stecken Sie es dann neu an:</translation>
-        </message>
-        <message>
-            <source>Line for the terminal</source>
-            <translation>Zeile für das Terminal</translation>
-        </message>
-        <message>
-            <source>Copy</source>
-            <translation>Kopieren</translation>
-        </message>
-        <message>
-            <source>Copied</source>
-            <translation>Kopiert</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ScorePanel</name>
-        <message>
-            <source>Section at the burr</source>
-            <translation>Schnitt am Bohrer</translation>
-        </message>
-        <message>
-            <source>Progress</source>
-            <translation>Fortschritt</translation>
-        </message>
-        <message>
-            <source>Target removed</source>
-            <translation>Ziel abgetragen</translation>
-        </message>
-        <message>
-            <source>of the target removed</source>
-            <translation>des Ziels abgetragen</translation>
-        </message>
-        <message>
-            <source>Cut too far</source>
-            <translation>Zu weit abgetragen</translation>
-        </message>
-        <message>
-            <source>Least dentine over pulp</source>
-            <translation>Dentin über Pulpa, min.</translation>
-        </message>
-        <message>
-            <source>Removed so far</source>
-            <translation>Bisher abgetragen</translation>
-        </message>
-        <message>
-            <source>All tissues feel softer, at %1 of their stiffness: with more this device could begin to tremble.</source>
-            <translation>Alle Gewebe fühlen sich weicher an, mit %1 ihrer Steifigkeit: mit mehr könnte dieses Gerät zu zittern beginnen.</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Gerät</translation>
-        </message>
-        <message>
-            <source>buccal–lingual</source>
-            <translation>bukkal–lingual</translation>
-        </message>
-        <message>
-            <source>across</source>
-            <translation>quer</translation>
-        </message>
-        <message>
-            <source>B</source>
-            <extracomment>First letters of buccal and lingual, at the two sides of a section.</extracomment>
-            <translation>B</translation>
-        </message>
-        <message>
-            <source>L</source>
-            <translation>L</translation>
-        </message>
-        <message>
-            <source>open</source>
-            <translation>offen</translation>
-        </message>
-        <message>
-            <source>enough</source>
-            <translation>genug</translation>
-        </message>
-        <message>
-            <source>steady</source>
-            <translation>stetig</translation>
-        </message>
-        <message>
-            <source>stopped</source>
-            <translation>angehalten</translation>
-        </message>
-        <message>
-            <source>slow</source>
-            <translation>langsam</translation>
-        </message>
-        <message>
-            <source>not connected</source>
-            <translation>nicht verbunden</translation>
-        </message>
-        <message>
-            <source>Nothing is kept</source>
-            <translation>Nichts wird aufbewahrt</translation>
-        </message>
-        <message>
-            <source>Recording, saved every second</source>
-            <translation>Aufzeichnung, jede Sekunde gesichert</translation>
-        </message>
-        <message>
-            <source>Recording, the disk is slow</source>
-            <translation>Aufzeichnung, der Datenträger ist langsam</translation>
-        </message>
-        <message>
-            <source>The record cannot be written</source>
-            <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::SectionView</name>
-        <message>
-            <source>Section at the burr</source>
-            <translation>Schnitt am Bohrer</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Sentences</name>
-        <message>
-            <source>The record is not there.</source>
-            <translation>Der Eintrag ist nicht da.</translation>
-        </message>
-        <message>
-            <source>%1 was not found. Nothing was changed.</source>
-            <translation>%1 wurde nicht gefunden. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>The database’s folder is not there.</source>
-            <translation>Den Ordner der Datenbank gibt es nicht.</translation>
-        </message>
-        <message>
-            <source>There is no folder %1. Make it, or choose another place with --db.</source>
-            <translation>Es gibt keinen Ordner %1. Legen Sie ihn an, oder wählen Sie mit --db einen anderen Ort.</translation>
-        </message>
-        <message>
-            <source>The database cannot be made there.</source>
-            <translation>Die Datenbank lässt sich dort nicht anlegen.</translation>
-        </message>
-        <message>
-            <source>No file can be made at %1. Choose another place with --db.</source>
-            <translation>Unter %1 lässt sich keine Datei anlegen. Wählen Sie mit --db einen anderen Ort.</translation>
-        </message>
-        <message>
-            <source>This file is not a Cusp database.</source>
-            <translation>Diese Datei ist keine Cusp-Datenbank.</translation>
-        </message>
-        <message>
-            <source>%1 was left as it is. Choose another file with --db.</source>
-            <translation>%1 blieb, wie sie ist. Wählen Sie mit --db eine andere Datei.</translation>
-        </message>
-        <message>
-            <source>This database was written by a newer version of Cusp.</source>
-            <translation>Diese Datenbank stammt von einer neueren Cusp-Version.</translation>
-        </message>
-        <message>
-            <source>%1 was left as it is. Install the newer version to open it.</source>
-            <translation>%1 blieb, wie sie ist. Zum Öffnen die neuere Version installieren.</translation>
-        </message>
-        <message>
-            <source>The database lies on a network drive.</source>
-            <translation>Die Datenbank liegt auf einem Netzlaufwerk.</translation>
-        </message>
-        <message>
-            <source>%1 would not be safe there. Move it to this computer’s own disk.</source>
-            <translation>%1 wäre dort nicht sicher. Verschieben Sie sie auf den Datenträger dieses Rechners.</translation>
-        </message>
-        <message>
-            <source>The database cannot be written.</source>
-            <translation>In die Datenbank kann nicht geschrieben werden.</translation>
-        </message>
-        <message>
-            <source>%1 or its folder is read-only. Nothing was changed.</source>
-            <translation>%1 oder ihr Ordner ist schreibgeschützt. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>The disk is full.</source>
-            <translation>Der Datenträger ist voll.</translation>
-        </message>
-        <message>
-            <source>Nothing of the last step was written to %1; all before it is kept. Free some space and try again.</source>
-            <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt. Schaffen Sie Platz und versuchen Sie es noch einmal.</translation>
-        </message>
-        <message>
-            <source>The disk failed.</source>
-            <translation>Der Datenträger hat versagt.</translation>
-        </message>
-        <message>
-            <source>Nothing of the last step was written to %1; all before it is kept.</source>
-            <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>Another program holds the database.</source>
-            <translation>Ein anderes Programm hält die Datenbank.</translation>
-        </message>
-        <message>
-            <source>%1 stayed as it was. Close the other program and try again.</source>
-            <translation>%1 blieb, wie sie war. Schließen Sie das andere Programm und versuchen Sie es noch einmal.</translation>
-        </message>
-        <message>
-            <source>The database is damaged.</source>
-            <translation>Die Datenbank ist beschädigt.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be read whole. Nothing was changed; restore it from a backup.</source>
-            <translation>%1 kann nicht ganz gelesen werden. Nichts wurde geändert; stellen Sie sie aus einer Sicherung wieder her.</translation>
-        </message>
-        <message>
-            <source>Number and password do not match.</source>
-            <translation>Nummer und Passwort passen nicht zusammen.</translation>
-        </message>
-        <message>
-            <source>Check both and try again.</source>
-            <translation>Prüfen Sie beides und versuchen Sie es noch einmal.</translation>
-        </message>
-        <message>
-            <source>Too many wrong tries.</source>
-            <translation>Zu viele falsche Versuche.</translation>
-        </message>
-        <message>
-            <source>Wait a little and try again.</source>
-            <translation>Warten Sie etwas und versuchen Sie es noch einmal.</translation>
-        </message>
-        <message>
-            <source>Signing in is open again at %1.</source>
-            <translation>Die Anmeldung ist um %1 wieder offen.</translation>
-        </message>
-        <message>
-            <source>This account is switched off.</source>
-            <translation>Dieses Konto ist ausgeschaltet.</translation>
-        </message>
-        <message>
-            <source>Ask an administrator to switch it on again.</source>
-            <translation>Bitten Sie die Verwaltung, es wieder einzuschalten.</translation>
-        </message>
-        <message>
-            <source>Your role may not do this.</source>
-            <translation>Ihre Rolle darf das nicht.</translation>
-        </message>
-        <message>
-            <source>Nothing was changed.</source>
-            <translation>Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>This password is too short.</source>
-            <translation>Dieses Passwort ist zu kurz.</translation>
-        </message>
-        <message>
-            <source>A password has at least 8 characters, a PIN exactly six digits. Nothing was changed.</source>
-            <translation>Ein Passwort hat mindestens 8 Zeichen, eine PIN genau sechs Ziffern. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>This is the last administrator.</source>
-            <translation>Das ist die letzte Person mit Verwaltungsrechten.</translation>
-        </message>
-        <message>
-            <source>Somebody has to manage people. Make another administrator first.</source>
-            <translation>Jemand muss die Personen verwalten. Geben Sie zuerst einer anderen diese Rolle.</translation>
-        </message>
-        <message>
-            <source>This is there already.</source>
-            <translation>Das gibt es schon.</translation>
-        </message>
-        <message>
-            <source>%1 is taken. Nothing was changed.</source>
-            <translation>%1 ist vergeben. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>A value is missing or outside its range.</source>
-            <translation>Ein Wert fehlt oder liegt außerhalb seines Bereichs.</translation>
-        </message>
-        <message>
-            <source>Look at %1. Nothing was changed.</source>
-            <translation>Sehen Sie bei %1 nach. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>This go is not in a state that allows it.</source>
-            <translation>Der Zustand dieses Durchgangs lässt das nicht zu.</translation>
-        </message>
-        <message>
-            <source>The recording cannot be read.</source>
-            <translation>Die Aufzeichnung kann nicht gelesen werden.</translation>
-        </message>
-        <message>
-            <source>%1 is damaged; the grade and all other goes are kept.</source>
-            <translation>%1 ist beschädigt; die Bewertung und alle anderen Durchgänge sind aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>The database failed.</source>
-            <translation>Die Datenbank hat versagt.</translation>
-        </message>
-        <message>
-            <source>This exercise cannot be read.</source>
-            <translation>Diese Übung kann nicht gelesen werden.</translation>
-        </message>
-        <message>
-            <source>The file %1 cannot be opened.</source>
-            <translation>Die Datei %1 lässt sich nicht öffnen.</translation>
-        </message>
-        <message>
-            <source>%1 is larger than any exercise.</source>
-            <translation>%1 ist größer als jede Übung.</translation>
-        </message>
-        <message>
-            <source>The text breaks off or is malformed at %1.</source>
-            <translation>Der Text bricht bei %1 ab oder ist dort fehlerhaft.</translation>
-        </message>
-        <message>
-            <source>%1 stands there twice.</source>
-            <translation>%1 steht zweimal da.</translation>
-        </message>
-        <message>
-            <source>%1 was written by a newer version of Cusp (format %2).</source>
-            <translation>%1 stammt von einer neueren Cusp-Version (Format %2).</translation>
-        </message>
-        <message>
-            <source>%1 is not known.</source>
-            <translation>%1 ist nicht bekannt.</translation>
-        </message>
-        <message>
-            <source>%1 is missing.</source>
-            <translation>%1 fehlt.</translation>
-        </message>
-        <message>
-            <source>%1 has to be: %2.</source>
-            <translation>%1 muss sein: %2.</translation>
-        </message>
-        <message>
-            <source>%1 has to lie in %2.</source>
-            <translation>%1 muss in %2 liegen.</translation>
-        </message>
-        <message>
-            <source>%1 is not a number.</source>
-            <translation>%1 ist keine Zahl.</translation>
-        </message>
-        <message>
-            <source>%1 is not an identity.</source>
-            <translation>%1 ist keine Kennung.</translation>
-        </message>
-        <message>
-            <source>%1 names no language, or English is missing.</source>
-            <translation>%1 nennt keine Sprache, oder Englisch fehlt.</translation>
-        </message>
-        <message>
-            <source>%1 leads out of the exercise’s folder.</source>
-            <translation>%1 führt aus dem Ordner der Übung hinaus.</translation>
-        </message>
-        <message>
-            <source>%1 is named twice.</source>
-            <translation>%1 ist zweimal genannt.</translation>
-        </message>
-        <message>
-            <source>%1 names something that is not known.</source>
-            <translation>%1 nennt etwas, das nicht bekannt ist.</translation>
-        </message>
-        <message>
-            <source>%1 names something that is not known: %2.</source>
-            <translation>%1 nennt etwas, das nicht bekannt ist: %2.</translation>
-        </message>
-        <message>
-            <source>No exercise called %1 comes with the program.</source>
-            <translation>Eine Übung namens %1 liegt dem Programm nicht bei.</translation>
-        </message>
-        <message>
-            <source>This file cannot be read.</source>
-            <translation>Diese Datei kann nicht gelesen werden.</translation>
-        </message>
-        <message>
-            <source>There is no file %1.</source>
-            <translation>Es gibt keine Datei %1.</translation>
-        </message>
-        <message>
-            <source>This file cannot be read or written.</source>
-            <translation>Diese Datei kann nicht gelesen oder geschrieben werden.</translation>
-        </message>
-        <message>
-            <source>%1: %2.</source>
-            <translation>%1: %2.</translation>
-        </message>
-        <message>
-            <source>%1 is of a kind that is not read here.</source>
-            <translation>%1 ist von einer Art, die hier nicht gelesen wird.</translation>
-        </message>
-        <message>
-            <source>Its head is wrong at %1.</source>
-            <translation>Ihr Kopf ist bei %1 falsch.</translation>
-        </message>
-        <message>
-            <source>It uses %1, which is not read here.</source>
-            <translation>Sie verwendet %1, das hier nicht gelesen wird.</translation>
-        </message>
-        <message>
-            <source>The sizes at %1 make no volume.</source>
-            <translation>Die Größen bei %1 ergeben kein Volumen.</translation>
-        </message>
-        <message>
-            <source>The axes at %1 are oblique or not known.</source>
-            <translation>Die Achsen bei %1 sind schief oder nicht bekannt.</translation>
-        </message>
-        <message>
-            <source>%1 names no tissue.</source>
-            <translation>%1 nennt kein Gewebe.</translation>
-        </message>
-        <message>
-            <source>%1 ends too early. Copy it again.</source>
-            <translation>%1 endet zu früh. Kopieren Sie sie noch einmal.</translation>
-        </message>
-        <message>
-            <source>%1 is damaged. Copy it again.</source>
-            <translation>%1 ist beschädigt. Kopieren Sie sie noch einmal.</translation>
-        </message>
-        <message>
-            <source>%1 is larger than the limits allow.</source>
-            <translation>%1 ist größer, als die Grenzen erlauben.</translation>
-        </message>
-        <message>
-            <source>%1 holds nothing solid.</source>
-            <translation>%1 enthält nichts Festes.</translation>
-        </message>
-        <message>
-            <source>%1 holds no surface.</source>
-            <translation>%1 enthält keine Oberfläche.</translation>
-        </message>
-        <message>
-            <source>There is no part called %1.</source>
-            <translation>Es gibt keinen Teil namens %1.</translation>
-        </message>
-        <message>
-            <source>The part %1 encloses nothing.</source>
-            <translation>Der Teil %1 umschließt nichts.</translation>
-        </message>
-        <message>
-            <source>The part %1 cuts itself.</source>
-            <translation>Der Teil %1 schneidet sich selbst.</translation>
-        </message>
-        <message>
-            <source>An option does not fit.</source>
-            <translation>Eine Angabe passt nicht.</translation>
-        </message>
-        <message>
-            <source>Reading %1 broke off.</source>
-            <translation>Das Lesen von %1 brach ab.</translation>
-        </message>
-        <message>
-            <source>Reading %1 took longer than allowed.</source>
-            <translation>Das Lesen von %1 dauerte länger als erlaubt.</translation>
-        </message>
-        <message>
-            <source>Reading %1 wanted more memory than allowed.</source>
-            <translation>Das Lesen von %1 brauchte mehr Speicher als erlaubt.</translation>
-        </message>
-        <message>
-            <source>Reading was cancelled.</source>
-            <translation>Das Lesen wurde abgebrochen.</translation>
-        </message>
-        <message>
-            <source>Reading could not be started.</source>
-            <translation>Das Lesen konnte nicht begonnen werden.</translation>
-        </message>
-        <message>
-            <source>Specimens of the kind %1 are not known.</source>
-            <translation>Präparate der Art %1 sind nicht bekannt.</translation>
-        </message>
-        <message>
-            <source>The device was not found.</source>
-            <translation>Das Gerät wurde nicht gefunden.</translation>
-        </message>
-        <message>
-            <source>%1 is not connected. Check cable and power.</source>
-            <translation>%1 ist nicht verbunden. Prüfen Sie Kabel und Strom.</translation>
-        </message>
-        <message>
-            <source>This user may not open the device.</source>
-            <translation>Dieser Benutzer darf das Gerät nicht öffnen.</translation>
-        </message>
-        <message>
-            <source>%1 refused.</source>
-            <translation>%1 lehnte ab.</translation>
-        </message>
-        <message>
-            <source>Another program holds the device.</source>
-            <translation>Ein anderes Programm hält das Gerät.</translation>
-        </message>
-        <message>
-            <source>Close it and try %1 again.</source>
-            <translation>Schließen Sie es und versuchen Sie %1 noch einmal.</translation>
-        </message>
-        <message>
-            <source>The script cannot be read.</source>
-            <translation>Das Skript kann nicht gelesen werden.</translation>
-        </message>
-        <message>
-            <source>Look at %1.</source>
-            <translation>Sehen Sie bei %1 nach.</translation>
-        </message>
-        <message>
-            <source>The device does not answer.</source>
-            <translation>Das Gerät antwortet nicht.</translation>
-        </message>
-        <message>
-            <source>%1: check cable and power.</source>
-            <translation>%1: Kabel und Strom prüfen.</translation>
-        </message>
-        <message>
-            <source>The device failed.</source>
-            <translation>Das Gerät hat versagt.</translation>
-        </message>
-        <message>
-            <source>The tooth of this exercise cannot be made.</source>
-            <translation>Der Zahn dieser Übung kann nicht erzeugt werden.</translation>
-        </message>
-        <message>
-            <source>Look at %1. No go was started.</source>
-            <translation>Sehen Sie bei %1 nach. Kein Durchgang wurde begonnen.</translation>
-        </message>
-        <message>
-            <source>This exercise cannot be played.</source>
-            <translation>Diese Übung kann nicht gespielt werden.</translation>
-        </message>
-        <message>
-            <source>This exercise does not admit this device.</source>
-            <translation>Diese Übung lässt dieses Gerät nicht zu.</translation>
-        </message>
-        <message>
-            <source>The go could not be recorded any further.</source>
-            <translation>Der Durchgang konnte nicht weiter aufgezeichnet werden.</translation>
-        </message>
-        <message>
-            <source>It is kept up to the last second before %1 failed.</source>
-            <translation>Er ist aufbewahrt bis zur letzten Sekunde, bevor %1 versagte.</translation>
-        </message>
-        <message>
-            <source>Two computations of this go differ.</source>
-            <translation>Zwei Berechnungen dieses Durchgangs weichen voneinander ab.</translation>
-        </message>
-        <message>
-            <source>The go could not be played.</source>
-            <translation>Der Durchgang konnte nicht gespielt werden.</translation>
-        </message>
-        <message>
-            <source>The device jumped.</source>
-            <translation>Das Gerät ist gesprungen.</translation>
-        </message>
-        <message>
-            <source>The force is off and the clock stands still. Your work is kept.</source>
-            <translation>Die Kraft ist aus und die Uhr steht. Ihre Arbeit ist aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>The device answered too late.</source>
-            <translation>Das Gerät antwortete zu spät.</translation>
-        </message>
-        <message>
-            <source>The device went quiet.</source>
-            <translation>Das Gerät ist verstummt.</translation>
-        </message>
-        <message>
-            <source>The force is off and the clock stands still. Check the cable; your work is kept.</source>
-            <translation>Die Kraft ist aus und die Uhr steht. Prüfen Sie das Kabel; Ihre Arbeit ist aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>The device sent a position that is none.</source>
-            <translation>Das Gerät sandte eine Position, die keine ist.</translation>
-        </message>
-        <message>
-            <source>Student</source>
-            <translation>Student/in</translation>
-        </message>
-        <message>
-            <source>Teacher</source>
-            <translation>Lehrkraft</translation>
-        </message>
-        <message>
-            <source>Administrator</source>
-            <translation>Verwaltung</translation>
-        </message>
-        <message>
-            <source>Running</source>
-            <translation>Läuft</translation>
-        </message>
-        <message>
-            <source>Interrupted</source>
-            <translation>Unterbrochen</translation>
-        </message>
-        <message>
-            <source>Not graded</source>
-            <translation>Nicht bewertet</translation>
-        </message>
-        <message>
-            <source>Graded</source>
-            <translation>Bewertet</translation>
-        </message>
-        <message>
-            <source>Closed</source>
-            <translation>Abgeschlossen</translation>
-        </message>
-        <message>
-            <source>Practice</source>
-            <translation>Training</translation>
-        </message>
-        <message>
-            <source>Assessment</source>
-            <translation>Prüfung</translation>
-        </message>
-        <message>
-            <source>Try it</source>
-            <translation>Ausprobieren</translation>
-        </message>
-        <message>
-            <source>Try-out</source>
-            <translation>Probelauf</translation>
-        </message>
-        <message>
-            <source>Mouse and keys</source>
-            <translation>Maus und Tasten</translation>
-        </message>
-        <message>
-            <source>Scripted hand</source>
-            <translation>Automatische Hand</translation>
-        </message>
-        <message>
-            <source>Nothing</source>
-            <translation>Nichts</translation>
-        </message>
-        <message>
-            <source>Enamel</source>
-            <translation>Schmelz</translation>
-        </message>
-        <message>
-            <source>Dentine</source>
-            <translation>Dentin</translation>
-        </message>
-        <message>
-            <source>Decay</source>
-            <translation>Karies</translation>
-        </message>
-        <message>
-            <source>Cementum</source>
-            <translation>Wurzelzement</translation>
-        </message>
-        <message>
-            <source>Pulp</source>
-            <translation>Pulpa</translation>
-        </message>
-        <message>
-            <source>Bone</source>
-            <translation>Knochen</translation>
-        </message>
-        <message>
-            <source>Gingiva</source>
-            <translation>Gingiva</translation>
-        </message>
-        <message>
-            <source>Ligament</source>
-            <translation>Desmodont</translation>
-        </message>
-        <message>
-            <source>Amalgam</source>
-            <translation>Amalgam</translation>
-        </message>
-        <message>
-            <source>Composite</source>
-            <translation>Komposit</translation>
-        </message>
-        <message>
-            <source>Plastic</source>
-            <translation>Kunststoff</translation>
-        </message>
-        <message>
-            <source>Decayed enamel</source>
-            <translation>Schmelzkaries</translation>
-        </message>
-        <message>
-            <source>Material %1</source>
-            <translation>Material %1</translation>
-        </message>
-        <message>
-            <source>Neighbour enamel</source>
-            <translation>Nachbarschmelz</translation>
-        </message>
-        <message>
-            <source>Neighbour dentine</source>
-            <translation>Nachbardentin</translation>
-        </message>
-        <message>
-            <source>Firm decay</source>
-            <translation>Feste Karies</translation>
-        </message>
-        <message>
-            <source>Target removed</source>
-            <translation>Ziel abgetragen</translation>
-        </message>
-        <message>
-            <source>Floor cut too far</source>
-            <translation>Boden zu weit abgetragen</translation>
-        </message>
-        <message>
-            <source>Walls cut too far</source>
-            <translation>Wände zu weit abgetragen</translation>
-        </message>
-        <message>
-            <source>Left standing</source>
-            <translation>Stehen gelassen</translation>
-        </message>
-        <message>
-            <source>Floor depth, shallowest</source>
-            <translation>Bodentiefe, flachste</translation>
-        </message>
-        <message>
-            <source>Floor depth, mean</source>
-            <translation>Bodentiefe, mittlere</translation>
-        </message>
-        <message>
-            <source>Floor depth, deepest</source>
-            <translation>Bodentiefe, größte</translation>
-        </message>
-        <message>
-            <source>Dentine over pulp</source>
-            <translation>Dentin über Pulpa</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>Zeit</translation>
-        </message>
-        <message>
-            <source>Peak push</source>
-            <translation>Höchster Druck</translation>
-        </message>
-        <message>
-            <source>Mean push</source>
-            <translation>Mittlerer Druck</translation>
-        </message>
-        <message>
-            <source>Pulp opened</source>
-            <translation>Pulpa eröffnet</translation>
-        </message>
-        <message>
-            <source>%1 removed</source>
-            <translation>%1 abgetragen</translation>
-        </message>
-        <message>
-            <source>The pulp was opened</source>
-            <translation>Die Pulpa wurde eröffnet</translation>
-        </message>
-        <message>
-            <source>up to %1</source>
-            <translation>bis %1</translation>
-        </message>
-        <message>
-            <source>%1 or more</source>
-            <translation>%1 oder mehr</translation>
-        </message>
-        <message>
-            <source>%1 to %2</source>
-            <translation>%1 bis %2</translation>
-        </message>
-        <message>
-            <source>Full points</source>
-            <translation>Volle Punktzahl</translation>
-        </message>
-        <message>
-            <source>Could not be measured</source>
-            <translation>Nicht messbar</translation>
-        </message>
-        <message>
-            <source>%1, %2 deeper than %3</source>
-            <translation>%1, %2 tiefer als %3</translation>
-        </message>
-        <message>
-            <source>%1, %2 short of %3</source>
-            <translation>%1, %2 flacher als %3</translation>
-        </message>
-        <message>
-            <source>%1; full points up to %2</source>
-            <translation>%1; volle Punktzahl bis %2</translation>
-        </message>
-        <message>
-            <source>%1 removed; full points from %2</source>
-            <translation>%1 abgetragen; volle Punktzahl ab %2</translation>
-        </message>
-        <message>
-            <source>%1; full points from %2</source>
-            <translation>%1; volle Punktzahl ab %2</translation>
-        </message>
-        <message>
-            <source>Counts only as far as the target is drilled: %1</source>
-            <translation>Zählt nur, soweit das Ziel abgetragen ist: %1</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: %2 point(s) lost</source>
-            <translation>
-                <numerusform>%1: %2 Punkt verloren</numerusform>
-                <numerusform>%1: %2 Punkte verloren</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Turn the view and look for what still stands inside the target line.</source>
-            <translation>Drehen Sie die Ansicht und suchen Sie, was innerhalb der Ziellinie noch steht.</translation>
-        </message>
-        <message>
-            <source>Lift off and read the depth before you go deeper.</source>
-            <translation>Heben Sie ab und lesen Sie die Tiefe, bevor Sie tiefer gehen.</translation>
-        </message>
-        <message>
-            <source>Keep the burr’s edge inside the target line; push less near the walls.</source>
-            <translation>Halten Sie den Rand des Bohrers innerhalb der Ziellinie; drücken Sie nahe den Wänden weniger.</translation>
-        </message>
-        <message>
-            <source>Turn the view and clear the corners along the walls.</source>
-            <translation>Drehen Sie die Ansicht und räumen Sie die Ecken entlang der Wände aus.</translation>
-        </message>
-        <message>
-            <source>Stop pushing before the wanted depth and move sideways.</source>
-            <translation>Drücken Sie vor der gewünschten Tiefe nicht weiter und führen Sie den Bohrer seitwärts.</translation>
-        </message>
-        <message>
-            <source>Go on to the wanted depth over the whole floor.</source>
-            <translation>Gehen Sie am ganzen Boden bis zur gewünschten Tiefe.</translation>
-        </message>
-        <message>
-            <source>Keep away from the pulp: stay above the wanted floor.</source>
-            <translation>Bleiben Sie von der Pulpa weg: über dem gewünschten Boden.</translation>
-        </message>
-        <message>
-            <source>Push less; let the burr do the work.</source>
-            <translation>Drücken Sie weniger; lassen Sie den Bohrer arbeiten.</translation>
-        </message>
-        <message>
-            <source>Plan the way of the burr before the first cut.</source>
-            <translation>Planen Sie den Weg des Bohrers vor dem ersten Abtrag.</translation>
-        </message>
-        <message>
-            <source>Take away less of it.</source>
-            <translation>Tragen Sie weniger davon ab.</translation>
-        </message>
-        <message>
-            <source>Take away more of it.</source>
-            <translation>Tragen Sie mehr davon ab.</translation>
-        </message>
-        <message>
-            <source>The device did not open.</source>
-            <translation>Das Gerät ließ sich nicht öffnen.</translation>
-        </message>
-        <message>
-            <source>%1 refused. No go was started.</source>
-            <translation>%1 lehnte ab. Kein Durchgang wurde begonnen.</translation>
-        </message>
-        <message>
-            <source>Connected is: %1. No go was started.</source>
-            <translation>Verbunden ist: %1. Kein Durchgang wurde begonnen.</translation>
-        </message>
-        <message>
-            <source>The stored exercise cannot be read.</source>
-            <translation>Die gespeicherte Übung kann nicht gelesen werden.</translation>
-        </message>
-        <message>
-            <source>The database refused.</source>
-            <translation>Die Datenbank lehnte ab.</translation>
-        </message>
-        <message>
-            <source>%1 was not written. Goes before it are kept.</source>
-            <translation>%1 wurde nicht geschrieben. Durchgänge davor sind aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>It was stopped at tick %1 and is not graded; the recording is kept.</source>
-            <translation>Er wurde bei Takt %1 angehalten und ist nicht bewertet; die Aufzeichnung ist aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>This computer is too slow for this exercise.</source>
-            <translation>Dieser Rechner ist zu langsam für diese Übung.</translation>
-        </message>
-        <message>
-            <source>The go ended as interrupted. All of it is kept and can be graded as it stands.</source>
-            <translation>Der Durchgang endete als unterbrochen. Er ist ganz aufbewahrt und kann bewertet werden, wie er ist.</translation>
-        </message>
-        <message>
-            <source>This go was recorded by another version of Cusp.</source>
-            <translation>Dieser Durchgang wurde von einer anderen Cusp-Version aufgezeichnet.</translation>
-        </message>
-        <message>
-            <source>It opens with its stored tooth and grade, but is not computed again (engine %1).</source>
-            <translation>Er öffnet sich mit gespeichertem Zahn und gespeicherter Bewertung, wird aber nicht neu berechnet (Rechenkern %1).</translation>
-        </message>
-        <message>
-            <source>The tooth is not the one this go began with.</source>
-            <translation>Der Zahn ist nicht der, mit dem dieser Durchgang begann.</translation>
-        </message>
-        <message>
-            <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
-            <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
-        </message>
-        <message>
-            <source>Leeway used, floor</source>
-            <translation>Spielraum genutzt, Boden</translation>
-        </message>
-        <message>
-            <source>Leeway used, walls</source>
-            <translation>Spielraum genutzt, Wände</translation>
-        </message>
-        <message>
-            <source>At %1 its cells are not evenly spaced.</source>
-            <translation>Bei %1 liegen ihre Zellen nicht gleichmäßig.</translation>
-        </message>
-        <message>
-            <source>The surface is open at %1 mm. Let it be mended, or close it there.</source>
-            <translation>Die Oberfläche ist bei %1 mm offen. Lassen Sie sie ausbessern oder schließen Sie sie dort.</translation>
-        </message>
-        <message>
-            <source>The surface is turned inside out at %1 mm. Let it be mended.</source>
-            <translation>Die Oberfläche ist bei %1 mm nach innen gewendet. Lassen Sie sie ausbessern.</translation>
-        </message>
-        <message>
-            <source>Cut without coolant</source>
-            <translation>Ohne Kühlung gebohrt</translation>
-        </message>
-        <message>
-            <source>Tooth warmer by (not verified)</source>
-            <translation>Zahn wärmer um (nicht gesichert)</translation>
-        </message>
-        <message>
-            <source>Tooth overheated</source>
-            <translation>Zahn überhitzt</translation>
-        </message>
-        <message>
-            <source>The tooth was overheated by cutting dry (criterion not verified)</source>
-            <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt (Grenze nicht gesichert)</translation>
-        </message>
-        <message>
-            <source>%1 without coolant; full points up to %2</source>
-            <translation>%1 ohne Kühlung; volle Punkte bis %2</translation>
-        </message>
-        <message>
-            <source>%1 warmer; full points up to %2</source>
-            <translation>%1 wärmer; volle Punkte bis %2</translation>
-        </message>
-        <message>
-            <source>Run the coolant before the burr touches the tooth.</source>
-            <translation>Kühlung einschalten, bevor der Bohrer den Zahn berührt.</translation>
-        </message>
-        <message>
-            <source>Run the coolant, push less, and lift off now and then.</source>
-            <translation>Kühlen, weniger drücken und zwischendurch absetzen.</translation>
-        </message>
-        <message>
-            <source>Emulated Falcon</source>
-            <translation>Nachgebildeter Falcon</translation>
-        </message>
-        <message>
-            <source>The device goes before other programs.</source>
-            <translation>Das Gerät geht vor anderen Programmen.</translation>
-        </message>
-        <message>
-            <source>Other programs may delay the device.</source>
-            <translation>Andere Programme können das Gerät aufhalten.</translation>
-        </message>
-        <message>
-            <source>This user has no right to real-time priority. An administrator can give it (rtprio).</source>
-            <translation>Dieses Benutzerkonto hat kein Recht auf Echtzeit-Vorrang. Die Verwaltung kann es geben (rtprio).</translation>
-        </message>
-        <message>
-            <source>Install rtkit, or give this user the right to real-time priority (rtprio).</source>
-            <translation>Installieren Sie rtkit oder geben Sie diesem Benutzerkonto das Recht auf Echtzeit-Vorrang (rtprio).</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ShapeForm</name>
-        <message>
-            <source>Channel</source>
-            <translation>Kanal</translation>
-        </message>
-        <message>
-            <source>Fissure outline</source>
-            <translation>Fissurenverlauf</translation>
-        </message>
-        <message>
-            <source>Box</source>
-            <translation>Kasten</translation>
-        </message>
-        <message>
-            <source>Depth</source>
-            <translation>Tiefe</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Breite</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>Länge</translation>
-        </message>
-        <message>
-            <source>Measured from height</source>
-            <translation>Gemessen ab Höhe</translation>
-        </message>
-        <message>
-            <source>Corner radius</source>
-            <translation>Eckenradius</translation>
-        </message>
-        <message>
-            <source>Point</source>
-            <translation>Punkt</translation>
-        </message>
-        <message>
-            <source>Along the arch</source>
-            <translation>Entlang des Zahnbogens</translation>
-        </message>
-        <message>
-            <source>Towards the cheek</source>
-            <translation>Zur Wange</translation>
-        </message>
-        <message>
-            <source>Add a point</source>
-            <translation>Punkt hinzufügen</translation>
-        </message>
-        <message>
-            <source>Branch</source>
-            <translation>Ast</translation>
-        </message>
-        <message>
-            <source>Add a branch</source>
-            <translation>Ast hinzufügen</translation>
-        </message>
-        <message>
-            <source>Remove the point</source>
-            <translation>Punkt entfernen</translation>
-        </message>
-        <message>
-            <source>Strictness</source>
-            <translation>Strenge</translation>
-        </message>
-        <message>
-            <source>Beginner</source>
-            <translation>Anfang</translation>
-        </message>
-        <message>
-            <source>Standard</source>
-            <translation>Standard</translation>
-        </message>
-        <message>
-            <source>Exam</source>
-            <translation>Prüfung</translation>
-        </message>
-        <message>
-            <source>Leeway, floor</source>
-            <translation>Spielraum, Boden</translation>
-        </message>
-        <message>
-            <source>Leeway, sides</source>
-            <translation>Spielraum, Seiten</translation>
-        </message>
-        <message>
-            <source>Time limit</source>
-            <translation>Zeitgrenze</translation>
-        </message>
-        <message>
-            <source>none</source>
-            <translation>keine</translation>
-        </message>
-        <message>
-            <source>Line %1, %2</source>
-            <translation>Linie %1, %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Shell</name>
-        <message>
-            <source>Top bar</source>
-            <translation>Kopfleiste</translation>
-        </message>
-        <message>
-            <source>Language</source>
-            <translation>Sprache</translation>
-        </message>
-        <message>
-            <source>Light colours</source>
-            <translation>Helle Farben</translation>
-        </message>
-        <message>
-            <source>Dark colours</source>
-            <translation>Dunkle Farben</translation>
-        </message>
-        <message>
-            <source>Help</source>
-            <translation>Hilfe</translation>
-        </message>
-        <message>
-            <source>Account of %1</source>
-            <translation>Konto von %1</translation>
-        </message>
-        <message>
-            <source>Size of everything</source>
-            <translation>Größe von allem</translation>
-        </message>
-        <message>
-            <source>Change password…</source>
-            <translation>Passwort ändern …</translation>
-        </message>
-        <message>
-            <source>Sign out</source>
-            <translation>Abmelden</translation>
-        </message>
-        <message>
-            <source>Pages</source>
-            <translation>Seiten</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::SignIn</name>
-        <message>
-            <source>First start</source>
-            <translation>Erster Start</translation>
-        </message>
-        <message>
-            <source>Sign in</source>
-            <translation>Anmelden</translation>
-        </message>
-        <message>
-            <source>%1: results are kept on this computer, in %2.</source>
-            <translation>%1: Ergebnisse bleiben auf diesem Rechner, in %2.</translation>
-        </message>
-        <message>
-            <source>A tooth</source>
-            <translation>Ein Zahn</translation>
-        </message>
-        <message>
-            <source>Language</source>
-            <translation>Sprache</translation>
-        </message>
-        <message>
-            <source>Light colours</source>
-            <translation>Helle Farben</translation>
-        </message>
-        <message>
-            <source>Dark colours</source>
-            <translation>Dunkle Farben</translation>
-        </message>
-        <message>
-            <source>Student</source>
-            <translation>Student/in</translation>
-        </message>
-        <message>
-            <source>Staff</source>
-            <translation>Personal</translation>
-        </message>
-        <message>
-            <source>Student number</source>
-            <translation>Matrikelnummer</translation>
-        </message>
-        <message>
-            <source>PIN, six digits</source>
-            <translation>PIN, sechs Ziffern</translation>
-        </message>
-        <message>
-            <source>User name</source>
-            <translation>Benutzername</translation>
-        </message>
-        <message>
-            <source>Password</source>
-            <translation>Passwort</translation>
-        </message>
-        <message>
-            <source>or</source>
-            <translation>oder</translation>
-        </message>
-        <message>
-            <source>Try it</source>
-            <translation>Ausprobieren</translation>
-        </message>
-        <message>
-            <source>No account. You drill a practice block with the mouse; nothing goes into the school’s records.</source>
-            <translation>Ohne Konto. Sie bohren mit der Maus an einem Übungsblock; nichts kommt in die Aufzeichnungen der Schule.</translation>
-        </message>
-        <message>
-            <source>Nobody manages this computer’s records yet. Make the administrator; everybody else is added afterwards.</source>
-            <translation>Noch verwaltet niemand die Aufzeichnungen dieses Rechners. Legen Sie die Verwaltung an; alle anderen kommen danach dazu.</translation>
-        </message>
-        <message>
-            <source>Your name</source>
-            <translation>Ihr Name</translation>
-        </message>
-        <message>
-            <source>Password, at least 8 characters</source>
-            <translation>Passwort, mindestens 8 Zeichen</translation>
-        </message>
-        <message>
-            <source>Password again</source>
-            <translation>Passwort noch einmal</translation>
-        </message>
-        <message>
-            <source>Make the administrator</source>
-            <translation>Verwaltung anlegen</translation>
-        </message>
-        <message>
-            <source>The user name is missing.</source>
-            <translation>Der Benutzername fehlt.</translation>
-        </message>
-        <message>
-            <source>The student number is missing.</source>
-            <translation>Die Matrikelnummer fehlt.</translation>
-        </message>
-        <message>
-            <source>The PIN has six digits.</source>
-            <translation>Die PIN hat sechs Ziffern.</translation>
-        </message>
-        <message>
-            <source>Number and PIN do not match.</source>
-            <translation>Nummer und PIN passen nicht zusammen.</translation>
-        </message>
-        <message>
-            <source>Check both and try again.</source>
-            <translation>Prüfen Sie beides und versuchen Sie es noch einmal.</translation>
-        </message>
-        <message>
-            <source>Name and user name are needed.</source>
-            <translation>Name und Benutzername fehlen.</translation>
-        </message>
-        <message>
-            <source>The two passwords differ.</source>
-            <translation>Die beiden Passwörter sind verschieden.</translation>
-        </message>
-        <message>
-            <source>Type them again.</source>
-            <translation>Geben Sie sie noch einmal ein.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::SliceView</name>
-        <message>
-            <source>From the side</source>
-            <translation>Von der Seite</translation>
-        </message>
-        <message>
-            <source>From the front</source>
-            <translation>Von vorn</translation>
-        </message>
-        <message>
-            <source>From above</source>
-            <translation>Von oben</translation>
-        </message>
-        <message>
-            <source>Slice</source>
-            <translation>Schicht</translation>
-        </message>
-        <message>
-            <source>Slice %1 of %2</source>
-            <translation>Schicht %1 von %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::SpaceMousePanel</name>
-        <message>
-            <source>The SpaceMouse leads the view of the tooth</source>
-            <translation>Die SpaceMouse führt die Ansicht des Zahns</translation>
-        </message>
-        <message>
-            <source>Its left button brings the first view back, its right one puts in the mirror or takes it out.</source>
-            <translation>Ihre linke Taste bringt die erste Ansicht zurück, ihre rechte setzt den Spiegel ein oder nimmt ihn heraus.</translation>
-        </message>
-        <message>
-            <source>Right</source>
-            <translation>Rechts</translation>
-        </message>
-        <message>
-            <source>Up</source>
-            <translation>Hoch</translation>
-        </message>
-        <message>
-            <source>Nearer</source>
-            <translation>Näher</translation>
-        </message>
-        <message>
-            <source>Tilt</source>
-            <translation>Neigen</translation>
-        </message>
-        <message>
-            <source>Turn</source>
-            <translation>Drehen</translation>
-        </message>
-        <message>
-            <source>Roll</source>
-            <translation>Rollen</translation>
-        </message>
-        <message>
-            <source>Turn the view</source>
-            <translation>Ansicht drehen</translation>
-        </message>
-        <message>
-            <source>Move and zoom</source>
-            <translation>Verschieben und zoomen</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>Tempo</translation>
-        </message>
-        <message>
-            <source>Dead zone</source>
-            <translation>Totbereich</translation>
-        </message>
-        <message>
-            <source>Hand is off: take this as rest</source>
-            <translation>Hand ist weg: dies als Ruhelage nehmen</translation>
-        </message>
-        <message>
-            <source>Taken over</source>
-            <translation>Übernommen</translation>
-        </message>
-        <message>
-            <source>Take the hand off first</source>
-            <translation>Nehmen Sie zuerst die Hand weg</translation>
-        </message>
-        <message>
-            <source>connected</source>
-            <translation>verbunden</translation>
-        </message>
-        <message>
-            <source>no permission</source>
-            <translation>keine Berechtigung</translation>
-        </message>
-        <message>
-            <source>not connected</source>
-            <translation>nicht verbunden</translation>
-        </message>
-        <message>
-            <source>Battery %1</source>
-            <translation>Akku %1</translation>
-        </message>
-        <message>
-            <source>No SpaceMouse is connected</source>
-            <translation>Keine SpaceMouse ist verbunden</translation>
-        </message>
-        <message>
-            <source>%1: no permission</source>
-            <translation>%1: keine Berechtigung</translation>
-        </message>
-        <message>
-            <source>%1: not connected</source>
-            <translation>%1: nicht verbunden</translation>
-        </message>
-        <message>
-            <source>%1: connected</source>
-            <translation>%1: verbunden</translation>
-        </message>
-        <message>
-            <source>%1: connected, not used</source>
-            <translation>%1: verbunden, nicht benutzt</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::SpecimenForm</name>
-        <message>
-            <source>%1, upper right</source>
-            <translation>%1, oben rechts</translation>
-        </message>
-        <message>
-            <source>%1, upper left</source>
-            <translation>%1, oben links</translation>
-        </message>
-        <message>
-            <source>%1, lower left</source>
-            <translation>%1, unten links</translation>
-        </message>
-        <message>
-            <source>%1, lower right</source>
-            <translation>%1, unten rechts</translation>
-        </message>
-        <message>
-            <source>Practice block</source>
-            <translation>Übungsblock</translation>
-        </message>
-        <message>
-            <source>Block of two materials</source>
-            <translation>Block aus zwei Materialien</translation>
-        </message>
-        <message>
-            <source>Block of three materials</source>
-            <translation>Block aus drei Materialien</translation>
-        </message>
-        <message>
-            <source>Change the tooth</source>
-            <translation>Zahn ändern</translation>
-        </message>
-        <message>
-            <source>Tooth</source>
-            <translation>Zahn</translation>
-        </message>
-        <message>
-            <source>From a file</source>
-            <translation>Aus einer Datei</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>Art</translation>
-        </message>
-        <message>
-            <source>Variation</source>
-            <translation>Schwankung</translation>
-        </message>
-        <message>
-            <source>average</source>
-            <translation>Durchschnitt</translation>
-        </message>
-        <message>
-            <source>Fineness</source>
-            <translation>Feinheit</translation>
-        </message>
-        <message>
-            <source>Choose a volume…</source>
-            <translation>Volumen wählen …</translation>
-        </message>
-        <message>
-            <source>Use it</source>
-            <translation>Verwenden</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>Zurück</translation>
-        </message>
-        <message>
-            <source>No file chosen yet.</source>
-            <translation>Noch keine Datei gewählt.</translation>
-        </message>
-        <message>
-            <source>This tooth cannot be used.</source>
-            <translation>Dieser Zahn ist nicht verwendbar.</translation>
-        </message>
-        <message>
-            <source>Nothing was changed.</source>
-            <translation>Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>Choose a volume</source>
-            <translation>Volumen wählen</translation>
-        </message>
-        <message>
-            <source>Volumes (*.nrrd)</source>
-            <translation>Volumen (*.nrrd)</translation>
-        </message>
-        <message>
-            <source>Another number grows another tooth of its kind; 0 is the average</source>
-            <translation>Eine andere Zahl lässt einen anderen Zahn dieser Art wachsen; 0 ist der Durchschnitt</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::StartPage</name>
-        <message>
-            <source>Due next</source>
-            <translation>Als Nächstes fällig</translation>
-        </message>
-        <message>
-            <source>Your practice</source>
-            <translation>Ihr Training</translation>
-        </message>
-        <message>
-            <source>No exercise yet</source>
-            <translation>Noch keine Übung</translation>
-        </message>
-        <message>
-            <source>This station has no exercise that can be read. Ask your teacher.</source>
-            <translation>Diese Station hat keine lesbare Übung. Fragen Sie Ihre Lehrkraft.</translation>
-        </message>
-        <message>
-            <source>Every go is kept, also one that broke off.</source>
-            <translation>Jeder Durchgang bleibt aufbewahrt, auch ein abgebrochener.</translation>
-        </message>
-        <message>
-            <source>Next exercise</source>
-            <translation>Nächste Übung</translation>
-        </message>
-        <message>
-            <source>The tooth with its target</source>
-            <translation>Der Zahn mit seinem Ziel</translation>
-        </message>
-        <message>
-            <source>Next</source>
-            <translation>Als Nächstes</translation>
-        </message>
-        <message>
-            <source>Due</source>
-            <translation>Fällig</translation>
-        </message>
-        <message>
-            <source>Goes</source>
-            <translation>Durchgänge</translation>
-        </message>
-        <message>
-            <source>%1 of %2 used</source>
-            <translation>%1 von %2 genutzt</translation>
-        </message>
-        <message>
-            <source>Best so far</source>
-            <translation>Bisher bester</translation>
-        </message>
-        <message>
-            <source>%1 of 100</source>
-            <translation>%1 von 100</translation>
-        </message>
-        <message>
-            <source>none yet</source>
-            <translation>noch keine</translation>
-        </message>
-        <message>
-            <source>Burrs</source>
-            <translation>Bohrer</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Start</translation>
-        </message>
-        <message>
-            <source>Briefing</source>
-            <translation>Aufgabe</translation>
-        </message>
-        <message>
-            <source>Enter starts</source>
-            <translation>Enter startet</translation>
-        </message>
-        <message>
-            <source>Your exercises</source>
-            <translation>Ihre Übungen</translation>
-        </message>
-        <message>
-            <source>Last result</source>
-            <translation>Letztes Ergebnis</translation>
-        </message>
-        <message>
-            <source>No result yet</source>
-            <translation>Noch kein Ergebnis</translation>
-        </message>
-        <message>
-            <source>After the first go its points and what to do next time stand here.</source>
-            <translation>Nach dem ersten Durchgang stehen hier seine Punkte und was beim nächsten Mal zu tun ist.</translation>
-        </message>
-        <message>
-            <source>of 100</source>
-            <translation>von 100</translation>
-        </message>
-        <message>
-            <source>%1 more than
+<context>
+    <name>CliWords</name>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+</context>
+<context>
+    <name>PedalWords</name>
+    <message>
+        <source>space bar</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Rudder</source>
+        <translation>Seitenruder</translation>
+    </message>
+    <message>
+        <source>Throttle</source>
+        <translation>Schubhebel</translation>
+    </message>
+    <message>
+        <source>Accelerator</source>
+        <translation>Gaspedal</translation>
+    </message>
+    <message>
+        <source>Brake</source>
+        <translation>Bremse</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Kupplung</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>Switch %1</source>
+        <translation>Schalter %1</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>Taste %1</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::AgainstBefore</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Against your best before</source>
+        <translation>Gegen Ihren besten Durchgang davor</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Audit</name>
+    <message>
+        <source>Neighbouring teeth</source>
+        <translation>Nachbarzähne</translation>
+    </message>
+    <message>
+        <source>The rest of the jaw</source>
+        <translation>Der übrige Kiefer</translation>
+    </message>
+    <message>
+        <source>Voxels of %1</source>
+        <translation>Voxel von %1</translation>
+    </message>
+    <message>
+        <source>Half the band</source>
+        <translation>Halbes Band</translation>
+    </message>
+    <message>
+        <source>Only near the target</source>
+        <translation>Nur nahe am Ziel</translation>
+    </message>
+    <message>
+        <source>%1 left out</source>
+        <translation>%1 weggelassen</translation>
+    </message>
+    <message>
+        <source>Friction left out</source>
+        <translation>Reibung weggelassen</translation>
+    </message>
+    <message>
+        <source>Handpiece left out</source>
+        <translation>Handstück weggelassen</translation>
+    </message>
+    <message>
+        <source>Vibration left out</source>
+        <translation>Vibration weggelassen</translation>
+    </message>
+    <message>
+        <source>Heat left out</source>
+        <translation>Wärme weggelassen</translation>
+    </message>
+    <message>
+        <source>Tilting of the handpiece left out</source>
+        <translation>Kippen des Handstücks weggelassen</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>nötig</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>nicht nötig</translation>
+    </message>
+    <message>
+        <source>same score</source>
+        <translation>gleiche Punkte</translation>
+    </message>
+    <message>
+        <source>cannot be played</source>
+        <translation>nicht spielbar</translation>
+    </message>
+    <message>
+        <source>too coarse</source>
+        <translation>zu grob</translation>
+    </message>
+    <message>
+        <source>Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every size that was tried.</source>
+        <translation>Halb so große Voxel ändern ein Ergebnis um %1 Punkte, mehr als die %2, die die Übung zulässt; so war es bei jeder geprüften Größe.</translation>
+    </message>
+    <message>
+        <source>Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).</source>
+        <translation>Nichts kann wegbleiben: Die Übung ist so schlank, wie es ihre Punkte zulassen (auf %1 Punkte).</translation>
+    </message>
+    <message>
+        <source>The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.</source>
+        <translation>Die Auflösung war für die Punkte zu grob; nun ändern halb so große Voxel kein Ergebnis um mehr als %1 Punkte: %2.</translation>
+    </message>
+    <message>
+        <source>Every go keeps its score within %1 points: %2.</source>
+        <translation>Jeder Durchgang behält seine Punkte auf %1 Punkte genau: %2.</translation>
+    </message>
+    <message>
+        <source>An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.</source>
+        <translation>Ein Schritt braucht %1 µs statt %2, der Zahn %3 MB statt %4.</translation>
+    </message>
+    <message>
+        <source>Single goes part by chance: over %1 goes of each hand, half the voxels change the mean score by %2 ± %3 points.</source>
+        <translation>Einzelne Durchgänge weichen zufällig voneinander ab: Über je %1 Durchgänge ändern halb so große Voxel die Punkte im Mittel um %2 ± %3.</translation>
+    </message>
+    <message>
+        <source>One thing after another was tried: a leaner set may exist.</source>
+        <translation>Geprüft wurde eins nach dem anderen: Vielleicht geht es noch schlanker.</translation>
+    </message>
+    <message>
+        <source>The audit was stopped.</source>
+        <translation>Die Prüfung wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The exercise cannot be played as it stands (%1).</source>
+        <translation>So wie sie ist, lässt sich die Übung nicht spielen (%1).</translation>
+    </message>
+    <message>
+        <source>Look at its checks first.</source>
+        <translation>Sehen Sie zuerst nach ihren Prüfungen.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::AuditPage</name>
+    <message>
+        <source>Audit</source>
+        <translation>Aufwand</translation>
+    </message>
+    <message>
+        <source>What this exercise costs</source>
+        <translation>Was diese Übung kostet</translation>
+    </message>
+    <message>
+        <source>Scripted hands play it with each choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
+        <translation>Automatische Hände spielen sie, wobei jede Wahl einmal wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>µs: of each update of 1 ms, more or less than now. Score: the largest change of a go.</source>
+        <translation>µs: von jedem Schritt zu 1 ms, mehr oder weniger als jetzt. Punkte: die größte Änderung eines Durchgangs.</translation>
+    </message>
+    <message>
+        <source>Leanest that marks the same</source>
+        <translation>Das Schlankste mit gleichen Punkten</translation>
+    </message>
+    <message>
+        <source>Use the leanest</source>
+        <translation>Das Schlankste nehmen</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Wird gemessen</translation>
+    </message>
+    <message>
+        <source>Leanest model</source>
+        <translation>Schlankstes Modell</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
+        <translation>
+            <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgang.</numerusform>
+            <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgängen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The exercise was changed since this was measured.</source>
+        <translation>Die Übung wurde seit dieser Messung geändert.</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>Wahl</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>µs</translation>
+    </message>
+    <message>
+        <source>MB</source>
+        <translation>MB</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>%1: microseconds</source>
+        <translation>%1: Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>%1: megabytes</source>
+        <translation>%1: Megabyte</translation>
+    </message>
+    <message>
+        <source>%1: change of the score</source>
+        <translation>%1: Änderung der Punkte</translation>
+    </message>
+    <message>
+        <source>As it is set</source>
+        <translation>Wie eingestellt</translation>
+    </message>
+    <message>
+        <source>for comparison</source>
+        <translation>zum Vergleich</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>nötig</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Briefing</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The tooth with its target</source>
+        <translation>Der Zahn mit seinem Ziel</translation>
+    </message>
+    <message>
+        <source>Burrs</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Wanted depth</source>
+        <translation>Gewünschte Tiefe</translation>
+    </message>
+    <message>
+        <source>Leeway</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>%1 at the floor, %2 at the sides</source>
+        <translation>%1 am Boden, %2 an den Seiten</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>as much as you need; time earns no points</source>
+        <translation>so viel Sie brauchen; Zeit bringt keine Punkte</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>%1 of 100</source>
+        <translation>%1 von 100</translation>
+    </message>
+    <message>
+        <source>Fails the go</source>
+        <translation>Führt zum Nichtbestehen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Enter starts</source>
+        <translation>Enter startet</translation>
+    </message>
+    <message>
+        <source>What earns points</source>
+        <translation>Was Punkte bringt</translation>
+    </message>
+    <message>
+        <source>Full points</source>
+        <translation>Volle Punktzahl</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>With mouse and keys</source>
+        <translation>Mit Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Move the mouse, or the arrow keys, to slide the burr over the tooth. Push with the wheel or with Page Down, let up with Page Up. Hold Space, or the left button, to cut.</source>
+        <translation>Mit der Maus oder den Pfeiltasten gleitet der Bohrer über den Zahn. Drücken Sie mit dem Mausrad oder Bild ab, geben Sie mit Bild auf nach. Zum Abtragen die Leertaste oder die linke Maustaste halten.</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <extracomment>Between the burrs of a list, each of which has commas of its own.</extracomment>
+        <translation>; </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::BurrTray</name>
+    <message>
+        <source>Burrs</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ und ]</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>Kind of burr and its diameter in mm, as &quot;round 1.0&quot;.</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Burr %1</source>
+        <translation>Bohrer %1</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::BurrWords</name>
+    <message>
+        <source>decay</source>
+        <translation>Karies</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>Eröffnung</translation>
+    </message>
+    <message>
+        <source>undercuts</source>
+        <translation>Unterschnitte</translation>
+    </message>
+    <message>
+        <source>flat floors</source>
+        <translation>ebene Böden</translation>
+    </message>
+    <message>
+        <source>walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>bulk removal</source>
+        <translation>grober Abtrag</translation>
+    </message>
+    <message>
+        <source>rounded line angles</source>
+        <translation>gerundete Kanten</translation>
+    </message>
+    <message>
+        <source>crowns</source>
+        <translation>Kronen</translation>
+    </message>
+    <message>
+        <source>inlays</source>
+        <translation>Inlays</translation>
+    </message>
+    <message>
+        <source>class I outlines</source>
+        <translation>Umrisse Klasse I</translation>
+    </message>
+    <message>
+        <source>class II outlines</source>
+        <translation>Umrisse Klasse II</translation>
+    </message>
+    <message>
+        <source>class II boxes</source>
+        <translation>Kästen Klasse II</translation>
+    </message>
+    <message>
+        <source>chamfers</source>
+        <translation>Hohlkehlen</translation>
+    </message>
+    <message>
+        <source>shoulders</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>bevels</source>
+        <translation>Abschrägungen</translation>
+    </message>
+    <message>
+        <source>between teeth</source>
+        <translation>zwischen Zähnen</translation>
+    </message>
+    <message>
+        <source>occlusal surfaces</source>
+        <translation>Kauflächen</translation>
+    </message>
+    <message>
+        <source>lingual surfaces</source>
+        <translation>linguale Flächen</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rosenbohrer</translation>
+    </message>
+    <message>
+        <source>Inverted cone</source>
+        <translation>Umgekehrter Kegel</translation>
+    </message>
+    <message>
+        <source>Straight fissure</source>
+        <translation>Fissurenbohrer, zylindrisch</translation>
+    </message>
+    <message>
+        <source>Cross-cut fissure</source>
+        <translation>Fissurenbohrer mit Querhieb</translation>
+    </message>
+    <message>
+        <source>Dome fissure</source>
+        <translation>Fissurenbohrer, rundes Ende</translation>
+    </message>
+    <message>
+        <source>Tapered fissure</source>
+        <translation>Fissurenbohrer, konisch</translation>
+    </message>
+    <message>
+        <source>Cross-cut tapered fissure</source>
+        <translation>Fissurenbohrer, konisch mit Querhieb</translation>
+    </message>
+    <message>
+        <source>Pear</source>
+        <translation>Birne</translation>
+    </message>
+    <message>
+        <source>Long pear</source>
+        <translation>Lange Birne</translation>
+    </message>
+    <message>
+        <source>Round-end taper</source>
+        <translation>Kegel, rundes Ende</translation>
+    </message>
+    <message>
+        <source>Flat-end taper</source>
+        <translation>Kegel, flaches Ende</translation>
+    </message>
+    <message>
+        <source>Flame</source>
+        <translation>Flamme</translation>
+    </message>
+    <message>
+        <source>Football</source>
+        <translation>Ei</translation>
+    </message>
+    <message>
+        <source>Own shape</source>
+        <translation>Eigene Form</translation>
+    </message>
+    <message>
+        <source>round</source>
+        <translation>rund</translation>
+    </message>
+    <message>
+        <source>inverted cone</source>
+        <translation>umgekehrter Kegel</translation>
+    </message>
+    <message>
+        <source>straight fissure</source>
+        <translation>Fissur zylindrisch</translation>
+    </message>
+    <message>
+        <source>cross-cut fissure</source>
+        <translation>Fissur mit Querhieb</translation>
+    </message>
+    <message>
+        <source>dome fissure</source>
+        <translation>Fissur rund</translation>
+    </message>
+    <message>
+        <source>tapered fissure</source>
+        <translation>Fissur konisch</translation>
+    </message>
+    <message>
+        <source>cross-cut tapered fissure</source>
+        <translation>Fissur konisch mit Querhieb</translation>
+    </message>
+    <message>
+        <source>pear</source>
+        <translation>Birne</translation>
+    </message>
+    <message>
+        <source>long pear</source>
+        <translation>lange Birne</translation>
+    </message>
+    <message>
+        <source>round-end taper</source>
+        <translation>Kegel rund</translation>
+    </message>
+    <message>
+        <source>flat-end taper</source>
+        <translation>Kegel flach</translation>
+    </message>
+    <message>
+        <source>flame</source>
+        <translation>Flamme</translation>
+    </message>
+    <message>
+        <source>football</source>
+        <translation>Ei</translation>
+    </message>
+    <message>
+        <source>own shape</source>
+        <translation>eigene Form</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <extracomment>Number of a burr, its shape, its diameter.</extracomment>
+        <translation>%1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::BurrsForm</name>
+    <message>
+        <source>Burr to add</source>
+        <translation>Neuer Bohrer</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a burr</source>
+        <translation>Bohrer hinzufügen</translation>
+    </message>
+    <message>
+        <source>Burr %1</source>
+        <translation>Bohrer %1</translation>
+    </message>
+    <message>
+        <source>Diameter of burr %1</source>
+        <translation>Durchmesser von Bohrer %1</translation>
+    </message>
+    <message>
+        <source>Remove burr %1</source>
+        <translation>Bohrer %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Burrs</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Number, shape and diameter</source>
+        <translation>Nummer, Form und Durchmesser</translation>
+    </message>
+    <message>
+        <source>Add from the catalogue</source>
+        <translation>Aus dem Katalog hinzufügen</translation>
+    </message>
+    <message>
+        <source>Shape of the burr to add</source>
+        <translation>Form des Bohrers, der hinzukommt</translation>
+    </message>
+    <message>
+        <source>Sizes and outlines are the usual ones, not verified. Blades are not modelled: a head is the body that they sweep.</source>
+        <translation>Größen und Umrisse sind die üblichen, nicht geprüft. Schneiden sind nicht nachgebildet: Ein Kopf ist der Körper, den sie überstreichen.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>Number of a burr and its diameter.</extracomment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>All burrs of this shape are in the exercise.</source>
+        <translation>Alle Bohrer dieser Form sind in der Übung.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Busy</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Chart</name>
+    <message>
+        <source>Which</source>
+        <translation>Welcher</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Checks</name>
+    <message>
+        <source>The target reaches into the pulp, and opening it fails the go: nobody could pass.</source>
+        <translation>Das Ziel reicht in die Pulpa, und sie zu eröffnen heißt nicht bestehen: Niemand könnte bestehen.</translation>
+    </message>
+    <message>
+        <source>The leeway reaches the pulp: it lies %1 from the target.</source>
+        <translation>Der Spielraum reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
+    </message>
+    <message>
+        <source>There is no burr to work with. Add one.</source>
+        <translation>Es gibt keinen Bohrer zum Arbeiten. Fügen Sie einen hinzu.</translation>
+    </message>
+    <message>
+        <source>There is no target to cut.</source>
+        <translation>Es gibt kein Ziel zum Abtragen.</translation>
+    </message>
+    <message>
+        <source>The target’s points do not fit its shape.</source>
+        <translation>Die Punkte des Ziels passen nicht zu seiner Form.</translation>
+    </message>
+    <message>
+        <source>Nothing is graded yet. Add a criterion.</source>
+        <translation>Noch wird nichts bewertet. Fügen Sie ein Kriterium hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 has no points. Give it some, or remove it.</source>
+        <translation>%1 hat keine Punkte. Geben Sie ihm welche oder entfernen Sie es.</translation>
+    </message>
+    <message>
+        <source>The bands of %1 are not in rising order.</source>
+        <translation>Die Stufen von %1 steigen nicht an.</translation>
+    </message>
+    <message>
+        <source>The pass mark %1 is out of reach: at most %2 points can be had.</source>
+        <translation>Die Bestehensgrenze %1 ist nicht erreichbar: höchstens %2 Punkte sind möglich.</translation>
+    </message>
+    <message>
+        <source>%1 is protected, but this tooth has none.</source>
+        <translation>%1 ist geschützt, kommt an diesem Zahn aber nicht vor.</translation>
+    </message>
+    <message>
+        <source>The tooth holds %1, which this exercise does not describe.</source>
+        <translation>Der Zahn enthält %1; diese Übung beschreibt das nicht.</translation>
+    </message>
+    <message>
+        <source>%1 is described, but this tooth has none.</source>
+        <translation>%1 ist beschrieben, kommt an diesem Zahn aber nicht vor.</translation>
+    </message>
+    <message>
+        <source>The target reaches out of the tooth: to %1, where the tooth ends at %2.</source>
+        <translation>Das Ziel ragt aus dem Zahn: bis %1, der Zahn endet bei %2.</translation>
+    </message>
+    <message>
+        <source>The file’s fineness is %2, not %1 as stated.</source>
+        <translation>Die Feinheit der Datei ist %2, nicht %1 wie angegeben.</translation>
+    </message>
+    <message>
+        <source>%1 is too thin to be judged at this fineness; from %2 it can.</source>
+        <translation>%1 ist bei dieser Feinheit zu dünn zum Beurteilen; ab %2 geht es.</translation>
+    </message>
+    <message>
+        <source>No burr fits: the smallest is %1 wide, the target %2.</source>
+        <translation>Kein Bohrer passt: der kleinste ist %1 breit, das Ziel %2.</translation>
+    </message>
+    <message>
+        <source>The corner radius %1 is sharper than the smallest burr leaves it (%2).</source>
+        <translation>Der Eckenradius %1 ist schärfer, als ihn der kleinste Bohrer hinterlässt (%2).</translation>
+    </message>
+    <message>
+        <source>The leeway of %1 is finer than the tooth is known (%2).</source>
+        <translation>Der Spielraum von %1 ist feiner, als der Zahn bekannt ist (%2).</translation>
+    </message>
+    <message>
+        <source>A point of the target does not lie on its floor.</source>
+        <translation>Ein Punkt des Ziels liegt nicht auf seinem Boden.</translation>
+    </message>
+    <message>
+        <source>A go that meets the target exactly loses %1 points for %2.</source>
+        <translation>Ein Durchgang, der das Ziel genau trifft, verliert %1 Punkte für %2.</translation>
+    </message>
+    <message>
+        <source>The title is missing in %1.</source>
+        <translation>Der Titel fehlt auf %1.</translation>
+    </message>
+    <message>
+        <source>The briefing is missing in %1.</source>
+        <translation>Die Aufgabe fehlt auf %1.</translation>
+    </message>
+    <message>
+        <source>Nothing of this tooth can be cut.</source>
+        <translation>Von diesem Zahn lässt sich nichts abtragen.</translation>
+    </message>
+    <message>
+        <source>Something is wrong at %1.</source>
+        <translation>Bei %1 stimmt etwas nicht.</translation>
+    </message>
+    <message>
+        <source>Only one handpiece can be used at a time.</source>
+        <translation>Es kann nur ein Handstück zugleich benutzt werden.</translation>
+    </message>
+    <message>
+        <source>The drilling sound needs a handpiece.</source>
+        <translation>Das Bohrgeräusch braucht ein Handstück.</translation>
+    </message>
+    <message>
+        <source>Vibration needs a handpiece.</source>
+        <translation>Das Zittern braucht ein Handstück.</translation>
+    </message>
+    <message>
+        <source>%1 is graded, but this exercise does not reckon coolant and heat.</source>
+        <translation>%1 wird bewertet, aber diese Übung rechnet Kühlung und Wärme nicht.</translation>
+    </message>
+    <message>
+        <source>Burr %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.</source>
+        <translation>Bohrer %1 ist für diese Feinheit zu klein: sein Durchmesser ist %2, ab %3 trägt er genau ab.</translation>
+    </message>
+    <message>
+        <source>The head of burr %1 is too short for this fineness: %2 long, from %3 it cuts truly.</source>
+        <translation>Der Kopf von Bohrer %1 ist für diese Feinheit zu kurz: %2 lang, ab %3 trägt er genau ab.</translation>
+    </message>
+    <message>
+        <source>The neck of burr %1 is wider than its head.</source>
+        <translation>Der Hals von Bohrer %1 ist dicker als sein Kopf.</translation>
+    </message>
+    <message>
+        <source>The stiffness of a tissue</source>
+        <translation>Die Steifigkeit eines Gewebes</translation>
+    </message>
+    <message>
+        <source>The removal speed of a tissue</source>
+        <translation>Die Abtragsgeschwindigkeit eines Gewebes</translation>
+    </message>
+    <message>
+        <source>A measure of a bur</source>
+        <translation>Ein Maß eines Bohrers</translation>
+    </message>
+    <message>
+        <source>The push at which cutting is fastest</source>
+        <translation>Der Druck, bei dem am schnellsten abgetragen wird</translation>
+    </message>
+    <message>
+        <source>The target’s width</source>
+        <translation>Die Breite des Ziels</translation>
+    </message>
+    <message>
+        <source>The target’s depth</source>
+        <translation>Die Tiefe des Ziels</translation>
+    </message>
+    <message>
+        <source>The corner radius</source>
+        <translation>Der Eckenradius</translation>
+    </message>
+    <message>
+        <source>The tolerance zone</source>
+        <translation>Die Toleranzzone</translation>
+    </message>
+    <message>
+        <source>The time limit</source>
+        <translation>Die Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>The pass mark</source>
+        <translation>Die Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>The points of a criterion</source>
+        <translation>Die Punkte eines Kriteriums</translation>
+    </message>
+    <message>
+        <source>The fineness</source>
+        <translation>Die Feinheit</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it has to lie between %3 and %4.</source>
+        <translation>%1: %2; erlaubt ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>The target holds %1 of pulp, as the access to a root canal does. If that is not meant, raise its floor.</source>
+        <translation>Das Ziel enthält %1 Pulpa, wie die Zugangskavität zu einem Wurzelkanal. Ist das nicht gemeint, heben Sie seinen Boden an.</translation>
+    </message>
+    <message>
+        <source>Opening the pulp does not fail the attempt. Switch that on unless it is meant so.</source>
+        <translation>Eine eröffnete Pulpa lässt den Durchgang nicht scheitern. Schalten Sie das ein, wenn es nicht so gemeint ist.</translation>
+    </message>
+    <message>
+        <source>The target takes %1, which is protected.</source>
+        <translation>Das Ziel trägt %1 ab, was geschützt ist.</translation>
+    </message>
+    <message>
+        <source>The tolerance zone reaches %1, which is protected.</source>
+        <translation>Die Toleranzzone erreicht %1, was geschützt ist.</translation>
+    </message>
+    <message>
+        <source>The target holds nothing that could be cut.</source>
+        <translation>Das Ziel enthält nichts, was abgetragen werden könnte.</translation>
+    </message>
+    <message>
+        <source>An attempt that cuts nothing gets %1 points. Grade how much of the target is removed.</source>
+        <translation>Ein Durchgang, der nichts abträgt, bekommt %1 Punkte. Bewerten Sie, wie viel des Ziels abgetragen ist.</translation>
+    </message>
+    <message>
+        <source>An attempt that cuts a twentieth of the target passes, with %1 points. Grade how much of the target is removed.</source>
+        <translation>Ein Durchgang, der ein Zwanzigstel des Ziels abträgt, besteht mit %1 Punkten. Bewerten Sie, wie viel des Ziels abgetragen ist.</translation>
+    </message>
+    <message>
+        <source>%1 brings less than a twentieth of a point. Give it more, or remove it.</source>
+        <translation>%1 bringt weniger als ein Zwanzigstel eines Punkts. Geben Sie mehr, oder entfernen Sie das Kriterium.</translation>
+    </message>
+    <message>
+        <source>The title in %1 is still that of the exercise it was copied from.</source>
+        <translation>Der Titel in der Sprache %1 ist noch der der Übung, von der er kopiert wurde.</translation>
+    </message>
+    <message>
+        <source>The briefing in %1 is still that of the exercise it was copied from.</source>
+        <translation>Die Anleitung in der Sprache %1 ist noch die der Übung, von der sie kopiert wurde.</translation>
+    </message>
+    <message>
+        <source>The title in %1 names tooth %2; the exercise is on tooth %3.</source>
+        <translation>Der Titel in der Sprache %1 nennt Zahn %2; die Übung findet an Zahn %3 statt.</translation>
+    </message>
+    <message>
+        <source>The briefing in %1 names %2, which the target no longer has.</source>
+        <translation>Die Anleitung in der Sprache %1 nennt %2; dieses Maß hat das Ziel nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The target opens the pulp by %1. Raise its floor, or draw it clear of the pulp.</source>
+        <translation>Das Ziel eröffnet die Pulpa um %1. Heben Sie seinen Boden an, oder zeichnen Sie es an der Pulpa vorbei.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Cli</name>
+    <message>
+        <source>This database has accounts: say with --as which one to act as.</source>
+        <translation>Diese Datenbank hat Konten: mit --as angeben, welches handelt.</translation>
+    </message>
+    <message>
+        <source>Password: </source>
+        <translation>Passwort: </translation>
+    </message>
+    <message>
+        <source>%1 is not a session’s id.</source>
+        <translation>%1 ist keine Kennung eines Durchgangs.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to %1.</source>
+        <translation>In %1 kann nichts geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points: %3</source>
+        <translation>%1 von %2 Punkten: %3</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Run a stored session again and grade it as it stands; an interrupted one keeps that grade</source>
+        <translation>Einen gespeicherten Durchgang erneut rechnen und bewerten, wie er ist; ein unterbrochener behält diese Bewertung</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>Datenbank</translation>
+    </message>
+    <message>
+        <source>The session&apos;s id</source>
+        <translation>Kennung des Durchgangs</translation>
+    </message>
+    <message>
+        <source>Another rubric: a scenario.json or its rubric alone. Shown, not stored</source>
+        <translation>Anderer Bewertungsschlüssel: eine scenario.json oder nur deren Schlüssel. Wird gezeigt, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation>Ordner für den Bericht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s) and the audit log are whole.</source>
+        <translation>
+            <numerusform>%n Durchgang und das Protokoll sind vollständig.</numerusform>
+            <numerusform>%n Durchgänge und das Protokoll sind vollständig.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is kept: sessions, one of them, or proof of all</source>
+        <translation>Was aufbewahrt ist: Durchgänge, einer davon oder der Nachweis für alle</translation>
+    </message>
+    <message>
+        <source>Sessions, newest first</source>
+        <translation>Durchgänge, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Part of a name or number</source>
+        <translation>Teil eines Namens oder einer Nummer</translation>
+    </message>
+    <message>
+        <source>At most so many</source>
+        <translation>Höchstens so viele</translation>
+    </message>
+    <message>
+        <source>One session: events, removed tissue, grade</source>
+        <translation>Ein Durchgang: Ereignisse, abgetragenes Gewebe, Bewertung</translation>
+    </message>
+    <message>
+        <source>The file, each session&apos;s chain, and the audit log</source>
+        <translation>Die Datei, die Kette jedes Durchgangs und das Protokoll</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Say with -o where the volume is to be written.</source>
+        <translation>Mit -o angeben, wohin das Volumen geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1 is no axis: x, y, z, -x, -y or -z.</source>
+        <translation>%1 ist keine Achse: x, y, z, -x, -y oder -z.</translation>
+    </message>
+    <message>
+        <source>%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.</source>
+        <translation>%1 ist nicht NETZ=GEWEBE mit einem Gewebe wie enamel, dentine oder pulp.</translation>
+    </message>
+    <message>
+        <source>Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes.</source>
+        <translation>Mit --tissue NETZ=GEWEBE angeben, woraus jedes Netz besteht; --list nennt die Netze.</translation>
+    </message>
+    <message>
+        <source>Volume to write (NRRD)</source>
+        <translation>Zu schreibendes Volumen (NRRD)</translation>
+    </message>
+    <message>
+        <source>Length of one unit of the file in millimetres</source>
+        <translation>Länge einer Einheit der Datei in Millimetern</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel in millimetres</source>
+        <translation>Kantenlänge eines Voxels in Millimetern</translation>
+    </message>
+    <message>
+        <source>The file&apos;s axis towards the chewing surface</source>
+        <translation>Achse der Datei, die zur Kaufläche zeigt</translation>
+    </message>
+    <message>
+        <source>Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf and tooth.png; prints the session&apos;s id</source>
+        <translation>Eine automatische Hand eine Übung machen lassen: bewahrt den Durchgang auf und schreibt report.json, report.pdf und tooth.png; gibt seine Kennung aus</translation>
+    </message>
+    <message>
+        <source>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs</source>
+        <translation>expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry oder eine CSV-Datei mit Eingaben</translation>
+    </message>
+    <message>
+        <source>Of the hand&apos;s tremor</source>
+        <translation>Des Zitterns der Hand</translation>
+    </message>
+    <message>
+        <source>Print each second of the session to stderr as it is played</source>
+        <translation>Jede Sekunde des Durchgangs auf stderr ausgeben, während er läuft</translation>
+    </message>
+    <message>
+        <source>Database; made when it is not there. Without it: cusp.db in DIR</source>
+        <translation>Datenbank; wird angelegt, wenn sie fehlt. Ohne Angabe: cusp.db in DIR</translation>
+    </message>
+    <message>
+        <source>The record is whole. It was made by engine %1 and is not computed again by engine %2.</source>
+        <translation>Die Aufzeichnung ist vollständig. Sie stammt von Rechenkern %1 und wird von Rechenkern %2 nicht neu berechnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
+        <translation>
+            <numerusform>Die Aufzeichnung ist vollständig; %n Takt ergibt denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
+            <numerusform>Die Aufzeichnung ist vollständig; %n Takte ergeben denselben Zahn und dieselbe Bewertung, Bit für Bit.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Run a stored session again and print the hash of its tooth</source>
+        <translation>Einen gespeicherten Durchgang erneut rechnen und die Prüfsumme seines Zahns ausgeben</translation>
+    </message>
+    <message>
+        <source>Prove it: the record&apos;s chain, then tooth and grade bit for bit</source>
+        <translation>Nachweisen: die Kette der Aufzeichnung, dann Zahn und Bewertung Bit für Bit</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The record and the report are kept.</source>
+        <translation>Aufzeichnung und Bericht sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Grow a specimen and write its volume</source>
+        <translation>Ein Präparat erzeugen und sein Volumen schreiben</translation>
+    </message>
+    <message>
+        <source>tooth, block, layered-block or paper-block</source>
+        <translation>tooth, block, layered-block oder paper-block</translation>
+    </message>
+    <message>
+        <source>A tooth of plastic, as in a training model</source>
+        <translation>Ein Zahn aus Kunststoff, wie in einem Übungsmodell</translation>
+    </message>
+    <message>
+        <source>With the teeth that touch it</source>
+        <translation>Mit den Zähnen, die ihn berühren</translation>
+    </message>
+    <message>
+        <source>With the gingiva about it</source>
+        <translation>Mit der Gingiva ringsum</translation>
+    </message>
+    <message>
+        <source>With the bone and the ligament about its roots</source>
+        <translation>Mit Knochen und Wurzelhaut um seine Wurzeln</translation>
+    </message>
+    <message>
+        <source>Decay: fissure, proximal or root, then its place, radius and depth in millimetres, and softness from 0 to 1</source>
+        <translation>Karies: fissure, proximal oder root, dann Ort, Radius und Tiefe in Millimetern und Weichheit von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Tooth number, 11 to 48</source>
+        <translation>Zahnnummer, 11 bis 48</translation>
+    </message>
+    <message>
+        <source>Natural variation; 0 = the average tooth</source>
+        <translation>Natürliche Schwankung; 0 = der Durchschnittszahn</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Fehler: %1</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2</source>
+        <translation>%1 ist nicht verwendbar: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cannot be used: %2 (and %n more)</source>
+        <translation>
+            <numerusform>%1 ist nicht verwendbar: %2 (und %n weiterer Grund)</numerusform>
+            <numerusform>%1 ist nicht verwendbar: %2 (und %n weitere Gründe)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 can be used.</source>
+        <translation>%1 ist verwendbar.</translation>
+    </message>
+    <message>
+        <source>Check a scenario: its form, its values, and its specimen</source>
+        <translation>Eine Übung prüfen: Form, Werte und Präparat</translation>
+    </message>
+    <message>
+        <source>A scenario.json, its folder, or a built-in one</source>
+        <translation>Eine scenario.json, ihr Ordner oder eine mitgelieferte</translation>
+    </message>
+    <message>
+        <source>Leave the specimen out</source>
+        <translation>Das Präparat auslassen</translation>
+    </message>
+    <message>
+        <source>Write the result as JSON to FILE, or to stdout for -</source>
+        <translation>Das Ergebnis als JSON in FILE schreiben, bei - auf stdout</translation>
+    </message>
+    <message>
+        <source>Cusp: cavity preparation with a grade. Without a verb it opens the desktop.</source>
+        <translation>Cusp: Kavitätenpräparation mit Bewertung. Ohne Befehl öffnet sich die Oberfläche.</translation>
+    </message>
+    <message>
+        <source>%1 (cusp VERB --help says more)</source>
+        <translation>%1 (mehr sagt cusp BEFEHL --help)</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Der Speicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>Something unexpected happened (%1). What was recorded before is kept.</source>
+        <translation>Etwas Unerwartetes ist geschehen (%1). Was vorher aufgezeichnet war, ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>it has no instrument</source>
+        <translation>es gibt kein Instrument</translation>
+    </message>
+    <message>
+        <source>it has no target</source>
+        <translation>es gibt kein Ziel</translation>
+    </message>
+    <message>
+        <source>the target’s path does not fit its shape</source>
+        <translation>der Pfad des Ziels passt nicht zu seiner Form</translation>
+    </message>
+    <message>
+        <source>the target is empty</source>
+        <translation>das Ziel ist leer</translation>
+    </message>
+    <message>
+        <source>the rubric has no criterion</source>
+        <translation>der Bewertungsschlüssel hat kein Kriterium</translation>
+    </message>
+    <message>
+        <source>no criterion brings points</source>
+        <translation>kein Kriterium bringt Punkte</translation>
+    </message>
+    <message>
+        <source>the bands are not in rising order</source>
+        <translation>die Stufen steigen nicht an</translation>
+    </message>
+    <message>
+        <source>the pass mark cannot be reached</source>
+        <translation>die Bestehensgrenze ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>a protected tissue is missing (%1)</source>
+        <translation>ein geschütztes Gewebe fehlt (%1)</translation>
+    </message>
+    <message>
+        <source>the specimen holds a tissue that is not described (%1)</source>
+        <translation>das Präparat enthält ein Gewebe, das nicht beschrieben ist (%1)</translation>
+    </message>
+    <message>
+        <source>a tissue does not occur in the specimen (%1)</source>
+        <translation>ein Gewebe kommt im Präparat nicht vor (%1)</translation>
+    </message>
+    <message>
+        <source>the target lies outside the specimen</source>
+        <translation>das Ziel liegt außerhalb des Präparats</translation>
+    </message>
+    <message>
+        <source>the volume’s voxels are not of the size that is stated</source>
+        <translation>die Voxel des Volumens haben nicht die angegebene Größe</translation>
+    </message>
+    <message>
+        <source>a feature is thinner than 2.5 voxels and cannot be judged</source>
+        <translation>eine Einzelheit ist dünner als 2,5 Voxel und nicht beurteilbar</translation>
+    </message>
+    <message>
+        <source>a burr’s radius is below 3 voxels</source>
+        <translation>der Radius eines Bohrers liegt unter 3 Voxeln</translation>
+    </message>
+    <message>
+        <source>a burr’s neck is wider than its ball</source>
+        <translation>der Hals eines Bohrers ist breiter als seine Kugel</translation>
+    </message>
+    <message>
+        <source>no burr fits into the target</source>
+        <translation>kein Bohrer passt in das Ziel</translation>
+    </message>
+    <message>
+        <source>the target’s corners are sharper than the smallest burr</source>
+        <translation>die Ecken des Ziels sind schärfer als der kleinste Bohrer</translation>
+    </message>
+    <message>
+        <source>the leeway is thinner than a voxel</source>
+        <translation>der Spielraum ist dünner als ein Voxel</translation>
+    </message>
+    <message>
+        <source>points of the path do not lie on the floor</source>
+        <translation>Punkte des Pfads liegen nicht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>a go that meets the target loses points</source>
+        <translation>ein Durchgang, der das Ziel trifft, verliert Punkte</translation>
+    </message>
+    <message>
+        <source>a text is missing in a language (%1)</source>
+        <translation>ein Text fehlt in einer Sprache (%1)</translation>
+    </message>
+    <message>
+        <source>nothing can be cut</source>
+        <translation>nichts lässt sich abtragen</translation>
+    </message>
+    <message>
+        <source>%1 (%2, limit %3).</source>
+        <translation>%1 (%2, Grenze %3).</translation>
+    </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>, second %1 of the session</source>
+        <translation>, Sekunde %1 des Durchgangs</translation>
+    </message>
+    <message>
+        <source>The record was changed: %1%2.</source>
+        <translation>Die Aufzeichnung wurde verändert: %1%2.</translation>
+    </message>
+    <message>
+        <source>A part of the record is missing: %1%2.</source>
+        <translation>Ein Teil der Aufzeichnung fehlt: %1%2.</translation>
+    </message>
+    <message>
+        <source>Something was added to the record: %1%2.</source>
+        <translation>Der Aufzeichnung wurde etwas hinzugefügt: %1%2.</translation>
+    </message>
+    <message>
+        <source>The record’s chain is broken: %1%2.</source>
+        <translation>Die Kette der Aufzeichnung ist unterbrochen: %1%2.</translation>
+    </message>
+    <message>
+        <source>The signature over the record does not hold: %1%2.</source>
+        <translation>Die Signatur der Aufzeichnung stimmt nicht: %1%2.</translation>
+    </message>
+    <message>
+        <source>The station’s key is not the one that signed: %1%2.</source>
+        <translation>Der Schlüssel der Station ist nicht der, mit dem signiert wurde: %1%2.</translation>
+    </message>
+    <message>
+        <source>The record cannot be read: %1%2.</source>
+        <translation>Die Aufzeichnung kann nicht gelesen werden: %1%2.</translation>
+    </message>
+    <message>
+        <source>The record does not add up: %1%2.</source>
+        <translation>Die Aufzeichnung geht nicht auf: %1%2.</translation>
+    </message>
+    <message>
+        <source>The replay comes to another state at tick %1.</source>
+        <translation>Die Wiederholung kommt bei Takt %1 zu einem anderen Zustand.</translation>
+    </message>
+    <message>
+        <source>The replay comes to another tooth than the one that is stored.</source>
+        <translation>Die Wiederholung kommt zu einem anderen Zahn als dem gespeicherten.</translation>
+    </message>
+    <message>
+        <source>The replay comes to another grade than the one that is stored (%1).</source>
+        <translation>Die Wiederholung kommt zu einer anderen Bewertung als der gespeicherten (%1).</translation>
+    </message>
+    <message>
+        <source>turned inside out</source>
+        <translation>nach innen gewendet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n triangle(s), %2, %3 mm</source>
+        <translation>
+            <numerusform>%1: %n Dreieck, %2, %3 mm</numerusform>
+            <numerusform>%1: %n Dreiecke, %2, %3 mm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>gap of %1 mm at %2, %3, %4 mm</source>
+        <translation>Lücke von %1 mm bei %2, %3, %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels of %4 × %5 × %6 mm</source>
+        <translation>%1 × %2 × %3 Voxel zu %4 × %5 × %6 mm</translation>
+    </message>
+    <message>
+        <source>The file does not say how large a voxel is; --unit-mm does.</source>
+        <translation>Die Datei sagt nicht, wie groß ein Voxel ist; --unit-mm sagt es.</translation>
+    </message>
+    <message>
+        <source>Grey values from %1 to %2</source>
+        <translation>Grauwerte von %1 bis %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n voxel(s)</source>
+        <translation>
+            <numerusform>%1: %n Voxel</numerusform>
+            <numerusform>%1: %n Voxel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is no label of a volume: it takes its number.</source>
+        <translation>%1 ist kein Kennwert eines Volumens: er wird als Zahl angegeben.</translation>
+    </message>
+    <message>
+        <source>%1 is not TISSUE=VALUE, such as dentine=1200.</source>
+        <translation>%1 ist nicht TISSUE=VALUE, etwa dentine=1200.</translation>
+    </message>
+    <message>
+        <source>Make a specimen volume of closed meshes, of a label volume or of a CT series</source>
+        <translation>Aus geschlossenen Netzen, einem Volumen mit Kennwerten oder einer CT-Serie ein Volumen machen</translation>
+    </message>
+    <message>
+        <source>Volume to write (NRRD, or binvox by its ending)</source>
+        <translation>Volumen, das geschrieben wird (NRRD, oder binvox nach der Endung)</translation>
+    </message>
+    <message>
+        <source>What a mesh or a label is made of; once for each to be taken</source>
+        <translation>Woraus ein Netz oder Kennwert besteht; einmal für jeden, der übernommen wird</translation>
+    </message>
+    <message>
+        <source>The tissue from a grey value on, up to the next; “empty” leaves out</source>
+        <translation>Das Gewebe ab einem Grauwert, bis zum nächsten; „empty“ lässt weg</translation>
+    </message>
+    <message>
+        <source>What closed hollows of a volume are made of</source>
+        <translation>Woraus geschlossene Hohlräume eines Volumens bestehen</translation>
+    </message>
+    <message>
+        <source>Of a volume keep only the largest piece</source>
+        <translation>Von einem Volumen nur das größte Stück behalten</translation>
+    </message>
+    <message>
+        <source>Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes</source>
+        <translation>Kantenlänge eines Voxels in Millimetern; 0,1 bei Netzen, die der Datei bei Volumen</translation>
+    </message>
+    <message>
+        <source>Mend meshes, and close holes up to this width in millimetres</source>
+        <translation>Netze ausbessern und Löcher bis zu dieser Breite in Millimetern schließen</translation>
+    </message>
+    <message>
+        <source>Only tell what the file holds</source>
+        <translation>Nur sagen, was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>Wahl</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>µs</translation>
+    </message>
+    <message>
+        <source>MB</source>
+        <translation>MB</translation>
+    </message>
+    <message>
+        <source>start, s</source>
+        <translation>Start, s</translation>
+    </message>
+    <message>
+        <source>force, N</source>
+        <translation>Kraft, N</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>as it is set</source>
+        <translation>wie eingestellt</translation>
+    </message>
+    <message>
+        <source>µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change on the same path. Score: the largest change of a hand’s go.</source>
+        <translation>µs: Rechenzeit eines Schritts; unter der ersten Zeile, was er mehr oder weniger braucht. Kraft: quadratisches Mittel und größter Wert ihrer Änderung auf demselben Weg. Punkte: die größte Änderung eines Durchgangs.</translation>
+    </message>
+    <message>
+        <source>This machine does not count instructions: times alone are told.</source>
+        <translation>Dieser Rechner zählt keine Befehle: Nur Zeiten werden genannt.</translation>
+    </message>
+    <message>
+        <source>%1 is built in: --apply needs -o FILE for the copy.</source>
+        <translation>%1 ist eingebaut: --apply braucht -o FILE für die Kopie.</translation>
+    </message>
+    <message>
+        <source>-o FILE belongs to --apply.</source>
+        <translation>-o FILE gehört zu --apply.</translation>
+    </message>
+    <message>
+        <source>Written to %1 as version %2.</source>
+        <translation>Als Version %2 nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>What each part of an exercise’s model costs and changes, and the leanest model that grades the same; scripted hands play it many times, which takes minutes</source>
+        <translation>Was jeder Teil vom Modell einer Übung kostet und ändert, und das schlankste Modell mit gleichen Punkten; automatische Hände spielen sie viele Male, was Minuten dauert</translation>
+    </message>
+    <message>
+        <source>Goes of each hand: expert, fair and novice</source>
+        <translation>Durchgänge jeder Hand: expert, fair und novice</translation>
+    </message>
+    <message>
+        <source>Only the size of the voxels: seconds to a few minutes</source>
+        <translation>Nur die Größe der Voxel: Sekunden bis wenige Minuten</translation>
+    </message>
+    <message>
+        <source>Write the leanest into the scenario, as its next version</source>
+        <translation>Das schlankste in die Übung schreiben, als ihre nächste Version</translation>
+    </message>
+    <message>
+        <source>With --apply: write a copy there</source>
+        <translation>Mit --apply: dorthin eine Kopie schreiben</translation>
+    </message>
+    <message>
+        <source>Print how far it is to stderr</source>
+        <translation>Den Fortschritt auf stderr ausgeben</translation>
+    </message>
+    <message>
+        <source>A scenario.json, its folder, or a built-in one: %1</source>
+        <translation>Eine scenario.json, ihr Ordner oder eine eingebaute: %1</translation>
+    </message>
+    <message>
+        <source>--device has to be falcon, falcon:NAME or emulated-falcon.</source>
+        <translation>--device ist falcon, falcon:NAME oder emulated-falcon.</translation>
+    </message>
+    <message>
+        <source>An emulated Falcon needs a hand by name: expert, novice and so on.</source>
+        <translation>Ein nachgebildeter Falcon braucht eine Hand mit Namen: expert, novice und so weiter.</translation>
+    </message>
+    <message>
+        <source>Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon (led by the scripted hand)</source>
+        <translation>In Echtzeit an einem Gerät spielen: falcon, falcon:NAME (ein Mensch hält es) oder emulated-falcon (die Hand aus dem Skript führt es)</translation>
+    </message>
+    <message>
+        <source>With --device: end after so many seconds of the session; the scripted hand begins anew meanwhile</source>
+        <translation>Mit --device: nach so vielen Sekunden des Durchgangs enden; die Hand aus dem Skript beginnt so lange von vorn</translation>
+    </message>
+    <message>
+        <source>With the emulated Falcon: it answers nothing for 50 ms every so many seconds</source>
+        <translation>Mit dem nachgebildeten Falcon: Er antwortet alle so viele Sekunden 50 ms lang nicht</translation>
+    </message>
+    <message>
+        <source>Number of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. Without it: the student demo</source>
+        <translation>Nummer des Kontos, das handelt; Passwort oder PIN kommen aus CUSP_PASSWORD oder der Standardeingabe. Ohne Angabe: demo</translation>
+    </message>
+    <message>
+        <source>Look at: history DB verify.</source>
+        <translation>Siehe: history DB verify.</translation>
+    </message>
+    <message>
+        <source>The counter beside the station’s key lags behind: %1. What was recorded is kept; the counter catches up later.</source>
+        <translation>Der Zähler neben dem Schlüssel der Station bleibt zurück: %1. Was aufgezeichnet wurde, ist erhalten; der Zähler holt später auf.</translation>
+    </message>
+    <message>
+        <source>Number %1 and PIN do not match.</source>
+        <translation>Nummer %1 und PIN passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Number %1 and password do not match.</source>
+        <translation>Nummer %1 und Passwort passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Password or PIN: </source>
+        <translation>Passwort oder PIN: </translation>
+    </message>
+    <message>
+        <source>PIN: </source>
+        <translation>PIN: </translation>
+    </message>
+    <message>
+        <source>Nothing is sealed yet: that begins when the database is next opened for writing.</source>
+        <translation>Noch ist nichts versiegelt: Das beginnt, wenn die Datenbank das nächste Mal zum Schreiben geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Sealed since %1; what was there before is held against what it was then.</source>
+        <translation>Versiegelt seit %1; was vorher da war, wird mit dem Stand von damals verglichen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry/entries of the audit log are not yet in the counter beside the key.</source>
+        <translation>
+            <numerusform>%n Eintrag des Protokolls steht noch nicht im Zähler neben dem Schlüssel.</numerusform>
+            <numerusform>%n Einträge des Protokolls stehen noch nicht im Zähler neben dem Schlüssel.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>--scale takes the factor.</source>
+        <translation>--scale nimmt den Faktor.</translation>
+    </message>
+    <message>
+        <source>%1 is no precedence: innermost or given.</source>
+        <translation>%1 ist kein Vorrang: innermost oder given.</translation>
+    </message>
+    <message>
+        <source>--turn takes x, y, z, -x, -y or -z.</source>
+        <translation>--turn nimmt x, y, z, -x, -y oder -z.</translation>
+    </message>
+    <message>
+        <source>STL, OBJ, PLY, 3DS, OFF (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices</source>
+        <translation>STL, OBJ, PLY, 3DS, OFF (mehrere werden zusammengefügt), NRRD, MetaImage, NIfTI, binvox oder ein Ordner mit DICOM-Schichten</translation>
+    </message>
+    <message>
+        <source>Factor on the unit, as 0.1 for a tooth that came in ten times too long</source>
+        <translation>Faktor auf die Einheit, etwa 0.1 für einen Zahn, der zehnmal zu lang ankam</translation>
+    </message>
+    <message>
+        <source>A quarter turn of what was made about this axis, by the right hand; -x turns back; may be repeated</source>
+        <translation>Eine Vierteldrehung des Ergebnisses um diese Achse, nach der rechten Hand; -x dreht zurück; mehrmals möglich</translation>
+    </message>
+    <message>
+        <source>Which mesh wins where several overlap: the innermost one, or the first --tissue given</source>
+        <translation>Welches Netz gilt, wo sich mehrere überschneiden: das innerste (innermost) oder das erste angegebene --tissue (given)</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was changed.</source>
+        <translation>Angehalten. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Only up to this moment of the session, in seconds</source>
+        <translation>Nur bis zu diesem Zeitpunkt der Sitzung, in Sekunden</translation>
+    </message>
+    <message>
+        <source>Write the tooth as it is then (NRRD)</source>
+        <translation>Den Zahn schreiben, wie er dann ist (NRRD)</translation>
+    </message>
+    <message>
+        <source>a criterion brings less than a twentieth of a point</source>
+        <translation>ein Kriterium bringt weniger als ein Zwanzigstel eines Punkts</translation>
+    </message>
+    <message>
+        <source>the target opens the pulp</source>
+        <translation>das Ziel eröffnet die Pulpa</translation>
+    </message>
+    <message>
+        <source>the target holds pulp, as the access to a root canal does</source>
+        <translation>das Ziel enthält Pulpa, wie die Zugangskavität zu einem Wurzelkanal</translation>
+    </message>
+    <message>
+        <source>opening the pulp does not fail the attempt</source>
+        <translation>eine eröffnete Pulpa lässt den Durchgang nicht scheitern</translation>
+    </message>
+    <message>
+        <source>the tolerance zone reaches the pulp</source>
+        <translation>die Toleranzzone erreicht die Pulpa</translation>
+    </message>
+    <message>
+        <source>the target takes a protected tissue (%1)</source>
+        <translation>das Ziel trägt ein geschütztes Gewebe ab (%1)</translation>
+    </message>
+    <message>
+        <source>the tolerance zone reaches a protected tissue (%1)</source>
+        <translation>die Toleranzzone erreicht ein geschütztes Gewebe (%1)</translation>
+    </message>
+    <message>
+        <source>the target holds nothing that could be cut</source>
+        <translation>das Ziel enthält nichts, was abgetragen werden könnte</translation>
+    </message>
+    <message>
+        <source>an attempt that cuts nothing earns points</source>
+        <translation>ein Durchgang, der nichts abträgt, bringt Punkte</translation>
+    </message>
+    <message>
+        <source>an attempt that cuts a twentieth of the target passes</source>
+        <translation>ein Durchgang, der ein Zwanzigstel des Ziels abträgt, besteht</translation>
+    </message>
+    <message>
+        <source>the text is still that of the exercise it was copied from (%1)</source>
+        <translation>der Text ist noch der der Übung, von der er kopiert wurde (%1)</translation>
+    </message>
+    <message>
+        <source>the title names another tooth (%1)</source>
+        <translation>der Titel nennt einen anderen Zahn (%1)</translation>
+    </message>
+    <message>
+        <source>the text names a length that the target has not (%1)</source>
+        <translation>der Text nennt eine Länge, die das Ziel nicht hat (%1)</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>, in the audit log since %1</source>
+        <translation>, im Protokoll seit %1</translation>
+    </message>
+    <message>
+        <source>The record is not the one that was sealed: %1%2.</source>
+        <translation>Die Aufzeichnung ist nicht die, die versiegelt wurde: %1%2.</translation>
+    </message>
+    <message>
+        <source>The database is older than the counter beside its key, or its audit log was cut: %1%2.</source>
+        <translation>Die Datenbank ist älter als der Zähler neben ihrem Schlüssel, oder ihr Protokoll wurde gekürzt: %1%2.</translation>
+    </message>
+    <message>
+        <source>The counter beside the station’s key is missing: %1%2.</source>
+        <translation>Der Zähler neben dem Schlüssel der Station fehlt: %1%2.</translation>
+    </message>
+    <message>
+        <source>The counter beside the station’s key is not the one of this database: %1%2.</source>
+        <translation>Der Zähler neben dem Schlüssel der Station gehört nicht zu dieser Datenbank: %1%2.</translation>
+    </message>
+    <message>
+        <source>The audit log’s end was changed or taken out: %1%2.</source>
+        <translation>Das Ende des Protokolls wurde geändert oder entfernt: %1%2.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Compass</name>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>mesial</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <comment>distal</comment>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <comment>buccal</comment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>lingual</comment>
+        <translation>L</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::CourseModel</name>
+    <message>
+        <source>Briefing</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>always open</source>
+        <translation>immer offen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Fällig</translation>
+    </message>
+    <message>
+        <source>Goes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Bestwert</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Model tooth</source>
+        <translation>Modellzahn</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::CriteriaModel</name>
+    <message>
+        <source>An edge of the marking is nearer than the figure is known.</source>
+        <translation>Eine Grenze der Bewertung liegt näher, als der Wert bekannt ist.</translation>
+    </message>
+    <message>
+        <source>not marked</source>
+        <translation>nicht bewertet</translation>
+    </message>
+    <message>
+        <source>full points</source>
+        <translation>volle Punktzahl</translation>
+    </message>
+    <message>
+        <source>points lost</source>
+        <translation>Punkte verloren</translation>
+    </message>
+    <message>
+        <source>shows its place on the tooth</source>
+        <translation>zeigt die Stelle am Zahn</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>no points</source>
+        <translation>keine Punkte</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>Ihr Wert</translation>
+    </message>
+    <message>
+        <source>Full points</source>
+        <translation>Volle Punktzahl</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>counts with the target</source>
+        <translation>zählt mit dem Ziel</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Desktop</name>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>My results</source>
+        <translation>Meine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistungen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Try it: nothing is kept</source>
+        <translation>Ausprobieren: nichts wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Practice, go %1</source>
+        <translation>Training, Durchgang %1</translation>
+    </message>
+    <message>
+        <source>Opening the report</source>
+        <translation>Bericht wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Try-out: nothing is kept</source>
+        <translation>Probelauf: nichts wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Practice, attempt %1, continued</source>
+        <translation>Training, Durchgang %1, fortgesetzt</translation>
+    </message>
+    <message>
+        <source>Measuring the tooth</source>
+        <translation>Der Zahn wird gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::DeviationLegend</name>
+    <message>
+        <source>Colours: left standing, on target, cut too far; from -0.5 to +0.5 mm</source>
+        <translation>Farben: stehen gelassen, auf dem Ziel, zu weit abgetragen; von -0,5 bis +0,5 mm</translation>
+    </message>
+    <message>
+        <source>Left standing</source>
+        <translation>Stehen gelassen</translation>
+    </message>
+    <message>
+        <source>Cut too far</source>
+        <translation>Zu weit abgetragen</translation>
+    </message>
+    <message>
+        <source>on target</source>
+        <translation>auf dem Ziel</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::DevicePage</name>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Check it before you drill</source>
+        <translation>Vor dem Bohren prüfen</translation>
+    </message>
+    <message>
+        <source>What you drill with</source>
+        <translation>Womit gebohrt wird</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in. One that is plugged in appears here by itself.</source>
+        <translation>Kein Falcon ist angeschlossen. Sobald einer angeschlossen wird, erscheint er hier von selbst.</translation>
+    </message>
+    <message>
+        <source>Firmware of the Falcon</source>
+        <translation>Firmware des Falcon</translation>
+    </message>
+    <message>
+        <source>A Falcon forgets its firmware when its power is off. Cusp has none: the maker’s licence does not allow it. Name the file that the maker’s software brought to this computer; that licence holds for its use.</source>
+        <translation>Ein Falcon vergisst seine Firmware, wenn er keinen Strom hat. Cusp bringt keine mit: Die Lizenz des Herstellers erlaubt es nicht. Nennen Sie die Datei, die mit der Software des Herstellers auf diesen Rechner kam; für sie gilt deren Lizenz.</translation>
+    </message>
+    <message>
+        <source>Name the file…</source>
+        <translation>Datei nennen …</translation>
+    </message>
+    <message>
+        <source>Foot pedal</source>
+        <translation>Fußpedal</translation>
+    </message>
+    <message>
+        <source>SpaceMouse</source>
+        <translation>SpaceMouse</translation>
+    </message>
+    <message>
+        <source>not plugged in</source>
+        <translation>nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>plugged in</source>
+        <translation>angeschlossen</translation>
+    </message>
+    <message>
+        <source>Socket %1</source>
+        <translation>Anschluss %1</translation>
+    </message>
+    <message>
+        <source>No file is named.</source>
+        <translation>Keine Datei ist genannt.</translation>
+    </message>
+    <message>
+        <source>%1, SHA-256 %2…</source>
+        <translation>%1, SHA-256 %2 …</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin *.BIN)</source>
+        <translation>Firmware (*.bin *.BIN)</translation>
+    </message>
+    <message>
+        <source>The file is sound and will be used.</source>
+        <translation>Die Datei ist in Ordnung und wird verwendet.</translation>
+    </message>
+    <message>
+        <source>Looking at what is plugged in.</source>
+        <translation>Es wird nachgesehen, was angeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>looking</source>
+        <translation>wird gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::DrillBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>%1, may be delayed</source>
+        <translation>%1, kann aufgehalten werden</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::DrillScreen</name>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Getting the tooth ready</source>
+        <translation>Der Zahn wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Finish and see the result?</source>
+        <translation>Beenden und das Ergebnis sehen?</translation>
+    </message>
+    <message>
+        <source>The tooth is measured as it is now.</source>
+        <translation>Der Zahn wird vermessen, wie er jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Measuring the tooth</source>
+        <translation>Der Zahn wird vermessen</translation>
+    </message>
+    <message>
+        <source>Leave this go?</source>
+        <translation>Diesen Durchgang verlassen?</translation>
+    </message>
+    <message>
+        <source>Nothing of it is kept.</source>
+        <translation>Nichts davon wird aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>It stays in your results as interrupted.</source>
+        <translation>Er bleibt als unterbrochen in Ihren Ergebnissen.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::DrillStage</name>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>Cutaway</source>
+        <translation>Aufschnitt</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Coach</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Leeway</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>Wheel: %1</source>
+        <translation>Rad: %1</translation>
+    </message>
+    <message>
+        <source>Hold the left button on the target to drill</source>
+        <translation>Zum Bohren die linke Maustaste auf dem Ziel halten</translation>
+    </message>
+    <message>
+        <source>Touch the target and hold the button to drill.</source>
+        <translation>Das Ziel berühren und zum Bohren die Taste halten.</translation>
+    </message>
+    <message>
+        <source>The pulp is open</source>
+        <translation>Die Pulpa ist eröffnet</translation>
+    </message>
+    <message>
+        <source>Only %1 left over the pulp</source>
+        <translation>Nur noch %1 über der Pulpa</translation>
+    </message>
+    <message>
+        <source>%1 too deep here</source>
+        <translation>Hier %1 zu tief</translation>
+    </message>
+    <message>
+        <source>Back inside the line: %1 outside</source>
+        <translation>Zurück in die Linie: %1 außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 more down</source>
+        <translation>Noch %1 tiefer</translation>
+    </message>
+    <message>
+        <source>Deep enough, go sideways</source>
+        <translation>Tief genug, jetzt seitwärts</translation>
+    </message>
+    <message>
+        <source>Nearly all is out: smooth it, then finish</source>
+        <translation>Fast alles ist heraus: glätten, dann beenden</translation>
+    </message>
+    <message>
+        <source>Go on where the target still stands</source>
+        <translation>Dort weiter, wo das Ziel noch steht</translation>
+    </message>
+    <message>
+        <source>Depth %1, push %2, %3 of the target removed. %4</source>
+        <translation>Tiefe %1, Druck %2, %3 des Ziels abgetragen. %4</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::EditorModel</name>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Briefing</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Add a branch</source>
+        <translation>Ast hinzufügen</translation>
+    </message>
+    <message>
+        <source>Leeway</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>Add a criterion</source>
+        <translation>Kriterium hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a criterion</source>
+        <translation>Kriterium entfernen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Pass mark</source>
+        <translation>Bestehensgrenze</translation>
+    </message>
+    <message>
+        <source>What fails the go</source>
+        <translation>Was zum Nichtbestehen führt</translation>
+    </message>
+    <message>
+        <source>Add a burr</source>
+        <translation>Bohrer hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a burr</source>
+        <translation>Bohrer entfernen</translation>
+    </message>
+    <message>
+        <source>Burr</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>The other window’s draft</source>
+        <translation>Der Entwurf des anderen Fensters</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::EditorPage</name>
+    <message>
+        <source>Editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>The draft is saved.</source>
+        <translation>Der Entwurf ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Keeps the draft and goes back (Alt+Left)</source>
+        <translation>Bewahrt den Entwurf auf und geht zurück (Alt+Links)</translation>
+    </message>
+    <message>
+        <source>Title of the exercise</source>
+        <translation>Titel der Übung</translation>
+    </message>
+    <message>
+        <source>Title, in the language of the screen; the others stand under Words</source>
+        <translation>Titel in der Sprache der Oberfläche; die anderen stehen unter Texte</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Try out</source>
+        <translation>Probieren</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>In this exercise</source>
+        <translation>In dieser Übung</translation>
+    </message>
+    <message>
+        <source>Put the target on the tooth</source>
+        <translation>Ziel auf den Zahn setzen</translation>
+    </message>
+    <message>
+        <source>Moves the target to the middle of the tooth, at its surface</source>
+        <translation>Setzt das Ziel in die Mitte des Zahns, an seine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Change the tooth</source>
+        <translation>Zahn ändern</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Burrs</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Growing the tooth</source>
+        <translation>Der Zahn wird erzeugt</translation>
+    </message>
+    <message>
+        <source>No tooth yet</source>
+        <translation>Noch kein Zahn</translation>
+    </message>
+    <message>
+        <source>Growing was stopped. The exercise is as it was.</source>
+        <translation>Das Erzeugen wurde angehalten. Die Übung ist, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Grow it</source>
+        <translation>Erzeugen</translation>
+    </message>
+    <message>
+        <source>Version %1, published</source>
+        <translation>Version %1, veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Version %1, not published</source>
+        <translation>Version %1, nicht veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Publish version %1</source>
+        <translation>Version %1 veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Undo: %1 (Ctrl+Z)</source>
+        <translation>Rückgängig: %1 (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Rückgängig (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Redo: %1 (Ctrl+Y)</source>
+        <translation>Wiederholen: %1 (Strg+Y)</translation>
+    </message>
+    <message>
+        <source>Redo (Ctrl+Y)</source>
+        <translation>Wiederholen (Strg+Y)</translation>
+    </message>
+    <message>
+        <source>%1, protected</source>
+        <translation>%1, geschützt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) to look at</source>
+        <translation>
+            <numerusform>%n Sache zum Ansehen</numerusform>
+            <numerusform>%n Sachen zum Ansehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything fits</source>
+        <translation>Alles passt</translation>
+    </message>
+    <message>
+        <source>publishing waits for it</source>
+        <translation>das Veröffentlichen wartet darauf</translation>
+    </message>
+    <message>
+        <source>the tooth is still being checked</source>
+        <translation>der Zahn wird noch geprüft</translation>
+    </message>
+    <message>
+        <source>nothing was changed since it was published</source>
+        <translation>seit der Veröffentlichung wurde nichts geändert</translation>
+    </message>
+    <message>
+        <source>ready to publish</source>
+        <translation>bereit zum Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Check fails</source>
+        <translation>Prüfung misslingt</translation>
+    </message>
+    <message>
+        <source>Checks passed</source>
+        <translation>Prüfungen bestanden</translation>
+    </message>
+    <message>
+        <source>Version %1 is published.</source>
+        <translation>Version %1 ist veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>Students find it among their exercises. Earlier results keep the version they were made with.</source>
+        <translation>Studierende finden sie unter ihren Übungen. Frühere Ergebnisse behalten die Version, mit der sie entstanden.</translation>
+    </message>
+    <message>
+        <source>Tissues</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Aufwand</translation>
+    </message>
+    <message>
+        <source>Keep mine as a copy</source>
+        <translation>Meinen als Kopie behalten</translation>
+    </message>
+    <message>
+        <source>See theirs</source>
+        <translation>Den anderen ansehen</translation>
+    </message>
+    <message>
+        <source>Replace theirs</source>
+        <translation>Den anderen ersetzen</translation>
+    </message>
+    <message>
+        <source>Another window saved this draft: %1.</source>
+        <translation>Ein anderes Fenster hat diesen Entwurf gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>Yours is not saved. Nothing is replaced until you choose.</source>
+        <translation>Ihrer ist nicht gespeichert. Nichts wird ersetzt, bis Sie wählen.</translation>
+    </message>
+    <message>
+        <source>Another window published or discarded this draft.</source>
+        <translation>Ein anderes Fenster hat diesen Entwurf veröffentlicht oder verworfen.</translation>
+    </message>
+    <message>
+        <source>The other window’s draft cannot be read.</source>
+        <translation>Der Entwurf des anderen Fensters lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Yours stands as it was.</source>
+        <translation>Ihrer steht, wie er war.</translation>
+    </message>
+    <message>
+        <source>This is the other window’s draft.</source>
+        <translation>Das ist der Entwurf des anderen Fensters.</translation>
+    </message>
+    <message>
+        <source>Undo brings yours back.</source>
+        <translation>Rückgängig bringt Ihren zurück.</translation>
+    </message>
+    <message>
+        <source>Replace the other window’s draft?</source>
+        <translation>Den Entwurf des anderen Fensters ersetzen?</translation>
+    </message>
+    <message>
+        <source>What was changed there is lost.</source>
+        <translation>Was dort geändert wurde, geht verloren.</translation>
+    </message>
+    <message>
+        <source>Another window has published version %1. Publish yours as version %2?</source>
+        <translation>Ein anderes Fenster hat Version %1 veröffentlicht. Ihre als Version %2 veröffentlichen?</translation>
+    </message>
+    <message>
+        <source>Students then drill yours. Version %1 stays in the records.</source>
+        <translation>Studierende bohren dann Ihre. Version %1 bleibt in den Aufzeichnungen.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ExercisesPage</name>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message>
+        <source>Enter opens the briefing</source>
+        <translation>Enter öffnet die Aufgabe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercise(s) cannot be read.</source>
+        <translation>
+            <numerusform>%n Übung kann nicht gelesen werden.</numerusform>
+            <numerusform>%n Übungen können nicht gelesen werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The others are below. Publish them again from the editor.</source>
+        <translation>Die anderen stehen unten. Veröffentlichen Sie sie im Editor erneut.</translation>
+    </message>
+    <message>
+        <source>No exercise fits</source>
+        <translation>Keine Übung passt</translation>
+    </message>
+    <message>
+        <source>No exercise has these words in its name.</source>
+        <translation>Keine Übung trägt diese Worte im Namen.</translation>
+    </message>
+    <message>
+        <source>Show all exercises</source>
+        <translation>Alle Übungen zeigen</translation>
+    </message>
+    <message>
+        <source>Find an exercise</source>
+        <translation>Übung finden</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Falcon</name>
+    <message>
+        <source>Looking for it</source>
+        <translation>Wird gesucht</translation>
+    </message>
+    <message>
+        <source>Asking whether its firmware runs</source>
+        <translation>Läuft seine Firmware schon?</translation>
+    </message>
+    <message>
+        <source>It needs its firmware file</source>
+        <translation>Er braucht seine Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>Waking its loader</source>
+        <translation>Sein Lader wird geweckt</translation>
+    </message>
+    <message>
+        <source>Loading its firmware, %1</source>
+        <translation>Seine Firmware wird geladen, %1</translation>
+    </message>
+    <message>
+        <source>Finding its middle</source>
+        <translation>Er sucht seine Mitte</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>No answer, force off</source>
+        <translation>Keine Antwort, Kraft aus</translation>
+    </message>
+    <message>
+        <source>Ten attempts failed; it is tried again</source>
+        <translation>Zehn Versuche misslangen; es geht weiter</translation>
+    </message>
+    <message>
+        <source>All three arms know their place.</source>
+        <translation>Alle drei Arme kennen ihren Ort.</translation>
+    </message>
+    <message>
+        <source>Pull the grip all the way out, then push it all the way in. Do it slowly, until all three arms are filled.</source>
+        <translation>Den Griff ganz herausziehen, dann ganz hineinschieben. Langsam, bis alle drei Arme gefüllt sind.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware file.</source>
+        <translation>Der Falcon braucht seine Firmware-Datei.</translation>
+    </message>
+    <message>
+        <source>Staff can name the file on the Device page, under Firmware.</source>
+        <translation>Das Personal nennt die Datei auf der Seite Gerät unter Firmware.</translation>
+    </message>
+    <message>
+        <source>The firmware file is not the one that was named.</source>
+        <translation>Die Firmware-Datei ist nicht mehr die genannte.</translation>
+    </message>
+    <message>
+        <source>%1 has changed since. Name it again if that was meant.</source>
+        <translation>%1 hat sich seitdem geändert. War das gewollt, nennen Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The firmware file cannot be used.</source>
+        <translation>Die Firmware-Datei ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Look at %1, or name another one.</source>
+        <translation>Sehen Sie %1 nach, oder nennen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The Falcon is plugged in and does not answer.</source>
+        <translation>Der Falcon ist angeschlossen und antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Most often its power adapter is off. Plug the adapter in, then try again.</source>
+        <translation>Meist hat sein Netzteil keinen Strom. Netzteil einstecken, dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start.</source>
+        <translation>Der Falcon lief nicht an.</translation>
+    </message>
+    <message>
+        <source>Pull its power plug, wait five seconds, put it in, and try again. (%1)</source>
+        <translation>Netzstecker ziehen, fünf Sekunden warten, einstecken, noch einmal. (%1)</translation>
+    </message>
+    <message>
+        <source>This is no firmware of a Falcon.</source>
+        <translation>Das ist keine Firmware eines Falcon.</translation>
+    </message>
+    <message>
+        <source>The file that was named before is kept.</source>
+        <translation>Die vorher genannte Datei bleibt.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>Die Datei ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>It is too small.</source>
+        <translation>Sie ist zu klein.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Sie ist zu groß.</translation>
+    </message>
+    <message>
+        <source>It breaks off.</source>
+        <translation>Sie bricht ab.</translation>
+    </message>
+    <message>
+        <source>It is built in another way.</source>
+        <translation>Sie ist anders aufgebaut.</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was changed.</source>
+        <translation>Angehalten. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The Falcon stopped answering. Nothing was changed.</source>
+        <translation>Der Falcon antwortete nicht mehr. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The grip moved too fast, so the force was switched off. Nothing was changed.</source>
+        <translation>Der Griff bewegte sich zu schnell; die Kraft wurde abgeschaltet. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The grip was held, or came to the end of its travel. Nothing was changed.</source>
+        <translation>Der Griff wurde festgehalten oder kam ans Ende seines Weges. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Emulated Falcon, driven by mouse</source>
+        <translation>Nachgebildeter Falcon, mit der Maus geführt</translation>
+    </message>
+    <message>
+        <source>It pushes to the right</source>
+        <translation>Er drückt nach rechts</translation>
+    </message>
+    <message>
+        <source>It pushes to the left</source>
+        <translation>Er drückt nach links</translation>
+    </message>
+    <message>
+        <source>It pushes up</source>
+        <translation>Er drückt nach oben</translation>
+    </message>
+    <message>
+        <source>It pushes down</source>
+        <translation>Er drückt nach unten</translation>
+    </message>
+    <message>
+        <source>It pushes towards you</source>
+        <translation>Er drückt zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>It pushes away from you</source>
+        <translation>Er drückt von Ihnen weg</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::FalconNow</name>
+    <message>
+        <source>Answers a second</source>
+        <translation>Antworten je Sekunde</translation>
+    </message>
+    <message>
+        <source>Late: half of them, one in a hundred, the latest</source>
+        <translation>Verspätet: die Hälfte, eine von hundert, die späteste</translation>
+    </message>
+    <message>
+        <source>Silences and lost answers</source>
+        <translation>Aussetzer und verlorene Antworten</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Vorrang</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Before everything else</source>
+        <translation>Vor allem anderen</translation>
+    </message>
+    <message>
+        <source>As any program: others may delay it</source>
+        <translation>Wie jedes Programm: Andere können es aufhalten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::FalconPanel</name>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Mitte finden</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Feel the force</source>
+        <translation>Kraft fühlen</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>Weigh the grip</source>
+        <translation>Griff wiegen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Save the report…</source>
+        <translation>Bericht sichern …</translation>
+    </message>
+    <message>
+        <source>Measuring, direction %1 of 3. Keep your hand off.</source>
+        <translation>Richtung %1 von 3 wird gemessen. Hand weg.</translation>
+    </message>
+    <message>
+        <source>Weighing, place %1 of %2. Keep your hand off.</source>
+        <translation>Ort %1 von %2 wird gewogen. Hand weg.</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely</source>
+        <translation>Den Griff locker halten</translation>
+    </message>
+    <message>
+        <source>It pushes six ways, one after the other, up to %1. Letting go switches it off.</source>
+        <translation>Er drückt nacheinander in sechs Richtungen, bis zu %1. Loslassen schaltet ab.</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Let go of the grip</source>
+        <translation>Den Griff loslassen</translation>
+    </message>
+    <message>
+        <source>For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way.</source>
+        <translation>Eine halbe Minute lang bewegt er sich selbst, einen Zentimeter in jede Richtung. Niemand darf ihn berühren, und nichts darf im Weg stehen.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Stand it upright and let go of the grip</source>
+        <translation>Aufrecht hinstellen und den Griff loslassen</translation>
+    </message>
+    <message>
+        <source>It holds the grip at nine places, for half a minute. From then on it carries its own weight.</source>
+        <translation>Er hält den Griff an neun Orten, eine halbe Minute lang. Danach trägt er sein Gewicht selbst.</translation>
+    </message>
+    <message>
+        <source>Weigh</source>
+        <translation>Wiegen</translation>
+    </message>
+    <message>
+        <source>All six ways were pushed. Tell the staff if one of them felt wrong.</source>
+        <translation>In alle sechs Richtungen wurde gedrückt. Fühlte sich eine falsch an, sagen Sie es dem Personal.</translation>
+    </message>
+    <message>
+        <source>No weight fits what was held. Stand it upright, keep hands off, and weigh again.</source>
+        <translation>Kein Gewicht passt zu dem, was gehalten wurde. Aufrecht hinstellen, Hände weg, noch einmal wiegen.</translation>
+    </message>
+    <message>
+        <source>The grip weighs %1. From the next go on it carries itself.</source>
+        <translation>Der Griff wiegt %1. Vom nächsten Durchgang an trägt er sich selbst.</translation>
+    </message>
+    <message>
+        <source>The grip weighs %1. Nothing is kept of an emulated one.</source>
+        <translation>Der Griff wiegt %1. Von einem nachgebildeten wird nichts aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>It moved too little to be measured. Is something in its way? The report has what there is.</source>
+        <translation>Er bewegte sich zu wenig, um ihn zu messen. Ist etwas im Weg? Im Bericht steht, was da ist.</translation>
+    </message>
+    <message>
+        <source>Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).</source>
+        <translation>Dämpfung %1, Reibung %2, Verzug %3, Schritt %4. Übungen dürfen bis %5 steif sein (vorher: %6).</translation>
+    </message>
+    <message>
+        <source>Nothing is kept of an emulated one.</source>
+        <translation>Von einem nachgebildeten wird nichts aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Not measured yet: damping and delay are assumed, and exercises are no stiffer than %1.</source>
+        <translation>Noch nicht gemessen: Dämpfung und Verzug sind angenommen, und Übungen sind höchstens %1 steif.</translation>
+    </message>
+    <message>
+        <source>Measured %1: exercises are no stiffer than %2.</source>
+        <translation>Gemessen %1: Übungen sind höchstens %2 steif.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht sichern</translation>
+    </message>
+    <message>
+        <source>Report (*.json)</source>
+        <translation>Bericht (*.json)</translation>
+    </message>
+    <message>
+        <source>The report lies at %1.</source>
+        <translation>Der Bericht liegt unter %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>%1 ist nicht beschreibbar.</translation>
+    </message>
+    <message>
+        <source>How the grip leads the burr</source>
+        <translation>Wie der Griff den Bohrer führt</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::GoAnywhere</name>
+    <message>
+        <source>Go to</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Page or exercise</source>
+        <translation>Seite oder Übung</translation>
+    </message>
+    <message>
+        <source>Where to</source>
+        <translation>Wohin</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::GoesModel</name>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Student/in</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::HandpiecePanel</name>
+    <message>
+        <source>Handpiece</source>
+        <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Tooth warmer by</source>
+        <translation>Zahn wärmer um</translation>
+    </message>
+    <message>
+        <source>The pulp is at risk from %1 (not verified)</source>
+        <translation>Gefahr für die Pulpa ab %1 (nicht gesichert)</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Ton aus</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Ton ein</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>No sound: this computer has no audio output.</source>
+        <translation>Kein Ton: Dieser Rechner hat keine Tonausgabe.</translation>
+    </message>
+    <message>
+        <source>Coolant is on</source>
+        <translation>Kühlung ist ein</translation>
+    </message>
+    <message>
+        <source>Coolant is off</source>
+        <translation>Kühlung ist aus</translation>
+    </message>
+    <message>
+        <source>Turn the coolant off</source>
+        <translation>Kühlung ausschalten</translation>
+    </message>
+    <message>
+        <source>Turn the coolant on</source>
+        <translation>Kühlung einschalten</translation>
+    </message>
+    <message>
+        <source>stalled, push less</source>
+        <translation>steht, weniger Druck</translation>
+    </message>
+    <message>
+        <source>%1 rpm</source>
+        <translation>%1 U/min</translation>
+    </message>
+    <message>
+        <source>Too warm for the pulp (%1, not verified): run the coolant</source>
+        <translation>Zu warm für die Pulpa (%1, nicht gesichert): kühlen</translation>
+    </message>
+    <message>
+        <source>Speed %1.</source>
+        <translation>Drehzahl %1.</translation>
+    </message>
+    <message>
+        <source>Tooth warmer by %1.</source>
+        <translation>Zahn wärmer um %1.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::HelpPage</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>A go, from start to report</source>
+        <translation>Ein Durchgang, vom Start bis zum Bericht</translation>
+    </message>
+    <message>
+        <source>1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points.</source>
+        <translation>1. Übung wählen und die Aufgabe lesen: Sie sagt, was abzutragen ist, wie tief, und was Punkte bringt.</translation>
+    </message>
+    <message>
+        <source>2. Slide the burr over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
+        <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt den Druck, der Balken links die Tiefe.</translation>
+    </message>
+    <message>
+        <source>3. Hold Space or the left button to cut. The target is the solid line, the leeway round it the dashed one.</source>
+        <translation>3. Zum Abtragen die Leertaste oder die linke Maustaste halten. Die durchgezogene Linie ist das Ziel, die gestrichelte darum der Spielraum.</translation>
+    </message>
+    <message>
+        <source>4. Finish ends the go and grades it. The report says what was measured, how well it is known, and what to do next time.</source>
+        <translation>4. Beenden schließt den Durchgang ab und bewertet ihn. Der Bericht sagt, was gemessen wurde, wie genau es bekannt ist und was beim nächsten Mal zu tun ist.</translation>
+    </message>
+    <message>
+        <source>5. Every go stays under My results. A go that broke off is kept up to its last second.</source>
+        <translation>5. Jeder Durchgang bleibt unter Meine Ergebnisse. Ein abgebrochener ist bis zur letzten Sekunde aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Keys everywhere</source>
+        <translation>Tasten überall</translation>
+    </message>
+    <message>
+        <source>this page</source>
+        <translation>diese Seite</translation>
+    </message>
+    <message>
+        <source>next pane</source>
+        <translation>nächster Bereich</translation>
+    </message>
+    <message>
+        <source>go to any page or exercise</source>
+        <translation>zu jeder Seite oder Übung gehen</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>zurück</translation>
+    </message>
+    <message>
+        <source>out of what is open</source>
+        <translation>aus dem, was offen ist</translation>
+    </message>
+    <message>
+        <source>a chart as its table, and back</source>
+        <translation>ein Diagramm als Tabelle, und zurück</translation>
+    </message>
+    <message>
+        <source>opens the chosen row</source>
+        <translation>öffnet die gewählte Zeile</translation>
+    </message>
+    <message>
+        <source>Keys while drilling</source>
+        <translation>Tasten beim Bohren</translation>
+    </message>
+    <message>
+        <source>slide the burr</source>
+        <translation>den Bohrer führen</translation>
+    </message>
+    <message>
+        <source>push less, push more</source>
+        <translation>weniger drücken, mehr drücken</translation>
+    </message>
+    <message>
+        <source>turn the handpiece, where the exercise lets it; Home: back</source>
+        <translation>das Handstück drehen, wo die Übung es erlaubt; Pos1: zurück</translation>
+    </message>
+    <message>
+        <source>cut while held</source>
+        <translation>trägt ab, solange gehalten</translation>
+    </message>
+    <message>
+        <source>views of the tooth</source>
+        <translation>Ansichten des Zahns</translation>
+    </message>
+    <message>
+        <source>burr before, burr after</source>
+        <translation>Bohrer davor, Bohrer danach</translation>
+    </message>
+    <message>
+        <source>pause and go on</source>
+        <translation>Pause und weiter</translation>
+    </message>
+    <message>
+        <source>finish (asks)</source>
+        <translation>beenden (fragt nach)</translation>
+    </message>
+    <message>
+        <source>How it is marked</source>
+        <translation>Wie bewertet wird</translation>
+    </message>
+    <message>
+        <source>Target removed: how much of the wanted cavity is gone. Left standing: what of it is still there.</source>
+        <translation>Ziel abgetragen: wie viel der gewünschten Kavität fort ist. Stehen gelassen: was davon noch da ist.</translation>
+    </message>
+    <message>
+        <source>Cut too far: what is gone outside the target. Within the leeway it costs little, beyond it much.</source>
+        <translation>Zu weit abgetragen: was außerhalb des Ziels fort ist. Im Spielraum kostet es wenig, jenseits davon viel.</translation>
+    </message>
+    <message>
+        <source>± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so.</source>
+        <translation>± sagt, wie genau ein Wert bekannt ist. Liegt eine Grenze der Bewertung näher, so sagt es der Bericht.</translation>
+    </message>
+    <message>
+        <source>Time earns no points.</source>
+        <translation>Zeit bringt keine Punkte.</translation>
+    </message>
+    <message>
+        <source>coolant on and off, where the exercise has it</source>
+        <translation>Kühlung ein und aus, wo die Übung sie hat</translation>
+    </message>
+    <message>
+        <source>drilling sound on and off, likewise</source>
+        <translation>Bohrgeräusch ein und aus, ebenso</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::HistoryCharts</name>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>Grenze %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n go(es), the last with %1 points.</source>
+        <translation>
+            <numerusform>%n Durchgang mit %1 Punkten.</numerusform>
+            <numerusform>%n Durchgänge, der letzte mit %1 Punkten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time and score</source>
+        <translation>Zeit und Punkte</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>Sie</translation>
+    </message>
+    <message>
+        <source>Points by go</source>
+        <translation>Punkte je Durchgang</translation>
+    </message>
+    <message>
+        <source>go</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ImportPage</name>
+    <message>
+        <source>Import a specimen</source>
+        <translation>Präparat importieren</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Make a specimen</source>
+        <translation>Präparat machen</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Importing was stopped.</source>
+        <translation>Das Importieren wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Nothing was kept.</source>
+        <translation>Nichts wurde aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Reading the file</source>
+        <translation>Die Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>The specimen will be %1.</source>
+        <translation>Das Präparat wird %1 groß.</translation>
+    </message>
+    <message>
+        <source>With this unit the file is %1. Say what each mesh is made of.</source>
+        <translation>Mit dieser Einheit ist die Datei %1 groß. Geben Sie an, woraus jedes Netz besteht.</translation>
+    </message>
+    <message>
+        <source>Making the specimen</source>
+        <translation>Das Präparat wird gemacht</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>What it is made of</source>
+        <translation>Woraus es besteht</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Begin anew</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Add a file…</source>
+        <translation>Datei hinzufügen …</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels of %4.</source>
+        <translation>%1 × %2 × %3 Voxel zu %4.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n slice(s) of a CT, in the order of their places.</source>
+        <translation>
+            <numerusform>%n Schicht eines CT.</numerusform>
+            <numerusform>%n Schichten eines CT, nach ihrer Lage geordnet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The largest of %n series was taken.</source>
+        <translation>
+            <numerusform>Die einzige Serie wurde genommen.</numerusform>
+            <numerusform>Die größte von %n Serien wurde genommen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing about the patient is read.</source>
+        <translation>Über die Person auf den Aufnahmen wird nichts gelesen.</translation>
+    </message>
+    <message>
+        <source>The volume is %1.</source>
+        <translation>Das Volumen misst %1.</translation>
+    </message>
+    <message>
+        <source>Its voxels of %1 are resampled to cubes of %2.</source>
+        <translation>Seine Voxel zu %1 werden in Würfel zu %2 umgerechnet.</translation>
+    </message>
+    <message>
+        <source>CT</source>
+        <translation>CT</translation>
+    </message>
+    <message>
+        <source>The specimen, before it is kept</source>
+        <translation>Das Präparat, bevor es behalten wird</translation>
+    </message>
+    <message>
+        <source>Meshes and volumes (*.stl *.obj *.ply *.3ds *.off *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;All files (*)</source>
+        <translation>Netze und Volumen (*.stl *.obj *.ply *.3ds *.off *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Keep it and make an exercise</source>
+        <translation>Behalten und Übung anlegen</translation>
+    </message>
+    <message>
+        <source>Drop files here, or choose them: closed meshes (STL, OBJ, PLY, 3DS, OFF; several are put together), volumes (NRRD, MetaImage, NIfTI, binvox) or a slice of a CT (DICOM).</source>
+        <translation>Dateien hierher ziehen oder auswählen: geschlossene Netze (STL, OBJ, PLY, 3DS, OFF; mehrere werden zusammengefügt), Volumen (NRRD, MetaImage, NIfTI, binvox) oder eine Schicht eines CT (DICOM).</translation>
+    </message>
+    <message>
+        <source>If its unit were a millimetre, it would be %1.</source>
+        <translation>Wäre die Einheit ein Millimeter, so wären es %1.</translation>
+    </message>
+    <message>
+        <source>The specimen is made. Look at it, and keep it.</source>
+        <translation>Das Präparat ist fertig. Ansehen und behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ImportPreview</name>
+    <message>
+        <source>The imported specimen</source>
+        <translation>Das importierte Präparat</translation>
+    </message>
+    <message>
+        <source>The arrow points to where the bur comes from: the chewing surface has to look that way. A turn by these buttons is kept; the mouse only moves the view.</source>
+        <translation>Der Pfeil zeigt dorthin, woher der Bohrer kommt: Dorthin muss die Kaufläche zeigen. Eine Drehung mit diesen Knöpfen bleibt; die Maus bewegt nur die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Tip back</source>
+        <translation>Nach hinten kippen</translation>
+    </message>
+    <message>
+        <source>Tip forward</source>
+        <translation>Nach vorn kippen</translation>
+    </message>
+    <message>
+        <source>Tip left</source>
+        <translation>Nach links kippen</translation>
+    </message>
+    <message>
+        <source>Tip right</source>
+        <translation>Nach rechts kippen</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>A quarter turn of the specimen about %1</source>
+        <translation>Eine Vierteldrehung des Präparats um %1</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ImportSize</name>
+    <message>
+        <source>Millimetre</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetre</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Metre</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Micrometre</source>
+        <translation>Mikrometer</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>Eine andere</translation>
+    </message>
+    <message>
+        <source>One unit of the file is</source>
+        <translation>Eine Einheit der Datei ist</translation>
+    </message>
+    <message>
+        <source>Its length</source>
+        <translation>Ihre Länge</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Axis of the file that points up</source>
+        <translation>Achse der Datei, die nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>Is the unit right?</source>
+        <translation>Stimmt die Einheit?</translation>
+    </message>
+    <message>
+        <source>× %1: %2</source>
+        <translation>× %1: %2</translation>
+    </message>
+    <message>
+        <source>It is %1</source>
+        <translation>Es sind %1</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ImportWords</name>
+    <message>
+        <source>Its voxels of %1 were resampled to cubes of %2.</source>
+        <translation>Seine Voxel zu %1 wurden in Würfel zu %2 umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Its axes were oblique; it was turned by %1°, its shape is as it was.</source>
+        <translation>Seine Achsen standen schief; es wurde um %1° gedreht, seine Form ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The file does not say how long a unit is; what was chosen was taken.</source>
+        <translation>Die Datei sagt nicht, wie lang eine Einheit ist; die gewählte gilt.</translation>
+    </message>
+    <message>
+        <source>Nothing about the patient was read.</source>
+        <translation>Über die Person auf den Aufnahmen wurde nichts gelesen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The folder holds %n series; the one with %1 slices was read.</source>
+        <translation>
+            <numerusform>Der Ordner enthält %n Serie; die mit %1 Schichten wurde gelesen.</numerusform>
+            <numerusform>Der Ordner enthält %n Serien; die mit %1 Schichten wurde gelesen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n point(s) that lay in one place were joined.</source>
+        <translation>
+            <numerusform>In %1 wurde %n Punkt mit seinem Nachbarn verbunden.</numerusform>
+            <numerusform>In %1 wurden %n Punkte verbunden, die an einer Stelle lagen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n triangle(s) too many were left out.</source>
+        <translation>
+            <numerusform>In %1 wurde %n überzähliges Dreieck weggelassen.</numerusform>
+            <numerusform>In %1 wurden %n überzählige Dreiecke weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n triangle(s) were turned round.</source>
+        <translation>
+            <numerusform>In %1 wurde %n Dreieck gewendet.</numerusform>
+            <numerusform>In %1 wurden %n Dreiecke gewendet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n hole(s) were closed, the widest of %2.</source>
+        <translation>
+            <numerusform>In %1 wurde %n Loch von %2 geschlossen.</numerusform>
+            <numerusform>In %1 wurden %n Löcher geschlossen, das breiteste von %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n voxel(s) of loose pieces were left out.</source>
+        <translation>
+            <numerusform>%n Voxel loser Stücke wurde weggelassen.</numerusform>
+            <numerusform>%n Voxel loser Stücke wurden weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n voxel(s) of closed hollows were filled.</source>
+        <translation>
+            <numerusform>%n Voxel geschlossener Hohlräume wurde gefüllt.</numerusform>
+            <numerusform>%n Voxel geschlossener Hohlräume wurden gefüllt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>× %1 = %2</source>
+        <translation>× %1 = %2</translation>
+    </message>
+    <message>
+        <source>Is the unit right? %1.</source>
+        <translation>Stimmt die Einheit? %1.</translation>
+    </message>
+    <message>
+        <source>Is the unit right? Else take fewer parts, or crop the file.</source>
+        <translation>Stimmt die Einheit? Sonst weniger Teile nehmen oder die Datei zuschneiden.</translation>
+    </message>
+    <message>
+        <source>Voxels of %1 would fit; or take fewer parts, or crop the file.</source>
+        <translation>Voxel von %1 würden passen; oder weniger Teile nehmen oder die Datei zuschneiden.</translation>
+    </message>
+    <message>
+        <source>%1 was an open shell. Caps of %2 closed it; what lies between shell and cap is %3, unless another part lies there.</source>
+        <translation>%1 war eine offene Hülle. Deckel von %2 haben sie geschlossen; was zwischen Hülle und Deckel liegt, ist %3, sofern dort kein anderer Teil liegt.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap by %3; it became %4 (%1), not %5.</source>
+        <translation>%1 und %2 überschneiden sich um %3; daraus wurde %4 (%1), nicht %5.</translation>
+    </message>
+    <message>
+        <source>%1 lies inside %2; its %3 became %4.</source>
+        <translation>%1 liegt in %2; daraus (%3) wurde %4.</translation>
+    </message>
+    <message>
+        <source>Where parts overlap, the order given decides: %1.</source>
+        <translation>Wo sich Teile überschneiden, entscheidet die angegebene Reihenfolge: %1.</translation>
+    </message>
+    <message>
+        <source>Where parts overlap, the innermost wins: %1.</source>
+        <translation>Wo sich Teile überschneiden, gilt der innerste: %1.</translation>
+    </message>
+    <message>
+        <source>It is only %1 long: shorter than any tooth.</source>
+        <translation>Es ist nur %1 lang: kürzer als jeder Zahn.</translation>
+    </message>
+    <message>
+        <source>It is %1 long: longer than any tooth or dental arch.</source>
+        <translation>Es ist %1 lang: länger als jeder Zahn oder Zahnbogen.</translation>
+    </message>
+    <message>
+        <source>The specimen would be too large.</source>
+        <translation>Das Präparat würde zu groß.</translation>
+    </message>
+    <message>
+        <source>This file is too large.</source>
+        <translation>Diese Datei ist zu groß.</translation>
+    </message>
+    <message>
+        <source>The import was ended by a limit.</source>
+        <translation>Der Import wurde von einer Grenze beendet.</translation>
+    </message>
+    <message>
+        <source>%1 would take %2 million voxels (%3 MB); %4 million (%5 MB) are allowed.</source>
+        <translation>%1 bräuchte %2 Millionen Voxel (%3 MB); erlaubt sind %4 Millionen (%5 MB).</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 voxels long; %3 are allowed.</source>
+        <translation>%1 wäre %2 Voxel lang; erlaubt sind %3.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 million voxels; %3 million are allowed. Crop it, or make it coarser, in the program that it comes from.</source>
+        <translation>%1 enthält %2 Millionen Voxel; erlaubt sind %3 Millionen. Im Programm, aus dem die Datei stammt, zuschneiden oder vergröbern.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 voxels long; %3 are allowed. Crop it, or make it coarser, in the program that it comes from.</source>
+        <translation>%1 ist %2 Voxel lang; erlaubt sind %3. Im Programm, aus dem die Datei stammt, zuschneiden oder vergröbern.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 MB; %3 MB are allowed. Save it with fewer triangles.</source>
+        <translation>%1 hat %2 MB; erlaubt sind %3 MB. Mit weniger Dreiecken speichern.</translation>
+    </message>
+    <message>
+        <source>%1 is made of more than %2 files.</source>
+        <translation>%1 besteht aus mehr als %2 Dateien.</translation>
+    </message>
+    <message>
+        <source>Reading %1 took more than the %2 MB of memory that an import may use. Take larger voxels, or crop the file.</source>
+        <translation>Das Lesen von %1 brauchte mehr als die %2 MB Speicher, die ein Import belegen darf. Größere Voxel nehmen oder die Datei zuschneiden.</translation>
+    </message>
+    <message>
+        <source>Reading %1 took more than the %2 s of processor time that an import may use. Take larger voxels, or crop the file.</source>
+        <translation>Das Lesen von %1 brauchte mehr als die %2 s Rechenzeit, die ein Import nutzen darf. Größere Voxel nehmen oder die Datei zuschneiden.</translation>
+    </message>
+    <message>
+        <source>Reading %1 took longer than the %2 s that an import may last. Take larger voxels, or crop the file.</source>
+        <translation>Das Lesen von %1 dauerte länger als die %2 s, die ein Import dauern darf. Größere Voxel nehmen oder die Datei zuschneiden.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::InterruptedCard</name>
+    <message>
+        <source>It broke off after %1 min, before anything was cut.</source>
+        <translation>Er brach nach %1 min ab, bevor etwas abgetragen war.</translation>
+    </message>
+    <message>
+        <source>It broke off after %1 min, with %2 cut. All of that is kept.</source>
+        <translation>Er brach nach %1 min ab; %2 waren abgetragen. All das ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>It was cut with: %1. This station drills with: %2, so it cannot be continued here.</source>
+        <translation>Er wurde gearbeitet mit: %1. Diese Station arbeitet mit: %2; hier kann er nicht fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>A scripted operator cut it, so it cannot be continued by hand.</source>
+        <translation>Ein Skript hat ihn gearbeitet; von Hand kann er nicht fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Interrupted attempt</source>
+        <translation>Unterbrochener Durchgang</translation>
+    </message>
+    <message>
+        <source>%1, attempt %2</source>
+        <translation>%1, Durchgang %2</translation>
+    </message>
+    <message>
+        <source>Grade as it stands</source>
+        <translation>Bewerten, wie er ist</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::InversePanel</name>
+    <message>
+        <source>It is reached through its maker&apos;s own service on this computer, which you install. Not yet tried with a real device: its directions, forces and rate are not verified.</source>
+        <translation>Es wird über den Dienst seines Herstellers auf diesem Computer erreicht, den Sie installieren. Noch nicht mit einem echten Gerät erprobt: Richtungen, Kräfte und Rate sind nicht überprüft.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Answers a second</source>
+        <translation>Antworten pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Handle</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>As it comes</source>
+        <translation>Wie es kommt</translation>
+    </message>
+    <message>
+        <source>A quarter to the left</source>
+        <translation>Ein Viertel nach links</translation>
+    </message>
+    <message>
+        <source>Half round</source>
+        <translation>Halb herum</translation>
+    </message>
+    <message>
+        <source>A quarter to the right</source>
+        <translation>Ein Viertel nach rechts</translation>
+    </message>
+    <message>
+        <source>It stands turned</source>
+        <translation>Es steht gedreht</translation>
+    </message>
+    <message>
+        <source>Of the hand&apos;s way</source>
+        <translation>Vom Weg der Hand</translation>
+    </message>
+    <message>
+        <source>Port of the service</source>
+        <translation>Port des Dienstes</translation>
+    </message>
+    <message>
+        <source>Look for it</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Let it go</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation>nicht gefragt</translation>
+    </message>
+    <message>
+        <source>Start its service, switch the device on, and look for it.</source>
+        <translation>Starten Sie seinen Dienst, schalten Sie das Gerät ein und suchen Sie es.</translation>
+    </message>
+    <message>
+        <source>asking</source>
+        <translation>fragt</translation>
+    </message>
+    <message>
+        <source>Asking the service.</source>
+        <translation>Der Dienst wird gefragt.</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>No service answers at port %1. Start the maker&apos;s service and look again.</source>
+        <translation>An Port %1 antwortet kein Dienst. Starten Sie den Dienst des Herstellers und suchen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The service answers, but it knows of no Inverse3. Check its cable and power, and look again.</source>
+        <translation>Der Dienst antwortet, kennt aber kein Inverse3. Prüfen Sie Kabel und Strom und suchen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Something answers at port %1, but not as an Inverse3&apos;s service does.</source>
+        <translation>An Port %1 antwortet etwas, aber nicht wie der Dienst eines Inverse3.</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>antwortet</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>Move it: the place below follows the hand.</source>
+        <translation>Bewegen Sie es: Der Ort unten folgt der Hand.</translation>
+    </message>
+    <message>
+        <source>It does not answer any more. It is looked for by itself; there is no force meanwhile.</source>
+        <translation>Es antwortet nicht mehr. Es wird von selbst gesucht; bis dahin gibt es keine Kraft.</translation>
+    </message>
+    <message>
+        <source>None: the burr keeps its axis</source>
+        <translation>Keiner: Der Bohrer behält seine Achse</translation>
+    </message>
+    <message>
+        <source>Tells how it is turned</source>
+        <translation>Sagt, wie er gedreht ist</translation>
+    </message>
+    <message>
+        <source>Pressed: %1</source>
+        <translation>Gedrückt: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::LibraryModel</name>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Draft of the next</source>
+        <translation>Entwurf der nächsten</translation>
+    </message>
+    <message>
+        <source>Comes with Cusp</source>
+        <translation>Liegt Cusp bei</translation>
+    </message>
+    <message>
+        <source>Published</source>
+        <translation>Veröffentlicht</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Draft saved</source>
+        <translation>Entwurf gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::LibraryPage</name>
+    <message>
+        <source>Discard the draft</source>
+        <translation>Entwurf verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard the draft of %1?</source>
+        <translation>Den Entwurf von %1 verwerfen?</translation>
+    </message>
+    <message>
+        <source>What is published stays as it is.</source>
+        <translation>Was veröffentlicht ist, bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>It was never published: nothing of it is left.</source>
+        <translation>Er wurde nie veröffentlicht: Es bleibt nichts davon.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Import a specimen</source>
+        <translation>Präparat importieren</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the chosen exercise</source>
+        <translation>Gewählte Übung kopieren</translation>
+    </message>
+    <message>
+        <source>New exercise</source>
+        <translation>Neue Übung</translation>
+    </message>
+    <message>
+        <source>Open in the editor</source>
+        <translation>Im Editor öffnen</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>Übungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercise(s) cannot be read.</source>
+        <translation>
+            <numerusform>%n Übung kann nicht gelesen werden.</numerusform>
+            <numerusform>%n Übungen können nicht gelesen werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The others are below.</source>
+        <translation>Die anderen stehen unten.</translation>
+    </message>
+    <message>
+        <source>A draft has nothing to copy yet.</source>
+        <translation>Ein Entwurf hat noch nichts zum Kopieren.</translation>
+    </message>
+    <message>
+        <source>Publish it first.</source>
+        <translation>Veröffentlichen Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>The draft was changed in another window meanwhile.</source>
+        <translation>Der Entwurf wurde inzwischen in einem anderen Fenster geändert.</translation>
+    </message>
+    <message>
+        <source>It was not discarded. The list shows it as it is now.</source>
+        <translation>Er wurde nicht verworfen. Die Liste zeigt ihn, wie er jetzt ist.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::MeshForm</name>
+    <message>
+        <source>Leave out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>What %1 is made of</source>
+        <translation>Woraus %1 besteht</translation>
+    </message>
+    <message>
+        <source>Mend: join, turn and close holes up to</source>
+        <translation>Ausbessern: verbinden, wenden und Löcher schließen bis</translation>
+    </message>
+    <message>
+        <source>Widest hole that is closed</source>
+        <translation>Breitestes Loch, das geschlossen wird</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>wound against itself at %1</source>
+        <translation>bei %1 gegen sich selbst gewendet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gap(s), the widest of %1 at %2</source>
+        <translation>
+            <numerusform>%n Lücke von %1 bei %2</numerusform>
+            <numerusform>%n Lücken, die breiteste von %1 bei %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An open surface cannot be made of anything: mend it first.</source>
+        <translation>Eine offene Oberfläche kann aus nichts bestehen: Erst ausbessern.</translation>
+    </message>
+    <message>
+        <source>the one inside wins</source>
+        <translation>gilt der innere</translation>
+    </message>
+    <message>
+        <source>the upper one of this list wins</source>
+        <translation>gilt der obere in dieser Liste</translation>
+    </message>
+    <message>
+        <source>Where parts overlap</source>
+        <translation>Wo sich Teile überschneiden</translation>
+    </message>
+    <message>
+        <source>Where parts overlap,</source>
+        <translation>Wo sich Teile überschneiden,</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::NumberBox</name>
+    <message>
+        <source>%1 does not go with the rest of the exercise. It stays at %2.</source>
+        <translation>%1 passt nicht zum Rest der Übung. Es bleibt bei %2.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::NumberField</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>A number is needed here: %1. It stays at %2.</source>
+        <translation>Hier gehört eine Zahl hin: %1. Es bleibt bei %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is no number. Possible: %2. It stays at %3.</source>
+        <translation>„%1“ ist keine Zahl. Möglich: %2. Es bleibt bei %3.</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2. It stays at %3.</source>
+        <translation>%1 liegt außerhalb von %2. Es bleibt bei %3.</translation>
+    </message>
+    <message>
+        <source>Rounded to %1.</source>
+        <translation>Auf %1 gerundet.</translation>
+    </message>
+    <message>
+        <source>%1 stands in the exercise, outside %2.</source>
+        <translation>In der Übung steht %1, außerhalb von %2.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::OwnHistory</name>
+    <message>
+        <source>My results</source>
+        <translation>Meine Ergebnisse</translation>
+    </message>
+    <message>
+        <source>No go yet</source>
+        <translation>Noch kein Durchgang</translation>
+    </message>
+    <message>
+        <source>Each go you finish stays here, with its report.</source>
+        <translation>Jeder beendete Durchgang bleibt hier, mit seinem Bericht.</translation>
+    </message>
+    <message>
+        <source>Choose an exercise</source>
+        <translation>Übung wählen</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>All exercises</source>
+        <translation>Alle Übungen</translation>
+    </message>
+    <message>
+        <source>Points by go</source>
+        <translation>Punkte je Durchgang</translation>
+    </message>
+    <message>
+        <source>Time and score</source>
+        <translation>Zeit und Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::PasswordDialog</name>
+    <message>
+        <source>Change password</source>
+        <translation>Passwort ändern</translation>
+    </message>
+    <message>
+        <source>Password until now</source>
+        <translation>Bisheriges Passwort</translation>
+    </message>
+    <message>
+        <source>New password, at least 8 characters</source>
+        <translation>Neues Passwort, mindestens 8 Zeichen</translation>
+    </message>
+    <message>
+        <source>New password again</source>
+        <translation>Neues Passwort noch einmal</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>The two new passwords differ.</source>
+        <translation>Die beiden neuen Passwörter sind verschieden.</translation>
+    </message>
+    <message>
+        <source>Type them again.</source>
+        <translation>Geben Sie sie noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>The password until now is another one.</source>
+        <translation>Das bisherige Passwort ist ein anderes.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::PedalPanel</name>
+    <message>
+        <source>Foot pedal</source>
+        <translation>Fußpedal</translation>
+    </message>
+    <message>
+        <source>The pedal drives the handpiece</source>
+        <translation>Das Pedal treibt das Handstück an</translation>
+    </message>
+    <message>
+        <source>Which pedal</source>
+        <translation>Welches Pedal</translation>
+    </message>
+    <message>
+        <source>This pedal plays keyboard: what it types goes to the window as well. With its maker&apos;s program, set it to a key from F13 to F24.</source>
+        <translation>Dieses Pedal spielt Tastatur: Was es tippt, geht auch ans Fenster. Stellen Sie es mit dem Programm des Herstellers auf eine Taste von F13 bis F24.</translation>
+    </message>
+    <message>
+        <source>Pressed</source>
+        <translation>Gedrückt</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Drills</source>
+        <translation>Bohrt</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>No switch for the coolant</source>
+        <translation>Kein Schalter für die Kühlung</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Choose the switch for the coolant</source>
+        <translation>Schalter für die Kühlung wählen</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlung</translation>
+    </message>
+    <message>
+        <source>Dead zone at both ends</source>
+        <translation>Totbereich an beiden Enden</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Take it over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Press the pedal once, let go of it, and take the foot off.</source>
+        <translation>Treten Sie das Pedal einmal, lassen Sie es los und nehmen Sie den Fuß weg.</translation>
+    </message>
+    <message>
+        <source>Press the pedal all the way down.</source>
+        <translation>Treten Sie das Pedal ganz durch.</translation>
+    </message>
+    <message>
+        <source>Press the switch that runs the coolant.</source>
+        <translation>Treten Sie den Schalter, der die Kühlung laufen lässt.</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>no permission</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>The first foot pedal that is found</source>
+        <translation>Das erste Fußpedal, das gefunden wird</translation>
+    </message>
+    <message>
+        <source>Nothing yet: calibrate it</source>
+        <translation>Noch nichts: bitte kalibrieren</translation>
+    </message>
+    <message>
+        <source>Any switch of it</source>
+        <translation>Jeder seiner Schalter</translation>
+    </message>
+    <message>
+        <source>The pedal is not connected any more.</source>
+        <translation>Das Pedal ist nicht mehr verbunden.</translation>
+    </message>
+    <message>
+        <source>It is: %1</source>
+        <translation>Es ist: %1</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet.</source>
+        <translation>Noch hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>No foot pedal is connected</source>
+        <translation>Kein Fußpedal ist verbunden</translation>
+    </message>
+    <message>
+        <source>%1: no permission</source>
+        <translation>%1: keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>%1: not connected</source>
+        <translation>%1: nicht verbunden</translation>
+    </message>
+    <message>
+        <source>%1: connected</source>
+        <translation>%1: verbunden</translation>
+    </message>
+    <message>
+        <source>%1: connected, not used</source>
+        <translation>%1: verbunden, nicht benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::PeopleModel</name>
+    <message>
+        <source>PIN or password</source>
+        <translation>PIN oder Passwort</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>number alone</source>
+        <translation>nur der Nummer</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Aktiv</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Number or user name</source>
+        <translation>Nummer oder Benutzername</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Signs in with</source>
+        <translation>Meldet sich an mit</translation>
+    </message>
+    <message>
+        <source>Account</source>
+        <translation>Konto</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::PeoplePage</name>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Find somebody</source>
+        <translation>Jemanden finden</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Number or user name</source>
+        <translation>Nummer oder Benutzername</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>PIN, six digits</source>
+        <translation>PIN, sechs Ziffern</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Switch account off</source>
+        <translation>Konto ausschalten</translation>
+    </message>
+    <message>
+        <source>New PIN, six digits</source>
+        <translation>Neue PIN, sechs Ziffern</translation>
+    </message>
+    <message>
+        <source>New password, at least 8 characters</source>
+        <translation>Neues Passwort, mindestens 8 Zeichen</translation>
+    </message>
+    <message>
+        <source>Password, at least 8 characters</source>
+        <translation>Passwort, mindestens 8 Zeichen</translation>
+    </message>
+    <message>
+        <source>Leave it empty to keep the one there is.</source>
+        <translation>Leer lassen, um es beizubehalten.</translation>
+    </message>
+    <message>
+        <source>Without a PIN the number alone signs in.</source>
+        <translation>Ohne PIN genügt zum Anmelden die Nummer.</translation>
+    </message>
+    <message>
+        <source>Staff change it themselves under their name at the top.</source>
+        <translation>Personal ändert es selbst, oben unter dem eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>Save changes</source>
+        <translation>Änderungen speichern</translation>
+    </message>
+    <message>
+        <source>Switch account on</source>
+        <translation>Konto einschalten</translation>
+    </message>
+    <message>
+        <source>Name and number are needed.</source>
+        <translation>Name und Nummer fehlen.</translation>
+    </message>
+    <message>
+        <source>%1 is added.</source>
+        <translation>%1 ist hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 can no longer sign in.</source>
+        <translation>%1 kann sich nicht mehr anmelden.</translation>
+    </message>
+    <message>
+        <source>%1 can sign in again.</source>
+        <translation>%1 kann sich wieder anmelden.</translation>
+    </message>
+    <message>
+        <source>All results are kept.</source>
+        <translation>Alle Ergebnisse bleiben aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Switch off the account of %1?</source>
+        <translation>Das Konto von %1 ausschalten?</translation>
+    </message>
+    <message>
+        <source>They can no longer sign in. All results are kept, and you can switch it on again.</source>
+        <translation>Eine Anmeldung ist dann nicht mehr möglich. Alle Ergebnisse bleiben aufbewahrt, und Sie können das Konto wieder einschalten.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Performance</name>
+    <message>
+        <source>Performance</source>
+        <translation>Leistungen</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>How scores spread</source>
+        <translation>Verteilung der Punkte</translation>
+    </message>
+    <message>
+        <source>goes, five points a bar</source>
+        <translation>Durchgänge, fünf Punkte je Balken</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Lernverlauf</translation>
+    </message>
+    <message>
+        <source>points by go</source>
+        <translation>Punkte je Durchgang</translation>
+    </message>
+    <message>
+        <source>Goes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>No go fits</source>
+        <translation>Kein Durchgang passt</translation>
+    </message>
+    <message>
+        <source>Nobody has a go that fits these filters, or none is finished yet.</source>
+        <translation>Niemand hat einen Durchgang, der zu diesen Filtern passt, oder noch keiner ist beendet.</translation>
+    </message>
+    <message>
+        <source>Show all goes</source>
+        <translation>Alle Durchgänge zeigen</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>All results</source>
+        <translation>Alle Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>All dates</source>
+        <translation>Alle Tage</translation>
+    </message>
+    <message numerus="yes">
+        <source>Last %n day(s)</source>
+        <translation>
+            <numerusform>Letzter Tag</numerusform>
+            <numerusform>Letzte %n Tage</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Find a student</source>
+        <translation>Studierende finden</translation>
+    </message>
+    <message>
+        <source>All exercises</source>
+        <translation>Alle Übungen</translation>
+    </message>
+    <message>
+        <source>All devices</source>
+        <translation>Alle Geräte</translation>
+    </message>
+    <message>
+        <source>Goes counted</source>
+        <translation>Gezählte Durchgänge</translation>
+    </message>
+    <message>
+        <source>Median score</source>
+        <translation>Median der Punkte</translation>
+    </message>
+    <message>
+        <source>Median time</source>
+        <translation>Median der Zeit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>half lie in %1 to %2</source>
+        <translation>die Hälfte liegt in %1 bis %2</translation>
+    </message>
+    <message>
+        <source>95 % interval %1 to %2</source>
+        <translation>95-%-Intervall %1 bis %2</translation>
+    </message>
+    <message>
+        <source>minutes and seconds</source>
+        <translation>Minuten und Sekunden</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>goes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>pass %1</source>
+        <translation>Grenze %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n go(es).</source>
+        <translation>
+            <numerusform>%n Durchgang.</numerusform>
+            <numerusform>%n Durchgänge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>go</source>
+        <translation>Durchgang</translation>
+    </message>
+    <message>
+        <source>Each dot is one go: medians need three students.</source>
+        <translation>Jeder Punkt ist ein Durchgang: Mediane brauchen drei Studierende.</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Middle half</source>
+        <translation>Mittlere Hälfte</translation>
+    </message>
+    <message numerus="yes">
+        <source>Median over %n go(es).</source>
+        <translation>
+            <numerusform>Median über %n Durchgang.</numerusform>
+            <numerusform>Median über %n Durchgänge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n go(es) exported.</source>
+        <translation>
+            <numerusform>%n Durchgang exportiert.</numerusform>
+            <numerusform>%n Durchgänge exportiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file was not written.</source>
+        <translation>Die Datei wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1: %2. What was there before is unchanged.</source>
+        <translation>%1: %2. Was vorher da war, ist unverändert.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::PinBoxes</name>
+    <message>
+        <source>PIN, digit %1 of %2</source>
+        <translation>PIN, Ziffer %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::PinnedTooth</name>
+    <message>
+        <source>The tooth after this go</source>
+        <translation>Der Zahn nach diesem Durchgang</translation>
+    </message>
+    <message>
+        <source>This place lies below the surface.</source>
+        <translation>Diese Stelle liegt unter der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The tooth hides this place. Turn it, or choose the row again.</source>
+        <translation>Der Zahn verdeckt diese Stelle. Drehen Sie ihn oder wählen Sie die Zeile noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::PointsForm</name>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Criterion to add</source>
+        <translation>Neues Kriterium</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a criterion</source>
+        <translation>Kriterium hinzufügen</translation>
+    </message>
+    <message>
+        <source>Pass mark, of 100</source>
+        <translation>Bestehensgrenze, von 100</translation>
+    </message>
+    <message>
+        <source>Opening the pulp fails the go</source>
+        <translation>Pulpa eröffnet: nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Bands of depth move with the target’s depth.</source>
+        <translation>Die Stufen der Tiefe folgen der Tiefe des Ziels.</translation>
+    </message>
+    <message>
+        <source>Bands of %1</source>
+        <translation>Stufen von %1</translation>
+    </message>
+    <message>
+        <source>Show what earns the points</source>
+        <translation>Zeigen, was die Punkte bringt</translation>
+    </message>
+    <message>
+        <source>Points for %1</source>
+        <translation>Punkte für %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>No points below</source>
+        <translation>Keine Punkte unter</translation>
+    </message>
+    <message>
+        <source>Half from</source>
+        <translation>Halbe ab</translation>
+    </message>
+    <message>
+        <source>Full from</source>
+        <translation>Volle ab</translation>
+    </message>
+    <message>
+        <source>Full to</source>
+        <translation>Volle bis</translation>
+    </message>
+    <message>
+        <source>Half to</source>
+        <translation>Halbe bis</translation>
+    </message>
+    <message>
+        <source>No points above</source>
+        <translation>Keine Punkte über</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Full points: %1</source>
+        <translation>Volle Punktzahl: %1</translation>
+    </message>
+    <message>
+        <source>pass %1 of 100, shares of %2</source>
+        <translation>Grenze %1, Summe %2</translation>
+    </message>
+    <message>
+        <source>Overheating the tooth fails the go</source>
+        <translation>Zahn überhitzt: nicht bestanden</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Report</name>
+    <message>
+        <source>Nothing of this go is kept</source>
+        <translation>Von diesem Durchgang wird nichts aufbewahrt</translation>
+    </message>
+    <message>
+        <source>%1 · %2, go %3</source>
+        <translation>%1 · %2, Durchgang %3</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>peak push %1</source>
+        <translation>höchster Druck %1</translation>
+    </message>
+    <message>
+        <source>tissues at %1 of their stiffness</source>
+        <translation>Gewebe mit %1 ihrer Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points, pass mark %3</source>
+        <translation>%1 von %2 Punkten, Bestehensgrenze %3</translation>
+    </message>
+    <message>
+        <source>Next time</source>
+        <translation>Beim nächsten Mal</translation>
+    </message>
+    <message>
+        <source>Every criterion has its full points.</source>
+        <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Best before: %1 point(s) on %2; today %3.</source>
+        <translation>
+            <numerusform>Bester davor: %1 Punkt am %2; heute %3.</numerusform>
+            <numerusform>Bester davor: %1 Punkte am %2; heute %3.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>0.5 mm and more left standing</source>
+        <translation>0,5 mm und mehr stehen gelassen</translation>
+    </message>
+    <message>
+        <source>0.3 mm left standing</source>
+        <translation>0,3 mm stehen gelassen</translation>
+    </message>
+    <message>
+        <source>on target, within 0.1 mm</source>
+        <translation>auf dem Ziel, innerhalb 0,1 mm</translation>
+    </message>
+    <message>
+        <source>0.3 mm cut too far</source>
+        <translation>0,3 mm zu weit abgetragen</translation>
+    </message>
+    <message>
+        <source>0.5 mm and more cut too far</source>
+        <translation>0,5 mm und mehr zu weit abgetragen</translation>
+    </message>
+    <message>
+        <source>Engine %1, marking %2</source>
+        <translation>Rechenkern %1, Bewertung %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <extracomment>From one moment of a go to another, as &quot;1:12 to 3:05&quot;.</extracomment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiteres Mal</numerusform>
+            <numerusform>und %n weitere Male</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Burr %1: %2</source>
+        <extracomment>A burr, and when it was used.</extracomment>
+        <translation>Bohrer %1: %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This fails the attempt, whatever its points.</source>
+        <translation>Damit ist der Durchgang nicht bestanden, wie viele Punkte er auch hat.</translation>
+    </message>
+    <message>
+        <source>The tooth could not be drawn: OpenGL 3.3 did not start (%1).</source>
+        <translation>Der Zahn konnte nicht gezeichnet werden: OpenGL 3.3 startete nicht (%1).</translation>
+    </message>
+    <message>
+        <source>The tooth could not be drawn (%1).</source>
+        <translation>Der Zahn konnte nicht gezeichnet werden (%1).</translation>
+    </message>
+    <message>
+        <source>%1: this fails the attempt, whatever its points.</source>
+        <translation>%1: Damit ist der Durchgang nicht bestanden, wie viele Punkte er auch hat.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ReportPage</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>This go broke off.</source>
+        <translation>Dieser Durchgang brach ab.</translation>
+    </message>
+    <message>
+        <source>It is marked as it stands.</source>
+        <translation>Er ist bewertet, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Als PDF speichern</translation>
+    </message>
+    <message>
+        <source>Go again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>As drilled</source>
+        <translation>Wie gebohrt</translation>
+    </message>
+    <message>
+        <source>Turn back to the view from above</source>
+        <translation>Zurück zur Ansicht von oben</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>of %1 points, pass mark %2</source>
+        <translation>von %1 Punkten, Bestehensgrenze %2</translation>
+    </message>
+    <message>
+        <source>Best before</source>
+        <translation>Bester davor</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>Kriterien</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Next time</source>
+        <translation>Beim nächsten Mal</translation>
+    </message>
+    <message>
+        <source>Every criterion has its full points.</source>
+        <translation>Jedes Kriterium hat die volle Punktzahl.</translation>
+    </message>
+    <message>
+        <source>Against your best before</source>
+        <translation>Gegen Ihren besten Durchgang davor</translation>
+    </message>
+    <message>
+        <source>No go with this device came before. From the next one on this compares the two.</source>
+        <translation>Davor gab es keinen Durchgang mit diesem Gerät. Ab dem nächsten werden hier beide verglichen.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>this go, %1</source>
+        <translation>dieser Durchgang, %1</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report is saved.</source>
+        <translation>Der Bericht ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>The report was not saved.</source>
+        <translation>Der Bericht wurde nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. The go and its grade are kept.</source>
+        <translation>%1 kann nicht geschrieben werden. Durchgang und Bewertung sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>This fails the attempt, whatever its points; the points still stand.</source>
+        <translation>Damit ist der Durchgang nicht bestanden, wie viele Punkte er auch hat; die Punkte bleiben stehen.</translation>
+    </message>
+    <message>
+        <source>The report is saved without the picture of the tooth.</source>
+        <translation>Der Bericht ist ohne das Bild des Zahns gesichert.</translation>
+    </message>
+    <message>
+        <source>The report is printed without the picture of the tooth.</source>
+        <translation>Der Bericht wird ohne das Bild des Zahns gedruckt.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::RightsRow</name>
+    <message>
+        <source>This user may not open it. Paste this line into a terminal once, then plug it in again:</source>
+        <translation>Dieses Benutzerkonto darf es nicht öffnen. Fügen Sie diese Zeile einmal in ein Terminal ein und stecken Sie es dann neu an:</translation>
+    </message>
+    <message>
+        <source>Line for the terminal</source>
+        <translation>Zeile für das Terminal</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ScorePanel</name>
+    <message>
+        <source>Section at the burr</source>
+        <translation>Schnitt am Bohrer</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Target removed</source>
+        <translation>Ziel abgetragen</translation>
+    </message>
+    <message>
+        <source>of the target removed</source>
+        <translation>des Ziels abgetragen</translation>
+    </message>
+    <message>
+        <source>Cut too far</source>
+        <translation>Zu weit abgetragen</translation>
+    </message>
+    <message>
+        <source>Least dentine over pulp</source>
+        <translation>Dentin über Pulpa, min.</translation>
+    </message>
+    <message>
+        <source>Removed so far</source>
+        <translation>Bisher abgetragen</translation>
+    </message>
+    <message>
+        <source>All tissues feel softer, at %1 of their stiffness: with more this device could begin to tremble.</source>
+        <translation>Alle Gewebe fühlen sich weicher an, mit %1 ihrer Steifigkeit: mit mehr könnte dieses Gerät zu zittern beginnen.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>buccal–lingual</source>
+        <translation>bukkal–lingual</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>quer</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <extracomment>First letters of buccal and lingual, at the two sides of a section.</extracomment>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation>genug</translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation>stetig</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>slow</source>
+        <translation>langsam</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Nothing is kept</source>
+        <translation>Nichts wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Recording, saved every second</source>
+        <translation>Aufzeichnung, jede Sekunde gesichert</translation>
+    </message>
+    <message>
+        <source>Recording, the disk is slow</source>
+        <translation>Aufzeichnung, der Datenträger ist langsam</translation>
+    </message>
+    <message>
+        <source>The record cannot be written</source>
+        <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::SectionView</name>
+    <message>
+        <source>Section at the burr</source>
+        <translation>Schnitt am Bohrer</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Sentences</name>
+    <message>
+        <source>The record is not there.</source>
+        <translation>Der Eintrag ist nicht da.</translation>
+    </message>
+    <message>
+        <source>%1 was not found. Nothing was changed.</source>
+        <translation>%1 wurde nicht gefunden. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The database’s folder is not there.</source>
+        <translation>Den Ordner der Datenbank gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1. Make it, or choose another place with --db.</source>
+        <translation>Es gibt keinen Ordner %1. Legen Sie ihn an, oder wählen Sie mit --db einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The database cannot be made there.</source>
+        <translation>Die Datenbank lässt sich dort nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>No file can be made at %1. Choose another place with --db.</source>
+        <translation>Unter %1 lässt sich keine Datei anlegen. Wählen Sie mit --db einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>This file is not a Cusp database.</source>
+        <translation>Diese Datei ist keine Cusp-Datenbank.</translation>
+    </message>
+    <message>
+        <source>%1 was left as it is. Choose another file with --db.</source>
+        <translation>%1 blieb, wie sie ist. Wählen Sie mit --db eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>This database was written by a newer version of Cusp.</source>
+        <translation>Diese Datenbank stammt von einer neueren Cusp-Version.</translation>
+    </message>
+    <message>
+        <source>%1 was left as it is. Install the newer version to open it.</source>
+        <translation>%1 blieb, wie sie ist. Zum Öffnen die neuere Version installieren.</translation>
+    </message>
+    <message>
+        <source>The database lies on a network drive.</source>
+        <translation>Die Datenbank liegt auf einem Netzlaufwerk.</translation>
+    </message>
+    <message>
+        <source>%1 would not be safe there. Move it to this computer’s own disk.</source>
+        <translation>%1 wäre dort nicht sicher. Verschieben Sie sie auf den Datenträger dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The database cannot be written.</source>
+        <translation>In die Datenbank kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 or its folder is read-only. Nothing was changed.</source>
+        <translation>%1 oder ihr Ordner ist schreibgeschützt. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The disk is full.</source>
+        <translation>Der Datenträger ist voll.</translation>
+    </message>
+    <message>
+        <source>Nothing of the last step was written to %1; all before it is kept. Free some space and try again.</source>
+        <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt. Schaffen Sie Platz und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Nothing of the last step was written to %1; all before it is kept.</source>
+        <translation>Vom letzten Schritt wurde nichts in %1 geschrieben; alles davor ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Another program holds the database.</source>
+        <translation>Ein anderes Programm hält die Datenbank.</translation>
+    </message>
+    <message>
+        <source>%1 stayed as it was. Close the other program and try again.</source>
+        <translation>%1 blieb, wie sie war. Schließen Sie das andere Programm und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The database is damaged.</source>
+        <translation>Die Datenbank ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read whole. Nothing was changed; restore it from a backup.</source>
+        <translation>%1 kann nicht ganz gelesen werden. Nichts wurde geändert; stellen Sie sie aus einer Sicherung wieder her.</translation>
+    </message>
+    <message>
+        <source>Number and password do not match.</source>
+        <translation>Nummer und Passwort passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Check both and try again.</source>
+        <translation>Prüfen Sie beides und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries.</source>
+        <translation>Zu viele falsche Versuche.</translation>
+    </message>
+    <message>
+        <source>Wait a little and try again.</source>
+        <translation>Warten Sie etwas und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Signing in is open again at %1.</source>
+        <translation>Die Anmeldung ist um %1 wieder offen.</translation>
+    </message>
+    <message>
+        <source>This account is switched off.</source>
+        <translation>Dieses Konto ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Ask an administrator to switch it on again.</source>
+        <translation>Bitten Sie die Verwaltung, es wieder einzuschalten.</translation>
+    </message>
+    <message>
+        <source>Your role may not do this.</source>
+        <translation>Ihre Rolle darf das nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This password is too short.</source>
+        <translation>Dieses Passwort ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>This is the last administrator.</source>
+        <translation>Das ist die letzte Person mit Verwaltungsrechten.</translation>
+    </message>
+    <message>
+        <source>Somebody has to manage people. Make another administrator first.</source>
+        <translation>Jemand muss die Personen verwalten. Geben Sie zuerst einer anderen diese Rolle.</translation>
+    </message>
+    <message>
+        <source>This is there already.</source>
+        <translation>Das gibt es schon.</translation>
+    </message>
+    <message>
+        <source>%1 is taken. Nothing was changed.</source>
+        <translation>%1 ist vergeben. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>A value is missing or outside its range.</source>
+        <translation>Ein Wert fehlt oder liegt außerhalb seines Bereichs.</translation>
+    </message>
+    <message>
+        <source>Look at %1. Nothing was changed.</source>
+        <translation>Sehen Sie bei %1 nach. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This go is not in a state that allows it.</source>
+        <translation>Der Zustand dieses Durchgangs lässt das nicht zu.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be read.</source>
+        <translation>Die Aufzeichnung kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The database failed.</source>
+        <translation>Die Datenbank hat versagt.</translation>
+    </message>
+    <message>
+        <source>This exercise cannot be read.</source>
+        <translation>Diese Übung kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be opened.</source>
+        <translation>Die Datei %1 lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than any exercise.</source>
+        <translation>%1 ist größer als jede Übung.</translation>
+    </message>
+    <message>
+        <source>The text breaks off or is malformed at %1.</source>
+        <translation>Der Text bricht bei %1 ab oder ist dort fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>%1 stands there twice.</source>
+        <translation>%1 steht zweimal da.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of Cusp (format %2).</source>
+        <translation>%1 stammt von einer neueren Cusp-Version (Format %2).</translation>
+    </message>
+    <message>
+        <source>%1 is not known.</source>
+        <translation>%1 ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 has to be: %2.</source>
+        <translation>%1 muss sein: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has to lie in %2.</source>
+        <translation>%1 muss in %2 liegen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 is not an identity.</source>
+        <translation>%1 ist keine Kennung.</translation>
+    </message>
+    <message>
+        <source>%1 names no language, or English is missing.</source>
+        <translation>%1 nennt keine Sprache, oder Englisch fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 leads out of the exercise’s folder.</source>
+        <translation>%1 führt aus dem Ordner der Übung hinaus.</translation>
+    </message>
+    <message>
+        <source>%1 is named twice.</source>
+        <translation>%1 ist zweimal genannt.</translation>
+    </message>
+    <message>
+        <source>%1 names something that is not known.</source>
+        <translation>%1 nennt etwas, das nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>%1 names something that is not known: %2.</source>
+        <translation>%1 nennt etwas, das nicht bekannt ist: %2.</translation>
+    </message>
+    <message>
+        <source>No exercise called %1 comes with the program.</source>
+        <translation>Eine Übung namens %1 liegt dem Programm nicht bei.</translation>
+    </message>
+    <message>
+        <source>This file cannot be read.</source>
+        <translation>Diese Datei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>This file cannot be read or written.</source>
+        <translation>Diese Datei kann nicht gelesen oder geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is of a kind that is not read here.</source>
+        <translation>%1 ist von einer Art, die hier nicht gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Its head is wrong at %1.</source>
+        <translation>Ihr Kopf ist bei %1 falsch.</translation>
+    </message>
+    <message>
+        <source>It uses %1, which is not read here.</source>
+        <translation>Sie verwendet %1, das hier nicht gelesen wird.</translation>
+    </message>
+    <message>
+        <source>The sizes at %1 make no volume.</source>
+        <translation>Die Größen bei %1 ergeben kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The axes at %1 are oblique or not known.</source>
+        <translation>Die Achsen bei %1 sind schief oder nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 names no tissue.</source>
+        <translation>%1 nennt kein Gewebe.</translation>
+    </message>
+    <message>
+        <source>%1 ends too early. Copy it again.</source>
+        <translation>%1 endet zu früh. Kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged. Copy it again.</source>
+        <translation>%1 ist beschädigt. Kopieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than the limits allow.</source>
+        <translation>%1 ist größer, als die Grenzen erlauben.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing solid.</source>
+        <translation>%1 enthält nichts Festes.</translation>
+    </message>
+    <message>
+        <source>%1 holds no surface.</source>
+        <translation>%1 enthält keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>There is no part called %1.</source>
+        <translation>Es gibt keinen Teil namens %1.</translation>
+    </message>
+    <message>
+        <source>The part %1 encloses nothing.</source>
+        <translation>Der Teil %1 umschließt nichts.</translation>
+    </message>
+    <message>
+        <source>The part %1 cuts itself.</source>
+        <translation>Der Teil %1 schneidet sich selbst.</translation>
+    </message>
+    <message>
+        <source>An option does not fit.</source>
+        <translation>Eine Angabe passt nicht.</translation>
+    </message>
+    <message>
+        <source>Reading %1 broke off.</source>
+        <translation>Das Lesen von %1 brach ab.</translation>
+    </message>
+    <message>
+        <source>Reading %1 took longer than allowed.</source>
+        <translation>Das Lesen von %1 dauerte länger als erlaubt.</translation>
+    </message>
+    <message>
+        <source>Reading %1 wanted more memory than allowed.</source>
+        <translation>Das Lesen von %1 brauchte mehr Speicher als erlaubt.</translation>
+    </message>
+    <message>
+        <source>Reading was cancelled.</source>
+        <translation>Das Lesen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Reading could not be started.</source>
+        <translation>Das Lesen konnte nicht begonnen werden.</translation>
+    </message>
+    <message>
+        <source>Specimens of the kind %1 are not known.</source>
+        <translation>Präparate der Art %1 sind nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The device was not found.</source>
+        <translation>Das Gerät wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Check cable and power.</source>
+        <translation>%1 ist nicht verbunden. Prüfen Sie Kabel und Strom.</translation>
+    </message>
+    <message>
+        <source>This user may not open the device.</source>
+        <translation>Dieser Benutzer darf das Gerät nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 refused.</source>
+        <translation>%1 lehnte ab.</translation>
+    </message>
+    <message>
+        <source>Another program holds the device.</source>
+        <translation>Ein anderes Programm hält das Gerät.</translation>
+    </message>
+    <message>
+        <source>Close it and try %1 again.</source>
+        <translation>Schließen Sie es und versuchen Sie %1 noch einmal.</translation>
+    </message>
+    <message>
+        <source>The script cannot be read.</source>
+        <translation>Das Skript kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Look at %1.</source>
+        <translation>Sehen Sie bei %1 nach.</translation>
+    </message>
+    <message>
+        <source>The device does not answer.</source>
+        <translation>Das Gerät antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>%1: check cable and power.</source>
+        <translation>%1: Kabel und Strom prüfen.</translation>
+    </message>
+    <message>
+        <source>The device failed.</source>
+        <translation>Das Gerät hat versagt.</translation>
+    </message>
+    <message>
+        <source>The tooth of this exercise cannot be made.</source>
+        <translation>Der Zahn dieser Übung kann nicht erzeugt werden.</translation>
+    </message>
+    <message>
+        <source>Look at %1. No go was started.</source>
+        <translation>Sehen Sie bei %1 nach. Kein Durchgang wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>This exercise cannot be played.</source>
+        <translation>Diese Übung kann nicht gespielt werden.</translation>
+    </message>
+    <message>
+        <source>This exercise does not admit this device.</source>
+        <translation>Diese Übung lässt dieses Gerät nicht zu.</translation>
+    </message>
+    <message>
+        <source>The go could not be recorded any further.</source>
+        <translation>Der Durchgang konnte nicht weiter aufgezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>It is kept up to the last second before %1 failed.</source>
+        <translation>Er ist aufbewahrt bis zur letzten Sekunde, bevor %1 versagte.</translation>
+    </message>
+    <message>
+        <source>Two computations of this go differ.</source>
+        <translation>Zwei Berechnungen dieses Durchgangs weichen voneinander ab.</translation>
+    </message>
+    <message>
+        <source>The go could not be played.</source>
+        <translation>Der Durchgang konnte nicht gespielt werden.</translation>
+    </message>
+    <message>
+        <source>The device jumped.</source>
+        <translation>Das Gerät ist gesprungen.</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Your work is kept.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Ihre Arbeit ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The device answered too late.</source>
+        <translation>Das Gerät antwortete zu spät.</translation>
+    </message>
+    <message>
+        <source>The device went quiet.</source>
+        <translation>Das Gerät ist verstummt.</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Check the cable; your work is kept.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Prüfen Sie das Kabel; Ihre Arbeit ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The device sent a position that is none.</source>
+        <translation>Das Gerät sandte eine Position, die keine ist.</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Student/in</translation>
+    </message>
+    <message>
+        <source>Teacher</source>
+        <translation>Lehrkraft</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>Verwaltung</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Not graded</source>
+        <translation>Nicht bewertet</translation>
+    </message>
+    <message>
+        <source>Graded</source>
+        <translation>Bewertet</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Training</translation>
+    </message>
+    <message>
+        <source>Assessment</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Try-out</source>
+        <translation>Probelauf</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Scripted hand</source>
+        <translation>Automatische Hand</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Enamel</source>
+        <translation>Schmelz</translation>
+    </message>
+    <message>
+        <source>Dentine</source>
+        <translation>Dentin</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>Karies</translation>
+    </message>
+    <message>
+        <source>Cementum</source>
+        <translation>Wurzelzement</translation>
+    </message>
+    <message>
+        <source>Pulp</source>
+        <translation>Pulpa</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Gingiva</source>
+        <translation>Gingiva</translation>
+    </message>
+    <message>
+        <source>Ligament</source>
+        <translation>Desmodont</translation>
+    </message>
+    <message>
+        <source>Amalgam</source>
+        <translation>Amalgam</translation>
+    </message>
+    <message>
+        <source>Composite</source>
+        <translation>Komposit</translation>
+    </message>
+    <message>
+        <source>Plastic</source>
+        <translation>Kunststoff</translation>
+    </message>
+    <message>
+        <source>Decayed enamel</source>
+        <translation>Schmelzkaries</translation>
+    </message>
+    <message>
+        <source>Material %1</source>
+        <translation>Material %1</translation>
+    </message>
+    <message>
+        <source>Neighbour enamel</source>
+        <translation>Nachbarschmelz</translation>
+    </message>
+    <message>
+        <source>Neighbour dentine</source>
+        <translation>Nachbardentin</translation>
+    </message>
+    <message>
+        <source>Firm decay</source>
+        <translation>Feste Karies</translation>
+    </message>
+    <message>
+        <source>Target removed</source>
+        <translation>Ziel abgetragen</translation>
+    </message>
+    <message>
+        <source>Floor cut too far</source>
+        <translation>Boden zu weit abgetragen</translation>
+    </message>
+    <message>
+        <source>Walls cut too far</source>
+        <translation>Wände zu weit abgetragen</translation>
+    </message>
+    <message>
+        <source>Left standing</source>
+        <translation>Stehen gelassen</translation>
+    </message>
+    <message>
+        <source>Floor depth, shallowest</source>
+        <translation>Bodentiefe, flachste</translation>
+    </message>
+    <message>
+        <source>Floor depth, mean</source>
+        <translation>Bodentiefe, mittlere</translation>
+    </message>
+    <message>
+        <source>Floor depth, deepest</source>
+        <translation>Bodentiefe, größte</translation>
+    </message>
+    <message>
+        <source>Dentine over pulp</source>
+        <translation>Dentin über Pulpa</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Peak push</source>
+        <translation>Höchster Druck</translation>
+    </message>
+    <message>
+        <source>Mean push</source>
+        <translation>Mittlerer Druck</translation>
+    </message>
+    <message>
+        <source>Pulp opened</source>
+        <translation>Pulpa eröffnet</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 abgetragen</translation>
+    </message>
+    <message>
+        <source>The pulp was opened</source>
+        <translation>Die Pulpa wurde eröffnet</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Full points</source>
+        <translation>Volle Punktzahl</translation>
+    </message>
+    <message>
+        <source>Could not be measured</source>
+        <translation>Nicht messbar</translation>
+    </message>
+    <message>
+        <source>%1, %2 deeper than %3</source>
+        <translation>%1, %2 tiefer als %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 short of %3</source>
+        <translation>%1, %2 flacher als %3</translation>
+    </message>
+    <message>
+        <source>%1; full points up to %2</source>
+        <translation>%1; volle Punktzahl bis %2</translation>
+    </message>
+    <message>
+        <source>%1 removed; full points from %2</source>
+        <translation>%1 abgetragen; volle Punktzahl ab %2</translation>
+    </message>
+    <message>
+        <source>%1; full points from %2</source>
+        <translation>%1; volle Punktzahl ab %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 point(s) lost</source>
+        <translation>
+            <numerusform>%1: %2 Punkt verloren</numerusform>
+            <numerusform>%1: %2 Punkte verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Turn the view and look for what still stands inside the target line.</source>
+        <translation>Drehen Sie die Ansicht und suchen Sie, was innerhalb der Ziellinie noch steht.</translation>
+    </message>
+    <message>
+        <source>Lift off and read the depth before you go deeper.</source>
+        <translation>Heben Sie ab und lesen Sie die Tiefe, bevor Sie tiefer gehen.</translation>
+    </message>
+    <message>
+        <source>Keep the burr’s edge inside the target line; push less near the walls.</source>
+        <translation>Halten Sie den Rand des Bohrers innerhalb der Ziellinie; drücken Sie nahe den Wänden weniger.</translation>
+    </message>
+    <message>
+        <source>Turn the view and clear the corners along the walls.</source>
+        <translation>Drehen Sie die Ansicht und räumen Sie die Ecken entlang der Wände aus.</translation>
+    </message>
+    <message>
+        <source>Stop pushing before the wanted depth and move sideways.</source>
+        <translation>Drücken Sie vor der gewünschten Tiefe nicht weiter und führen Sie den Bohrer seitwärts.</translation>
+    </message>
+    <message>
+        <source>Go on to the wanted depth over the whole floor.</source>
+        <translation>Gehen Sie am ganzen Boden bis zur gewünschten Tiefe.</translation>
+    </message>
+    <message>
+        <source>Keep away from the pulp: stay above the wanted floor.</source>
+        <translation>Bleiben Sie von der Pulpa weg: über dem gewünschten Boden.</translation>
+    </message>
+    <message>
+        <source>Push less; let the burr do the work.</source>
+        <translation>Drücken Sie weniger; lassen Sie den Bohrer arbeiten.</translation>
+    </message>
+    <message>
+        <source>Plan the way of the burr before the first cut.</source>
+        <translation>Planen Sie den Weg des Bohrers vor dem ersten Abtrag.</translation>
+    </message>
+    <message>
+        <source>Take away less of it.</source>
+        <translation>Tragen Sie weniger davon ab.</translation>
+    </message>
+    <message>
+        <source>Take away more of it.</source>
+        <translation>Tragen Sie mehr davon ab.</translation>
+    </message>
+    <message>
+        <source>The device did not open.</source>
+        <translation>Das Gerät ließ sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 refused. No go was started.</source>
+        <translation>%1 lehnte ab. Kein Durchgang wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>Connected is: %1. No go was started.</source>
+        <translation>Verbunden ist: %1. Kein Durchgang wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>The stored exercise cannot be read.</source>
+        <translation>Die gespeicherte Übung kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The database refused.</source>
+        <translation>Die Datenbank lehnte ab.</translation>
+    </message>
+    <message>
+        <source>%1 was not written. Goes before it are kept.</source>
+        <translation>%1 wurde nicht geschrieben. Durchgänge davor sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>It was stopped at tick %1 and is not graded; the recording is kept.</source>
+        <translation>Er wurde bei Takt %1 angehalten und ist nicht bewertet; die Aufzeichnung ist aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>This computer is too slow for this exercise.</source>
+        <translation>Dieser Rechner ist zu langsam für diese Übung.</translation>
+    </message>
+    <message>
+        <source>The go ended as interrupted. All of it is kept and can be graded as it stands.</source>
+        <translation>Der Durchgang endete als unterbrochen. Er ist ganz aufbewahrt und kann bewertet werden, wie er ist.</translation>
+    </message>
+    <message>
+        <source>This go was recorded by another version of Cusp.</source>
+        <translation>Dieser Durchgang wurde von einer anderen Cusp-Version aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>It opens with its stored tooth and grade, but is not computed again (engine %1).</source>
+        <translation>Er öffnet sich mit gespeichertem Zahn und gespeicherter Bewertung, wird aber nicht neu berechnet (Rechenkern %1).</translation>
+    </message>
+    <message>
+        <source>The tooth is not the one this go began with.</source>
+        <translation>Der Zahn ist nicht der, mit dem dieser Durchgang begann.</translation>
+    </message>
+    <message>
+        <source>The stored grade is kept; the tooth of %1 cannot be shown.</source>
+        <translation>Die gespeicherte Bewertung ist aufbewahrt; der Zahn von %1 kann nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Leeway used, floor</source>
+        <translation>Spielraum genutzt, Boden</translation>
+    </message>
+    <message>
+        <source>Leeway used, walls</source>
+        <translation>Spielraum genutzt, Wände</translation>
+    </message>
+    <message>
+        <source>At %1 its cells are not evenly spaced.</source>
+        <translation>Bei %1 liegen ihre Zellen nicht gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>The surface is open at %1 mm. Let it be mended, or close it there.</source>
+        <translation>Die Oberfläche ist bei %1 mm offen. Lassen Sie sie ausbessern oder schließen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>The surface is turned inside out at %1 mm. Let it be mended.</source>
+        <translation>Die Oberfläche ist bei %1 mm nach innen gewendet. Lassen Sie sie ausbessern.</translation>
+    </message>
+    <message>
+        <source>Cut without coolant</source>
+        <translation>Ohne Kühlung gebohrt</translation>
+    </message>
+    <message>
+        <source>Tooth warmer by (not verified)</source>
+        <translation>Zahn wärmer um (nicht gesichert)</translation>
+    </message>
+    <message>
+        <source>Tooth overheated</source>
+        <translation>Zahn überhitzt</translation>
+    </message>
+    <message>
+        <source>The tooth was overheated by cutting dry (criterion not verified)</source>
+        <translation>Der Zahn wurde durch Bohren ohne Kühlung überhitzt (Grenze nicht gesichert)</translation>
+    </message>
+    <message>
+        <source>%1 without coolant; full points up to %2</source>
+        <translation>%1 ohne Kühlung; volle Punkte bis %2</translation>
+    </message>
+    <message>
+        <source>%1 warmer; full points up to %2</source>
+        <translation>%1 wärmer; volle Punkte bis %2</translation>
+    </message>
+    <message>
+        <source>Run the coolant before the burr touches the tooth.</source>
+        <translation>Kühlung einschalten, bevor der Bohrer den Zahn berührt.</translation>
+    </message>
+    <message>
+        <source>Run the coolant, push less, and lift off now and then.</source>
+        <translation>Kühlen, weniger drücken und zwischendurch absetzen.</translation>
+    </message>
+    <message>
+        <source>Emulated Falcon</source>
+        <translation>Nachgebildeter Falcon</translation>
+    </message>
+    <message>
+        <source>The device goes before other programs.</source>
+        <translation>Das Gerät geht vor anderen Programmen.</translation>
+    </message>
+    <message>
+        <source>Other programs may delay the device.</source>
+        <translation>Andere Programme können das Gerät aufhalten.</translation>
+    </message>
+    <message>
+        <source>This user has no right to real-time priority. An administrator can give it (rtprio).</source>
+        <translation>Dieses Benutzerkonto hat kein Recht auf Echtzeit-Vorrang. Die Verwaltung kann es geben (rtprio).</translation>
+    </message>
+    <message>
+        <source>Install rtkit, or give this user the right to real-time priority (rtprio).</source>
+        <translation>Installieren Sie rtkit oder geben Sie diesem Benutzerkonto das Recht auf Echtzeit-Vorrang (rtprio).</translation>
+    </message>
+    <message>
+        <source>mesiobuccal</source>
+        <translation>mesiobukkal</translation>
+    </message>
+    <message>
+        <source>mesiopalatal</source>
+        <translation>mesiopalatinal</translation>
+    </message>
+    <message>
+        <source>mesiolingual</source>
+        <translation>mesiolingual</translation>
+    </message>
+    <message>
+        <source>distobuccal</source>
+        <translation>distobukkal</translation>
+    </message>
+    <message>
+        <source>distopalatal</source>
+        <translation>distopalatinal</translation>
+    </message>
+    <message>
+        <source>distolingual</source>
+        <translation>distolingual</translation>
+    </message>
+    <message>
+        <source>%1 after %2 min</source>
+        <extracomment>A critical event, and when it happened in the attempt: &quot;The pulp was opened after 1:12 min&quot;.</extracomment>
+        <translation>%1 nach %2 min</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Read the depth before each stroke, and stop above the wanted floor.</source>
+        <translation>Lesen Sie vor jedem Zug die Tiefe ab und enden Sie über dem geforderten Boden.</translation>
+    </message>
+    <message>
+        <source>mesial</source>
+        <translation>mesial</translation>
+    </message>
+    <message>
+        <source>distal</source>
+        <translation>distal</translation>
+    </message>
+    <message>
+        <source>buccal</source>
+        <translation>bukkal</translation>
+    </message>
+    <message>
+        <source>palatal</source>
+        <translation>palatinal</translation>
+    </message>
+    <message>
+        <source>lingual</source>
+        <translation>lingual</translation>
+    </message>
+    <message>
+        <source>Counts only as far as the target was cut: %1</source>
+        <translation>Zählt nur so weit, wie das Ziel abgetragen wurde: %1</translation>
+    </message>
+    <message>
+        <source>What stayed intact counts only as far as the target was cut: %1.</source>
+        <translation>Was unversehrt blieb, zählt nur so weit, wie das Ziel abgetragen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>This computer has too little free memory to check a password.</source>
+        <translation>Dieser Rechner hat zu wenig freien Speicher, um ein Passwort zu prüfen.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Close other programs and try again.</source>
+        <translation>Nichts wurde geändert. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>A file could not be read or written.</source>
+        <translation>Eine Datei konnte nicht gelesen oder geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>A PIN has exactly six digits.</source>
+        <translation>Eine PIN hat genau sechs Ziffern.</translation>
+    </message>
+    <message>
+        <source>A password has at least 8 characters. Nothing was changed.</source>
+        <translation>Ein Passwort hat mindestens 8 Zeichen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This account is not there.</source>
+        <translation>Dieses Konto gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This attempt is not there.</source>
+        <translation>Diesen Durchgang gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>This exercise is not there.</source>
+        <translation>Diese Übung gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A part of the records is not there.</source>
+        <translation>Ein Teil der Aufzeichnungen fehlt.</translation>
+    </message>
+    <message>
+        <source>A number has 1 to 64 characters.</source>
+        <translation>Eine Nummer hat 1 bis 64 Zeichen.</translation>
+    </message>
+    <message>
+        <source>A name has 1 to 200 characters.</source>
+        <translation>Ein Name hat 1 bis 200 Zeichen.</translation>
+    </message>
+    <message>
+        <source>Only students have a PIN.</source>
+        <translation>Nur Studierende haben eine PIN.</translation>
+    </message>
+    <message>
+        <source>A comment has 1 to 10,000 characters.</source>
+        <translation>Ein Kommentar hat 1 bis 10.000 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The due date lies before the first day.</source>
+        <translation>Der Abgabetermin liegt vor dem ersten Tag.</translation>
+    </message>
+    <message>
+        <source>%1 signs in with a PIN of six digits.</source>
+        <translation>%1 meldet sich mit einer PIN aus sechs Ziffern an.</translation>
+    </message>
+    <message>
+        <source>%1 signs in with a password.</source>
+        <translation>%1 meldet sich mit einem Passwort an.</translation>
+    </message>
+    <message>
+        <source>This number or name is taken.</source>
+        <translation>Diese Nummer oder dieser Name ist vergeben.</translation>
+    </message>
+    <message>
+        <source>This attempt is not in a state that allows it.</source>
+        <translation>Dieser Durchgang ist nicht in einem Zustand, der das zulässt.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged; the grade and all other attempts are kept.</source>
+        <translation>%1 ist beschädigt; die Bewertung und alle anderen Durchgänge sind aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Number and PIN do not match.</source>
+        <translation>Nummer und PIN passen nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries for %1.</source>
+        <translation>Zu viele falsche Eingaben für %1.</translation>
+    </message>
+    <message>
+        <source>The account %1 is switched off.</source>
+        <translation>Das Konto %1 ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>There is no account %1.</source>
+        <translation>Es gibt kein Konto %1.</translation>
+    </message>
+    <message>
+        <source>The number %1 is taken.</source>
+        <translation>Die Nummer %1 ist vergeben.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Choose another number.</source>
+        <translation>Nichts wurde geändert. Wählen Sie eine andere Nummer.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ShapeForm</name>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Fissure outline</source>
+        <translation>Fissurenverlauf</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Kasten</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Measured from height</source>
+        <translation>Gemessen ab Höhe</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Along the arch</source>
+        <translation>Entlang des Zahnbogens</translation>
+    </message>
+    <message>
+        <source>Towards the cheek</source>
+        <translation>Zur Wange</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>Add a branch</source>
+        <translation>Ast hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Strictness</source>
+        <translation>Strenge</translation>
+    </message>
+    <message>
+        <source>Beginner</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Exam</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Leeway, floor</source>
+        <translation>Spielraum, Boden</translation>
+    </message>
+    <message>
+        <source>Leeway, sides</source>
+        <translation>Spielraum, Seiten</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Line %1, %2</source>
+        <translation>Linie %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Shell</name>
+    <message>
+        <source>Top bar</source>
+        <translation>Kopfleiste</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Account of %1</source>
+        <translation>Konto von %1</translation>
+    </message>
+    <message>
+        <source>Size of everything</source>
+        <translation>Größe von allem</translation>
+    </message>
+    <message>
+        <source>Change password…</source>
+        <translation>Passwort ändern …</translation>
+    </message>
+    <message>
+        <source>Sign out</source>
+        <translation>Abmelden</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::SignIn</name>
+    <message>
+        <source>First start</source>
+        <translation>Erster Start</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>Anmelden</translation>
+    </message>
+    <message>
+        <source>%1: results are kept on this computer, in %2.</source>
+        <translation>%1: Ergebnisse bleiben auf diesem Rechner, in %2.</translation>
+    </message>
+    <message>
+        <source>A tooth</source>
+        <translation>Ein Zahn</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Student/in</translation>
+    </message>
+    <message>
+        <source>Staff</source>
+        <translation>Personal</translation>
+    </message>
+    <message>
+        <source>Student number</source>
+        <translation>Matrikelnummer</translation>
+    </message>
+    <message>
+        <source>PIN, six digits</source>
+        <translation>PIN, sechs Ziffern</translation>
+    </message>
+    <message>
+        <source>User name</source>
+        <translation>Benutzername</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>No account. You drill a practice block with the mouse; nothing goes into the school’s records.</source>
+        <translation>Ohne Konto. Sie bohren mit der Maus an einem Übungsblock; nichts kommt in die Aufzeichnungen der Schule.</translation>
+    </message>
+    <message>
+        <source>Nobody manages this computer’s records yet. Make the administrator; everybody else is added afterwards.</source>
+        <translation>Noch verwaltet niemand die Aufzeichnungen dieses Rechners. Legen Sie die Verwaltung an; alle anderen kommen danach dazu.</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Ihr Name</translation>
+    </message>
+    <message>
+        <source>Password, at least 8 characters</source>
+        <translation>Passwort, mindestens 8 Zeichen</translation>
+    </message>
+    <message>
+        <source>Password again</source>
+        <translation>Passwort noch einmal</translation>
+    </message>
+    <message>
+        <source>Make the administrator</source>
+        <translation>Verwaltung anlegen</translation>
+    </message>
+    <message>
+        <source>The user name is missing.</source>
+        <translation>Der Benutzername fehlt.</translation>
+    </message>
+    <message>
+        <source>The student number is missing.</source>
+        <translation>Die Matrikelnummer fehlt.</translation>
+    </message>
+    <message>
+        <source>The PIN has six digits.</source>
+        <translation>Die PIN hat sechs Ziffern.</translation>
+    </message>
+    <message>
+        <source>Name and user name are needed.</source>
+        <translation>Name und Benutzername fehlen.</translation>
+    </message>
+    <message>
+        <source>The two passwords differ.</source>
+        <translation>Die beiden Passwörter sind verschieden.</translation>
+    </message>
+    <message>
+        <source>Type them again.</source>
+        <translation>Geben Sie sie noch einmal ein.</translation>
+    </message>
+    <message>
+        <source>The PIN is missing.</source>
+        <translation>Die PIN fehlt.</translation>
+    </message>
+    <message>
+        <source>It has six digits.</source>
+        <translation>Sie hat sechs Ziffern.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::SliceView</name>
+    <message>
+        <source>From the side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>Slice %1 of %2</source>
+        <translation>Schicht %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::SpaceMousePanel</name>
+    <message>
+        <source>The SpaceMouse leads the view of the tooth</source>
+        <translation>Die SpaceMouse führt die Ansicht des Zahns</translation>
+    </message>
+    <message>
+        <source>Its left button brings the first view back, its right one puts in the mirror or takes it out.</source>
+        <translation>Ihre linke Taste bringt die erste Ansicht zurück, ihre rechte setzt den Spiegel ein oder nimmt ihn heraus.</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Nearer</source>
+        <translation>Näher</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigen</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Move and zoom</source>
+        <translation>Verschieben und zoomen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Totbereich</translation>
+    </message>
+    <message>
+        <source>Hand is off: take this as rest</source>
+        <translation>Hand ist weg: dies als Ruhelage nehmen</translation>
+    </message>
+    <message>
+        <source>Taken over</source>
+        <translation>Übernommen</translation>
+    </message>
+    <message>
+        <source>Take the hand off first</source>
+        <translation>Nehmen Sie zuerst die Hand weg</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>no permission</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Battery %1</source>
+        <translation>Akku %1</translation>
+    </message>
+    <message>
+        <source>No SpaceMouse is connected</source>
+        <translation>Keine SpaceMouse ist verbunden</translation>
+    </message>
+    <message>
+        <source>%1: no permission</source>
+        <translation>%1: keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>%1: not connected</source>
+        <translation>%1: nicht verbunden</translation>
+    </message>
+    <message>
+        <source>%1: connected</source>
+        <translation>%1: verbunden</translation>
+    </message>
+    <message>
+        <source>%1: connected, not used</source>
+        <translation>%1: verbunden, nicht benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::SpecimenForm</name>
+    <message>
+        <source>%1, upper right</source>
+        <translation>%1, oben rechts</translation>
+    </message>
+    <message>
+        <source>%1, upper left</source>
+        <translation>%1, oben links</translation>
+    </message>
+    <message>
+        <source>%1, lower left</source>
+        <translation>%1, unten links</translation>
+    </message>
+    <message>
+        <source>%1, lower right</source>
+        <translation>%1, unten rechts</translation>
+    </message>
+    <message>
+        <source>Practice block</source>
+        <translation>Übungsblock</translation>
+    </message>
+    <message>
+        <source>Block of two materials</source>
+        <translation>Block aus zwei Materialien</translation>
+    </message>
+    <message>
+        <source>Block of three materials</source>
+        <translation>Block aus drei Materialien</translation>
+    </message>
+    <message>
+        <source>Change the tooth</source>
+        <translation>Zahn ändern</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Schwankung</translation>
+    </message>
+    <message>
+        <source>average</source>
+        <translation>Durchschnitt</translation>
+    </message>
+    <message>
+        <source>Fineness</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Choose a volume…</source>
+        <translation>Volumen wählen …</translation>
+    </message>
+    <message>
+        <source>Use it</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>No file chosen yet.</source>
+        <translation>Noch keine Datei gewählt.</translation>
+    </message>
+    <message>
+        <source>This tooth cannot be used.</source>
+        <translation>Dieser Zahn ist nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Choose a volume</source>
+        <translation>Volumen wählen</translation>
+    </message>
+    <message>
+        <source>Volumes (*.nrrd)</source>
+        <translation>Volumen (*.nrrd)</translation>
+    </message>
+    <message>
+        <source>Another number grows another tooth of its kind; 0 is the average</source>
+        <translation>Eine andere Zahl lässt einen anderen Zahn dieser Art wachsen; 0 ist der Durchschnitt</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::StartPage</name>
+    <message>
+        <source>Due next</source>
+        <translation>Als Nächstes fällig</translation>
+    </message>
+    <message>
+        <source>Your practice</source>
+        <translation>Ihr Training</translation>
+    </message>
+    <message>
+        <source>No exercise yet</source>
+        <translation>Noch keine Übung</translation>
+    </message>
+    <message>
+        <source>This station has no exercise that can be read. Ask your teacher.</source>
+        <translation>Diese Station hat keine lesbare Übung. Fragen Sie Ihre Lehrkraft.</translation>
+    </message>
+    <message>
+        <source>Next exercise</source>
+        <translation>Nächste Übung</translation>
+    </message>
+    <message>
+        <source>The tooth with its target</source>
+        <translation>Der Zahn mit seinem Ziel</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Als Nächstes</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Fällig</translation>
+    </message>
+    <message>
+        <source>Goes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>%1 of %2 used</source>
+        <translation>%1 von %2 genutzt</translation>
+    </message>
+    <message>
+        <source>Best so far</source>
+        <translation>Bisher bester</translation>
+    </message>
+    <message>
+        <source>%1 of 100</source>
+        <translation>%1 von 100</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>Burrs</source>
+        <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Briefing</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Enter starts</source>
+        <translation>Enter startet</translation>
+    </message>
+    <message>
+        <source>Your exercises</source>
+        <translation>Ihre Übungen</translation>
+    </message>
+    <message>
+        <source>Last result</source>
+        <translation>Letztes Ergebnis</translation>
+    </message>
+    <message>
+        <source>No result yet</source>
+        <translation>Noch kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>After the first go its points and what to do next time stand here.</source>
+        <translation>Nach dem ersten Durchgang stehen hier seine Punkte und was beim nächsten Mal zu tun ist.</translation>
+    </message>
+    <message>
+        <source>of 100</source>
+        <translation>von 100</translation>
+    </message>
+    <message>
+        <source>%1 more than
 your best before</source>
-            <translation>%1 mehr als
+        <translation>%1 mehr als
 Ihr bester davor</translation>
-        </message>
-        <message>
-            <source>the same as
+    </message>
+    <message>
+        <source>the same as
 your best before</source>
-            <translation>so viel wie
+        <translation>so viel wie
 Ihr bester davor</translation>
-        </message>
-        <message>
-            <source>%1 less than
+    </message>
+    <message>
+        <source>%1 less than
 your best before</source>
-            <translation>%1 weniger als
+        <translation>%1 weniger als
 Ihr bester davor</translation>
-        </message>
-        <message>
-            <source>What to do next time</source>
-            <translation>Was beim nächsten Mal zu tun ist</translation>
-        </message>
-        <message>
-            <source>Nothing: every criterion has its full points.</source>
-            <translation>Nichts: jedes Kriterium hat die volle Punktzahl.</translation>
-        </message>
-        <message>
-            <source>Open the report</source>
-            <translation>Bericht öffnen</translation>
-        </message>
-        <message>
-            <source>Time and score</source>
-            <translation>Zeit und Punkte</translation>
-        </message>
-        <message>
-            <source>Nothing to draw yet</source>
-            <translation>Noch nichts zu zeichnen</translation>
-        </message>
-        <message>
-            <source>Each go becomes one point.</source>
-            <translation>Jeder Durchgang wird ein Punkt.</translation>
-        </message>
-        <message numerus="yes">
-            <source>Time earns no points. %1 only, %n go(es).</source>
-            <translation>
-                <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgang.</numerusform>
-                <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgänge.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>From your teacher</source>
-            <translation>Von Ihrer Lehrkraft</translation>
-        </message>
-        <message>
-            <source>on your go of %1</source>
-            <translation>zu Ihrem Durchgang vom %1</translation>
-        </message>
-        <message>
-            <source>Teacher</source>
-            <translation>Lehrkraft</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::StopCard</name>
-        <message>
-            <source>Leave</source>
-            <translation>Verlassen</translation>
-        </message>
-        <message>
-            <source>Go on</source>
-            <translation>Weiter</translation>
-        </message>
-        <message>
-            <source>Paused</source>
-            <translation>Pause</translation>
-        </message>
-        <message>
-            <source>The clock stands still. P goes on.</source>
-            <translation>Die Uhr steht. P macht weiter.</translation>
-        </message>
-        <message>
-            <source>The device does not answer</source>
-            <translation>Das Gerät antwortet nicht</translation>
-        </message>
-        <message>
-            <source>The force is off and the clock stands still. Plug it in again, then go on.</source>
-            <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann weiter.</translation>
-        </message>
-        <message>
-            <source>The device answers again</source>
-            <translation>Das Gerät antwortet wieder</translation>
-        </message>
-        <message>
-            <source>The force is off and the clock stands still. Take it in hand, then go on.</source>
-            <translation>Die Kraft ist aus und die Uhr steht. In die Hand nehmen, dann weiter.</translation>
-        </message>
-        <message>
-            <source>The record cannot be written</source>
-            <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
-        </message>
-        <message>
-            <source>%1 What you drilled so far is safe; make room on the disk, then go on.</source>
-            <translation>%1 Was bisher gebohrt wurde, ist sicher; auf dem Datenträger Platz schaffen, dann weiter.</translation>
-        </message>
-        <message>
-            <source>This computer is too slow for the exercise</source>
-            <translation>Dieser Rechner ist zu langsam für die Übung</translation>
-        </message>
-        <message>
-            <source>The go ends here and is measured as it stands.</source>
-            <translation>Der Durchgang endet hier und wird vermessen, wie er ist.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::TargetView</name>
-        <message>
-            <source>Turn</source>
-            <translation>Drehen</translation>
-        </message>
-        <message>
-            <source>From above</source>
-            <translation>Von oben</translation>
-        </message>
-        <message>
-            <source>Cut out</source>
-            <translation>Ausgeschnitten</translation>
-        </message>
-        <message>
-            <source>Show the tooth as it is when the target is met</source>
-            <translation>Den Zahn zeigen, wie er ist, wenn das Ziel erreicht ist</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Ziel</translation>
-        </message>
-        <message>
-            <source>Leeway</source>
-            <translation>Spielraum</translation>
-        </message>
-        <message>
-            <source>Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn.</source>
-            <translation>Einen Griff ziehen oder mit den Pfeiltasten bewegen; Umschalt bewegt um 0,01 mm. Daneben ziehen dreht.</translation>
-        </message>
-        <message>
-            <source>Middle of the box</source>
-            <translation>Mitte des Kastens</translation>
-        </message>
-        <message>
-            <source>Point %1</source>
-            <translation>Punkt %1</translation>
-        </message>
-        <message>
-            <source>%1 across, %2 along</source>
-            <translation>%1 quer, %2 längs</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Breite</translation>
-        </message>
-        <message>
-            <source>%1 wide</source>
-            <translation>%1 breit</translation>
-        </message>
-        <message>
-            <source>Length</source>
-            <translation>Länge</translation>
-        </message>
-        <message>
-            <source>Depth</source>
-            <translation>Tiefe</translation>
-        </message>
-        <message>
-            <source>%1 deep</source>
-            <translation>%1 tief</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::TissuesForm</name>
-        <message>
-            <source>set for this exercise</source>
-            <translation>für diese Übung gesetzt</translation>
-        </message>
-        <message>
-            <source>usual, not verified</source>
-            <translation>üblich, nicht gesichert</translation>
-        </message>
-        <message>
-            <source>usual, from the published method</source>
-            <translation>üblich, aus dem veröffentlichten Verfahren</translation>
-        </message>
-        <message>
-            <source>usual, by hardness (Chun 2014)</source>
-            <translation>üblich, nach Härte (Chun 2014)</translation>
-        </message>
-        <message>
-            <source>usual, from %1</source>
-            <translation>üblich, aus %1</translation>
-        </message>
-        <message>
-            <source>Handpiece</source>
-            <translation>Handstück</translation>
-        </message>
-        <message>
-            <source>Any: speed is not reckoned</source>
-            <translation>Beliebig: Drehzahl zählt nicht</translation>
-        </message>
-        <message>
-            <source>Turbine</source>
-            <translation>Turbine</translation>
-        </message>
-        <message>
-            <source>Electric</source>
-            <translation>Elektrisch</translation>
-        </message>
-        <message>
-            <source>Slow</source>
-            <translation>Langsam</translation>
-        </message>
-        <message>
-            <source>Burr vibrates in the hand</source>
-            <translation>Bohrer zittert in der Hand</translation>
-        </message>
-        <message>
-            <source>Drilling sound</source>
-            <translation>Bohrgeräusch</translation>
-        </message>
-        <message>
-            <source>Coolant and heat</source>
-            <translation>Kühlung und Wärme</translation>
-        </message>
-        <message>
-            <source>Friction</source>
-            <translation>Reibung</translation>
-        </message>
-        <message>
-            <source>How handpieces give way, tremble and warm a tooth is general knowledge, not verified.</source>
-            <translation>Wie Handstücke nachgeben, zittern und einen Zahn erwärmen, ist Allgemeinwissen, nicht gesichert.</translation>
-        </message>
-        <message>
-            <source>Stiffness of %1</source>
-            <translation>Steifigkeit: %1</translation>
-        </message>
-        <message>
-            <source>Stiffness</source>
-            <translation>Steifigkeit</translation>
-        </message>
-        <message>
-            <source>Removal speed of %1</source>
-            <translation>Abtragsgeschwindigkeit: %1</translation>
-        </message>
-        <message>
-            <source>Removal speed</source>
-            <translation>Abtrag</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ToothView</name>
-        <message>
-            <source>The tooth is drawn where the screen has OpenGL.</source>
-            <translation>Der Zahn erscheint dort, wo der Bildschirm OpenGL hat.</translation>
-        </message>
-        <message>
-            <source>Tooth</source>
-            <translation>Zahn</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::TrimForm</name>
-        <message>
-            <source>Burr, from where a go begins</source>
-            <translation>Bohrer, vom Beginn eines Durchgangs aus</translation>
-        </message>
-        <message>
-            <source>held by the clutch</source>
-            <translation>von der Kupplung gehalten</translation>
-        </message>
-        <message>
-            <source>Of the hand&apos;s way</source>
-            <translation>Vom Weg der Hand</translation>
-        </message>
-        <message>
-            <source>Force: asked over felt</source>
-            <translation>Kraft: verlangt durch gespürt</translation>
-        </message>
-        <message>
-            <source>Top button</source>
-            <translation>Obere Taste</translation>
-        </message>
-        <message>
-            <source>Left button, which then changes no burr</source>
-            <translation>Linke Taste, die dann keinen Bohrer wechselt</translation>
-        </message>
-        <message>
-            <source>Right button, which then changes no burr</source>
-            <translation>Rechte Taste, die dann keinen Bohrer wechselt</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>Keine</translation>
-        </message>
-        <message>
-            <source>Clutch: the grip moves, the burr stays</source>
-            <translation>Kupplung: der Griff geht, der Bohrer bleibt</translation>
-        </message>
-        <message>
-            <source>Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the self-test again after it.</source>
-            <translation>Kraft: 2 N verlangt und 1,6 N an der Federwaage sind 125 %. Vor einer Änderung messen, danach den Selbsttest noch einmal machen.</translation>
-        </message>
-        <message>
-            <source>Undo</source>
-            <translation>Rückgängig</translation>
-        </message>
-        <message>
-            <source>The usual values</source>
-            <translation>Die üblichen Werte</translation>
-        </message>
-        <message>
-            <source>right %1, up %2, nearer %3</source>
-            <translation>rechts %1, oben %2, näher %3</translation>
-        </message>
-        <message>
-            <source>Where the grip stands when a go begins, from the middle of its travel:</source>
-            <translation>Wo der Griff zu Beginn eines Durchgangs steht, von der Mitte seines Weges aus:</translation>
-        </message>
-        <message>
-            <source>Right</source>
-            <translation>Rechts</translation>
-        </message>
-        <message>
-            <source>Up</source>
-            <translation>Oben</translation>
-        </message>
-        <message>
-            <source>Nearer</source>
-            <translation>Näher</translation>
-        </message>
-        <message>
-            <source>As it stands now</source>
-            <translation>Wie er jetzt steht</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::VolumeForm</name>
-        <message>
-            <source>This is a specimen of Cusp’s own: it is taken as it stands.</source>
-            <translation>Das ist ein Volumen von Cusp selbst: Es wird übernommen, wie es ist.</translation>
-        </message>
-        <message>
-            <source>Only the largest piece</source>
-            <translation>Nur das größte Stück</translation>
-        </message>
-        <message>
-            <source>Closed hollows are pulp</source>
-            <translation>Geschlossene Hohlräume sind Pulpa</translation>
-        </message>
-        <message>
-            <source>Leave out</source>
-            <translation>Weglassen</translation>
-        </message>
-        <message>
-            <source>What %1 is made of</source>
-            <translation>Woraus %1 besteht</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n voxel(s)</source>
-            <translation>
-                <numerusform>%n Voxel</numerusform>
-                <numerusform>%n Voxel</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Not used</source>
-            <translation>Nicht benutzt</translation>
-        </message>
-        <message>
-            <source>Tissue of range %1</source>
-            <translation>Gewebe von Bereich %1</translation>
-        </message>
-        <message>
-            <source>Nothing: left out</source>
-            <translation>Nichts: weggelassen</translation>
-        </message>
-        <message>
-            <source>Least value of range %1</source>
-            <translation>Kleinster Wert von Bereich %1</translation>
-        </message>
-        <message>
-            <source>from</source>
-            <translation>ab</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::BurrWords</name>
-        <message>
-            <source>decay</source>
-            <translation>Karies</translation>
-        </message>
-        <message>
-            <source>entry</source>
-            <translation>Eröffnung</translation>
-        </message>
-        <message>
-            <source>undercuts</source>
-            <translation>Unterschnitte</translation>
-        </message>
-        <message>
-            <source>flat floors</source>
-            <translation>ebene Böden</translation>
-        </message>
-        <message>
-            <source>walls</source>
-            <translation>Wände</translation>
-        </message>
-        <message>
-            <source>bulk removal</source>
-            <translation>grober Abtrag</translation>
-        </message>
-        <message>
-            <source>rounded line angles</source>
-            <translation>gerundete Kanten</translation>
-        </message>
-        <message>
-            <source>crowns</source>
-            <translation>Kronen</translation>
-        </message>
-        <message>
-            <source>inlays</source>
-            <translation>Inlays</translation>
-        </message>
-        <message>
-            <source>class I outlines</source>
-            <translation>Umrisse Klasse I</translation>
-        </message>
-        <message>
-            <source>class II outlines</source>
-            <translation>Umrisse Klasse II</translation>
-        </message>
-        <message>
-            <source>class II boxes</source>
-            <translation>Kästen Klasse II</translation>
-        </message>
-        <message>
-            <source>chamfers</source>
-            <translation>Hohlkehlen</translation>
-        </message>
-        <message>
-            <source>shoulders</source>
-            <translation>Stufen</translation>
-        </message>
-        <message>
-            <source>bevels</source>
-            <translation>Abschrägungen</translation>
-        </message>
-        <message>
-            <source>between teeth</source>
-            <translation>zwischen Zähnen</translation>
-        </message>
-        <message>
-            <source>occlusal surfaces</source>
-            <translation>Kauflächen</translation>
-        </message>
-        <message>
-            <source>lingual surfaces</source>
-            <translation>linguale Flächen</translation>
-        </message>
-        <message>
-            <source>Round</source>
-            <translation>Rosenbohrer</translation>
-        </message>
-        <message>
-            <source>Inverted cone</source>
-            <translation>Umgekehrter Kegel</translation>
-        </message>
-        <message>
-            <source>Straight fissure</source>
-            <translation>Fissurenbohrer, zylindrisch</translation>
-        </message>
-        <message>
-            <source>Cross-cut fissure</source>
-            <translation>Fissurenbohrer mit Querhieb</translation>
-        </message>
-        <message>
-            <source>Dome fissure</source>
-            <translation>Fissurenbohrer, rundes Ende</translation>
-        </message>
-        <message>
-            <source>Tapered fissure</source>
-            <translation>Fissurenbohrer, konisch</translation>
-        </message>
-        <message>
-            <source>Cross-cut tapered fissure</source>
-            <translation>Fissurenbohrer, konisch mit Querhieb</translation>
-        </message>
-        <message>
-            <source>Pear</source>
-            <translation>Birne</translation>
-        </message>
-        <message>
-            <source>Long pear</source>
-            <translation>Lange Birne</translation>
-        </message>
-        <message>
-            <source>Round-end taper</source>
-            <translation>Kegel, rundes Ende</translation>
-        </message>
-        <message>
-            <source>Flat-end taper</source>
-            <translation>Kegel, flaches Ende</translation>
-        </message>
-        <message>
-            <source>Flame</source>
-            <translation>Flamme</translation>
-        </message>
-        <message>
-            <source>Football</source>
-            <translation>Ei</translation>
-        </message>
-        <message>
-            <source>Own shape</source>
-            <translation>Eigene Form</translation>
-        </message>
-        <message>
-            <source>round</source>
-            <translation>rund</translation>
-        </message>
-        <message>
-            <source>inverted cone</source>
-            <translation>umgekehrter Kegel</translation>
-        </message>
-        <message>
-            <source>straight fissure</source>
-            <translation>Fissur zylindrisch</translation>
-        </message>
-        <message>
-            <source>cross-cut fissure</source>
-            <translation>Fissur mit Querhieb</translation>
-        </message>
-        <message>
-            <source>dome fissure</source>
-            <translation>Fissur rund</translation>
-        </message>
-        <message>
-            <source>tapered fissure</source>
-            <translation>Fissur konisch</translation>
-        </message>
-        <message>
-            <source>cross-cut tapered fissure</source>
-            <translation>Fissur konisch mit Querhieb</translation>
-        </message>
-        <message>
-            <source>pear</source>
-            <translation>Birne</translation>
-        </message>
-        <message>
-            <source>long pear</source>
-            <translation>lange Birne</translation>
-        </message>
-        <message>
-            <source>round-end taper</source>
-            <translation>Kegel rund</translation>
-        </message>
-        <message>
-            <source>flat-end taper</source>
-            <translation>Kegel flach</translation>
-        </message>
-        <message>
-            <source>flame</source>
-            <translation>Flamme</translation>
-        </message>
-        <message>
-            <source>football</source>
-            <translation>Ei</translation>
-        </message>
-        <message>
-            <source>own shape</source>
-            <translation>eigene Form</translation>
-        </message>
-        <message>
-            <source>, </source>
-            <translation>, </translation>
-        </message>
-        <message>
-            <source>%1, %2, %3</source>
-            <extracomment>Number of a burr, its shape, its diameter.</extracomment>
-            <translation>%1, %2, %3</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::WordsForm</name>
-        <message>
-            <source>Title, English</source>
-            <translation>Titel, Englisch</translation>
-        </message>
-        <message>
-            <source>Title, German</source>
-            <translation>Titel, Deutsch</translation>
-        </message>
-        <message>
-            <source>Briefing, English</source>
-            <translation>Aufgabe, Englisch</translation>
-        </message>
-        <message>
-            <source>Briefing, German</source>
-            <translation>Aufgabe, Deutsch</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ToothForm</name>
-        <message>
-            <source>Central pit</source>
-            <translation>Zentrale Grube</translation>
-        </message>
-        <message>
-            <source>Mesial pit</source>
-            <translation>Mesiale Grube</translation>
-        </message>
-        <message>
-            <source>Distal pit</source>
-            <translation>Distale Grube</translation>
-        </message>
-        <message>
-            <source>Mesial</source>
-            <translation>Mesial</translation>
-        </message>
-        <message>
-            <source>Distal</source>
-            <translation>Distal</translation>
-        </message>
-        <message>
-            <source>Buccal</source>
-            <translation>Bukkal</translation>
-        </message>
-        <message>
-            <source>Lingual</source>
-            <translation>Lingual</translation>
-        </message>
-        <message>
-            <source>Plastic, as a training model</source>
-            <translation>Kunststoff zum Üben</translation>
-        </message>
-        <message>
-            <source>Round the tooth</source>
-            <translation>Um den Zahn</translation>
-        </message>
-        <message>
-            <source>Neighbouring teeth</source>
-            <translation>Nachbarzähne</translation>
-        </message>
-        <message>
-            <source>Gums</source>
-            <translation>Zahnfleisch</translation>
-        </message>
-        <message>
-            <source>Bone</source>
-            <translation>Knochen</translation>
-        </message>
-        <message>
-            <source>The rest of the jaw</source>
-            <translation>Der übrige Kiefer</translation>
-        </message>
-        <message>
-            <source>To look at: only the tooth, its neighbours and what lies about them can be drilled</source>
-            <translation>Zum Ansehen: Gebohrt werden nur der Zahn, seine Nachbarn und was um sie liegt</translation>
-        </message>
-        <message>
-            <source>Decay</source>
-            <translation>Karies</translation>
-        </message>
-        <message>
-            <source>Add decay</source>
-            <translation>Karies hinzufügen</translation>
-        </message>
-        <message>
-            <source>How decay spreads, and how gums and bone lie, is general knowledge, not verified.</source>
-            <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
-        </message>
-        <message>
-            <source>In a fissure</source>
-            <translation>In einer Fissur</translation>
-        </message>
-        <message>
-            <source>Between teeth</source>
-            <translation>Zwischen Zähnen</translation>
-        </message>
-        <message>
-            <source>On the root</source>
-            <translation>An der Wurzel</translation>
-        </message>
-        <message>
-            <source>Kind of decay %1</source>
-            <translation>Art der Karies %1</translation>
-        </message>
-        <message>
-            <source>Place of decay %1</source>
-            <translation>Ort der Karies %1</translation>
-        </message>
-        <message>
-            <source>Remove decay %1</source>
-            <translation>Karies %1 entfernen</translation>
-        </message>
-        <message>
-            <source>Width of decay %1</source>
-            <translation>Breite der Karies %1</translation>
-        </message>
-        <message>
-            <source>Width</source>
-            <translation>Breite</translation>
-        </message>
-        <message>
-            <source>Depth of decay %1</source>
-            <translation>Tiefe der Karies %1</translation>
-        </message>
-        <message>
-            <source>Depth</source>
-            <translation>Tiefe</translation>
-        </message>
-        <message>
-            <source>Softness of decay %1</source>
-            <translation>Weichheit der Karies %1</translation>
-        </message>
-        <message>
-            <source>How far from its middle to its rim decay is soft; the rest is firm</source>
-            <translation>Wie weit die Karies von der Mitte zum Rand weich ist; der Rest ist fest</translation>
-        </message>
-        <message>
-            <source>Soft</source>
-            <translation>Weich</translation>
-        </message>
-        <message>
-            <source>Depth in dentine</source>
-            <translation>Tiefe im Dentin</translation>
-        </message>
-    </context>
-    <context>
-        <name>PedalWords</name>
-        <message>
-            <source>space bar</source>
-            <translation>Leertaste</translation>
-        </message>
-        <message>
-            <source>Rudder</source>
-            <translation>Seitenruder</translation>
-        </message>
-        <message>
-            <source>Throttle</source>
-            <translation>Schubhebel</translation>
-        </message>
-        <message>
-            <source>Accelerator</source>
-            <translation>Gaspedal</translation>
-        </message>
-        <message>
-            <source>Brake</source>
-            <translation>Bremse</translation>
-        </message>
-        <message>
-            <source>Clutch</source>
-            <translation>Kupplung</translation>
-        </message>
-        <message>
-            <source>Axis %1</source>
-            <translation>Achse %1</translation>
-        </message>
-        <message>
-            <source>Switch %1</source>
-            <translation>Schalter %1</translation>
-        </message>
-        <message>
-            <source>Key %1</source>
-            <translation>Taste %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Audit</name>
-        <message>
-            <source>Neighbouring teeth</source>
-            <translation>Nachbarzähne</translation>
-        </message>
-        <message>
-            <source>The rest of the jaw</source>
-            <translation>Der übrige Kiefer</translation>
-        </message>
-        <message>
-            <source>Voxels of %1</source>
-            <translation>Voxel von %1</translation>
-        </message>
-        <message>
-            <source>Half the band</source>
-            <translation>Halbes Band</translation>
-        </message>
-        <message>
-            <source>Only near the target</source>
-            <translation>Nur nahe am Ziel</translation>
-        </message>
-        <message>
-            <source>%1 left out</source>
-            <translation>%1 weggelassen</translation>
-        </message>
-        <message>
-            <source>Friction left out</source>
-            <translation>Reibung weggelassen</translation>
-        </message>
-        <message>
-            <source>Handpiece left out</source>
-            <translation>Handstück weggelassen</translation>
-        </message>
-        <message>
-            <source>Vibration left out</source>
-            <translation>Vibration weggelassen</translation>
-        </message>
-        <message>
-            <source>Heat left out</source>
-            <translation>Wärme weggelassen</translation>
-        </message>
-        <message>
-            <source>Tilting of the handpiece left out</source>
-            <translation>Kippen des Handstücks weggelassen</translation>
-        </message>
-        <message>
-            <source>needed</source>
-            <translation>nötig</translation>
-        </message>
-        <message>
-            <source>not needed</source>
-            <translation>nicht nötig</translation>
-        </message>
-        <message>
-            <source>same score</source>
-            <translation>gleiche Punkte</translation>
-        </message>
-        <message>
-            <source>cannot be played</source>
-            <translation>nicht spielbar</translation>
-        </message>
-        <message>
-            <source>too coarse</source>
-            <translation>zu grob</translation>
-        </message>
-        <message>
-            <source>Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every size that was tried.</source>
-            <translation>Halb so große Voxel ändern ein Ergebnis um %1 Punkte, mehr als die %2, die die Übung zulässt; so war es bei jeder geprüften Größe.</translation>
-        </message>
-        <message>
-            <source>Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).</source>
-            <translation>Nichts kann wegbleiben: Die Übung ist so schlank, wie es ihre Punkte zulassen (auf %1 Punkte).</translation>
-        </message>
-        <message>
-            <source>The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.</source>
-            <translation>Die Auflösung war für die Punkte zu grob; nun ändern halb so große Voxel kein Ergebnis um mehr als %1 Punkte: %2.</translation>
-        </message>
-        <message>
-            <source>Every go keeps its score within %1 points: %2.</source>
-            <translation>Jeder Durchgang behält seine Punkte auf %1 Punkte genau: %2.</translation>
-        </message>
-        <message>
-            <source>An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.</source>
-            <translation>Ein Schritt braucht %1 µs statt %2, der Zahn %3 MB statt %4.</translation>
-        </message>
-        <message>
-            <source>Single goes part by chance: over %1 goes of each hand, half the voxels change the mean score by %2 ± %3 points.</source>
-            <translation>Einzelne Durchgänge weichen zufällig voneinander ab: Über je %1 Durchgänge ändern halb so große Voxel die Punkte im Mittel um %2 ± %3.</translation>
-        </message>
-        <message>
-            <source>One thing after another was tried: a leaner set may exist.</source>
-            <translation>Geprüft wurde eins nach dem anderen: Vielleicht geht es noch schlanker.</translation>
-        </message>
-        <message>
-            <source>The audit was stopped.</source>
-            <translation>Die Prüfung wurde angehalten.</translation>
-        </message>
-        <message>
-            <source>Nothing was changed.</source>
-            <translation>Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>The exercise cannot be played as it stands (%1).</source>
-            <translation>So wie sie ist, lässt sich die Übung nicht spielen (%1).</translation>
-        </message>
-        <message>
-            <source>Look at its checks first.</source>
-            <translation>Sehen Sie zuerst nach ihren Prüfungen.</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::AuditPage</name>
-        <message>
-            <source>Audit</source>
-            <translation>Aufwand</translation>
-        </message>
-        <message>
-            <source>What this exercise costs</source>
-            <translation>Was diese Übung kostet</translation>
-        </message>
-        <message>
-            <source>Scripted hands play it with each choice left out or halved. That takes some minutes; you can go on working meanwhile.</source>
-            <translation>Automatische Hände spielen sie, wobei jede Wahl einmal wegbleibt oder halbiert wird. Das dauert einige Minuten; Sie können inzwischen weiterarbeiten.</translation>
-        </message>
-        <message>
-            <source>Measure</source>
-            <translation>Messen</translation>
-        </message>
-        <message>
-            <source>µs: of each update of 1 ms, more or less than now. Score: the largest change of a go.</source>
-            <translation>µs: von jedem Schritt zu 1 ms, mehr oder weniger als jetzt. Punkte: die größte Änderung eines Durchgangs.</translation>
-        </message>
-        <message>
-            <source>Leanest that marks the same</source>
-            <translation>Das Schlankste mit gleichen Punkten</translation>
-        </message>
-        <message>
-            <source>Use the leanest</source>
-            <translation>Das Schlankste nehmen</translation>
-        </message>
-        <message>
-            <source>Measuring</source>
-            <translation>Wird gemessen</translation>
-        </message>
-        <message>
-            <source>Leanest model</source>
-            <translation>Schlankstes Modell</translation>
-        </message>
-        <message numerus="yes">
-            <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
-            <translation>
-                <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgang.</numerusform>
-                <numerusform>Jede Wahl blieb einmal weg oder wurde halbiert, mit je %n automatischen Durchgängen.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>The exercise was changed since this was measured.</source>
-            <translation>Die Übung wurde seit dieser Messung geändert.</translation>
-        </message>
-        <message>
-            <source>Choice</source>
-            <translation>Wahl</translation>
-        </message>
-        <message>
-            <source>µs</source>
-            <translation>µs</translation>
-        </message>
-        <message>
-            <source>MB</source>
-            <translation>MB</translation>
-        </message>
-        <message>
-            <source>Score</source>
-            <translation>Punkte</translation>
-        </message>
-        <message>
-            <source>%1: microseconds</source>
-            <translation>%1: Mikrosekunden</translation>
-        </message>
-        <message>
-            <source>%1: megabytes</source>
-            <translation>%1: Megabyte</translation>
-        </message>
-        <message>
-            <source>%1: change of the score</source>
-            <translation>%1: Änderung der Punkte</translation>
-        </message>
-        <message>
-            <source>As it is set</source>
-            <translation>Wie eingestellt</translation>
-        </message>
-        <message>
-            <source>for comparison</source>
-            <translation>zum Vergleich</translation>
-        </message>
-        <message>
-            <source>needed</source>
-            <translation>nötig</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::DevicePage</name>
-        <message>
-            <source>Device</source>
-            <translation>Gerät</translation>
-        </message>
-        <message>
-            <source>Check it before you drill</source>
-            <translation>Vor dem Bohren prüfen</translation>
-        </message>
-        <message>
-            <source>What you drill with</source>
-            <translation>Womit gebohrt wird</translation>
-        </message>
-        <message>
-            <source>No Falcon is plugged in. One that is plugged in appears here by itself.</source>
-            <translation>Kein Falcon ist angeschlossen. Sobald einer angeschlossen wird, erscheint er hier von selbst.</translation>
-        </message>
-        <message>
-            <source>Firmware of the Falcon</source>
-            <translation>Firmware des Falcon</translation>
-        </message>
-        <message>
-            <source>A Falcon forgets its firmware when its power is off. Cusp has none: the maker’s licence does not allow it. Name the file that the maker’s software brought to this computer; that licence holds for its use.</source>
-            <translation>Ein Falcon vergisst seine Firmware, wenn er keinen Strom hat. Cusp bringt keine mit: Die Lizenz des Herstellers erlaubt es nicht. Nennen Sie die Datei, die mit der Software des Herstellers auf diesen Rechner kam; für sie gilt deren Lizenz.</translation>
-        </message>
-        <message>
-            <source>Name the file…</source>
-            <translation>Datei nennen …</translation>
-        </message>
-        <message>
-            <source>Foot pedal</source>
-            <translation>Fußpedal</translation>
-        </message>
-        <message>
-            <source>SpaceMouse</source>
-            <translation>SpaceMouse</translation>
-        </message>
-        <message>
-            <source>not plugged in</source>
-            <translation>nicht angeschlossen</translation>
-        </message>
-        <message>
-            <source>not permitted</source>
-            <translation>nicht erlaubt</translation>
-        </message>
-        <message>
-            <source>plugged in</source>
-            <translation>angeschlossen</translation>
-        </message>
-        <message>
-            <source>Socket %1</source>
-            <translation>Anschluss %1</translation>
-        </message>
-        <message>
-            <source>No file is named.</source>
-            <translation>Keine Datei ist genannt.</translation>
-        </message>
-        <message>
-            <source>%1, SHA-256 %2…</source>
-            <translation>%1, SHA-256 %2 …</translation>
-        </message>
-        <message>
-            <source>Firmware (*.bin *.BIN)</source>
-            <translation>Firmware (*.bin *.BIN)</translation>
-        </message>
-        <message>
-            <source>The file is sound and will be used.</source>
-            <translation>Die Datei ist in Ordnung und wird verwendet.</translation>
-        </message>
-        <message>
-            <source>Looking at what is plugged in.</source>
-            <translation>Es wird nachgesehen, was angeschlossen ist.</translation>
-        </message>
-        <message>
-            <source>looking</source>
-            <translation>wird gesucht</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Falcon</name>
-        <message>
-            <source>Looking for it</source>
-            <translation>Wird gesucht</translation>
-        </message>
-        <message>
-            <source>Asking whether its firmware runs</source>
-            <translation>Läuft seine Firmware schon?</translation>
-        </message>
-        <message>
-            <source>It needs its firmware file</source>
-            <translation>Er braucht seine Firmware-Datei</translation>
-        </message>
-        <message>
-            <source>Waking its loader</source>
-            <translation>Sein Lader wird geweckt</translation>
-        </message>
-        <message>
-            <source>Loading its firmware, %1</source>
-            <translation>Seine Firmware wird geladen, %1</translation>
-        </message>
-        <message>
-            <source>Finding its middle</source>
-            <translation>Er sucht seine Mitte</translation>
-        </message>
-        <message>
-            <source>Ready</source>
-            <translation>Bereit</translation>
-        </message>
-        <message>
-            <source>No answer, force off</source>
-            <translation>Keine Antwort, Kraft aus</translation>
-        </message>
-        <message>
-            <source>Ten attempts failed; it is tried again</source>
-            <translation>Zehn Versuche misslangen; es geht weiter</translation>
-        </message>
-        <message>
-            <source>All three arms know their place.</source>
-            <translation>Alle drei Arme kennen ihren Ort.</translation>
-        </message>
-        <message>
-            <source>Pull the grip all the way out, then push it all the way in. Do it slowly, until all three arms are filled.</source>
-            <translation>Den Griff ganz herausziehen, dann ganz hineinschieben. Langsam, bis alle drei Arme gefüllt sind.</translation>
-        </message>
-        <message>
-            <source>The Falcon needs its firmware file.</source>
-            <translation>Der Falcon braucht seine Firmware-Datei.</translation>
-        </message>
-        <message>
-            <source>Staff can name the file on the Device page, under Firmware.</source>
-            <translation>Das Personal nennt die Datei auf der Seite Gerät unter Firmware.</translation>
-        </message>
-        <message>
-            <source>The firmware file is not the one that was named.</source>
-            <translation>Die Firmware-Datei ist nicht mehr die genannte.</translation>
-        </message>
-        <message>
-            <source>%1 has changed since. Name it again if that was meant.</source>
-            <translation>%1 hat sich seitdem geändert. War das gewollt, nennen Sie die Datei noch einmal.</translation>
-        </message>
-        <message>
-            <source>The firmware file cannot be used.</source>
-            <translation>Die Firmware-Datei ist nicht brauchbar.</translation>
-        </message>
-        <message>
-            <source>Look at %1, or name another one.</source>
-            <translation>Sehen Sie %1 nach, oder nennen Sie eine andere.</translation>
-        </message>
-        <message>
-            <source>The Falcon is plugged in and does not answer.</source>
-            <translation>Der Falcon ist angeschlossen und antwortet nicht.</translation>
-        </message>
-        <message>
-            <source>Most often its power adapter is off. Plug the adapter in, then try again.</source>
-            <translation>Meist hat sein Netzteil keinen Strom. Netzteil einstecken, dann noch einmal.</translation>
-        </message>
-        <message>
-            <source>The Falcon did not start.</source>
-            <translation>Der Falcon lief nicht an.</translation>
-        </message>
-        <message>
-            <source>Pull its power plug, wait five seconds, put it in, and try again. (%1)</source>
-            <translation>Netzstecker ziehen, fünf Sekunden warten, einstecken, noch einmal. (%1)</translation>
-        </message>
-        <message>
-            <source>This is no firmware of a Falcon.</source>
-            <translation>Das ist keine Firmware eines Falcon.</translation>
-        </message>
-        <message>
-            <source>The file that was named before is kept.</source>
-            <translation>Die vorher genannte Datei bleibt.</translation>
-        </message>
-        <message>
-            <source>The file cannot be read.</source>
-            <translation>Die Datei ist nicht lesbar.</translation>
-        </message>
-        <message>
-            <source>It is too small.</source>
-            <translation>Sie ist zu klein.</translation>
-        </message>
-        <message>
-            <source>It is too large.</source>
-            <translation>Sie ist zu groß.</translation>
-        </message>
-        <message>
-            <source>It breaks off.</source>
-            <translation>Sie bricht ab.</translation>
-        </message>
-        <message>
-            <source>It is built in another way.</source>
-            <translation>Sie ist anders aufgebaut.</translation>
-        </message>
-        <message>
-            <source>Stopped. Nothing was changed.</source>
-            <translation>Angehalten. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>The Falcon stopped answering. Nothing was changed.</source>
-            <translation>Der Falcon antwortete nicht mehr. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>The grip moved too fast, so the force was switched off. Nothing was changed.</source>
-            <translation>Der Griff bewegte sich zu schnell; die Kraft wurde abgeschaltet. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>The grip was held, or came to the end of its travel. Nothing was changed.</source>
-            <translation>Der Griff wurde festgehalten oder kam ans Ende seines Weges. Nichts wurde geändert.</translation>
-        </message>
-        <message>
-            <source>Emulated Falcon, driven by mouse</source>
-            <translation>Nachgebildeter Falcon, mit der Maus geführt</translation>
-        </message>
-        <message>
-            <source>It pushes to the right</source>
-            <translation>Er drückt nach rechts</translation>
-        </message>
-        <message>
-            <source>It pushes to the left</source>
-            <translation>Er drückt nach links</translation>
-        </message>
-        <message>
-            <source>It pushes up</source>
-            <translation>Er drückt nach oben</translation>
-        </message>
-        <message>
-            <source>It pushes down</source>
-            <translation>Er drückt nach unten</translation>
-        </message>
-        <message>
-            <source>It pushes towards you</source>
-            <translation>Er drückt zu Ihnen hin</translation>
-        </message>
-        <message>
-            <source>It pushes away from you</source>
-            <translation>Er drückt von Ihnen weg</translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::FalconPanel</name>
-        <message>
-            <source>Try again</source>
-            <translation>Noch einmal</translation>
-        </message>
-        <message>
-            <source>Homing</source>
-            <translation>Mitte finden</translation>
-        </message>
-        <message>
-            <source>Now</source>
-            <translation>Jetzt</translation>
-        </message>
-        <message>
-            <source>Tests</source>
-            <translation>Prüfungen</translation>
-        </message>
-        <message>
-            <source>Feel the force</source>
-            <translation>Kraft fühlen</translation>
-        </message>
-        <message>
-            <source>Self-test</source>
-            <translation>Selbsttest</translation>
-        </message>
-        <message>
-            <source>Weigh the grip</source>
-            <translation>Griff wiegen</translation>
-        </message>
-        <message>
-            <source>Stop</source>
-            <translation>Anhalten</translation>
-        </message>
-        <message>
-            <source>Save the report…</source>
-            <translation>Bericht sichern …</translation>
-        </message>
-        <message>
-            <source>Measuring, direction %1 of 3. Keep your hand off.</source>
-            <translation>Richtung %1 von 3 wird gemessen. Hand weg.</translation>
-        </message>
-        <message>
-            <source>Weighing, place %1 of %2. Keep your hand off.</source>
-            <translation>Ort %1 von %2 wird gewogen. Hand weg.</translation>
-        </message>
-        <message>
-            <source>Hold the grip loosely</source>
-            <translation>Den Griff locker halten</translation>
-        </message>
-        <message>
-            <source>It pushes six ways, one after the other, up to %1. Letting go switches it off.</source>
-            <translation>Er drückt nacheinander in sechs Richtungen, bis zu %1. Loslassen schaltet ab.</translation>
-        </message>
-        <message>
-            <source>Push</source>
-            <translation>Drücken</translation>
-        </message>
-        <message>
-            <source>Let go of the grip</source>
-            <translation>Den Griff loslassen</translation>
-        </message>
-        <message>
-            <source>For half a minute it moves by itself, a centimetre each way. Nobody may touch it, and nothing may stand in its way.</source>
-            <translation>Eine halbe Minute lang bewegt er sich selbst, einen Zentimeter in jede Richtung. Niemand darf ihn berühren, und nichts darf im Weg stehen.</translation>
-        </message>
-        <message>
-            <source>Measure</source>
-            <translation>Messen</translation>
-        </message>
-        <message>
-            <source>Stand it upright and let go of the grip</source>
-            <translation>Aufrecht hinstellen und den Griff loslassen</translation>
-        </message>
-        <message>
-            <source>It holds the grip at nine places, for half a minute. From then on it carries its own weight.</source>
-            <translation>Er hält den Griff an neun Orten, eine halbe Minute lang. Danach trägt er sein Gewicht selbst.</translation>
-        </message>
-        <message>
-            <source>Weigh</source>
-            <translation>Wiegen</translation>
-        </message>
-        <message>
-            <source>All six ways were pushed. Tell the staff if one of them felt wrong.</source>
-            <translation>In alle sechs Richtungen wurde gedrückt. Fühlte sich eine falsch an, sagen Sie es dem Personal.</translation>
-        </message>
-        <message>
-            <source>No weight fits what was held. Stand it upright, keep hands off, and weigh again.</source>
-            <translation>Kein Gewicht passt zu dem, was gehalten wurde. Aufrecht hinstellen, Hände weg, noch einmal wiegen.</translation>
-        </message>
-        <message>
-            <source>The grip weighs %1. From the next go on it carries itself.</source>
-            <translation>Der Griff wiegt %1. Vom nächsten Durchgang an trägt er sich selbst.</translation>
-        </message>
-        <message>
-            <source>The grip weighs %1. Nothing is kept of an emulated one.</source>
-            <translation>Der Griff wiegt %1. Von einem nachgebildeten wird nichts aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>It moved too little to be measured. Is something in its way? The report has what there is.</source>
-            <translation>Er bewegte sich zu wenig, um ihn zu messen. Ist etwas im Weg? Im Bericht steht, was da ist.</translation>
-        </message>
-        <message>
-            <source>Damping %1, friction %2, delay %3, step %4. Exercises may be as stiff as %5 (before: %6).</source>
-            <translation>Dämpfung %1, Reibung %2, Verzug %3, Schritt %4. Übungen dürfen bis %5 steif sein (vorher: %6).</translation>
-        </message>
-        <message>
-            <source>Nothing is kept of an emulated one.</source>
-            <translation>Von einem nachgebildeten wird nichts aufbewahrt.</translation>
-        </message>
-        <message>
-            <source>Not measured yet: damping and delay are assumed, and exercises are no stiffer than %1.</source>
-            <translation>Noch nicht gemessen: Dämpfung und Verzug sind angenommen, und Übungen sind höchstens %1 steif.</translation>
-        </message>
-        <message>
-            <source>Measured %1: exercises are no stiffer than %2.</source>
-            <translation>Gemessen %1: Übungen sind höchstens %2 steif.</translation>
-        </message>
-        <message>
-            <source>Save the report</source>
-            <translation>Bericht sichern</translation>
-        </message>
-        <message>
-            <source>Report (*.json)</source>
-            <translation>Bericht (*.json)</translation>
-        </message>
-        <message>
-            <source>The report lies at %1.</source>
-            <translation>Der Bericht liegt unter %1.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be written.</source>
-            <translation>%1 ist nicht beschreibbar.</translation>
-        </message>
-        <message>
-            <source>How the grip leads the burr</source>
-            <translation>Wie der Griff den Bohrer führt</translation>
-        </message>
-    </context>
+    </message>
+    <message>
+        <source>What to do next time</source>
+        <translation>Was beim nächsten Mal zu tun ist</translation>
+    </message>
+    <message>
+        <source>Nothing: every criterion has its full points.</source>
+        <translation>Nichts: jedes Kriterium hat die volle Punktzahl.</translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Time and score</source>
+        <translation>Zeit und Punkte</translation>
+    </message>
+    <message>
+        <source>Nothing to draw yet</source>
+        <translation>Noch nichts zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Each go becomes one point.</source>
+        <translation>Jeder Durchgang wird ein Punkt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Time earns no points. %1 only, %n go(es).</source>
+        <translation>
+            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgang.</numerusform>
+            <numerusform>Zeit bringt keine Punkte. Nur %1, %n Durchgänge.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From your teacher</source>
+        <translation>Von Ihrer Lehrkraft</translation>
+    </message>
+    <message>
+        <source>on your go of %1</source>
+        <translation>zu Ihrem Durchgang vom %1</translation>
+    </message>
+    <message>
+        <source>Teacher</source>
+        <translation>Lehrkraft</translation>
+    </message>
+    <message>
+        <source>Every attempt is kept, also one that broke off.</source>
+        <translation>Jeder Durchgang wird aufbewahrt, auch ein abgebrochener.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::StopCard</name>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>The clock stands still. P goes on.</source>
+        <translation>Die Uhr steht. P macht weiter.</translation>
+    </message>
+    <message>
+        <source>The device does not answer</source>
+        <translation>Das Gerät antwortet nicht</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Plug it in again, then go on.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. Wieder anschließen, dann weiter.</translation>
+    </message>
+    <message>
+        <source>The device answers again</source>
+        <translation>Das Gerät antwortet wieder</translation>
+    </message>
+    <message>
+        <source>The force is off and the clock stands still. Take it in hand, then go on.</source>
+        <translation>Die Kraft ist aus und die Uhr steht. In die Hand nehmen, dann weiter.</translation>
+    </message>
+    <message>
+        <source>The record cannot be written</source>
+        <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1 What you drilled so far is safe; make room on the disk, then go on.</source>
+        <translation>%1 Was bisher gebohrt wurde, ist sicher; auf dem Datenträger Platz schaffen, dann weiter.</translation>
+    </message>
+    <message>
+        <source>This computer is too slow for the exercise</source>
+        <translation>Dieser Rechner ist zu langsam für die Übung</translation>
+    </message>
+    <message>
+        <source>The go ends here and is measured as it stands.</source>
+        <translation>Der Durchgang endet hier und wird vermessen, wie er ist.</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::TargetView</name>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Cut out</source>
+        <translation>Ausgeschnitten</translation>
+    </message>
+    <message>
+        <source>Show the tooth as it is when the target is met</source>
+        <translation>Den Zahn zeigen, wie er ist, wenn das Ziel erreicht ist</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Leeway</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>Drag a handle, or move it with the arrow keys; Shift moves by 0.01 mm. Drag elsewhere to turn.</source>
+        <translation>Einen Griff ziehen oder mit den Pfeiltasten bewegen; Umschalt bewegt um 0,01 mm. Daneben ziehen dreht.</translation>
+    </message>
+    <message>
+        <source>Middle of the box</source>
+        <translation>Mitte des Kastens</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>%1 across, %2 along</source>
+        <translation>%1 quer, %2 längs</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>%1 wide</source>
+        <translation>%1 breit</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 deep</source>
+        <translation>%1 tief</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::TissuesForm</name>
+    <message>
+        <source>set for this exercise</source>
+        <translation>für diese Übung gesetzt</translation>
+    </message>
+    <message>
+        <source>usual, not verified</source>
+        <translation>üblich, nicht gesichert</translation>
+    </message>
+    <message>
+        <source>usual, from the published method</source>
+        <translation>üblich, aus dem veröffentlichten Verfahren</translation>
+    </message>
+    <message>
+        <source>usual, by hardness (Chun 2014)</source>
+        <translation>üblich, nach Härte (Chun 2014)</translation>
+    </message>
+    <message>
+        <source>usual, from %1</source>
+        <translation>üblich, aus %1</translation>
+    </message>
+    <message>
+        <source>Handpiece</source>
+        <translation>Handstück</translation>
+    </message>
+    <message>
+        <source>Any: speed is not reckoned</source>
+        <translation>Beliebig: Drehzahl zählt nicht</translation>
+    </message>
+    <message>
+        <source>Turbine</source>
+        <translation>Turbine</translation>
+    </message>
+    <message>
+        <source>Electric</source>
+        <translation>Elektrisch</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>Langsam</translation>
+    </message>
+    <message>
+        <source>Burr vibrates in the hand</source>
+        <translation>Bohrer zittert in der Hand</translation>
+    </message>
+    <message>
+        <source>Drilling sound</source>
+        <translation>Bohrgeräusch</translation>
+    </message>
+    <message>
+        <source>Coolant and heat</source>
+        <translation>Kühlung und Wärme</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>How handpieces give way, tremble and warm a tooth is general knowledge, not verified.</source>
+        <translation>Wie Handstücke nachgeben, zittern und einen Zahn erwärmen, ist Allgemeinwissen, nicht gesichert.</translation>
+    </message>
+    <message>
+        <source>Stiffness of %1</source>
+        <translation>Steifigkeit: %1</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Removal speed of %1</source>
+        <translation>Abtragsgeschwindigkeit: %1</translation>
+    </message>
+    <message>
+        <source>Removal speed</source>
+        <translation>Abtrag</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ToothForm</name>
+    <message>
+        <source>Central pit</source>
+        <translation>Zentrale Grube</translation>
+    </message>
+    <message>
+        <source>Mesial pit</source>
+        <translation>Mesiale Grube</translation>
+    </message>
+    <message>
+        <source>Distal pit</source>
+        <translation>Distale Grube</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>Mesial</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>Distal</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>Bukkal</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>Lingual</translation>
+    </message>
+    <message>
+        <source>Plastic, as a training model</source>
+        <translation>Kunststoff zum Üben</translation>
+    </message>
+    <message>
+        <source>Round the tooth</source>
+        <translation>Um den Zahn</translation>
+    </message>
+    <message>
+        <source>Neighbouring teeth</source>
+        <translation>Nachbarzähne</translation>
+    </message>
+    <message>
+        <source>Gums</source>
+        <translation>Zahnfleisch</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>The rest of the jaw</source>
+        <translation>Der übrige Kiefer</translation>
+    </message>
+    <message>
+        <source>To look at: only the tooth, its neighbours and what lies about them can be drilled</source>
+        <translation>Zum Ansehen: Gebohrt werden nur der Zahn, seine Nachbarn und was um sie liegt</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>Karies</translation>
+    </message>
+    <message>
+        <source>Add decay</source>
+        <translation>Karies hinzufügen</translation>
+    </message>
+    <message>
+        <source>How decay spreads, and how gums and bone lie, is general knowledge, not verified.</source>
+        <translation>Wie Karies sich ausbreitet und wie Zahnfleisch und Knochen liegen, ist allgemeines Wissen, nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>In a fissure</source>
+        <translation>In einer Fissur</translation>
+    </message>
+    <message>
+        <source>Between teeth</source>
+        <translation>Zwischen Zähnen</translation>
+    </message>
+    <message>
+        <source>On the root</source>
+        <translation>An der Wurzel</translation>
+    </message>
+    <message>
+        <source>Kind of decay %1</source>
+        <translation>Art der Karies %1</translation>
+    </message>
+    <message>
+        <source>Place of decay %1</source>
+        <translation>Ort der Karies %1</translation>
+    </message>
+    <message>
+        <source>Remove decay %1</source>
+        <translation>Karies %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Width of decay %1</source>
+        <translation>Breite der Karies %1</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Depth of decay %1</source>
+        <translation>Tiefe der Karies %1</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Softness of decay %1</source>
+        <translation>Weichheit der Karies %1</translation>
+    </message>
+    <message>
+        <source>How far from its middle to its rim decay is soft; the rest is firm</source>
+        <translation>Wie weit die Karies von der Mitte zum Rand weich ist; der Rest ist fest</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>Depth in dentine</source>
+        <translation>Tiefe im Dentin</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ToothView</name>
+    <message>
+        <source>The tooth is drawn where the screen has OpenGL.</source>
+        <translation>Der Zahn erscheint dort, wo der Bildschirm OpenGL hat.</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>Zahn</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::TrimForm</name>
+    <message>
+        <source>Burr, from where a go begins</source>
+        <translation>Bohrer, vom Beginn eines Durchgangs aus</translation>
+    </message>
+    <message>
+        <source>held by the clutch</source>
+        <translation>von der Kupplung gehalten</translation>
+    </message>
+    <message>
+        <source>Of the hand&apos;s way</source>
+        <translation>Vom Weg der Hand</translation>
+    </message>
+    <message>
+        <source>Force: asked over felt</source>
+        <translation>Kraft: verlangt durch gespürt</translation>
+    </message>
+    <message>
+        <source>Top button</source>
+        <translation>Obere Taste</translation>
+    </message>
+    <message>
+        <source>Left button, which then changes no burr</source>
+        <translation>Linke Taste, die dann keinen Bohrer wechselt</translation>
+    </message>
+    <message>
+        <source>Right button, which then changes no burr</source>
+        <translation>Rechte Taste, die dann keinen Bohrer wechselt</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Clutch: the grip moves, the burr stays</source>
+        <translation>Kupplung: der Griff geht, der Bohrer bleibt</translation>
+    </message>
+    <message>
+        <source>Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the self-test again after it.</source>
+        <translation>Kraft: 2 N verlangt und 1,6 N an der Federwaage sind 125 %. Vor einer Änderung messen, danach den Selbsttest noch einmal machen.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The usual values</source>
+        <translation>Die üblichen Werte</translation>
+    </message>
+    <message>
+        <source>right %1, up %2, nearer %3</source>
+        <extracomment>Three lengths: right, up and towards the user.</extracomment>
+        <translation>rechts %1, oben %2, näher %3</translation>
+    </message>
+    <message>
+        <source>Where the grip stands when a go begins, from the middle of its travel:</source>
+        <translation>Wo der Griff zu Beginn eines Durchgangs steht, von der Mitte seines Weges aus:</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Nearer</source>
+        <translation>Näher</translation>
+    </message>
+    <message>
+        <source>As it stands now</source>
+        <translation>Wie er jetzt steht</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::VolumeForm</name>
+    <message>
+        <source>This is a specimen of Cusp’s own: it is taken as it stands.</source>
+        <translation>Das ist ein Volumen von Cusp selbst: Es wird übernommen, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Only the largest piece</source>
+        <translation>Nur das größte Stück</translation>
+    </message>
+    <message>
+        <source>Closed hollows are pulp</source>
+        <translation>Geschlossene Hohlräume sind Pulpa</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>What %1 is made of</source>
+        <translation>Woraus %1 besteht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n voxel(s)</source>
+        <translation>
+            <numerusform>%n Voxel</numerusform>
+            <numerusform>%n Voxel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not used</source>
+        <translation>Nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Tissue of range %1</source>
+        <translation>Gewebe von Bereich %1</translation>
+    </message>
+    <message>
+        <source>Nothing: left out</source>
+        <translation>Nichts: weggelassen</translation>
+    </message>
+    <message>
+        <source>Least value of range %1</source>
+        <translation>Kleinster Wert von Bereich %1</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>ab</translation>
+    </message>
+</context>
+<context>
+    <name>cusp::WordsForm</name>
+    <message>
+        <source>Title, English</source>
+        <translation>Titel, Englisch</translation>
+    </message>
+    <message>
+        <source>Title, German</source>
+        <translation>Titel, Deutsch</translation>
+    </message>
+    <message>
+        <source>Briefing, English</source>
+        <translation>Aufgabe, Englisch</translation>
+    </message>
+    <message>
+        <source>Briefing, German</source>
+        <translation>Aufgabe, Deutsch</translation>
+    </message>
+</context>
 </TS>

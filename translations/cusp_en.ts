@@ -1,256 +1,263 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
-    <context>
-        <name>cusp::Cli</name>
-        <message numerus="yes">
-            <source>%n session(s) and the audit log are whole.</source>
-            <translation>
-                <numerusform>%n session and the audit log are whole.</numerusform>
-                <numerusform>%n sessions and the audit log are whole.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
-            <translation>
-                <numerusform>The record is whole; %n tick comes to the same tooth and grade, bit for bit.</numerusform>
-                <numerusform>The record is whole; %n ticks come to the same tooth and grade, bit for bit.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%1 cannot be used: %2 (and %n more)</source>
-            <translation>
-                <numerusform>%1 cannot be used: %2 (and %n more thing)</numerusform>
-                <numerusform>%1 cannot be used: %2 (and %n more things)</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: %n triangle(s), %2, %3 mm</source>
-            <translation>
-                <numerusform>%1: %n triangle, %2, %3 mm</numerusform>
-                <numerusform>%1: %n triangles, %2, %3 mm</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%1: %n voxel(s)</source>
-            <translation>
-                <numerusform>%1: %n voxel</numerusform>
-                <numerusform>%1: %n voxels</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::EditorPage</name>
-        <message numerus="yes">
-            <source>%n thing(s) to look at</source>
-            <translation>
-                <numerusform>%n thing to look at</numerusform>
-                <numerusform>%n things to look at</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ExercisesPage</name>
-        <message numerus="yes">
-            <source>%n exercise(s) cannot be read.</source>
-            <translation>
-                <numerusform>%n exercise cannot be read.</numerusform>
-                <numerusform>%n exercises cannot be read.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::HistoryCharts</name>
-        <message numerus="yes">
-            <source>%n go(es), the last with %1 points.</source>
-            <translation>
-                <numerusform>%n go, with %1 points.</numerusform>
-                <numerusform>%n goes, the last with %1 points.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ImportPage</name>
-        <message numerus="yes">
-            <source>%n slice(s) of a CT, in the order of their places.</source>
-            <translation>
-                <numerusform>%n slice of a CT.</numerusform>
-                <numerusform>%n slices of a CT, in the order of their places.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>The largest of %n series was taken.</source>
-            <translation>
-                <numerusform>The only series was taken.</numerusform>
-                <numerusform>The largest of %n series was taken.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::ImportWords</name>
-        <message numerus="yes">
-            <source>The folder holds %n series; the one with %1 slices was read.</source>
-            <translation>
-                <numerusform>The folder holds %n series of %1 slices; it was read.</numerusform>
-                <numerusform>The folder holds %n series; the one with %1 slices was read.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n point(s) that lay in one place were joined.</source>
-            <translation>
-                <numerusform>In %1 %n point was joined with its neighbour.</numerusform>
-                <numerusform>In %1 %n points that lay in one place were joined.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n triangle(s) too many were left out.</source>
-            <translation>
-                <numerusform>In %1 %n triangle too many was left out.</numerusform>
-                <numerusform>In %1 %n triangles too many were left out.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n triangle(s) were turned round.</source>
-            <translation>
-                <numerusform>In %1 %n triangle was turned round.</numerusform>
-                <numerusform>In %1 %n triangles were turned round.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>In %1 %n hole(s) were closed, the widest of %2.</source>
-            <translation>
-                <numerusform>In %1 %n hole of %2 was closed.</numerusform>
-                <numerusform>In %1 %n holes were closed, the widest of %2.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n voxel(s) of loose pieces were left out.</source>
-            <translation>
-                <numerusform>%n voxel of loose pieces was left out.</numerusform>
-                <numerusform>%n voxels of loose pieces were left out.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n voxel(s) of closed hollows were filled.</source>
-            <translation>
-                <numerusform>%n voxel of closed hollows was filled.</numerusform>
-                <numerusform>%n voxels of closed hollows were filled.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::LibraryPage</name>
-        <message numerus="yes">
-            <source>%n exercise(s) cannot be read.</source>
-            <translation>
-                <numerusform>%n exercise cannot be read.</numerusform>
-                <numerusform>%n exercises cannot be read.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::MeshForm</name>
-        <message numerus="yes">
-            <source>%n gap(s), the widest of %1 at %2</source>
-            <translation>
-                <numerusform>%n gap of %1 at %2</numerusform>
-                <numerusform>%n gaps, the widest of %1 at %2</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Performance</name>
-        <message numerus="yes">
-            <source>Last %n day(s)</source>
-            <translation>
-                <numerusform>Last day</numerusform>
-                <numerusform>Last %n days</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n student(s)</source>
-            <translation>
-                <numerusform>%n student</numerusform>
-                <numerusform>%n students</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n go(es).</source>
-            <translation>
-                <numerusform>%n go.</numerusform>
-                <numerusform>%n goes.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>Median over %n go(es).</source>
-            <translation>
-                <numerusform>Median over %n go.</numerusform>
-                <numerusform>Median over %n goes.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n go(es) exported.</source>
-            <translation>
-                <numerusform>%n go exported.</numerusform>
-                <numerusform>%n goes exported.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Report</name>
-        <message numerus="yes">
-            <source>Best before: %1 point(s) on %2; today %3.</source>
-            <translation>
-                <numerusform>Best before: %1 point on %2; today %3.</numerusform>
-                <numerusform>Best before: %1 points on %2; today %3.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>and %n more</source>
-            <translation>
-                <numerusform>and %n more time</numerusform>
-                <numerusform>and %n more times</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::Sentences</name>
-        <message numerus="yes">
-            <source>%1: %2 point(s) lost</source>
-            <translation>
-                <numerusform>%1: %2 point lost</numerusform>
-                <numerusform>%1: %2 points lost</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::StartPage</name>
-        <message numerus="yes">
-            <source>Time earns no points. %1 only, %n go(es).</source>
-            <translation>
-                <numerusform>Time earns no points. %1 only, %n go.</numerusform>
-                <numerusform>Time earns no points. %1 only, %n goes.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::VolumeForm</name>
-        <message numerus="yes">
-            <source>%n voxel(s)</source>
-            <translation>
-                <numerusform>%n voxel</numerusform>
-                <numerusform>%n voxels</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>cusp::AuditPage</name>
-        <message numerus="yes">
-            <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
-            <translation>
-                <numerusform>Each choice was left out or halved once, with %n scripted go each.</numerusform>
-                <numerusform>Each choice was left out or halved once, with %n scripted goes each.</numerusform>
-            </translation>
-        </message>
-    </context>
+<context>
+    <name>cusp::AuditPage</name>
+    <message numerus="yes">
+        <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
+        <translation>
+            <numerusform>Each choice was left out or halved once, with %n scripted go each.</numerusform>
+            <numerusform>Each choice was left out or halved once, with %n scripted goes each.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Cli</name>
+    <message numerus="yes">
+        <source>%n session(s) and the audit log are whole.</source>
+        <translation>
+            <numerusform>%n session and the audit log are whole.</numerusform>
+            <numerusform>%n sessions and the audit log are whole.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.</source>
+        <translation>
+            <numerusform>The record is whole; %n tick comes to the same tooth and grade, bit for bit.</numerusform>
+            <numerusform>The record is whole; %n ticks come to the same tooth and grade, bit for bit.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 cannot be used: %2 (and %n more)</source>
+        <translation>
+            <numerusform>%1 cannot be used: %2 (and %n more thing)</numerusform>
+            <numerusform>%1 cannot be used: %2 (and %n more things)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n triangle(s), %2, %3 mm</source>
+        <translation>
+            <numerusform>%1: %n triangle, %2, %3 mm</numerusform>
+            <numerusform>%1: %n triangles, %2, %3 mm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n voxel(s)</source>
+        <translation>
+            <numerusform>%1: %n voxel</numerusform>
+            <numerusform>%1: %n voxels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry/entries of the audit log are not yet in the counter beside the key.</source>
+        <translation>
+            <numerusform>%n entry of the audit log is not yet in the counter beside the key.</numerusform>
+            <numerusform>%n entries of the audit log are not yet in the counter beside the key.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::EditorPage</name>
+    <message numerus="yes">
+        <source>%n thing(s) to look at</source>
+        <translation>
+            <numerusform>%n thing to look at</numerusform>
+            <numerusform>%n things to look at</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ExercisesPage</name>
+    <message numerus="yes">
+        <source>%n exercise(s) cannot be read.</source>
+        <translation>
+            <numerusform>%n exercise cannot be read.</numerusform>
+            <numerusform>%n exercises cannot be read.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::HistoryCharts</name>
+    <message numerus="yes">
+        <source>%n go(es), the last with %1 points.</source>
+        <translation>
+            <numerusform>%n go, with %1 points.</numerusform>
+            <numerusform>%n goes, the last with %1 points.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ImportPage</name>
+    <message numerus="yes">
+        <source>%n slice(s) of a CT, in the order of their places.</source>
+        <translation>
+            <numerusform>%n slice of a CT.</numerusform>
+            <numerusform>%n slices of a CT, in the order of their places.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The largest of %n series was taken.</source>
+        <translation>
+            <numerusform>The only series was taken.</numerusform>
+            <numerusform>The largest of %n series was taken.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::ImportWords</name>
+    <message numerus="yes">
+        <source>The folder holds %n series; the one with %1 slices was read.</source>
+        <translation>
+            <numerusform>The folder holds %n series of %1 slices; it was read.</numerusform>
+            <numerusform>The folder holds %n series; the one with %1 slices was read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n point(s) that lay in one place were joined.</source>
+        <translation>
+            <numerusform>In %1 %n point was joined with its neighbour.</numerusform>
+            <numerusform>In %1 %n points that lay in one place were joined.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n triangle(s) too many were left out.</source>
+        <translation>
+            <numerusform>In %1 %n triangle too many was left out.</numerusform>
+            <numerusform>In %1 %n triangles too many were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n triangle(s) were turned round.</source>
+        <translation>
+            <numerusform>In %1 %n triangle was turned round.</numerusform>
+            <numerusform>In %1 %n triangles were turned round.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>In %1 %n hole(s) were closed, the widest of %2.</source>
+        <translation>
+            <numerusform>In %1 %n hole of %2 was closed.</numerusform>
+            <numerusform>In %1 %n holes were closed, the widest of %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n voxel(s) of loose pieces were left out.</source>
+        <translation>
+            <numerusform>%n voxel of loose pieces was left out.</numerusform>
+            <numerusform>%n voxels of loose pieces were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n voxel(s) of closed hollows were filled.</source>
+        <translation>
+            <numerusform>%n voxel of closed hollows was filled.</numerusform>
+            <numerusform>%n voxels of closed hollows were filled.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::LibraryPage</name>
+    <message numerus="yes">
+        <source>%n exercise(s) cannot be read.</source>
+        <translation>
+            <numerusform>%n exercise cannot be read.</numerusform>
+            <numerusform>%n exercises cannot be read.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::MeshForm</name>
+    <message numerus="yes">
+        <source>%n gap(s), the widest of %1 at %2</source>
+        <translation>
+            <numerusform>%n gap of %1 at %2</numerusform>
+            <numerusform>%n gaps, the widest of %1 at %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Performance</name>
+    <message numerus="yes">
+        <source>Last %n day(s)</source>
+        <translation>
+            <numerusform>Last day</numerusform>
+            <numerusform>Last %n days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n student(s)</source>
+        <translation>
+            <numerusform>%n student</numerusform>
+            <numerusform>%n students</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n go(es).</source>
+        <translation>
+            <numerusform>%n go.</numerusform>
+            <numerusform>%n goes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Median over %n go(es).</source>
+        <translation>
+            <numerusform>Median over %n go.</numerusform>
+            <numerusform>Median over %n goes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n go(es) exported.</source>
+        <translation>
+            <numerusform>%n go exported.</numerusform>
+            <numerusform>%n goes exported.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Report</name>
+    <message numerus="yes">
+        <source>Best before: %1 point(s) on %2; today %3.</source>
+        <translation>
+            <numerusform>Best before: %1 point on %2; today %3.</numerusform>
+            <numerusform>Best before: %1 points on %2; today %3.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more time</numerusform>
+            <numerusform>and %n more times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::Sentences</name>
+    <message numerus="yes">
+        <source>%1: %2 point(s) lost</source>
+        <translation>
+            <numerusform>%1: %2 point lost</numerusform>
+            <numerusform>%1: %2 points lost</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::StartPage</name>
+    <message numerus="yes">
+        <source>Time earns no points. %1 only, %n go(es).</source>
+        <translation>
+            <numerusform>Time earns no points. %1 only, %n go.</numerusform>
+            <numerusform>Time earns no points. %1 only, %n goes.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>cusp::VolumeForm</name>
+    <message numerus="yes">
+        <source>%n voxel(s)</source>
+        <translation>
+            <numerusform>%n voxel</numerusform>
+            <numerusform>%n voxels</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>
