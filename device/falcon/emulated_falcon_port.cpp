@@ -8,6 +8,8 @@ namespace {
 
 using falcon::LinkTime;
 
+constexpr double kLeadMPerTick = 0.0015;  // 1.5 m/s at 1 kHz
+
 /// The smallest image that the check lets pass: one block of zeros. It is nobody's firmware; the emulated processor
 /// counts words and runs none.
 falcon::FirmwareImage made_up_image() {
@@ -78,17 +80,31 @@ Result<void, PortFailure> EmulatedFalconPort::open() {
     port_.close();
     return fail(PortError::io, link_->name(), "not_homed");
   }
+  // To where the hand begins, no faster than a hand: the driver believes no leap.
+  hand_mm_ = hand_(felt_, 0.0).position_mm;
+  for (int tick = 0; tick < kMostTicks && !lead(kLeadMPerTick); ++tick) {
+    sample = port_.wait(std::chrono::steady_clock::time_point(link_->now() + std::chrono::milliseconds(1)));
+    port_.write({});
+  }
   felt_ = Feedback{};
   felt_.proxy_mm = settings_.start_mm;
   before_ = link_->now();
   return {};
 }
 
+bool EmulatedFalconPort::lead(double most_m) noexcept {
+  const Vec3 to = workspace_.grip_m(hand_mm_), way = to - falcon_.grip_m();
+  const double length = glm::length(way);
+  falcon_.set_grip(length > most_m ? falcon_.grip_m() + way * (most_m / length) : to);
+  return length <= most_m;
+}
+
 Sample EmulatedFalconPort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
   const LinkTime now = link_->now();
   const EmulatedHandPose pose = hand_(felt_, std::chrono::duration<double>(now - before_).count());
   before_ = now;
-  falcon_.set_grip(workspace_.grip_m(pose.position_mm));
+  hand_mm_ = pose.position_mm;
+  lead(kLeadMPerTick);
   falcon_.set_buttons(pose.cut ? FalconButtons{}.cut : 0);
   Sample sample = port_.wait(deadline);
   sample.burr = pose.burr;

@@ -45,7 +45,11 @@ class EmulatedFalconPort final : public HapticPort {
   const FalconView& view() noexcept { return port_.view(); }
 
  private:
+  /// Moves the grip towards hand_mm_ by at most so much; true when it is there.
+  bool lead(double most_m) noexcept;
+
   EmulatedHand hand_;
+  Vec3 hand_mm_{0.0};
   EmulatedFalconSettings settings_;
   falcon::Workspace workspace_;
   falcon::Emulator falcon_;
