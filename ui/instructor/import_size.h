@@ -8,11 +8,12 @@
 #include "scenarios/import/up_axis.h"
 
 class QComboBox;
-class NumberField;
 class QHBoxLayout;
 class QLabel;
 
 namespace cusp {
+
+class NumberField;
 
 class ImportSize : public QWidget {
   Q_OBJECT
