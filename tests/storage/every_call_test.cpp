@@ -35,12 +35,13 @@ struct Operation {
   std::function<Outcome(Store&, const Rows&)> run;
 };
 
+/// Several pages of a trace that does not pack: 8,000 places without order.
 RecordedSecond large_second(std::uint64_t first_tick) {
-  RecordedSecond second = second_from(first_tick);
-  std::vector<std::byte> noise(60'000);
+  RecordedSecond second = second_from(first_tick, 8'000);
   std::uint32_t state = 1;
-  for (std::byte& byte : noise) byte = static_cast<std::byte>((state = state * 1664525u + 1013904223u) >> 24);
-  second.key_state = KeyState{first_tick + 11, noise};
+  for (StepInput& input : second.inputs) {
+    input.x = input.y = static_cast<std::int32_t>((state = state * 1664525u + 1013904223u) >> 8);
+  }
   return second;
 }
 
@@ -87,7 +88,7 @@ std::vector<Operation> operations_on_sessions() {
              s.scenarios.publish(r.instructor, small_scenario(), "{\"id\":2}", blake2b_256(std::string_view{"2"})));
        }},
       {"save a draft",
-       [](Store& s, const Rows& r) { return outcome(s.scenarios.save_draft(r.instructor, r.version.scenario, "{}")); }},
+       [](Store& s, const Rows& r) { return outcome(s.scenarios.save_draft(r.instructor, r.version.scenario, "{}", {})); }},
       {"keep a blob", [](Store& s, const Rows&) { return outcome(s.blobs.put(std::as_bytes(std::span{"specimen"}))); }},
       {"start",
        [](Store& s, const Rows& r) {

@@ -30,7 +30,7 @@ School::School() {
   own.id = *ScenarioId::parse("018f0000-0000-7000-8000-000000000002");
   must(store->scenarios.publish(instructor.actor(), own, "{\"id\":2}", blake2b_256(std::string_view{"2"}),
                                 {{"volume.nrrd", file_blob}}));
-  must(store->scenarios.save_draft(instructor.actor(), own.id, "{}"));
+  must(store->scenarios.save_draft(instructor.actor(), own.id, "{}", {}));
   must(store->assignments.create(instructor.actor(), {.version = version.id, .cohort = cohort.id}));
   const SessionId first = complete_session(*store, lena, version, 40, false);
   NewSession wanted = new_session(omar, version);
