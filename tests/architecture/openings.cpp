@@ -54,8 +54,8 @@ std::set<std::string> variables_of(const std::string& text) {
   std::set<std::string> out;
   for (std::sregex_iterator it(text.begin(), text.end(), kSet), end; it != end; ++it) {
     const std::string value = (*it)[2].matched ? (*it)[2].str() : (*it)[3].str();
-    // A connection, a store or a name for people is no file's name.
-    static const std::regex kOther(R"(::open\(|Store|tr\(|tell\(|\bshow|\[)");
+    // A connection, a store, a folder or a name for people is no file's name.
+    static const std::regex kOther(R"(::open\(|Store|folder\(|tr\(|tell\(|\bshow|\[)");
     if (!std::regex_search(value, kOther) && speaks_of_database(value, out)) out.insert((*it)[1].str());
   }
   return out;
@@ -65,8 +65,8 @@ std::set<std::string> variables_of(const std::string& text) {
 
 std::vector<std::string> forbidden_openings(std::string_view path, const std::string& source) {
   const bool storage = path.starts_with("storage/");
-  // The station's key, and what the kernel says of processes and drives.
-  if (path == "storage/files_linux.cpp" || path == "storage/process_linux.cpp") return {};
+  // The station's key, what the kernel says of processes and drives, and key states, which have a folder of their own.
+  if (path == "storage/files_linux.cpp" || path == "storage/process_linux.cpp" || path == "storage/cache_files_linux.cpp") return {};
   // Whatever reads, writes, copies, moves, links or removes a file by its name.
   static const std::regex kCall(
       R"(\b([io]?fstream|fopen|freopen|QFile|QSaveFile|QFileDevice|copy_file|copy|rename|remove|resize_file|create_hard_link|sendfile|mmap|creat|openat|open|truncate|unlink|link)\b(::copy|::rename|::remove)?(\s+\w+)?\s*([({]))");
@@ -90,6 +90,8 @@ std::vector<std::string> forbidden_openings(std::string_view path, const std::st
       if (member || (scoped && !library) || (*it)[3].matched) continue;
     }
     const std::string words = bracketed(text, open);
+    // std::copy of elements takes iterators.
+    if (name == "copy" && words.find("begin()") != std::string::npos) continue;
     // Below storage, SQLite alone opens files; what it left empty may be removed by name.
     const bool bad = storage ? type || name.find("open") != std::string::npos || name.find("copy") != std::string::npos
                              : speaks_of_database(words, variables);

@@ -162,7 +162,7 @@ class EveryCall : public ::testing::Test {
   /// Calls that the operation made.
   int attempt(const Operation& operation, Failing how, int n) {
     const fs::path file = folder / "try.db";
-    for (const char* part : {"", "-wal", "-shm", ".key"}) {
+    for (const char* part : {"", "-wal", "-shm", ".key", ".key-counter"}) {
       fs::remove(file.string() + part);
       const std::string from = (folder / "start.db").string() + part;
       if (fs::exists(from)) fs::copy_file(from, file.string() + part);
@@ -222,7 +222,7 @@ class EveryCall : public ::testing::Test {
   /// What the file holds when nothing fails.
   Content done_by(const Operation& operation) {
     const fs::path file = folder / "whole.db";
-    for (const char* part : {"", "-wal", "-shm", ".key"}) {
+    for (const char* part : {"", "-wal", "-shm", ".key", ".key-counter"}) {
       fs::remove(file.string() + part);
       const std::string from = (folder / "start.db").string() + part;
       if (fs::exists(from)) fs::copy_file(from, file.string() + part);

@@ -286,12 +286,13 @@ void SignIn::submit() {
   }
   const StorageFailure& failure = account.error();
   // Nothing typed and no PIN wanted: then the account has a PIN or a password, and it is missing.
-  if (failure.code == StorageError::wrong_password && !as_staff && pin.isEmpty()) {
+  const bool refused = failure.code == StorageError::wrong_password || failure.code == StorageError::other_secret;
+  if (refused && !as_staff && pin.isEmpty()) {
     refuse({tr("The PIN is missing."), tr("It has six digits.")});
   } else {
     refuse(tell_account(failure, number, as_staff ? Secret::password : Secret::pin));
   }
-  if (failure.code == StorageError::wrong_password && !as_staff) {
+  if (refused && !as_staff) {
     pin_->clear();
     pin_->set_wrong(true);
     pin_->setFocus();

@@ -74,11 +74,11 @@ TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_in_words) {
   field(page, "Name")->setText(QStringLiteral("Another"));
   field(page, "Number or user name")->setText(QStringLiteral("20267314"));
   press(page, "Add");
-  EXPECT_TRUE(page.message().startsWith(QStringLiteral("This is there already."))) << page.message().toStdString();
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("The number \u206620267314\u2069 is taken."))) << page.message().toStdString();
   field(page, "Number or user name")->setText(QStringLiteral("20267315"));
   field(page, "PIN, six digits")->setText(QStringLiteral("12"));
   press(page, "Add");
-  EXPECT_TRUE(page.message().startsWith(QStringLiteral("This password is too short.")));
+  EXPECT_TRUE(page.message().startsWith(QStringLiteral("A PIN has exactly six digits."))) << page.message().toStdString();
   EXPECT_EQ(page.model()->rowCount(), 2);
 }
 
