@@ -53,7 +53,8 @@ def main():
                 if os.path.exists(bad + end):
                     os.remove(bad + end)
             shutil.copy(desk.path("good.db"), bad)
-            shutil.copy(desk.path("good.db.key"), bad + ".key")
+            for part in (".key", ".key-counter"):
+                shutil.copy(desk.path("good.db" + part), bad + part)
             table, column, row = ("trace_chunks", "trace", dice.choice(rows))
             if change == o.changes - 1:
                 table, column, row = ("final_volumes", "cuts", 0)

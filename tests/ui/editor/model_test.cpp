@@ -316,13 +316,21 @@ TEST(editor_model, a_target_that_opens_a_pulp_that_must_stay_closed_is_never_pub
   const Vec3 on_line = model.scenario().target.paths[0][4];  // (0.2, -0.15), floor at 2.4
   model.set_facts(facts_of_36(), {{on_line.x, on_line.y, 1.5}});
   EXPECT_TRUE(model.findings().empty());
+  // The briefing still names the depth of before: other findings, of the words.
+  const auto of_the_pulp = [&model] {
+    std::vector<Finding> out;
+    for (const Finding& finding : model.findings())
+      if (finding.code.ends_with("opens_pulp")) out.push_back(finding);
+    return out;
+  };
   ASSERT_TRUE(model.set_depth_mm(2.5));  // floor 1.7, leeway down to 1.4
-  ASSERT_EQ(model.findings().size(), 1u);
-  EXPECT_EQ(model.findings()[0].code, "leeway_opens_pulp");
-  EXPECT_NEAR(model.findings()[0].args.at("value"), 0.2, 1e-9);
+  ASSERT_EQ(of_the_pulp().size(), 1u);
+  EXPECT_EQ(of_the_pulp()[0].code, "leeway_opens_pulp");
+  EXPECT_NEAR(of_the_pulp()[0].args.at("value"), 0.2, 1e-9);
   EXPECT_TRUE(model.publishable());
   ASSERT_TRUE(model.set_depth_mm(2.8));  // floor 1.4
-  EXPECT_EQ(model.findings()[0].code, "target_opens_pulp");
+  ASSERT_EQ(of_the_pulp().size(), 1u);
+  EXPECT_EQ(of_the_pulp()[0].code, "target_opens_pulp");
   EXPECT_FALSE(model.publishable());
   ASSERT_TRUE(model.set_critical("pulp_exposure", false));  // as where the pulp is to be reached
   EXPECT_TRUE(model.publishable());
