@@ -47,6 +47,13 @@ def scenarios(desk):
 
         refused(desk, "wrong type", *verb(desk.small_exercise("type.json", bad_depth)), says=("depth_mm",))
 
+        def soft(s):
+            s["tissues"][0]["stiffness_n_per_mm"] = 1e-300
+
+        refused(desk, "a number out of its range", *verb(desk.small_exercise("soft.json", soft)), says=("/tissues/0/stiffness_n_per_mm",))
+        refused(desk, "a pass mark of nothing", *verb(desk.small_exercise("pass.json", lambda s: s["rubric"].update({"pass": 0}))),
+                says=("/rubric/pass",))
+
         def lost_volume(s):
             s["specimen"] = {"volume": "none.nrrd"}
 

@@ -15,6 +15,8 @@ struct LoadedScenario {
   std::filesystem::path folder;  // where a volume that it names lies; empty for a built-in one
 };
 
+/// A scenario with errors of validate() is refused by the first of them, with its path; what needs the specimen is left to
+/// `cusp validate`.
 std::expected<LoadedScenario, Told> load_scenario(const std::string& what);
 
 }  // namespace cusp
