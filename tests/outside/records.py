@@ -5,6 +5,7 @@ Accounts act by password or PIN; a secret of the wrong kind is no wrong try and 
 """
 import argparse
 import contextlib
+import json
 import os
 import shutil
 import sqlite3
@@ -38,9 +39,7 @@ def tampered(desk, *statements):
 
 
 def verify_names(desk):
-    with contextlib.closing(sqlite3.connect(desk.path("school.db"))) as db:
-        (session,) = db.execute("SELECT lower(hex(id)) FROM sessions").fetchone()
-    session = "-".join((session[:8], session[8:12], session[12:16], session[16:20], session[20:]))
+    session = session_of(desk.path("school.db"))
     whole = [f"DELETE FROM {t} WHERE 1" for t in (
         "sessions", "session_events", "trace_chunks", "key_states", "metrics", "removed_tissues", "final_volumes",
         "grades", "criteria", "session_chain", "session_heads", "comments")]
@@ -76,6 +75,23 @@ def secrets(desk, database):
         check(status == 1 and STUDENT in err and word in err and other not in err and database not in err, err)
 
 
+def session_of(database):
+    with contextlib.closing(sqlite3.connect(database)) as db:
+        (session,) = db.execute("SELECT lower(hex(id)) FROM sessions").fetchone()
+    return "-".join((session[:8], session[8:12], session[12:16], session[16:20], session[20:]))
+
+
+def points_are_scaled(desk, database):
+    """A grade of evaluator 1: its weights, 20 and 10, are shown as parts of the 100 points that the score is of."""
+    shown = ("history", database, "show", session_of(database), "--as", STUDENT)
+    status, out, err = desk.run(*shown, "--json", "-", CUSP_PASSWORD=PIN)
+    check(status == 0, f"show: {err}")
+    maxima = [c["points_max"] for c in json.loads(out)["criteria"]]
+    check(maxima == [66.7, 33.3], f"an old grade's maxima: {maxima}")
+    lines = desk.run(*shown, CUSP_PASSWORD=PIN)[1]
+    check("/66.7  " in lines and "/33.3  " in lines, f"an old grade's lines: {lines}")
+
+
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("cusp")
@@ -88,6 +104,7 @@ def main():
         secrets(desk, database)
         with contextlib.closing(sqlite3.connect(database)) as db:
             db.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        points_are_scaled(desk, database)
         verify_names(desk)
         print("four tamperings were named, and PIN and password called by their names")
 

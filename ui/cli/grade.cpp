@@ -90,12 +90,7 @@ int grade_verb(const GradeOptions& o) {
                 .arg(g.score_max, 0, 'f', 0)
                 .arg(g.passed ? CliWords::tr("passed") : CliWords::tr("not passed"))));
   for (const std::string& critical : g.critical) say("! " + plain(critical_name(critical)));
-  for (const CriterionGrade& c : g.criteria) {
-    say(plain(QStringLiteral("%1/%2  %3: %4")
-                  .arg(c.points, 5, 'f', 1)
-                  .arg(c.points_max, 0, 'f', 0)
-                  .arg(metric_name(c.id), reason_text(c))));
-  }
+  say_criteria(g, {});
   return kDone;
 }
 

@@ -2,9 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/grading/maxima.h"
 #include "storage/clock.h"
 #include "storage/verify.h"
 #include "ui/cli/account.h"
+#include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 
@@ -97,13 +99,16 @@ int show(const HistoryOptions& o) {
   }
   json["criteria"] = nlohmann::ordered_json::array();
   if (details->grade) {
-    for (const CriterionGrade& c : details->grade->grade.criteria) {
+    const Grade& grade = details->grade->grade;
+    const std::vector<ScaledPoints> scaled = scaled_points(grade);
+    for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
+      const CriterionGrade& c = grade.criteria[i];
       json["criteria"].push_back({{"id", c.id},
                                   {"value", c.measure.measured ? nlohmann::ordered_json(c.measure.value) : nullptr},
                                   {"unit", c.measure.unit},
                                   {"band", c.band},
-                                  {"points", c.points},
-                                  {"points_max", c.points_max},
+                                  {"points", scaled[i].points},
+                                  {"points_max", scaled[i].points_max},
                                   {"reason_code", c.reason_code}});
     }
   }
@@ -117,12 +122,7 @@ int show(const HistoryOptions& o) {
     say(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue)).arg(r.mm3, 0, 'f', 2)));
   }
   if (details->grade) {
-    for (const CriterionGrade& c : details->grade->grade.criteria) {
-      say(plain(QStringLiteral("  %1/%2  %3: %4")
-                    .arg(c.points, 5, 'f', 1)
-                    .arg(c.points_max, 0, 'f', 0)
-                    .arg(metric_name(c.id), reason_text(c))));
-    }
+    say_criteria(details->grade->grade, "  ");
   }
   return kDone;
 }

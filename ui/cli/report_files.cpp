@@ -2,6 +2,7 @@
 
 #include <QBuffer>
 
+#include "scenarios/grading/maxima.h"
 #include "scenarios/grading/report_json.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -46,6 +47,17 @@ std::string report_text(const RunResult& result, Store& store, const Account& st
   words.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
   words.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
   return report_json(head, result.grade, words);
+}
+
+void say_criteria(const Grade& grade, const std::string& indent) {
+  const std::vector<ScaledPoints> scaled = scaled_points(grade);
+  for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
+    const CriterionGrade& c = grade.criteria[i];
+    say(indent + plain(QStringLiteral("%1/%2  %3: %4")
+                           .arg(scaled[i].points, 5, 'f', 1)
+                           .arg(scaled[i].points_max, 0, 'f', 1)
+                           .arg(metric_name(c.id), reason_text(c))));
+  }
 }
 
 std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,

@@ -14,6 +14,9 @@ namespace cusp {
 /// The text of report.json: fields of design.md, words in the installed language.
 std::string report_text(const RunResult& result, Store& store, const Account& student);
 
+/// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
+void say_criteria(const Grade& grade, const std::string& indent);
+
 /// Each file whole or not at all. Needs a QGuiApplication for the page.
 std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,
                                              const Account& student);
