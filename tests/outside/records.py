@@ -92,6 +92,45 @@ def points_are_scaled(desk, database):
     check("/66.7  " in lines and "/33.3  " in lines, f"an old grade's lines: {lines}")
 
 
+def outputs(desk, database):
+    """What a verb writes is never the records: neither the file that it reads itself, nor another's, nor what is beside it."""
+    before = {}
+    for end in ("", ".key", ".key-counter"):
+        with open(database + end, "rb") as f:
+            before[end] = f.read()
+    os.symlink(database, desk.path("link.db"))
+    os.link(database, desk.path("second-name.db"))
+    out_dir = desk.path("named")
+    os.mkdir(out_dir)
+    shutil.copy(database, os.path.join(out_dir, "report.json"))
+    session = session_of(database)
+    reading = ("history", database, "list", "--as", STUDENT)
+    cases = [reading + ("--json", database + end) for end in ("", "-wal", "-shm", ".key", ".key-counter")]
+    cases += [
+        reading + ("--json", desk.path("link.db")),
+        reading + ("--json", desk.path("second-name.db")),
+        reading + ("--json", os.path.join(desk.folder, "named", "..", "school.db")),
+        ("replay", database, session, "--volume", database, "--as", STUDENT),
+        ("grade", os.path.join(out_dir, "report.json"), session, "--out", out_dir, "--as", STUDENT),
+        ("play", "channel-1", "--db", desk.path("new.db"), "--json", desk.path("new.db"), "--out", desk.path("new")),
+        ("specimen", "block", "--voxel-mm", "0.4", "-o", database),
+        ("validate", "channel-1", "--form-only", "--json", database + ".key"),
+        ("audit", "channel-1", "--detail", "--apply", "-o", database),
+    ]
+    for case in cases:
+        status, out, err = desk.run(*case, CUSP_PASSWORD=PIN)
+        check(status == 1 and out == "" and "belongs to the database" in err, f"{case}: exit {status}: {out}{err}")
+        one_sentence(err, str(case))
+    for end, content in before.items():
+        with open(database + end, "rb") as f:
+            check(f.read() == content, f"{end or 'the database'} was written over")
+    check(not os.path.exists(desk.path("new.db")), "what was refused left a database")
+    status, _, err = desk.run(*reading, "--json", desk.path("list.json"), CUSP_PASSWORD=PIN)
+    check(status == 0, f"another name is written: {err}")
+    for name in ("link.db", "second-name.db"):
+        os.remove(desk.path(name))
+
+
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("cusp")
@@ -105,6 +144,7 @@ def main():
         with contextlib.closing(sqlite3.connect(database)) as db:
             db.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         points_are_scaled(desk, database)
+        outputs(desk, database)
         verify_names(desk)
         print("four tamperings were named, and PIN and password called by their names")
 

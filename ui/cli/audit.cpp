@@ -12,6 +12,7 @@
 #include "scenarios/library/library.h"
 #include "ui/app/audit_words.h"
 #include "ui/cli/load_scenario.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 #include "ui/session/audit_run.h"
@@ -69,6 +70,7 @@ bool can_be_written(const std::filesystem::path& file) {
 }
 
 int audit_verb(const AuditOptions& o) {
+  if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   const bool builtin = !builtin_scenario_text(o.scenario).empty();
   if (o.apply && builtin && o.out.empty())
     return wrong_usage(CliWords::tr("%1 is built in: --apply needs -o FILE for the copy.").arg(QString::fromStdString(o.scenario)));

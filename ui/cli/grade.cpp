@@ -7,6 +7,7 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "ui/cli/account.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -52,6 +53,10 @@ std::expected<Rubric, Told> read_rubric(const std::string& file, const Scenario&
 int grade_verb(const GradeOptions& o) {
   const auto id = SessionId::parse(o.session);
   if (!id) return wrong_usage(CliWords::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
+  std::vector<std::filesystem::path> outputs;
+  if (!o.out.empty()) outputs = report_files_in(o.out);
+  outputs.emplace_back(o.json.file);
+  if (const auto no = refuse_outputs(outputs, o.db)) return failed(*no);
   if (!o.out.empty() && !writable_folder(o.out)) {
     return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
   }

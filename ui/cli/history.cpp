@@ -6,6 +6,7 @@
 #include "storage/clock.h"
 #include "storage/verify.h"
 #include "ui/cli/account.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -54,6 +55,7 @@ std::string row_line(const HistoryRow& row) {
 }
 
 int list(const HistoryOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, false);
@@ -72,6 +74,7 @@ int list(const HistoryOptions& o) {
 }
 
 int show(const HistoryOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   const auto id = SessionId::parse(o.session);
   if (!id) return wrong_usage(CliWords::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   auto store = open_records(o.db);
@@ -180,6 +183,7 @@ void say_since(const StoreVerification& v) {
 }
 
 int verify(const HistoryOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, false);

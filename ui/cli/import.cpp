@@ -14,6 +14,7 @@
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
 #include "ui/app/import_words.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -321,6 +322,7 @@ std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up
 }
 
 int import_verb(const ImportOptions& o) {
+  if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   if (o.list) return list_verb(o);
   if (o.out.empty()) return wrong_usage(CliWords::tr("Say with -o where the volume is to be written."));
   const auto up = up_axis(o.up);

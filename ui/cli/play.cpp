@@ -11,6 +11,7 @@
 #include "ui/app/device_settings.h"
 #include "ui/cli/account.h"
 #include "ui/cli/load_scenario.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/play_live.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
@@ -48,16 +49,50 @@ DeviceChoice device_of(const std::string& text) {
   return DeviceSettings().choice_of(text.substr(0, colon), colon == std::string::npos ? std::string() : text.substr(colon + 1));
 }
 
+/// What stands against playing live; nullopt: nothing.
+std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device, const RunPlan& plan) {
+  if (!can_play_live(device)) return wrong_usage(CliWords::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
+  if (device.kind == "emulated-falcon" && !hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+    return wrong_usage(CliWords::tr("An emulated Falcon needs a hand by name: expert, novice and so on."));
+  }
+  return std::nullopt;
+}
+
+/// The port that --script names, a scripted operator or a file; a status where it is neither.
+std::optional<int> take_script(const PlayOptions& o, RunPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
+  if (auto hand = hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+    port = std::make_unique<HandPort>(std::move(*hand));
+    plan.hand = o.script;
+    return std::nullopt;
+  }
+  const std::filesystem::path file(o.script);
+  auto trace = std::make_unique<CsvPort>(file, Pacing::at_once);
+  // Each row brings its own length; the loop asks once a sample, in order.
+  settings.elapsed_us = [rows = trace.get(), next = std::size_t{0}]() mutable { return rows->rows()[next++].elapsed_us; };
+  // Known to be good before a session begins.
+  if (auto opened = trace->open(); !opened) {
+    const bool missing = opened.error().code == PortError::not_found;
+    return failed(missing ? tell(ImportFailure{ImportError::missing_file, o.script, {}}) : tell(opened.error()));
+  }
+  trace->close();
+  port = std::move(trace);
+  plan.hand = file.filename().string();
+  return std::nullopt;
+}
+
 int play(const PlayOptions& o) {
+  const std::filesystem::path folder(o.out), database = o.db.empty() ? folder / "cusp.db" : std::filesystem::path(o.db);
+  std::vector<std::filesystem::path> outputs = report_files_in(folder);
+  outputs.emplace_back(o.json.file);
+  if (const auto no = refuse_outputs(outputs, database)) return failed(*no);
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
-  const std::filesystem::path folder(o.out);
   if (!writable_folder(folder)) return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
 
   RunPlan plan;
   plan.scenario = std::move(loaded->scenario);
   plan.scenario_folder = loaded->folder;
-  plan.database = o.db.empty() ? folder / "cusp.db" : std::filesystem::path(o.db);
+  plan.database = database;
   auto specimen = build_specimen(plan.scenario, plan.scenario_folder);
   if (!specimen) return failed(tell(specimen.error()));
   plan.specimen = std::move(*specimen);
@@ -66,28 +101,7 @@ int play(const PlayOptions& o) {
   std::unique_ptr<HapticPort> port;
   const bool live = !o.device.empty();
   const DeviceChoice device = device_of(o.device);
-  if (live) {
-    if (!can_play_live(device)) return wrong_usage(CliWords::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
-    if (device.kind == "emulated-falcon" && !hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-      return wrong_usage(CliWords::tr("An emulated Falcon needs a hand by name: expert, novice and so on."));
-    }
-  } else if (auto hand = hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    port = std::make_unique<HandPort>(std::move(*hand));
-    plan.hand = o.script;
-  } else {
-    const std::filesystem::path file(o.script);
-    auto trace = std::make_unique<CsvPort>(file, Pacing::at_once);
-    // Each row brings its own length; the loop asks once a sample, in order.
-    settings.elapsed_us = [rows = trace.get(), next = std::size_t{0}]() mutable { return rows->rows()[next++].elapsed_us; };
-    // Known to be good before a session begins.
-    if (auto opened = trace->open(); !opened) {
-      const bool missing = opened.error().code == PortError::not_found;
-      return failed(missing ? tell(ImportFailure{ImportError::missing_file, o.script, {}}) : tell(opened.error()));
-    }
-    trace->close();
-    port = std::move(trace);
-    plan.hand = file.filename().string();
-  }
+  if (const auto status = live ? check_device(o, device, plan) : take_script(o, plan, settings, port)) return *status;
 
   auto store = Store::open(plan.database);
   if (!store) return failed(tell(store.error()));

@@ -7,6 +7,7 @@
 
 #include "scenarios/import/nrrd.h"
 #include "ui/cli/account.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
@@ -115,6 +116,7 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
 }
 
 int replay(const ReplayOptions& o) {
+  if (const auto no = refuse_outputs({o.volume, o.json.file}, o.db)) return failed(*no);
   const auto id = SessionId::parse(o.session);
   if (!id) return wrong_usage(CliWords::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   auto store = open_records(o.db);

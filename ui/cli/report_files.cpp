@@ -60,6 +60,10 @@ void say_criteria(const Grade& grade, const std::string& indent) {
   }
 }
 
+std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder) {
+  return {folder / "report.json", folder / "report.pdf", folder / "tooth.png"};
+}
+
 std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,
                                              const Account& student) {
   if (!write_whole(folder / "report.json", report_text(result, store, student))) {

@@ -4,6 +4,7 @@
 #include <expected>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "storage/store.h"
 #include "ui/app/sentences.h"
@@ -16,6 +17,9 @@ std::string report_text(const RunResult& result, Store& store, const Account& st
 
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
 void say_criteria(const Grade& grade, const std::string& indent);
+
+/// The names of those files.
+std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder);
 
 /// Each file whole or not at all. Needs a QGuiApplication for the page.
 std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,

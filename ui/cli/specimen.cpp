@@ -12,6 +12,7 @@
 #include "engine/volume/specimen.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/import/nrrd.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 
@@ -53,6 +54,7 @@ std::optional<LesionSource> lesion_of(const std::string& text) {
 
 int specimen_verb(const SpecimenOptions& options) {
   SpecimenOptions o = options;
+  if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   if (o.neighbours) o.source.around.emplace_back("neighbours");
   if (o.gingiva) o.source.around.emplace_back("gingiva");
   if (o.bone) o.source.around.emplace_back("bone");

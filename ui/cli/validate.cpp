@@ -9,6 +9,7 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/library/library.h"
 #include "scenarios/specimens.h"
+#include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 
@@ -23,6 +24,7 @@ struct ValidateOptions {
 };
 
 int validate_verb(const ValidateOptions& o) {
+  if (const auto no = refuse_outputs({o.json.file})) return failed(*no);
   std::string text(builtin_scenario_text(o.path));
   std::filesystem::path folder;
   if (text.empty()) {
