@@ -20,6 +20,10 @@ class ScenarioEdit : public QUndoCommand {
   int id() const override { return kId; }
   bool mergeWith(const QUndoCommand* next) override;
 
+  const Scenario& before() const { return before_; }
+  const QString& field() const { return field_; }
+  int gesture() const { return gesture_; }
+
  private:
   static constexpr int kId = 1;  // all edits: field and gesture decide
   Scenario& held_;

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenarios/checks/checks.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
-#include "scenarios/shapes/outline.h"
 #include "ui/editor/commands.h"
 
 namespace cusp {
@@ -102,56 +100,6 @@ void EditorModel::after_change() {
   }
   check();
   Q_EMIT changed();
-}
-
-void EditorModel::set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm,
-                            std::shared_ptr<const Specimen> specimen) {
-  facts_ = std::move(facts);
-  pulp_mm_ = std::move(pulp_mm);
-  specimen_ = std::move(specimen);
-  check();
-  Q_EMIT changed();
-}
-
-void EditorModel::check() {
-  findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
-  if (specimen_) add(check_regions(scenario_, *specimen_));
-  add(check_words(scenario_, library_patterns()));
-  if (!specimen_) check_pulp();
-}
-
-void EditorModel::add(std::vector<Finding> findings) {
-  for (Finding& f : findings) {
-    const auto first_warning = std::ranges::find(findings_, Severity::warning, &Finding::severity);
-    findings_.insert(f.severity == Severity::error ? first_warning : findings_.end(), std::move(f));
-  }
-}
-
-bool EditorModel::prove() {
-  if (has_error(findings_) || !specimen_) return !has_error(findings_);
-  add(check_attempts(scenario_, specimen_));
-  const bool holds = !has_error(findings_);
-  if (!holds) Q_EMIT changed();
-  return holds;
-}
-
-void EditorModel::check_pulp() {
-  const auto& critical = scenario_.rubric.critical;
-  if (std::ranges::find(critical, "pulp_exposure") == critical.end() || pulp_mm_.empty()) return;
-  const TargetShape shape(scenario_.target);
-  if (shape.empty()) return;
-  double gap = 1e300;
-  bool in_leeway = false;
-  for (const Vec3& p : pulp_mm_) {
-    gap = std::min(gap, shape.distance_mm(p));
-    in_leeway = in_leeway || rounded_corner(shape.outline_mm({p.x, p.y}) - scenario_.leeway.side_mm,
-                                            shape.below_floor_mm(p.z) - scenario_.leeway.floor_mm, shape.corner_mm()) < 0;
-  }
-  if (gap < 0) {
-    findings_.insert(findings_.begin(), {Severity::error, "/target/depth_mm", "target_opens_pulp", {{"value", -gap}}, {}});
-  } else if (in_leeway) {
-    findings_.push_back({Severity::warning, "/leeway/floor_mm", "leeway_opens_pulp", {{"value", gap}}, {}});
-  }
 }
 
 bool EditorModel::unchanged() const {

@@ -41,6 +41,8 @@ class EditorModel : public QObject {
   bool set_title(const std::string& language, const QString& text);     // empty: takes the language away
   bool set_briefing(const std::string& language, const QString& text);
   /// Other tissues come with another specimen; critical ones (scenarios/tissues) stay protected where there are any.
+  /// Where pulp comes in, opening it fails the attempt from then on. If the grown specimen shows that the target holds
+  /// pulp, as an endodontic access does, set_facts() takes that rule back within the same step.
   bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
   /// A grown tooth otherwise: its decay, what stands about it, its seed. Tissues that it has more begin with the usual
   /// figures, those that it keeps keep theirs. `field` as in set_target.
@@ -112,6 +114,7 @@ class EditorModel : public QObject {
   void after_change();
   void check();
   void check_pulp();
+  bool allow_access();  // true: the last step brought the pulp's rule, the target is an access, and the rule is gone
   void add(std::vector<Finding> findings);
 
   Scenario scenario_;

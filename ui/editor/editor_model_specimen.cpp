@@ -23,8 +23,13 @@ void clean(SpecimenSource& source) {
   }
 }
 
-/// Critical tissues stay protected where there are any, and nothing else is.
-void guard(Scenario& s) {
+bool has_pulp(const Scenario& s) {
+  return std::ranges::any_of(s.tissues, [](const ScenarioTissue& t) { return t.tissue == Tissue::pulp; });
+}
+
+/// Critical tissues stay protected where there are any, and nothing else is. Pulp that was not there before brings its
+/// rule; where it was there, whoever switched the rule off meant it.
+void guard(Scenario& s, bool had_pulp) {
   const auto there = [&s](Tissue t) {
     return std::ranges::any_of(s.tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });
   };
@@ -33,7 +38,10 @@ void guard(Scenario& s) {
     const bool guarded = std::ranges::find(s.protected_tissues, t.tissue) != s.protected_tissues.end();
     if (tissue_facts(t.tissue).critical.value && !guarded) s.protected_tissues.push_back(t.tissue);
   }
-  if (!there(Tissue::pulp)) std::erase(s.rubric.critical, "pulp_exposure");
+  auto& critical = s.rubric.critical;
+  if (!has_pulp(s)) std::erase(critical, "pulp_exposure");
+  const bool ruled = std::ranges::find(critical, "pulp_exposure") != critical.end();
+  if (has_pulp(s) && !had_pulp && !ruled) critical.push_back("pulp_exposure");
 }
 
 }  // namespace
@@ -43,8 +51,9 @@ bool EditorModel::set_specimen(const SpecimenSource& source, const std::vector<S
   return edit(tr("Tooth"), u"specimen"_qs, [&](Scenario& s) {
     s.specimen = source;
     clean(s.specimen);
+    const bool had_pulp = has_pulp(s);
     s.tissues = tissues;
-    guard(s);
+    guard(s, had_pulp);
   });
 }
 
@@ -57,8 +66,9 @@ bool EditorModel::set_tooth(const SpecimenSource& source, const QString& field) 
       const auto kept = std::ranges::find(s.tissues, t.tissue, &ScenarioTissue::tissue);
       if (kept != s.tissues.end()) t = *kept;
     }
+    const bool had_pulp = has_pulp(s);
     s.tissues = std::move(tissues);
-    guard(s);
+    guard(s, had_pulp);
   });
 }
 

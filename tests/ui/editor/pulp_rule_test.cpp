@@ -1,0 +1,82 @@
+// When the editor itself switches the rule on or off that opening the pulp fails the attempt.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenarios/library/library.h"
+#include "scenarios/specimens.h"
+#include "tests/ui/editor/class_one.h"
+#include "ui/editor/editor_model.h"
+#include "ui/editor/specimen_grower.h"
+
+namespace cusp {
+namespace {
+
+/// A class I that an author has on a block, and the tooth that is to be its specimen, in coarse voxels.
+EditorStart class_one_on_a_block(double depth_mm, double width_mm) {
+  EditorStart start = class_one();
+  Scenario& s = start.draft;
+  const Scenario block = load_builtin("channel-1").value();
+  s.specimen = block.specimen;
+  s.tissues = block.tissues;
+  s.protected_tissues.clear();
+  s.rubric.critical.clear();
+  s.target.depth_mm = depth_mm;
+  s.target.width_mm = width_mm;
+  settle_on_floor(s.target);
+  return start;
+}
+SpecimenSource coarse_36() {
+  SpecimenSource tooth = class_one().draft.specimen;
+  tooth.voxel_mm = 0.2;
+  return tooth;
+}
+/// As the grower hands it over.
+void bring_the_tooth(EditorModel& model) {
+  static const VoxelVolume volume = make_specimen(coarse_36(), {}).value();
+  model.set_facts(facts_of(volume), {}, Specimen::build(volume, reading_of(model.scenario().method)));
+}
+
+TEST(editor_model, a_tooth_with_pulp_brings_the_rule_that_opening_it_fails_the_attempt_and_undo_takes_both) {
+  const EditorStart start = class_one_on_a_block(1.8, 1.0);
+  for (const bool by_form : {false, true}) {
+    EditorModel model(start);
+    ASSERT_TRUE(by_form ? model.set_tooth(coarse_36(), QStringLiteral("fdi"))
+                        : model.set_specimen(coarse_36(), usual_tissues(std::string("tooth"))));
+    EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"});
+    EXPECT_EQ(model.scenario().protected_tissues, std::vector<Tissue>{Tissue::pulp});
+    bring_the_tooth(model);
+    EXPECT_EQ(model.scenario().rubric.critical, std::vector<std::string>{"pulp_exposure"}) << "no pulp in the target";
+    ASSERT_EQ(model.stack().count(), 1);
+    model.stack().undo();
+    EXPECT_EQ(model.scenario(), start.draft);
+  }
+}
+
+TEST(editor_model, an_access_to_the_pulp_keeps_its_rule_off_and_undo_is_still_one_step) {
+  const EditorStart start = class_one_on_a_block(5.5, 3.0);
+  EditorModel model(start);
+  ASSERT_TRUE(model.set_specimen(coarse_36(), usual_tissues(std::string("tooth"))));
+  model.end_gesture();
+  bring_the_tooth(model);
+  EXPECT_TRUE(model.scenario().rubric.critical.empty());
+  EXPECT_TRUE(std::ranges::any_of(model.findings(), [](const Finding& f) { return f.code == "target_holds_pulp"; }));
+  ASSERT_EQ(model.stack().count(), 1);
+  model.stack().undo();
+  EXPECT_EQ(model.scenario(), start.draft);
+  model.stack().redo();
+  EXPECT_TRUE(model.scenario().rubric.critical.empty());
+}
+
+TEST(editor_model, a_rule_that_the_author_switched_off_stays_off_when_the_tooth_changes) {
+  EditorModel model(class_one());
+  ASSERT_TRUE(model.set_critical("pulp_exposure", false));
+  SpecimenSource other = model.scenario().specimen;
+  other.fdi = 46;
+  ASSERT_TRUE(model.set_tooth(other, QStringLiteral("fdi")));
+  EXPECT_TRUE(model.scenario().rubric.critical.empty());
+}
+
+}  // namespace
+}  // namespace cusp

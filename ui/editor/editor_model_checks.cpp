@@ -1,0 +1,82 @@
+// What stands against the exercise that the editor's model holds, and what its grown specimen says of the pulp's rule.
+#include <algorithm>
+
+#include "scenarios/checks/checks.h"
+#include "scenarios/shapes/outline.h"
+#include "ui/editor/commands.h"
+#include "ui/editor/editor_model.h"
+
+namespace cusp {
+namespace {
+
+bool pulp_rule(const Scenario& s) {
+  return std::ranges::find(s.rubric.critical, "pulp_exposure") != s.rubric.critical.end();
+}
+
+}  // namespace
+
+void EditorModel::set_facts(std::optional<SpecimenFacts> facts, std::vector<Vec3> pulp_mm,
+                            std::shared_ptr<const Specimen> specimen) {
+  facts_ = std::move(facts);
+  pulp_mm_ = std::move(pulp_mm);
+  specimen_ = std::move(specimen);
+  check();
+  if (!allow_access()) Q_EMIT changed();
+}
+
+bool EditorModel::allow_access() {
+  if (!specimen_ || stack_.index() == 0 || stack_.index() != stack_.count()) return false;
+  const auto* last = static_cast<const ScenarioEdit*>(stack_.command(stack_.count() - 1));
+  if (last->before().specimen == scenario_.specimen || pulp_rule(last->before()) || !pulp_rule(scenario_)) return false;
+  Scenario without = scenario_;
+  std::erase(without.rubric.critical, "pulp_exposure");
+  const auto found = check_regions(without, *specimen_);
+  if (std::ranges::find(found, "target_holds_pulp", &Finding::code) == found.end()) return false;
+  // The field and gesture of the step that brought the tooth: it merges with that.
+  stack_.push(new ScenarioEdit(scenario_, std::move(without), last->text(), last->field(), last->gesture(),
+                               [this] { after_change(); }));
+  return true;
+}
+
+void EditorModel::check() {
+  findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
+  if (specimen_) add(check_regions(scenario_, *specimen_));
+  add(check_words(scenario_, library_patterns()));
+  if (!specimen_) check_pulp();
+}
+
+void EditorModel::add(std::vector<Finding> findings) {
+  for (Finding& f : findings) {
+    const auto first_warning = std::ranges::find(findings_, Severity::warning, &Finding::severity);
+    findings_.insert(f.severity == Severity::error ? first_warning : findings_.end(), std::move(f));
+  }
+}
+
+bool EditorModel::prove() {
+  if (has_error(findings_) || !specimen_) return !has_error(findings_);
+  add(check_attempts(scenario_, specimen_));
+  const bool holds = !has_error(findings_);
+  if (!holds) Q_EMIT changed();
+  return holds;
+}
+
+void EditorModel::check_pulp() {
+  const auto& critical = scenario_.rubric.critical;
+  if (std::ranges::find(critical, "pulp_exposure") == critical.end() || pulp_mm_.empty()) return;
+  const TargetShape shape(scenario_.target);
+  if (shape.empty()) return;
+  double gap = 1e300;
+  bool in_leeway = false;
+  for (const Vec3& p : pulp_mm_) {
+    gap = std::min(gap, shape.distance_mm(p));
+    in_leeway = in_leeway || rounded_corner(shape.outline_mm({p.x, p.y}) - scenario_.leeway.side_mm,
+                                            shape.below_floor_mm(p.z) - scenario_.leeway.floor_mm, shape.corner_mm()) < 0;
+  }
+  if (gap < 0) {
+    findings_.insert(findings_.begin(), {Severity::error, "/target/depth_mm", "target_opens_pulp", {{"value", -gap}}, {}});
+  } else if (in_leeway) {
+    findings_.push_back({Severity::warning, "/leeway/floor_mm", "leeway_opens_pulp", {{"value", gap}}, {}});
+  }
+}
+
+}  // namespace cusp
