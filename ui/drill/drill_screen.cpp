@@ -314,7 +314,7 @@ void DrillScreen::graded(const std::shared_ptr<Run<RunResult>>& result) {
   in.bar->enable_leave(true);
   if (!*result && result->error().code == RunError::recording_failed) {
     // The disk may come back: nothing is lost while this screen stands.
-    in.stage->show_stopped(DrillStage::Stop::record, QString::fromStdString(result->error().where));
+    in.stage->show_stopped(DrillStage::Stop::record, tell(result->error()));
     in.bar->enable_finish(true);
     return;
   }

@@ -284,7 +284,7 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   } else if (live.phase == LoopPhase::paused) {
     stop = Stop::paused;
   }
-  show_stopped(stop, QString::fromStdString(live.recording_where), live.fault);
+  show_stopped(stop, live.recording_failure ? tell(*live.recording_failure) : Told{}, live.fault);
   if (stop_card_->show_falcon(falcon)) place_all();
 
   if (look_) show_coach(coach(live, look_->shape(), leeway_, radius));
@@ -313,9 +313,9 @@ void DrillStage::show_coach(CoachLine line) {
   if (line.what != Coach::quiet) announce(coach_, coach_->text());
 }
 
-void DrillStage::show_stopped(Stop stop, const QString& where, Fault fault) {
+void DrillStage::show_stopped(Stop stop, const Told& record, Fault fault) {
   if (asking_ && stop == Stop::paused) stop = Stop::none;
-  if (stop_card_->show_stop(stop, where, fault)) place_all();
+  if (stop_card_->show_stop(stop, record, fault)) place_all();
 }
 
 void DrillStage::enable_tools(bool on) { tools_->setEnabled(on); }

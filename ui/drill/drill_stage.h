@@ -41,7 +41,7 @@ class DrillStage : public QWidget {
   /// What the mouse would push with, N.
   void show_wanted_push(double newtons);
   void show_cutaway(SectionImage image);
-  void show_stopped(Stop stop, const QString& where = {}, Fault fault = Fault::none);
+  void show_stopped(Stop stop, const Told& record = {}, Fault fault = Fault::none);
   /// While a question stands over the screen, the pause that it made is not told besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);

@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/app/sentences.h"
 #include "ui/device/homing_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -40,9 +39,11 @@ StopCard::StopCard(QWidget* parent) : QFrame(parent) {
   hide();
 }
 
-bool StopCard::show_stop(Stop stop, const QString& where, Fault fault) {
-  if (stop == stop_) return false;
+bool StopCard::show_stop(Stop stop, const Told& record, Fault fault) {
+  const QString cause = stop == Stop::record ? record.line() : QString();
+  if (stop == stop_ && cause == cause_) return false;
   stop_ = stop;
+  cause_ = cause;
   setVisible(stop != Stop::none);
   if (stop == Stop::none) return true;
   QString title, more;
@@ -68,7 +69,7 @@ bool StopCard::show_stop(Stop stop, const QString& where, Fault fault) {
       break;
     case Stop::record:
       title = tr("The record cannot be written");
-      more = tr("%1 What you drilled so far is safe; make room on the disk, then go on.").arg(isolate(where));
+      more = tr("%1 What you drilled so far is safe while this window stays open. Put the cause right, then go on.").arg(cause);
       break;
     case Stop::behind:
       title = tr("This computer is too slow for the exercise");

@@ -5,6 +5,7 @@
 
 #include "device/falcon/falcon_port.h"
 #include "engine/step/step.h"
+#include "ui/app/sentences.h"
 
 class QLabel;
 
@@ -19,8 +20,9 @@ class StopCard : public QFrame {
   enum class Stop { none, paused, fault, device_gone, device_back, record, behind };
 
   explicit StopCard(QWidget* parent = nullptr);
-  /// `where`: of the record that cannot be written; `fault`: of Stop::fault. Read out when it is another. True if it was.
-  bool show_stop(Stop stop, const QString& where, Fault fault);
+  /// `record`: why Stop::record cannot be written; `fault`: of Stop::fault. Read out when another stop or another cause
+  /// stands there. True if it did.
+  bool show_stop(Stop stop, const Told& record, Fault fault);
   /// While it is gone, what a Falcon tells of its way back, with the picture of homing. True if the card grew or shrank.
   bool show_falcon(const FalconView* view);
   /// Its height at that width.
@@ -34,6 +36,7 @@ class StopCard : public QFrame {
   QLabel *title_, *more_;
   HomingView* homing_;
   QString told_;  // by the homing, as it was laid out
+  QString cause_;  // of Stop::record, as it is shown
   Stop stop_ = Stop::none;
 };
 

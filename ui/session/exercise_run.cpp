@@ -176,7 +176,7 @@ LiveView ExerciseRun::view() const {
 
   if (run.recorder) {
     view.recording = run.recorder->state();
-    if (const auto failure = run.recorder->failure()) view.recording_where = failure->where;
+    view.recording_failure = run.recorder->failure();
   }
   view.mismatch = run.mirror->mismatch();
   view.loop = run.loop->times();

@@ -12,6 +12,7 @@
 #include "engine/loop/tick.h"
 #include "engine/mirror/mirror.h"
 #include "engine/volume/tissue.h"
+#include "storage/error.h"
 
 namespace cusp {
 
@@ -23,7 +24,7 @@ enum class RecordingState : std::uint8_t {
   off,        // a try-out or guest go: nothing is kept
   recording,
   behind,     // the disk is slow; nothing is lost yet
-  failed,     // could not be written: the go is held, LiveView::recording_where says where
+  failed,     // could not be written: the go is held, LiveView::recording_failure says why
 };
 
 /// One copy of everything that panels and gauges show, about 40 times a second. Plain values.
@@ -51,7 +52,7 @@ struct LiveView {
   double peak_push_n = 0;
 
   RecordingState recording = RecordingState::off;
-  std::string recording_where;
+  std::optional<StorageFailure> recording_failure;
   bool ring_warning = false;            // inputs wait: the machine is too slow for this exercise
   std::optional<Mismatch> mismatch;     // loop and mirror differ
   LoopTimes loop;

@@ -159,6 +159,28 @@ TEST_F(DrillGauges, the_cutaway_keeps_to_the_target_when_the_bur_leaves_it) {
   EXPECT_EQ(free.follow({0, -30, 3}), Vec3(0, 0, 0)) << "without a target: the specimen's middle";
 }
 
+TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
+  const auto shown = [](const StorageFailure& failure) {
+    DrillStage stage;
+    LiveView live;
+    live.recording = RecordingState::failed;
+    live.recording_failure = failure;
+    stage.show_values(live);
+    QString text;
+    for (const QLabel* label : stage.findChild<StopCard*>()->findChildren<QLabel*>()) text += label->text() + u' ';
+    return text;
+  };
+  const QString full = shown({StorageError::disk_full, "/data/cusp.db", {}});
+  EXPECT_TRUE(full.contains(u"The disk is full."_qs)) << full.toStdString();
+  EXPECT_TRUE(full.contains(u"/data/cusp.db"_qs)) << full.toStdString();
+  for (const StorageError other : {StorageError::read_only, StorageError::busy, StorageError::io, StorageError::corrupt}) {
+    const StorageFailure failure{other, "/data/cusp.db", {}};
+    const QString text = shown(failure);
+    EXPECT_TRUE(text.contains(tell(failure).what)) << text.toStdString();
+    EXPECT_FALSE(text.contains(u"room on the disk"_qs) || text.contains(u"disk is full"_qs)) << text.toStdString();
+  }
+}
+
 TEST(StopCard, a_device_that_answers_again_is_told_so_and_not_to_look_for_its_cable) {
   DrillStage stage;
   stage.resize(800, 600);
