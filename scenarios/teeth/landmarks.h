@@ -10,6 +10,13 @@
 
 namespace cusp {
 
+/// The way in which "mesial" lies on a tooth along its frame's x: 1 in quadrants 1 and 3, -1 in 2 and 4, 0 if `fdi` is no
+/// tooth's number.
+constexpr int mesial_x(int fdi) noexcept {
+  const int quadrant = fdi / 10;
+  return quadrant < 1 || quadrant > 4 ? 0 : quadrant % 2 == 1 ? 1 : -1;
+}
+
 /// A named line on the surface, sampled about every 0.1 mm.
 struct SurfaceLine {
   std::string name;  // key of teeth.json: "central mesial", "lingual", ...

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenarios/teeth/landmarks.h"
 #include "ui/app/grade_words.h"
 #include "ui/app/words.h"
 #include "ui/widgets/format.h"
@@ -71,12 +72,11 @@ QString critical_advice(const std::string& key) {
 }
 
 QString side_text(const SpecimenSource& specimen, Vec3 place_mm) {
-  if (specimen.generator != "tooth" || specimen.fdi < 11) return {};
-  const int quadrant = specimen.fdi / 10;
-  // landmarks.h: y buccal; x mesial in quadrants 1 and 3, distal in 2 and 4.
-  const double mesial = quadrant % 2 == 1 ? place_mm.x : -place_mm.x, buccal = place_mm.y;
+  const int toward_mesial = specimen.generator == "tooth" ? mesial_x(specimen.fdi) : 0;
+  if (toward_mesial == 0) return {};
+  const double mesial = toward_mesial * place_mm.x, buccal = place_mm.y;
   if (std::hypot(mesial, buccal) < kMiddleMm) return {};
-  const bool upper = quadrant <= 2;
+  const bool upper = specimen.fdi < 30;
   if (std::abs(mesial) > kMostOblique * std::abs(buccal)) return mesial > 0 ? Words::tr("mesial") : Words::tr("distal");
   if (std::abs(buccal) > kMostOblique * std::abs(mesial)) {
     return buccal > 0 ? Words::tr("buccal") : upper ? Words::tr("palatal") : Words::tr("lingual");

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "scenarios/teeth/landmarks.h"
 #include "ui/widgets/theme.h"
 
 namespace cusp {
@@ -11,6 +12,20 @@ Compass::Compass(const ToothView& view, QWidget* parent) : QWidget(parent), view
   setFixedSize(px(62), px(62));
   setAccessibleName(tr("Directions"));
   setAttribute(Qt::WA_TransparentForMouseEvents);
+}
+
+std::array<Compass::Way, 4> Compass::ways(int fdi) {
+  const double mesial = mesial_x(fdi);
+  return {{{{mesial, 0, 0}, tr("M", "mesial")},
+           {{-mesial, 0, 0}, tr("D", "distal")},
+           {{0, 1, 0}, tr("B", "buccal")},
+           {{0, -1, 0}, fdi < 30 ? tr("P", "palatal") : tr("L", "lingual")}}};
+}
+
+void Compass::set_tooth(int fdi) {
+  fdi_ = fdi;
+  setVisible(mesial_x(fdi) != 0);
+  update();
 }
 
 void Compass::paintEvent(QPaintEvent*) {
@@ -23,14 +38,7 @@ void Compass::paintEvent(QPaintEvent*) {
   p.drawEllipse(middle, width() / 2.0 - 1, height() / 2.0 - 1);
   const Vec3 right = view_.camera().right(), up = view_.camera().up();
   p.setFont(font_of(TextRole::caption, true));
-  const struct {
-    Vec3 way;
-    QString letter;
-  } kWays[] = {{{1, 0, 0}, tr("M", "mesial")},
-               {{-1, 0, 0}, tr("D", "distal")},
-               {{0, 1, 0}, tr("B", "buccal")},
-               {{0, -1, 0}, tr("L", "lingual")}};
-  for (const auto& [way, letter] : kWays) {
+  for (const auto& [way, letter] : ways(fdi_)) {
     QPointF to(glm::dot(way, right), -glm::dot(way, up));
     const double length = std::hypot(to.x(), to.y());
     if (length < 0.25) continue;  // points at the viewer or away

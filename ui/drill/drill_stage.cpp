@@ -192,7 +192,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   }
   target_->setVisible(!look.empty());
   legend_->setVisible(!look.empty());
-  compass_->setVisible(is_tooth);
+  compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
   coach_card_->hide();
   wanted_push_->setVisible(by_mouse);
   said_ = spoken_ = {Coach::carry_on, -1};

@@ -43,6 +43,15 @@ void expect_single_pieces(const VoxelVolume& v) {
                            << " pulp " << p.pulp;
 }
 
+TEST(Teeth, TurnTheirMesialSideAsTheQuadrantSays) {
+  for (const int fdi : {16, 26, 36, 46}) {
+    const auto marks = tooth_landmarks({fdi, 0, 0.2});
+    ASSERT_TRUE(marks);
+    EXPECT_GT(mesial_x(fdi) * (marks->mesial_contact.x - marks->distal_contact.x), 5.0) << fdi;
+  }
+  for (const int none : {0, 6, 51, -36}) EXPECT_EQ(mesial_x(none), 0) << none;
+}
+
 TEST(FirstMolar, HasTheLengthsOfTheTable) {
   // dental.md 3.1: 7.5, 14, 11, 10.5, necks 9 and 9. Measured on the voxels: within 0.4 %; 2 % is promised.
   const ToothDims d = measured_dims(first_molar().volume, 1.0, 0.0, false);

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
 #include "ui/drill/drill_stage.h"
 #include "ui/drill/score_panel.h"
@@ -179,6 +180,37 @@ TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
     EXPECT_TRUE(text.contains(tell(failure).what)) << text.toStdString();
     EXPECT_FALSE(text.contains(u"room on the disk"_qs) || text.contains(u"disk is full"_qs)) << text.toStdString();
   }
+}
+
+TEST(Compass, points_mesially_as_the_tooth_of_its_quadrant_lies) {
+  const auto letter_of = [](int fdi, Vec3 way) {
+    for (const Compass::Way& w : Compass::ways(fdi)) {
+      if (w.way == way) return w.letter;
+    }
+    return QString();
+  };
+  // Towards the midline: facts/dental.md's quadrants, as scenarios/teeth lays its teeth (teeth_test holds the teeth to it).
+  for (const int fdi : {16, 36}) EXPECT_EQ(letter_of(fdi, {1, 0, 0}), QStringLiteral("M")) << fdi;
+  for (const int fdi : {26, 46}) {
+    EXPECT_EQ(letter_of(fdi, {1, 0, 0}), QStringLiteral("D")) << fdi;
+    EXPECT_EQ(letter_of(fdi, {-1, 0, 0}), QStringLiteral("M")) << fdi;
+  }
+  EXPECT_EQ(letter_of(16, {0, -1, 0}), QStringLiteral("P"));
+  EXPECT_EQ(letter_of(36, {0, -1, 0}), QStringLiteral("L"));
+}
+
+TEST(Compass, is_hidden_where_no_side_of_the_specimen_is_known) {
+  DrillStage stage;
+  auto* compass = stage.findChild<Compass*>();
+  Scenario scenario;
+  scenario.specimen.volume = "molar.nrrd";
+  stage.set_exercise(scenario, TargetLook(Target{}, {}), Box{Vec3(-5.0), Vec3(5.0)}, true, true);
+  EXPECT_TRUE(compass->isHidden());
+  scenario.specimen = {};
+  scenario.specimen.generator = "tooth";
+  scenario.specimen.fdi = 46;
+  stage.set_exercise(scenario, TargetLook(Target{}, {}), Box{Vec3(-5.0), Vec3(5.0)}, true, true);
+  EXPECT_FALSE(compass->isHidden());
 }
 
 TEST(StopCard, a_device_that_answers_again_is_told_so_and_not_to_look_for_its_cable) {
