@@ -46,11 +46,12 @@ std::filesystem::path cache_folder() {
 
 }  // namespace
 
-Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database, QWidget* parent)
+Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database, OpenRecords open, QWidget* parent)
     : QMainWindow(parent),
       settings_(settings),
       ports_(std::move(ports)),
       database_(std::move(database)),
+      open_(std::move(open)),
       pictures_(std::make_unique<PictureShelf>(cache_folder() / "pictures")),
       stack_(new QStackedWidget) {
   setWindowTitle(QStringLiteral("Cusp"));
@@ -79,16 +80,6 @@ Desktop::~Desktop() = default;
 
 std::filesystem::path Desktop::volume_folder() { return cache_folder() / "volumes"; }
 
-void Desktop::start() {
-  auto store = Store::open(database_);
-  if (!store) {
-    show_refusal(tell(store.error()));
-    return;
-  }
-  store_ = std::move(*store);
-  show_sign_in();
-}
-
 void Desktop::replace_root(QWidget* root) {
   shell_ = nullptr;
   sign_in_ = nullptr;
@@ -101,20 +92,12 @@ void Desktop::replace_root(QWidget* root) {
   stack_->setCurrentWidget(root);
 }
 
-void Desktop::show_refusal(const Told& told) {
-  auto* page = new QWidget;
-  page->setProperty("kind", u"page"_qs);
-  page->setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(page);
-  auto* state = new EmptyState(u"warning"_qs, told.what, told.more, tr("Try again"), Ink::bad);
-  connect(state, &EmptyState::acted, this, &Desktop::start);
-  column->addWidget(state);
-  replace_root(page);
-}
-
 void Desktop::show_sign_in(const QString& number, bool staff) {
   auto* page = new SignIn(*store_);
+  if (const auto told = incident()) page->show_incident(*told);
+  if (const auto why = why_reading_only()) page->show_reading_only(*why);
   page->set_typed_number(number, staff);
+  connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
   connect(page, &SignIn::theme_toggled, this,
@@ -158,7 +141,8 @@ void Desktop::sign_out() {
 QVector<NavEntry> Desktop::entries() {
   QVector<NavEntry> list;
   const Role role = account_->role;
-  if (role == Role::student) {
+  const bool writing = !reading_only_;
+  if (writing && role == Role::student) {
     list += {u"start"_qs, tr("Start"), u"home"_qs, [this]() -> QWidget* {
                const DeviceKind* device = device_kind(DeviceSettings(settings_.file()).choice().kind);
                auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(),
@@ -171,7 +155,7 @@ QVector<NavEntry> Desktop::entries() {
                return page;
              }};
   }
-  if (may(role, Action::edit_scenarios)) {
+  if (writing && may(role, Action::edit_scenarios)) {
     list += {u"library"_qs, tr("Library"), u"layers"_qs, [this]() -> QWidget* {
                auto* page = new LibraryPage(*store_, account_->actor(), ports_, database_, volume_folder());
                connect(page, &LibraryPage::edit_wanted, this, &Desktop::edit);
@@ -179,7 +163,7 @@ QVector<NavEntry> Desktop::entries() {
                return page;
              }};
   }
-  if (role != Role::administrator) {
+  if (writing && role != Role::administrator) {
     list += {u"exercises"_qs, tr("Exercises"), u"list"_qs, [this]() -> QWidget* {
                auto* page = new ExercisesPage(*store_, account_->actor());
                connect(page, &ExercisesPage::briefing_wanted, this, &Desktop::show_briefing);
@@ -223,6 +207,11 @@ void Desktop::show_shell(const QString& page_key) {
   connect(shell, &Shell::help_wanted, this, [this] { shell_->show_page(u"help"_qs); });
   connect(shell, &Shell::signed_out, this, &Desktop::sign_out);
   connect(shell, &Shell::password_wanted, this, [this] { (new PasswordDialog(*store_, *account_, this))->open(); });
+  if (const auto why = why_reading_only()) {
+    shell->show_notice(*why);
+  } else if (const auto told = incident(); told && account_->role == Role::administrator) {
+    shell->show_notice(*told);
+  }
   replace_root(shell);
   shell_ = shell;
   show_device();
@@ -317,7 +306,7 @@ void Desktop::go_anywhere() {
   for (const NavEntry& entry : shell_->entries()) {
     places += {entry.name, tr("page"), entry.icon, [this, key = entry.key] { shell_->show_page(key); }};
   }
-  if (const auto list = load_exercises(*store_); list && may(account_->role, Action::drill)) {
+  if (const auto list = load_exercises(*store_); !reading_only_ && list && may(account_->role, Action::drill)) {
     for (const Exercise& e : list->exercises) {
       places += {local(e.scenario.title), tr("exercise"), u"list"_qs, [this, e] { show_briefing(e); }};
     }

@@ -4,6 +4,7 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -33,14 +34,21 @@ class Desktop : public QMainWindow {
   Q_OBJECT
 
  public:
-  Desktop(Settings& settings, Ports ports, std::filesystem::path database, QWidget* parent = nullptr);
+  /// Store::open(), but in tests.
+  using OpenRecords =
+      std::function<Stored<std::unique_ptr<Store>>(const std::filesystem::path& file, const StoreOptions& options)>;
+  Desktop(
+      Settings& settings, Ports ports, std::filesystem::path database,
+      OpenRecords open = [](const std::filesystem::path& file, const StoreOptions& options) { return Store::open(file, options); },
+      QWidget* parent = nullptr);
   ~Desktop() override;
 
   /// Pedal and SpaceMouse of this station; outlives the desktop. Before start(); without it there are none.
   void use_hid(hid::HidStation& station) { hid_ = &station; }
   hid::HidStation* hid() const { return hid_; }
 
-  /// Opens the records and shows sign-in, or says why they cannot be opened.
+  /// Opens the records and shows sign-in, or says why they cannot be opened. Where nothing can be written they are opened
+  /// for reading: then there are results and reports, and neither drilling nor the library.
   void start();
 
   void sign_in(const Account& account);
@@ -79,6 +87,9 @@ class Desktop : public QMainWindow {
   void show_shell(const QString& page_key);
   void show_device();
   void show_refusal(const Told& told);
+  Stored<std::unique_ptr<Store>> open_records(StoreOptions options = {}) const;
+  std::optional<Told> incident();
+  std::optional<Told> why_reading_only() const;
   void replace_root(QWidget* root);
   void show_briefing(const Exercise& exercise);
   void try_out(const RunPlan& plan, const QString& title);
@@ -98,7 +109,9 @@ class Desktop : public QMainWindow {
   Settings& settings_;
   Ports ports_;
   std::filesystem::path database_;
+  OpenRecords open_;
   std::unique_ptr<Store> store_;
+  std::optional<StorageFailure> reading_only_;  // why nothing can be written
   std::optional<Account> account_;
   std::unique_ptr<PictureShelf> pictures_;
   QStackedWidget* stack_;

@@ -19,12 +19,7 @@ struct Opened {
   Told told;
 };
 
-Opened open_in_background(const std::filesystem::path& database, const SessionId& session, bool keep) {
-  // A store belongs to one thread: this one opens its own on the same file.
-  StoreOptions options;
-  options.database.access = DatabaseOptions::Access::existing;
-  options.mark_interrupted = false;
-  auto store = Store::open(database, options);
+Opened open_in_background(const Stored<std::unique_ptr<Store>>& store, const SessionId& session, bool keep) {
   if (!store) return {std::nullopt, tell(store.error())};
   auto result = open_result(**store, session, keep);
   if (!result) return {std::nullopt, tell(result.error())};
@@ -45,8 +40,12 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
   column->addWidget(busy);
   push(waiting);
   busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), false);
-  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), database = database_] {
-    auto opened = std::make_shared<Opened>(open_in_background(database, session, keep == Keep::grade));
+  StoreOptions options;
+  options.database.access = reading_only_ ? DatabaseOptions::Access::read_only : DatabaseOptions::Access::existing;
+  options.mark_interrupted = false;
+  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), open = open_, database = database_, options] {
+    // A store belongs to one thread: this one opens its own on the same file.
+    auto opened = std::make_shared<Opened>(open_in_background(open(database, options), session, keep == Keep::grade));
     QMetaObject::invokeMethod(
         qApp,
         [this, opened, waiting] {
@@ -77,7 +76,7 @@ void Desktop::show_result(std::shared_ptr<const RunResult> result, std::optional
     own = details && details->row.student == reader.id;
   }
   const QString back_name = !signed_in ? tr("Sign in") : tr("Back");
-  auto* report = new ReportPage(std::move(gathered), ports_, own && exercise.has_value(), back_name);
+  auto* report = new ReportPage(std::move(gathered), ports_, own && exercise.has_value() && !reading_only_, back_name);
   connect(report, &ReportPage::back_wanted, this, &Desktop::back);
   if (exercise) {
     connect(report, &ReportPage::go_again_wanted, this, [this, again = *exercise] {

@@ -24,7 +24,7 @@ constexpr int kTopBar = 48, kSidebar = 200;  // px at 100 %
 }  // namespace
 
 Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
-    : QWidget(parent), entries_(std::move(entries)), group_(new QButtonGroup(this)), pages_(new QStackedWidget) {
+    : QWidget(parent), entries_(std::move(entries)), notice_(new Band), group_(new QButtonGroup(this)), pages_(new QStackedWidget) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -34,9 +34,18 @@ Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
   row->setSpacing(0);
   side_ = make_sidebar();
   row->addWidget(side_);
-  row->addWidget(pages_, 1);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(0);
+  auto* above = new QVBoxLayout;  // takes no room while the notice is hidden
+  above->setContentsMargins(px(24), px(16), px(24), 0);
+  above->addWidget(notice_);
+  right->addLayout(above);
+  right->addWidget(pages_, 1);
+  row->addLayout(right, 1);
   column->addLayout(row, 1);
 }
+
+void Shell::show_notice(const Told& told) { notice_->show_message(Band::Kind::look, told.what, told.more); }
 
 QWidget* Shell::make_top_bar(const Account& account) {
   auto* bar = new QFrame;

@@ -15,6 +15,9 @@ class QVBoxLayout;
 
 namespace cusp {
 
+class Band;
+struct Told;
+
 /// One line of the sidebar. The page is made when it is first shown, and anew each time it is shown again, so that it
 /// never shows yesterday's results.
 struct NavEntry {
@@ -34,6 +37,8 @@ class Shell : public QWidget {
   QWidget* page() const;
   /// What goes are drilled with, at the foot of the sidebar.
   void show_device(const QString& name, const QString& icon_name);
+  /// A band over the pages that stays: what is the matter with the records.
+  void show_notice(const Told& told);
   const QVector<NavEntry>& entries() const { return entries_; }
   /// Moves the focus to the next of top bar, sidebar and page.
   void next_pane();
@@ -54,6 +59,7 @@ class Shell : public QWidget {
   QString key_;
   QWidget *top_ = nullptr, *side_ = nullptr;
   QLabel *device_sign_ = nullptr, *device_ = nullptr;
+  Band* notice_;
   QButtonGroup* group_;
   QStackedWidget* pages_;
 };

@@ -67,11 +67,15 @@ SignIn::SignIn(Store& store, QWidget* parent) : QWidget(parent), store_(store) {
   column->addWidget(make_head());
   column->addStretch(2);
   QWidget* form = first_start_ ? make_first_start_form() : make_sign_in_form();
+  auto* both = new QVBoxLayout;
+  both->setSpacing(px(16));
+  both->addWidget(make_notices());
+  both->addWidget(form);
   form->setFixedWidth(px(kFormWidth));
   // Between stretches, not aligned: an aligned form would not be given the height its wrapped lines need.
   auto* middle = new QHBoxLayout;
   middle->addStretch();
-  middle->addWidget(form);
+  middle->addLayout(both);
   middle->addStretch();
   column->addLayout(middle);
   column->addStretch(3);
@@ -120,6 +124,33 @@ QWidget* SignIn::make_head() {
   connect(theme, &QToolButton::clicked, this, &SignIn::theme_toggled);
   row->addWidget(theme);
   return head;
+}
+
+QWidget* SignIn::make_notices() {
+  auto* notices = new QWidget;
+  notices->setFixedWidth(px(kFormWidth));
+  auto* column = new QVBoxLayout(notices);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(px(8));
+  reading_only_ = new Band;
+  incident_ = new Band;
+  column->addWidget(reading_only_);
+  column->addWidget(incident_);
+  try_again_ = make_button(tr("Try again"), ButtonKind::standard);
+  try_again_->hide();
+  column->addWidget(try_again_, 0, Qt::AlignLeft);
+  connect(try_again_, &QPushButton::clicked, this, &SignIn::try_again);
+  return notices;
+}
+
+void SignIn::show_incident(const Told& told) {
+  incident_->show_message(Band::Kind::look, told.what, told.more);
+  incident_->setVisible(first_start_ || staff());
+}
+
+void SignIn::show_reading_only(const Told& why) {
+  reading_only_->show_message(Band::Kind::look, why.what, why.more);
+  try_again_->show();
 }
 
 QWidget* SignIn::make_sign_in_form() {
@@ -245,6 +276,7 @@ void SignIn::show_segment(int index) {
   student_fields_->setVisible(index == 0);
   staff_fields_->setVisible(index == 1);
   band_->clear();
+  incident_->setVisible(index == 1 && !incident_->text().isEmpty());
   (index == 0 ? number_ : staff_number_)->setFocus();
 }
 

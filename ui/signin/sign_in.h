@@ -30,12 +30,17 @@ class SignIn : public QWidget {
   QString typed_number() const;
   void set_typed_number(const QString& number, bool staff);
   bool staff() const;
+  /// What opening the records met: shown to staff alone. Where there is no administrator yet, to whoever makes one.
+  void show_incident(const Told& told);
+  /// Nothing can be written: shown to everybody, with a way to try again.
+  void show_reading_only(const Told& why);
   bool first_start() const { return first_start_; }
   QString message() const;
 
  Q_SIGNALS:
   void signed_in(const cusp::Account& account);
   void try_it();
+  void try_again();
   void language_chosen(const QString& code);
   void theme_toggled();
 
@@ -45,6 +50,7 @@ class SignIn : public QWidget {
 
  private:
   QWidget* make_head();
+  QWidget* make_notices();
   QWidget* make_sign_in_form();
   QWidget* make_first_start_form();
   void submit();
@@ -58,8 +64,8 @@ class SignIn : public QWidget {
   QWidget *student_fields_ = nullptr, *staff_fields_ = nullptr;
   QLineEdit *number_ = nullptr, *staff_number_ = nullptr, *password_ = nullptr, *repeat_ = nullptr, *name_ = nullptr;
   PinBoxes* pin_ = nullptr;
-  QPushButton* enter_ = nullptr;
-  Band* band_ = nullptr;
+  QPushButton *enter_ = nullptr, *try_again_ = nullptr;
+  Band *band_ = nullptr, *incident_ = nullptr, *reading_only_ = nullptr;
   QLabel* picture_ = nullptr;
   QImage image_;
 };

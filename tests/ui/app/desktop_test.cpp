@@ -16,6 +16,7 @@
 #include "ui/app/shell.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/briefing.h"
+#include "ui/widgets/parts.h"
 
 namespace cusp {
 namespace {
@@ -133,6 +134,68 @@ TEST_F(DesktopTest, every_control_on_every_page_has_a_name) {
       }
     }
   }
+}
+
+QStringList bands_of(QWidget& page) {
+  QStringList shown;
+  for (const Band* band : page.findChildren<Band*>()) {
+    if (band->isVisibleTo(&page)) shown += band->text();
+  }
+  return shown;
+}
+
+TEST_F(DesktopTest, an_incident_of_the_records_is_named_to_staff_and_not_to_students) {
+  const Account lena = records.student("1", "Lena Brandt");
+  const Account chief = records.administrator();
+  std::filesystem::remove(records.file().string() + ".key-counter");
+  open(records.file());
+  auto* page = qobject_cast<SignIn*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  EXPECT_TRUE(bands_of(*page).isEmpty()) << "where students sign in";
+  page->set_typed_number({}, true);
+  const QString command = QStringLiteral("verify");
+  ASSERT_EQ(bands_of(*page).size(), 1);
+  EXPECT_TRUE(bands_of(*page).first().contains(QStringLiteral("The counter beside the records’ key is missing."))) << bands_of(*page).first().toStdString();
+  EXPECT_TRUE(bands_of(*page).first().contains(command));
+  page->set_typed_number({}, false);
+  EXPECT_TRUE(bands_of(*page).isEmpty());
+  desktop->sign_in(lena);
+  EXPECT_FALSE(bands_of(*desktop->shell()).join(u' ').contains(command));
+  desktop->sign_in(chief);
+  EXPECT_TRUE(bands_of(*desktop->shell()).join(u' ').contains(command));
+}
+
+TEST_F(DesktopTest, on_a_full_disk_results_are_read_and_nothing_is_drilled) {
+  const Account lena = records.student("1", "Lena Brandt", "271828");
+  records.go(lena, "channel-1", 78, 426);
+  bool full = true;
+  const auto access = [](const StoreOptions& options) { return options.database.access; };
+  desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file(),
+                                      [&](const std::filesystem::path& file, const StoreOptions& options) -> Stored<std::unique_ptr<Store>> {
+                                        if (full && access(options) != DatabaseOptions::Access::read_only) {
+                                          return fail(StorageError::disk_full, file.string());
+                                        }
+                                        return Store::open(file, options);
+                                      });
+  desktop->start();
+  desktop->show();
+  auto* page = qobject_cast<SignIn*>(desktop->page());
+  ASSERT_NE(page, nullptr);
+  ASSERT_EQ(bands_of(*page).size(), 1);
+  EXPECT_TRUE(bands_of(*page).first().startsWith(QStringLiteral("The disk is full."))) << bands_of(*page).first().toStdString();
+  const auto account = desktop->store()->people.sign_in_with_pin("1", "271828");
+  ASSERT_TRUE(account);
+  desktop->sign_in(*account);
+  EXPECT_EQ(pages(), QStringList({QStringLiteral("results"), QStringLiteral("device"), QStringLiteral("help")}));
+  EXPECT_TRUE(bands_of(*desktop->shell()).join(u' ').contains(QStringLiteral("The disk is full.")));
+  desktop->sign_in(records.administrator());
+  EXPECT_EQ(pages(), QStringList({QStringLiteral("people"), QStringLiteral("performance"), QStringLiteral("device"), QStringLiteral("help")}));
+  desktop->sign_out();
+  full = false;
+  Q_EMIT qobject_cast<SignIn*>(desktop->page())->try_again();
+  EXPECT_TRUE(bands_of(*desktop->page()).isEmpty());
+  desktop->sign_in(lena);
+  EXPECT_EQ(pages().first(), QStringLiteral("start"));
 }
 
 TEST_F(DesktopTest, f6_walks_through_the_panes) {

@@ -1,0 +1,68 @@
+// How the desktop opens the records: for writing, or where the disk takes nothing more for reading.
+
+#include <QBoxLayout>
+
+#include "ui/app/desktop.h"
+#include "ui/app/incident_words.h"
+#include "ui/signin/sign_in.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/parts.h"
+
+namespace cusp {
+namespace {
+
+/// A disk that takes nothing more can still be read.
+bool may_be_read(StorageError code) {
+  return code == StorageError::read_only || code == StorageError::disk_full || code == StorageError::io;
+}
+
+}  // namespace
+
+Stored<std::unique_ptr<Store>> Desktop::open_records(StoreOptions options) const {
+  if (reading_only_) options.database.access = DatabaseOptions::Access::read_only;
+  return open_(database_, options);
+}
+
+void Desktop::start() {
+  store_.reset();
+  reading_only_.reset();
+  auto store = open_records();
+  if (!store && may_be_read(store.error().code)) {
+    const StorageFailure cause = store.error();
+    reading_only_ = cause;
+    auto reading = open_records();
+    if (reading) {
+      store = std::move(reading);
+    } else {
+      reading_only_.reset();
+    }
+  }
+  if (!store) {
+    show_refusal(tell(store.error()));
+    return;
+  }
+  store_ = std::move(*store);
+  show_sign_in();
+}
+
+void Desktop::show_refusal(const Told& told) {
+  auto* page = new QWidget;
+  page->setProperty("kind", u"page"_qs);
+  page->setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(page);
+  auto* state = new EmptyState(u"warning"_qs, told.what, told.more, tr("Try again"), Ink::bad);
+  connect(state, &EmptyState::acted, this, &Desktop::start);
+  column->addWidget(state);
+  replace_root(page);
+}
+
+std::optional<Told> Desktop::incident() {
+  const auto& met = store_->context().incident;
+  return met ? std::optional(tell_incident(*met, database_)) : std::nullopt;
+}
+
+std::optional<Told> Desktop::why_reading_only() const {
+  return reading_only_ ? std::optional(tell_reading_only(*reading_only_, database_)) : std::nullopt;
+}
+
+}  // namespace cusp
