@@ -43,9 +43,9 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
   StoreOptions options;
   options.database.access = reading_only_ ? DatabaseOptions::Access::read_only : DatabaseOptions::Access::existing;
   options.mark_interrupted = false;
-  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), open = open_, database = database_, options] {
+  QThreadPool::globalInstance()->start([this, session, keep, waiting = QPointer<QWidget>(waiting), opener = open_, database = database_, options] {
     // A store belongs to one thread: this one opens its own on the same file.
-    auto opened = std::make_shared<Opened>(open_in_background(open(database, options), session, keep == Keep::grade));
+    auto opened = std::make_shared<Opened>(open_in_background(opener(database, options), session, keep == Keep::grade));
     QMetaObject::invokeMethod(
         qApp,
         [this, opened, waiting] {
