@@ -13,6 +13,13 @@ int CriteriaModel::rowCount(const QModelIndex& parent) const {
 }
 int CriteriaModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
+void CriteriaModel::set_compact(bool compact) {
+  if (compact == compact_) return;
+  Q_EMIT layoutAboutToBeChanged();
+  compact_ = compact;
+  Q_EMIT layoutChanged();  // the columns' widths change
+}
+
 bool CriteriaModel::neutral(int row) const {
   const CriterionGrade& c = criterion(row);
   return c.reason_code == "little_drilled" || !(c.points_max > 0);
@@ -47,13 +54,13 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
                               : bar_role(index.row()) == Bar::Role::bad ? Ink::bad
                                                                         : Ink::look);
     case SecondRole:
-      if (index.column() == kYours && m.measured) {
+      if (index.column() == kYours && m.measured && !compact_) {
         return format_uncertainty({m.value, m.uncertainty, QString::fromStdString(m.unit)});
       }
       if (index.column() == kPoints && marked) return u"/ "_qs + format_points(points(index.row()).points_max);
       return {};
     case ShareRole:
-      return index.column() == kPoints && marked ? QVariant(c.points / c.points_max) : QVariant();
+      return index.column() == kPoints && marked && !compact_ ? QVariant(c.points / c.points_max) : QVariant();
     case BarRole: return static_cast<int>(bar_role(index.row()));
     case BoldRole: return index.column() == kPoints && marked;
     case QuietRole: return !marked && index.column() == kPoints;

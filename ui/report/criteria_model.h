@@ -20,6 +20,8 @@ class CriteriaModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// Without bars and without ±: for a narrow table. The chosen row's card still gives the ±.
+  void set_compact(bool compact);
   const CriterionGrade& criterion(int row) const { return grade_.criteria[static_cast<std::size_t>(row)]; }
   Bar::Role bar_role(int row) const;
   /// As they are shown: their maxima sum to the grade's.
@@ -31,6 +33,7 @@ class CriteriaModel : public QAbstractTableModel {
   Grade grade_;
   std::vector<ScaledPoints> points_;
   Rubric rubric_;
+  bool compact_ = false;
 };
 
 }  // namespace cusp

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QLabel>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPointer>
 #include <QThreadPool>
 #include <algorithm>
@@ -38,10 +39,48 @@ class Ring : public QWidget {
   }
 };
 
+constexpr int kClear = 36;  // px at 100 % between a place and its card, at least
+constexpr int kHead = 64;   // px at 100 %: below the buttons at the view's head
+
 }  // namespace
 
+/// Line from the ring to its card; shaped, as the ring is.
+class PinLeader : public QWidget {
+ public:
+  explicit PinLeader(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+  }
+  void span(QPointF from, QPointF to) {
+    const int width = px(4);
+    const QRect box = QRectF(from, to).normalized().toAlignedRect().adjusted(-width, -width, width, width);
+    setGeometry(box);
+    line_ = QLineF(from - box.topLeft(), to - box.topLeft());
+    QPainterPath path(line_.p1());
+    path.lineTo(line_.p2());
+    QPainterPathStroker stroker;
+    stroker.setWidth(width);
+    setMask(QRegion(stroker.createStroke(path).toFillPolygon().toPolygon()));
+    update();
+  }
+  const QLineF& line() const { return line_; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    p.fillRect(rect(), ToothColours::get().casing);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.setPen(QPen(ToothColours::get().map[2], px(2)));
+    p.drawLine(line_);
+  }
+
+ private:
+  QLineF line_;
+};
+
 PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent)
-    : QWidget(parent), volume_(std::move(volume)), view_(new ToothView(this)), ring_(new Ring(this)), card_(new QLabel(this)) {
+    : QWidget(parent), volume_(std::move(volume)), view_(new ToothView(this)), leader_(new PinLeader(this)), ring_(new Ring(this)),
+      card_(new QLabel(this)) {
   view_->setAccessibleName(tr("The tooth after this go"));
   view_->set_left_turns(true);
   view_->set_target_shown(false);
@@ -78,6 +117,11 @@ void PinnedTooth::set_scenery(std::shared_ptr<const SceneryLook> scenery) {
 
 Meshes PinnedTooth::meshes() const { return {&view_->store(), &beside_}; }
 
+std::optional<QLineF> PinnedTooth::leader() const {
+  if (!ring_shown()) return std::nullopt;
+  return leader_->line().translated(leader_->pos());
+}
+
 bool PinnedTooth::ring_shown() const { return ring_->isVisibleTo(this); }
 
 void PinnedTooth::turn_back() {
@@ -107,6 +151,7 @@ void PinnedTooth::place_pin() {
   const auto at = place_ ? view_->project(*place_) : std::nullopt;
   const bool seen = at && seen_from(view_->camera(), meshes(), *place_);
   ring_->setVisible(seen);
+  leader_->setVisible(seen);
   card_->setVisible(place_.has_value());
   if (!place_) return;
   const QString hidden = inside_ ? tr("This place lies below the surface.")
@@ -120,11 +165,14 @@ void PinnedTooth::place_pin() {
     return;
   }
   ring_->move(at->toPoint() - ring_->rect().center());
-  // Below the place, or above it where there is no room; never outside.
-  const double below = at->y() + px(36), above = at->y() - px(36) - card_->height();
-  const double y = below + card_->height() < height() - px(8) ? below : std::max(above, px(8.0));
+  // At the foot of the view, or at its head if the place is low: the card covers no cavity.
+  const double foot = height() - px(8) - card_->height();
+  const bool below = at->y() + px(kClear) <= foot;
   const double x = std::clamp(at->x() - card_->width() / 2.0, px(8.0), std::max(px(8.0), width() - card_->width() - px(8.0)));
-  card_->move(qRound(x), qRound(y));
+  card_->move(qRound(x), qRound(below ? foot : px(kHead)));
+  const QPointF end(card_->geometry().center().x(), below ? card_->y() : card_->geometry().bottom());
+  const QLineF whole(*at, end);
+  leader_->span(whole.pointAt(std::min(1.0, px(11) / std::max(whole.length(), 1.0))), end);
   ring_->raise();
 }
 

@@ -2,6 +2,7 @@
 /// opaque child: no translucency under software OpenGL.
 #pragma once
 
+#include <QLineF>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -15,9 +16,11 @@ class QLabel;
 
 namespace cusp {
 
+class PinLeader;
 class ToothView;
 
-/// A place that the tooth, or what stands about it, hides has no ring: its card stands at the foot of the view and says so.
+/// The card stands at the foot of the view, clear of the cavity; a line joins it to the ring.
+/// A place that the tooth, or what stands about it, hides has no ring and no line, and its card says so.
 class PinnedTooth : public QWidget {
   Q_OBJECT
 
@@ -28,6 +31,8 @@ class PinnedTooth : public QWidget {
   void turn_back();
   /// The ring stands on the pinned place; false without a place, and while it is hidden.
   bool ring_shown() const;
+  /// From the ring to the card; none without a ring.
+  std::optional<QLineF> leader() const;
   ToothView* view() const { return view_; }
 
  protected:
@@ -40,6 +45,7 @@ class PinnedTooth : public QWidget {
   std::shared_ptr<const Volume> volume_;
   PatchStore beside_;  // what stands about the tooth
   ToothView* view_;
+  PinLeader* leader_;
   QWidget* ring_;
   QLabel* card_;
   std::optional<Vec3> place_;

@@ -84,6 +84,8 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   const bool narrow = width() < px(kNarrow);
   halves_->setStretch(0, narrow ? 36 : 45);
   halves_->setStretch(1, narrow ? 64 : 55);
+  model_->set_compact(narrow);
+  table_->setColumnHidden(CriteriaModel::kPlace, narrow);
   below_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   QWidget::resizeEvent(event);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <cmath>
 
 #include "scenarios/library/library.h"
 #include "ui/drill/tooth_view.h"
@@ -96,6 +97,28 @@ TEST(PinnedTooth, shows_its_ring_where_the_place_is_seen_and_takes_it_away_where
   EXPECT_TRUE(tooth.ring_shown());
   tooth.pin(std::nullopt, QStringLiteral("Time"), {});
   EXPECT_FALSE(tooth.ring_shown());
+}
+
+TEST(PinnedTooth, its_card_stands_clear_of_the_place_and_a_line_leads_to_it) {
+  const Pit pit;
+  PinnedTooth tooth(std::make_shared<const Volume>(pit.volume), *load_builtin("channel-1"));
+  tooth.resize(600, 600);
+  tooth.show();
+  tooth.pin(Vec3(0, 0, 0), QStringLiteral("Floor"), QStringLiteral("0.3 mm too deep"));
+  const auto* card = tooth.findChild<QLabel*>();
+  const auto at = tooth.view()->project({0, 0, 0});
+  ASSERT_TRUE(at);
+  const auto edge = tooth.view()->project({1.6, 1.6, 3.0});  // beyond the pit's rim
+  ASSERT_TRUE(edge);
+  const double pit_px = std::hypot(edge->x() - at->x(), edge->y() - at->y());
+  const QPoint ring = at->toPoint();
+  EXPECT_GT(std::max(card->y() - ring.y(), ring.y() - card->geometry().bottom()), pit_px);
+  EXPECT_TRUE(tooth.rect().contains(card->geometry()));
+  ASSERT_TRUE(tooth.leader());
+  EXPECT_LT(QLineF(tooth.leader()->p1(), *at).length(), 16);  // from the ring's edge
+  EXPECT_TRUE(card->geometry().adjusted(-1, -1, 1, 1).contains(tooth.leader()->p2().toPoint()));
+  tooth.pin(std::nullopt, QStringLiteral("Time"), {});
+  EXPECT_FALSE(tooth.leader());
 }
 
 TEST(PinnedTooth, a_place_inside_the_tooth_has_no_ring_on_its_front) {

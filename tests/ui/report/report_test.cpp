@@ -58,6 +58,17 @@ TEST(CriteriaModel, shows_value_uncertainty_and_points_of_each_criterion) {
   EXPECT_EQ(model.index(0, CriteriaModel::kSign).data(IconRole).toString().toStdString(), "check");
 }
 
+TEST(CriteriaModel, gives_up_bars_and_uncertainty_in_a_narrow_table_and_never_points) {
+  CriteriaModel model(test::sample_grade(81), {});
+  model.set_compact(true);
+  const auto at = [&](int column, int role = Qt::DisplayRole) { return model.index(1, column).data(role); };
+  EXPECT_EQ(plain(at(CriteriaModel::kYours).toString()), "2.41 mm");
+  EXPECT_FALSE(at(CriteriaModel::kYours, SecondRole).isValid());
+  EXPECT_NE(plain(at(CriteriaModel::kYours, Qt::AccessibleTextRole).toString()).find("± 0.03"), std::string::npos);
+  EXPECT_FALSE(at(CriteriaModel::kPoints, ShareRole).isValid());
+  EXPECT_EQ(plain(at(CriteriaModel::kPoints, SecondRole).toString()), "/ 33.3");
+}
+
 TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
   Grade grade = test::sample_grade(81);
   grade.criteria[1].measure.measured = false;
