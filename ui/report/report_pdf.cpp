@@ -6,7 +6,9 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ui/app/sentences.h"
 #include "ui/report/criteria_model.h"
@@ -25,6 +27,7 @@ struct Words {
 // Pixels of the screen at 100 %; `unit` of the paper to each.
 constexpr double kToothHigh = 250, kToothRatio = 1.35;  // of the picture, and how much wider than high it is
 constexpr double kRing = 8;                             // radius of a number on the picture
+constexpr double kBeside = 22.6;                        // from a place to the middle of its number
 constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time": what one page has room for
 
 /// A pen that writes downwards.
@@ -155,11 +158,12 @@ void write_tooth(Paper& paper, const DrawnTooth& tooth, const std::vector<PaperA
   const double scale = where.width() / part.width();
   p.save();
   p.setClipRect(where);
+  std::vector<QPointF> taken;
   for (const PaperAdvice& mark : marked) {
     if (mark.number == 0) continue;
-    // The number stands beside the place, so that what happened there is seen.
     const QPointF at = where.topLeft() + (*mark.at_px - part.topLeft()) * scale;
-    const QPointF beside = at + QPointF(at.x() < where.center().x() ? -1 : 1, -1) * paper.u(16);
+    const QPointF beside = number_spot(at, where.center(), paper.u(1), taken);
+    taken.push_back(beside);
     p.setPen(QPen(t.text, paper.u(1)));
     p.drawLine(at, beside);
     p.setBrush(t.text);
@@ -261,6 +265,24 @@ void write_legend(Paper& paper, const Tokens& t) {
 }
 
 }  // namespace
+
+QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<QPointF>& taken) {
+  const double first = at.x() < middle.x() ? 225 : 315;  // degrees: up and away from the picture's middle
+  const auto spot = [&](double degrees, double far) {
+    const double a = degrees * std::numbers::pi / 180;
+    return at + QPointF(std::cos(a), std::sin(a)) * far * unit;
+  };
+  for (const double far : {kBeside, kBeside + 2 * kRing + 2}) {
+    for (const double turn : {0, 60, -60, 120, -120, 180}) {
+      const QPointF here = spot(first + turn, far);
+      const auto clear_of = [&](QPointF other) {
+        return std::hypot(here.x() - other.x(), here.y() - other.y()) >= (2 * kRing + 1) * unit;
+      };
+      if (std::ranges::all_of(taken, clear_of)) return here;
+    }
+  }
+  return spot(first, kBeside);
+}
 
 std::vector<Vec3> places_on_paper(const ReportData& data) {
   std::vector<Vec3> out;

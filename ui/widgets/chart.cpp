@@ -187,9 +187,14 @@ void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Toke
       p.setPen(t.text);
       const QPointF at = plot.at(point);
       const QString text = format_points(point.y);
-      const double width = QFontMetricsF(bold).horizontalAdvance(text);
+      const QFontMetricsF metrics(bold);
+      const double width = metrics.horizontalAdvance(text);
       const bool fits = at.x() + 10 * unit + width < rect.right();
-      p.drawText(QPointF(fits ? at.x() + 8 * unit : at.x() - 8 * unit - width, at.y() - 6 * unit), text);
+      // Full points lie at the chart's upper edge: the figure then stands below them.
+      const bool above = at.y() - 6 * unit - metrics.ascent() >= rect.top();
+      p.drawText(QPointF(fits ? at.x() + 8 * unit : at.x() - 8 * unit - width,
+                         above ? at.y() - 6 * unit : at.y() + 6 * unit + metrics.ascent()),
+                 text);
     }
   }
   p.restore();

@@ -4,6 +4,7 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QLineF>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -213,6 +214,18 @@ TEST(ReportData, what_counts_only_with_the_target_is_one_sentence_and_nothings_a
             "What stayed intact counts only as far as the target was cut: 50 %.");
   grade.criteria[0].measure.value = 88;
   EXPECT_TRUE(counted_text(grade, data.result.scenario.rubric).isEmpty());
+}
+
+TEST(Paper, numbers_of_places_that_lie_together_never_cover_each_other) {
+  const QPointF middle(300, 200);
+  for (const QPointF at : {QPointF(310, 210), QPointF(40, 50)}) {
+    std::vector<QPointF> taken;
+    for (int i = 0; i < 4; ++i) taken.push_back(number_spot(at + QPointF(i, 0), middle, 2.0, taken));
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      EXPECT_GT(QLineF(at, taken[i]).length(), 2 * 8.0) << "the number covers its place";
+      for (std::size_t j = 0; j < i; ++j) EXPECT_GE(QLineF(taken[i], taken[j]).length(), 2 * 16.0) << i << ' ' << j;
+    }
+  }
 }
 
 TEST(ReportData, gathers_student_go_and_the_best_before_from_the_records) {

@@ -102,6 +102,26 @@ TEST(Chart, draws_its_points_where_the_axes_say) {
   EXPECT_LT(bottom, y_of(48));
 }
 
+TEST(Chart, a_figure_of_full_points_is_drawn_whole) {
+  // 100 of 100 lies 8 px below the chart's upper edge, its figure is 9 px high: above the dot it would be cut off.
+  const auto dark_pixels = [](double points) {
+    ChartData d = two_goes();
+    d.mark.reset();
+    d.series[0].points = {{7.1, points, QStringLiteral("last"), true}};
+    QImage image(320, 260, QImage::Format_RGB32);
+    image.fill(Tokens::light().surface);
+    QPainter painter(&image);
+    painter.setClipRect(QRect(0, 20, 320, 220));  // as a canvas clips its own painting
+    paint_chart(painter, QRectF(0, 20, 320, 220), d, Tokens::light(), 1.0);
+    painter.end();
+    int dark = 0;
+    for (int y = 0; y < 260; ++y)
+      for (int x = 0; x < 320; ++x) dark += qGray(image.pixel(x, y)) < 60;
+    return dark;
+  };
+  EXPECT_GE(dark_pixels(100), dark_pixels(88));  // one more digit
+}
+
 TEST(Table, opens_a_row_with_enter_and_chooses_one_in_right_to_left_too) {
   QStandardItemModel model(3, 2);
   for (int row = 0; row < 3; ++row) model.setItem(row, 0, new QStandardItem(QString::number(row)));
