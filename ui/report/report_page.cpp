@@ -85,6 +85,8 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   halves_->setStretch(0, narrow ? 36 : 45);
   halves_->setStretch(1, narrow ? 64 : 55);
   model_->set_compact(narrow);
+  // The words give way to the day and the attempt's number; the buttons keep name and tooltip.
+  for (const auto& [button, text] : saves_) button->setText(narrow ? QString() : text);
   table_->setColumnHidden(CriteriaModel::kPlace, narrow);
   below_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   QWidget::resizeEvent(event);
@@ -114,6 +116,7 @@ QWidget* ReportPage::make_bar(bool can_go_again, const QString& back_name) {
   connect(pdf, &QPushButton::clicked, this, &ReportPage::save_pdf);
   row->addWidget(paper);
   row->addWidget(pdf);
+  for (QPushButton* button : {paper, pdf}) saves_.emplace_back(button, button->text());
   if (can_go_again) {
     QPushButton* again = make_button(tr("Go again"), ButtonKind::primary);
     connect(again, &QPushButton::clicked, this, &ReportPage::go_again_wanted);
@@ -177,11 +180,14 @@ QWidget* ReportPage::make_score() {
   auto* line = new QHBoxLayout;
   line->setSpacing(px(8));
   line->addWidget(new Chip(g.passed ? tr("Passed") : tr("Not passed"), g.passed ? Chip::Kind::good : Chip::Kind::bad));
-  line->addWidget(make_label(tr("of %1 points, pass mark %2").arg(format_points(g.score_max), format_points(g.pass_mark)),
-                             TextRole::body, false, "text2"));
-  line->addStretch();
+  QLabel* of = make_label(tr("of %1 points, pass mark %2").arg(format_points(g.score_max), format_points(g.pass_mark)),
+                          TextRole::body, false, "text2");
+  of->setWordWrap(true);  // a narrow page breaks it rather than scroll sideways
+  line->addWidget(of, 1);
   text->addLayout(line);
-  text->addWidget(make_label(circumstances_text(data_), TextRole::caption, false, "text2"));
+  QLabel* circumstances = make_label(circumstances_text(data_), TextRole::caption, false, "text2");
+  circumstances->setWordWrap(true);
+  text->addWidget(circumstances);
   for (const QString& used : burrs_used_text(data_)) {
     QLabel* label = make_label(used, TextRole::caption, false, "text2");
     label->setWordWrap(true);

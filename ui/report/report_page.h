@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QWidget>
+#include <utility>
+#include <vector>
 
 #include "ui/app/ports.h"
 #include "ui/report/report_data.h"
@@ -56,6 +58,7 @@ class ReportPage : public QWidget {
   PinnedTooth* tooth_ = nullptr;
   Band* band_ = nullptr;
   std::optional<DrawnTooth> drawing_;
+  std::vector<std::pair<QPushButton*, QString>> saves_;  // print, PDF; with their words
   QBoxLayout *halves_, *below_;  // tooth and words; what to do and what was before
 };
 

@@ -23,6 +23,7 @@ namespace cusp {
 namespace {
 
 constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px at 100 %, of the page
+constexpr int kSmallPictureWidth = 200, kSmallPictureBelow = 760;  // likewise; the words beside it need the rest
 constexpr int kAdviceShown = 2;
 constexpr int kShortText = 120;  // letters: about two lines beside the picture
 
@@ -336,6 +337,13 @@ void StartPage::resizeEvent(QResizeEvent* event) {
   if (!columns_) return;
   const bool narrow = width() < px(kStackBelow);
   columns_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  if (picture_) {
+    const int wide = px(width() < px(kSmallPictureBelow) ? kSmallPictureWidth : kPictureWidth);
+    if (picture_->width() != wide) {
+      picture_->setFixedWidth(wide);
+      show_picture();
+    }
+  }
   side_->setMinimumWidth(narrow ? 0 : px(kSideWidth));
   side_->setMaximumWidth(narrow ? QWIDGETSIZE_MAX : px(kSideWidth));
 }
