@@ -84,6 +84,8 @@ Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& p
   run.mirror->add(*run.loose);
   run.rate_at = std::chrono::steady_clock::now();
   run.mirror->start();
+  // Who continues holds the bur elsewhere than the record ends: the guard would call that a jump. resume() re-arms it.
+  if (!run.plan.go_on.is_nil()) run.loop->pause();
   run.loop->start();
   return std::unique_ptr<ExerciseRun>(new ExerciseRun(std::move(inner)));
 }

@@ -122,7 +122,12 @@ TEST(ExerciseRun, AnInterruptedGoGoesOnWithItsToothAndItsClock) {
   auto run = ExerciseRun::start(plan, port);
   ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
   EXPECT_EQ((*run)->session(), session);
+  // It waits for the operator, whose hand is elsewhere than the record ends.
+  ASSERT_TRUE(eventually([&] { return (*run)->view().phase == LoopPhase::paused; }));
+  EXPECT_EQ((*run)->view().fault, Fault::none);
+  (*run)->resume();
   ASSERT_TRUE(eventually([&] { return (*run)->view().seconds > before + 0.05; }));
+  EXPECT_EQ((*run)->view().fault, Fault::none);
   EXPECT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] >= taken; }));
   const auto result = (*run)->finish();
   ASSERT_TRUE(result) << key_of(result.error().code) << ' ' << result.error().where << ' ' << result.error().detail;
