@@ -43,7 +43,7 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
   halves_->addWidget(make_tooth(), 45);
   QVBoxLayout* body = nullptr;
   halves_->addWidget(make_scroll_page(&body), 55);
-  body->setContentsMargins(px(20), px(16), px(20), px(16));
+  body_ = body;
   body->setSpacing(px(12));
   band_ = new Band;
   body->addWidget(band_);
@@ -82,6 +82,8 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
 
 void ReportPage::resizeEvent(QResizeEvent* event) {
   const bool narrow = width() < px(kNarrow);
+  const int side = px(narrow ? 12 : 20);
+  body_->setContentsMargins(side, px(16), side, px(16));
   halves_->setStretch(0, narrow ? 36 : 45);
   halves_->setStretch(1, narrow ? 64 : 55);
   model_->set_compact(narrow);

@@ -59,6 +59,7 @@ class ReportPage : public QWidget {
   Band* band_ = nullptr;
   std::optional<DrawnTooth> drawing_;
   std::vector<std::pair<QPushButton*, QString>> saves_;  // print, PDF; with their words
+  QBoxLayout* body_;  // of the words
   QBoxLayout *halves_, *below_;  // tooth and words; what to do and what was before
 };
 
