@@ -18,6 +18,7 @@ using PdfFailure = Failure<PdfError>;
 /// Middle of the number of the place `at`: beside the place, so that what happened there is seen, and clear of the numbers
 /// whose middles are `taken`. `middle`: of the picture; `unit`: of the paper to a pixel of the screen at 100 %.
 QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<QPointF>& taken);
+
 /// Places that the paper marks on its tooth: those of the first entries of next_time(), in their order.
 std::vector<Vec3> places_on_paper(const ReportData& data);
 
