@@ -1612,6 +1612,14 @@
         <source>The audit log’s end was changed or taken out: %1%2.</source>
         <translation>Das Ende des Protokolls wurde geändert oder entfernt: %1%2.</translation>
     </message>
+    <message>
+        <source>%1 belongs to the database %2.</source>
+        <translation>%1 gehört zur Datenbank %2.</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Give another name.</source>
+        <translation>Es wurde nichts geschrieben. Einen anderen Namen angeben.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::Compass</name>
@@ -1638,6 +1646,11 @@
         <source>L</source>
         <comment>lingual</comment>
         <translation>L</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <comment>palatal</comment>
+        <translation>P</translation>
     </message>
 </context>
 <context>
@@ -5900,6 +5913,46 @@
         <source>Nothing was changed. Choose another number.</source>
         <translation>Nichts wurde geändert. Wählen Sie eine andere Nummer.</translation>
     </message>
+    <message>
+        <source>The records are older than they were.</source>
+        <translation>Die Aufzeichnungen sind älter, als sie waren.</translation>
+    </message>
+    <message>
+        <source>An earlier copy was put in their place, or entries were taken out: results may be missing.</source>
+        <translation>Eine frühere Kopie steht an ihrer Stelle, oder Einträge wurden entfernt: Ergebnisse können fehlen.</translation>
+    </message>
+    <message>
+        <source>The counter beside the records’ key is missing.</source>
+        <translation>Der Zähler neben dem Schlüssel der Aufzeichnungen fehlt.</translation>
+    </message>
+    <message>
+        <source>An earlier copy of the records put in their place would not have been noticed.</source>
+        <translation>Eine frühere Kopie an ihrer Stelle wäre nicht aufgefallen.</translation>
+    </message>
+    <message>
+        <source>The counter beside the records’ key is not theirs.</source>
+        <translation>Der Zähler neben dem Schlüssel gehört nicht zu diesen Aufzeichnungen.</translation>
+    </message>
+    <message>
+        <source>It was changed or comes from other records: an earlier copy would not have been noticed.</source>
+        <translation>Er wurde geändert oder stammt von anderen Aufzeichnungen: Eine frühere Kopie wäre nicht aufgefallen.</translation>
+    </message>
+    <message>
+        <source>The records’ audit log was changed.</source>
+        <translation>Das Protokoll der Aufzeichnungen wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Its last entries were changed or taken out: results or accounts may have been too.</source>
+        <translation>Seine letzten Einträge wurden geändert oder entfernt; Ergebnisse oder Konten vielleicht auch.</translation>
+    </message>
+    <message>
+        <source>Before you rely on them, look at what this command names: cusp history %1 verify</source>
+        <translation>Bevor Sie sich darauf verlassen: ansehen, was dieser Befehl nennt: cusp history %1 verify</translation>
+    </message>
+    <message>
+        <source>Results and reports can be read. Nothing can be drilled or changed until %1 can be written again.</source>
+        <translation>Ergebnisse und Berichte können gelesen werden. Gebohrt oder geändert werden kann erst wieder, wenn %1 geschrieben werden kann.</translation>
+    </message>
 </context>
 <context>
     <name>cusp::ShapeForm</name>
@@ -6160,6 +6213,10 @@
     <message>
         <source>It has six digits.</source>
         <translation>Sie hat sechs Ziffern.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
     </message>
 </context>
 <context>
@@ -6574,16 +6631,16 @@ Ihr bester davor</translation>
         <translation>Die Aufzeichnung kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>%1 What you drilled so far is safe; make room on the disk, then go on.</source>
-        <translation>%1 Was bisher gebohrt wurde, ist sicher; auf dem Datenträger Platz schaffen, dann weiter.</translation>
-    </message>
-    <message>
         <source>This computer is too slow for the exercise</source>
         <translation>Dieser Rechner ist zu langsam für die Übung</translation>
     </message>
     <message>
         <source>The go ends here and is measured as it stands.</source>
         <translation>Der Durchgang endet hier und wird vermessen, wie er ist.</translation>
+    </message>
+    <message>
+        <source>%1 What you drilled so far is safe while this window stays open. Put the cause right, then go on.</source>
+        <translation>%1 Was bisher abgetragen wurde, ist sicher, solange dieses Fenster offen bleibt. Ursache beheben, dann weiter.</translation>
     </message>
 </context>
 <context>
