@@ -7,10 +7,7 @@
 #include <QLineF>
 #include <QProcess>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSignalSpy>
-#include <QTest>
 #include <filesystem>
 
 #include "scenarios/burrs/burr_catalogue.h"
@@ -60,17 +57,6 @@ TEST(CriteriaModel, shows_value_uncertainty_and_points_of_each_criterion) {
   EXPECT_EQ(at(CriteriaModel::kSign, IconRole).toString().toStdString(), "cross");  // less than half
   EXPECT_EQ(at(CriteriaModel::kPlace, IconRole).toString().toStdString(), "target");
   EXPECT_EQ(model.index(0, CriteriaModel::kSign).data(IconRole).toString().toStdString(), "check");
-}
-
-TEST(CriteriaModel, gives_up_bars_and_uncertainty_in_a_narrow_table_and_never_points) {
-  CriteriaModel model(test::sample_grade(81), {});
-  model.set_compact(true);
-  const auto at = [&](int column, int role = Qt::DisplayRole) { return model.index(1, column).data(role); };
-  EXPECT_EQ(plain(at(CriteriaModel::kYours).toString()), "2.41 mm");
-  EXPECT_FALSE(at(CriteriaModel::kYours, SecondRole).isValid());
-  EXPECT_NE(plain(at(CriteriaModel::kYours, Qt::AccessibleTextRole).toString()).find("± 0.03"), std::string::npos);
-  EXPECT_FALSE(at(CriteriaModel::kPoints, ShareRole).isValid());
-  EXPECT_EQ(plain(at(CriteriaModel::kPoints, SecondRole).toString()), "/ 33.3");
 }
 
 TEST(CriteriaModel, what_was_not_measured_is_not_zero) {
@@ -266,34 +252,6 @@ TEST(ReportPage, shows_the_score_the_reasons_and_what_to_do) {
     if (b->accessibleName() == u"Go again") b->click();
   }
   EXPECT_EQ(again.count(), 1);
-}
-
-TEST(ReportPage, a_narrow_window_cuts_nothing_off_at_the_side) {
-  ReportData data = sample();
-  data.before = test::sample_grade(95);
-  data.before_when = data.when;
-  data.result.grade.criteria[1].id = "overcut_leeway_side";
-  const Ports ports = Ports::of_the_system();
-  ReportPage page(data, ports, true, QStringLiteral("Back"));
-  page.resize(853, 533);  // 1280x800 at 150 %
-  page.show();
-  QTest::qWait(0);
-  EXPECT_EQ(page.table()->horizontalScrollBar()->maximum(), 0);
-  EXPECT_EQ(page.table()->verticalScrollBar()->maximum(), 0);
-  const auto* scroll = page.findChild<QScrollArea*>();
-  ASSERT_NE(scroll, nullptr);
-  EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0);
-  int named = 0;
-  for (const QPushButton* b : page.findChildren<QPushButton*>()) {
-    if (b->accessibleName() != u"Print" && b->accessibleName() != u"Save as PDF") continue;
-    ++named;
-    EXPECT_TRUE(b->text().isEmpty());
-    EXPECT_TRUE(b->toolTip().startsWith(b->accessibleName()));
-  }
-  EXPECT_EQ(named, 2);
-  page.resize(1280, 800);
-  QTest::qWait(0);
-  for (const QPushButton* b : page.findChildren<QPushButton*>()) EXPECT_FALSE(b->text().isEmpty()) << b->accessibleName().toStdString();
 }
 
 TEST(ReportPage, an_opened_pulp_is_told_above_everything_else) {
