@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cusp {
 
@@ -170,9 +171,12 @@ Sample FalconPort::fresh() noexcept {
   pose_ = pose;
   pose_asked_ = session_.asked();
   last_grip_m_ = pose_->grip_m;
-  if ((state.buttons & settings_.buttons.clutch) != 0) {
+  const bool clutch = (state.buttons & settings_.buttons.clutch) != 0;
+  // Two answers in a row have to tell it: one spoilt bit would shift the workspace for good.
+  const bool certain = std::exchange(clutch_, clutch) == clutch;
+  if (certain && clutch) {
     workspace_.hold(pose_->grip_m);
-  } else if (workspace_.held()) {
+  } else if (certain && workspace_.held()) {
     workspace_.release(pose_->grip_m);
     session_.restart_ramp(link_->now());
   }

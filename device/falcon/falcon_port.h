@@ -1,8 +1,8 @@
 /// The Falcon as a device of the haptic loop, over any link. It paces the loop: wait() returns when the device has
 /// answered, one packet a millisecond, at most two unanswered. Sample::gone whenever its place or its force cannot be
-/// trusted (unplugged, uploading, not homed, 10 ms of silence): the loop then holds at zero force, and resuming
-/// re-arms. A sample is fresh if the packet that asked for it left within 10 ms; a torque leaves only if the sample that
-/// it answers is.
+/// trusted (unplugged, uploading, not homed, 10 ms of silence, a line that is drained): the loop then holds at zero
+/// force, and resuming re-arms. A sample is fresh if the packet that asked for it left within SessionTimes::fresh; a
+/// torque leaves only if the sample that it answers is.
 #pragma once
 
 #include <atomic>
@@ -115,6 +115,7 @@ class FalconPort final : public HapticPort {
   std::uint64_t seen_replies_ = 0, unsolved_ = 0, unreached_ = 0;
   bool repeated_ = false;  // this period's packet went out without a new force
   std::uint8_t next_ticks_ = 0, previous_ticks_ = 0;
+  bool clutch_ = false;  // of the newest place that was believed
   Sample last_;
   bool open_ = false;
   std::atomic<bool> cancelled_{false};

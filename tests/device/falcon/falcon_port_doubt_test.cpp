@@ -137,6 +137,25 @@ TEST(FalconPort, the_clutch_takes_the_force_away_and_leaves_the_burr) {
   }
 }
 
+TEST(FalconPort, one_answer_with_the_clutch_s_bit_shifts_nothing) {
+  Bench bench;
+  ASSERT_TRUE(bench.port->open());
+  ASSERT_TRUE(bench.home());
+  const auto space = *falcon::Workspace::from({});
+  double x = 0;
+  const auto move = [&](std::uint8_t buttons) {
+    bench.falcon.set_buttons(buttons);
+    bench.falcon.set_grip({x += 0.001, 0, 0.12});
+    return bench.tick();
+  };
+  bench.falcon.set_grip({x, 0, 0.12});
+  for (int i = 0; i < 50; ++i) bench.tick();
+  move(falcon::status::kForward);
+  for (int i = 0; i < 5; ++i) move(0);
+  // Half an encoder step at half scale.
+  EXPECT_LT(glm::length(move(0).position_mm - space.specimen_mm({x, 0, 0.12})), 0.03);
+}
+
 TEST(FalconPort, waits_no_longer_than_it_was_told_whatever_happens) {
   std::mt19937 random(23);
   Bench bench(EmulatorSettings{});
