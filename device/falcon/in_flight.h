@@ -32,8 +32,8 @@ class InFlight {
   }
   std::size_t count() const noexcept { return count_; }
   bool empty() const noexcept { return count_ == 0; }
-  /// Pre: not empty.
-  LinkTime oldest() const noexcept { return times_[at_]; }
+  /// When the packet left that has so many older ones under way. Pre: more are under way than that.
+  LinkTime sent_at(std::size_t older) const noexcept { return times_[(at_ + older) % kMost]; }
   /// None of them will be answered any more; how many there were.
   std::size_t forget() noexcept {
     const std::size_t out = count_;

@@ -1,5 +1,6 @@
-/// Which places of the grip are believed: those that a hand can have reached since the last one that was. A bit that
-/// flips on the line moves a place by up to a metre and no checksum tells. Pure; no allocation.
+/// Which places of the grip are believed. A believed place lies within kMostMPerS times the time since, and kStepM, of the
+/// one believed before it; after a gap of more than kRemembered two in a row have to agree, so that nothing locks out for
+/// ever. A bit that flips unreported within that bound cannot be known. Pure; no allocation.
 #pragma once
 
 #include <optional>

@@ -66,7 +66,7 @@ void Session::leave_link() noexcept {
 }
 
 LinkTime Session::due() const noexcept {
-  const bool watches = pause_ > LinkTime(0) || (exchanging() && !in_flight_.empty());
+  const bool watches = exchanging() && !in_flight_.empty();
   return watches ? std::min(due_, watched_at_ + kWatch) : due_;
 }
 
@@ -95,17 +95,15 @@ void Session::send_frame(std::array<std::int16_t, 3> torque, std::uint8_t leds, 
 
 void Session::forget_packets() noexcept {
   state_.lost += in_flight_.forget();
-  pause_ = unheard_ = LinkTime(0);
-  doubt_ = false;
+  unheard_ = LinkTime(0);
+  late_ = 0;
 }
 
 bool Session::exchange(LinkTime now) noexcept {
-  if (!exchanging() || pause_ > LinkTime(0) || in_flight_.count() >= (one_by_one() ? 1 : kWindow)) return false;
-  // Whether an answer was lost or is late shows when nothing is sent meanwhile: end_pause() ends it.
-  if (!in_flight_.empty() &&
-      (now - in_flight_.oldest() >= settings_.times.lost || now - busy_since_ >= settings_.times.check)) {
-    return false;
-  }
+  if (!exchanging() || in_flight_.count() >= std::min(kWindow + late_, kMostUnanswered)) return false;
+  if (took_ >= settings_.times.slow && (in_flight_.count() > late_ || quiet_ < settings_.times.fresh)) return false;
+  // Whether answers are missing shows when nothing is sent meanwhile.
+  if (in_flight_.count() > late_ && now - busy_since_ >= settings_.times.check) return false;
   if (state_.phase == Phase::homing) {
     send_frame(kNoTorque, control::kRed, now);
     return true;
@@ -126,68 +124,43 @@ bool Session::exchange(LinkTime now) noexcept {
 }
 
 void Session::answered(const Frame& frame, LinkTime now) noexcept {
+  // What is late was probably lost: the line's pace is told by those after it, freshness by the oldest.
+  if (in_flight_.count() > late_) took_ = now - in_flight_.sent_at(late_);
   const std::optional<LinkTime> asked = in_flight_.answered();
+  late_ = std::min(late_, in_flight_.count());
+  if (in_flight_.count() == late_) busy_since_ = now;
   silent_since_ = now;
   const bool flawed = parser_.flawed();
-  const bool usable = asked && fresh(*asked, now);
-  if (usable && !flawed) unheard_ = LinkTime(0);
-  if (asked) take_age(now - *asked);
+  const bool in_time = asked && fresh(*asked, now);
+  const bool usable = in_time && !flawed;
+  if (usable) unheard_ = LinkTime(0);
   state_.flawed += flawed;
   state_.unasked += !asked;
-  state_.stale += asked && !usable;
-  if (state_.phase == Phase::probing && !flawed) return answered_probe(usable);
-  if (state_.phase == Phase::silent) return answered_silence(usable && !flawed, now, asked ? now - *asked : LinkTime(0));
+  state_.stale += asked && !in_time;
+  if (state_.phase == Phase::probing && !flawed) return answered_probe(in_time, now);
+  if (state_.phase == Phase::silent) return answered_silence(usable);
   if (!exchanging()) return;
-  if (!asked) return answered_too_often(now);
-  if (one_by_one()) pause(took_ >= settings_.times.slow ? given_up_after() : settings_.times.proof);
-  if (doubt_) return;
-  if (usable && !flawed) use(frame, *asked, now);
+  if (!asked) return fall_silent(now);  // one came twice, and since then they may have seemed younger than they were
+  if (usable) use(frame, *asked, now);
 }
 
-void Session::take_age(LinkTime age) noexcept {
-  // What a stall of the host adds is no matter of the line's. Falls to a half within five answers.
-  took_ = std::max(std::min(age, settings_.times.fresh), took_ - took_ / 8);
-}
-
-LinkTime Session::given_up_after() const noexcept {
-  return std::max(settings_.times.lost, settings_.times.lost_ages * took_);
-}
-
-/// One came that had been given up, or one came twice: what was used since may be older than it seemed.
-void Session::answered_too_often(LinkTime now) noexcept {
-  doubt_ = true;
-  take_age(std::max(now - given_up_, settings_.times.fresh / 2));
-  not_before_ = now;
-  wary_until_ = now + settings_.times.wary;
-  steady_ = 0;
-  pause(std::max(pause_, given_up_after()));
-}
-
-void Session::answered_probe(bool usable) noexcept {
+void Session::answered_probe(bool usable, LinkTime now) noexcept {
   state_.trouble = Trouble::none;
   state_.attempt = 0;
   const bool first = usable && in_flight_.empty() && tries_ == 1;
   enter(Phase::homing);
   due_ = kNever;
-  if (!first) pause(settings_.times.drain);
+  if (!first) fall_silent(now);
 }
 
-void Session::answered_silence(bool usable, LinkTime now, LinkTime age) noexcept {
+void Session::answered_silence(bool usable) noexcept {
   if (!drained_) return;
-  if (usable && ++steady_ >= settings_.times.steady) {
-    // Answers again; whether the arms are still homed is asked anew.
-    enter(Phase::homing);
-    pause(LinkTime(0));
-    wary_until_ = now + settings_.times.wary;
-    due_ = kNever;
-  } else if (usable) {
-    pause(settings_.times.resync);
-  } else {
-    steady_ = 0;
-    drained_ = false;
-    drain_ = std::min(std::max(drain_, 2 * age), settings_.times.drain_most);
-    pause(drain_);
-  }
+  drained_ = usable;
+  steady_ = usable ? steady_ + 1 : 0;
+  if (steady_ < settings_.times.steady) return;
+  // Answers again; whether the arms are still homed is asked anew.
+  enter(Phase::homing);
+  due_ = kNever;
 }
 
 void Session::use(const Frame& frame, LinkTime asked, LinkTime now) noexcept {
@@ -218,33 +191,14 @@ void Session::watch(LinkTime now) noexcept {
   if (exchanging() && !in_flight_.empty()) unheard_ += watched;
 }
 
-void Session::end_pause(LinkTime now) noexcept {
-  const LinkTime lost = given_up_after();
-  const bool late = !in_flight_.empty() && now - in_flight_.oldest() >= lost && quiet_ >= lost;
-  const bool quiet = pause_ > LinkTime(0) && quiet_ >= pause_;
-  if (!late && !quiet) return;
-  doubt_ = !in_flight_.empty();
-  // On a line that is slow besides, only a long pause tells lost from late.
-  if (doubt_ && took_ >= settings_.times.slow) return fall_silent(now);
-  if (doubt_) {
-    given_up_ = in_flight_.oldest();
-    wary_until_ = now + settings_.times.wary;
-  }
-  state_.lost += in_flight_.forget();
-  pause_ = LinkTime(0);
-}
-
 void Session::fall_silent(LinkTime now) noexcept {
   enter(Phase::silent);
   ++state_.silences;
-  forget_packets();
   wanted_ = kNoTorque;
   parser_.reset();
   silent_since_ = now;
-  drain_ = settings_.times.drain;
   drained_ = false;
   zeros_ = kZeros - 1;
-  pause(drain_);
   send_frame(kNoTorque, control::kRed, now);
   due_ = now + kZeroPace;
 }
@@ -256,16 +210,13 @@ void Session::ask_in_silence(LinkTime now) noexcept {
     send_frame(kNoTorque, control::kRed, now);
     return;
   }
-  if (quiet_ < pause_) return;
-  if (drained_ && !in_flight_.empty()) {
-    // Longer than the pause, or lost.
-    drain_ = std::min(2 * drain_, settings_.times.drain_most);
-    steady_ = 0;
-  }
+  // One at a time, and the next only when no other answer to it came meanwhile.
+  const bool answered = drained_ && in_flight_.empty();
+  if (quiet_ < (answered ? settings_.times.fresh : settings_.times.drain)) return;
+  if (!answered) steady_ = 0;
   forget_packets();
   drained_ = true;
   send_frame(kNoTorque, control::kRed, now);
-  pause(drain_);
 }
 
 void Session::take_transfer(std::span<const std::uint8_t> transfer, LinkTime now) noexcept {
@@ -301,7 +252,10 @@ void Session::received(std::span<const std::uint8_t> payload, Line line, LinkTim
 void Session::time_passed(LinkTime now) noexcept {
   if (exchanging()) {
     if (unheard_ >= settings_.times.silence) return fall_silent(now);
-    end_pause(now);
+    if (!in_flight_.empty() && quiet_ >= settings_.times.late) {
+      late_ = in_flight_.count();
+      busy_since_ = now;
+    }
   }
   if (now < due_) return;
   switch (state_.phase) {

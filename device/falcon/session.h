@@ -6,9 +6,10 @@
 ///       │ from anywhere: unplugged                  │ image                │       ▼ 10 ms without an answer
 ///       │                          arming ─ greeting ─ locking ─ uploading ─ switching ─ probing      silent
 ///       └─ each failed attempt closes, opens and begins again; ten make `failed`, which rests before the next ten
-/// An answer is as old as the packet that it belongs to (in_flight.h): beyond SessionTimes::fresh it is stale, counted and
-/// not used, and no torque leaves that rests on it. Packets count as lost only after a time in which nothing was sent and
-/// nothing came; after a silence that time is longer than an answer was seen to take.
+/// An answer belongs to the oldest packet that has none (in_flight.h). If the line keeps the order, answers a packet once
+/// at most and holds nothing longer than SessionTimes::drain after its last sign, an answer is never older than that
+/// packet: a packet gives up its place in drained silence alone, and silence ends by answers to one packet at a time.
+/// An answer that comes twice makes later ones seem younger by a packet each until one comes that no packet waits for.
 /// Source: facts 1.4, 1.5, 1.8 to 1.10.
 #pragma once
 
@@ -70,18 +71,13 @@ struct SessionTimes {
   LinkTime echo = ms(1000);     // for the echo of one chunk
   int attempts = 10;            // first attempts are known to fail
   LinkTime rest = ms(5000);     // after them: the plug may be pulled and put in again meanwhile
-  LinkTime fresh = ms(10);      // an answer older than this moves nothing and carries no torque
-  LinkTime wary = ms(300);      // after packets were given up half of `fresh` counts: which answer is whose may be off
-  LinkTime lost = ms(4);        // of a pause in which nothing came: what is not answered by then never will be
-  LinkTime proof = ms(2);       // of a pause after an answer in doubt: one that had been given up would come now
-  int lost_ages = 3;            // of `lost`: at the least so many times what answers took lately
-  LinkTime slow = LinkTime(2'500'000);  // beyond it one packet is under way, and a pause follows each answer
-  LinkTime check = ms(250);     // packets under way all this time: a pause tells whether an answer was lost
-  LinkTime silence = ms(10);    // without any answer: torque zero
-  LinkTime drain = ms(40);      // of a pause after a silence, doubled whenever an answer takes longer
-  LinkTime drain_most = ms(160);
-  LinkTime give_up = ms(1000);  // of silence: begins again with the line, for the adapter may have lost power
-  LinkTime resync = ms(5);      // between neutral packets in silence
+  LinkTime fresh = ms(7);       // older moves nothing, carries no torque; 10 less three answers come twice
+  LinkTime late = ms(4);        // unanswered for so long while nothing came: more packets leave beside them
+  LinkTime check = ms(100);     // packets under way all this time: none leaves until all are answered or late
+  LinkTime slow = ms(3);        // beyond it one packet at a time, `fresh` after an answer: a second one shows
+  LinkTime silence = ms(10);    // without a usable answer: torque zero, the line is drained
+  LinkTime drain = ms(200);     // what is under way has come by then or never will [M]
+  LinkTime give_up = ms(2000);  // of silence: begins again with the line, for the adapter may have lost power
   LinkTime ramp = ms(500);      // from zero to the torque asked for
   int steady = 8;               // answers in a row with all arms homed before torque is allowed
 };
@@ -129,7 +125,7 @@ class Session {
   LinkTime asked() const noexcept { return asked_; }
   /// Whether what the answer to a packet of that time tells may still be used.
   bool fresh(LinkTime asked, LinkTime now) const noexcept {
-    return asked >= not_before_ && now - asked <= (now < wary_until_ ? settings_.times.fresh / 2 : settings_.times.fresh);
+    return now - asked <= settings_.times.fresh;
   }
   /// Torque words for the exchanges to come; taken in `ready` alone, and ramped in there. They rest on the answer to the
   /// packet that left at `rests_on`: SessionTimes::fresh later they are zero.
@@ -144,7 +140,7 @@ class Session {
   void set_leds(std::uint8_t leds) noexcept { leds_ = leds & control::kLeds; }
   /// Torque to zero now, and ramped in from there.
   void restart_ramp(LinkTime now) noexcept { ramp_from_ = now; }
-  /// In homing and ready: sends one packet, unless two are unanswered or a pause is under way. Once a millisecond, by
+  /// In homing and ready: sends one packet, unless two are unanswered besides those that are late. Once a millisecond, by
   /// whoever paces the loop, after what the link holds was given to advance().
   bool exchange(LinkTime now) noexcept;
 
@@ -154,7 +150,7 @@ class Session {
   std::array<std::int16_t, 3> last_torque() const noexcept { return sent_torque_; }
 
  private:
-  static constexpr std::size_t kOutbox = 8, kWindow = 2;
+  static constexpr std::size_t kOutbox = 8, kWindow = 2, kMostUnanswered = 12;
 
   void enter(Phase phase) noexcept;
   void leave_link() noexcept;
@@ -175,16 +171,10 @@ class Session {
   void heard_loader(std::uint8_t byte, LinkTime now) noexcept;
   void echoed(std::uint8_t byte, LinkTime now) noexcept;
   void answered(const Frame& frame, LinkTime now) noexcept;
-  void answered_probe(bool usable) noexcept;
-  void answered_silence(bool usable, LinkTime now, LinkTime age) noexcept;
-  void answered_too_often(LinkTime now) noexcept;
+  void answered_probe(bool usable, LinkTime now) noexcept;
+  void answered_silence(bool usable) noexcept;
   void use(const Frame& frame, LinkTime asked, LinkTime now) noexcept;
-  void pause(LinkTime quiet) noexcept { pause_ = quiet; }
-  void take_age(LinkTime age) noexcept;
-  bool one_by_one() const noexcept { return doubt_ || took_ >= settings_.times.slow; }
-  LinkTime given_up_after() const noexcept;
   void watch(LinkTime now) noexcept;
-  void end_pause(LinkTime now) noexcept;
   void forget_packets() noexcept;
   void fall_silent(LinkTime now) noexcept;
   void ask_in_silence(LinkTime now) noexcept;
@@ -211,18 +201,13 @@ class Session {
   LinkTime watched_at_{0};
   LinkTime quiet_{0};    // watched since anything was sent or came
   LinkTime unheard_{0};  // watched since the first packet that no answer followed
-  LinkTime pause_{0};    // nothing leaves until it was quiet for so long; 0: no pause
-  bool doubt_ = false;   // packets were given up: answers count only after one that a quiet pause followed
-  LinkTime drain_{0};    // pause of this silence
-  bool drained_ = false;  // nothing from before the silence can come any more
+  std::size_t late_ = 0;  // of the packets under way; they keep their places
+  bool drained_ = false;  // of a silence: nothing from before it is under way
   int zeros_ = 0;         // packets still to be sent as a silence begins
   std::uint32_t line_seen_ = 0;
   LinkTime silent_since_{0};  // no frame since
   LinkTime asked_{0}, rests_on_{0};
-  LinkTime not_before_ = LinkTime::min();  // no torque rests on an answer to an earlier packet
-  LinkTime wary_until_ = LinkTime::min();
-  LinkTime took_{0};        // what answers took lately, at the most
-  LinkTime given_up_{0};    // the oldest of the packets that were given up last left then
+  LinkTime took_{0};  // the newest answer
   LinkTime ramp_from_{0};
   LinkTime due_ = LinkTime::min();
   std::array<std::int16_t, 3> wanted_{}, sent_torque_{};
