@@ -34,9 +34,12 @@ std::unique_ptr<FalconPort> port_to(const std::string& name) {
   auto link = falcon::make_usb_link(name);
   EXPECT_TRUE(link);
   FalconSettings settings;
-  // A loaded test machine must not be taken for a silent device.
+  // A loaded test machine must not be taken for a silent or a slow device.
   settings.session.times.silence = 5s;
-  settings.session.times.lost = 4s;
+  settings.session.times.fresh = 5s;
+  settings.session.times.late = 4s;
+  settings.session.times.check = 4s;
+  settings.session.times.slow = 5s;
   settings.session.times.give_up = 20s;
   settings.session.times.probe = 100ms;
   auto port = std::make_unique<FalconPort>(std::move(*link), settings);
