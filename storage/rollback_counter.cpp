@@ -72,13 +72,14 @@ Stored<void> write_counter(const std::filesystem::path& file, const StationKey& 
 
 Stored<CounterCheck> check_counter(StorageContext& context) {
   CounterCheck check;
+  // The file before the log: another program may add an entry between the two, and the counter never leads.
+  const auto counter = read_counter(context.counter_file);
   const auto last =
       context.db.first("SELECT number + 1, link FROM audit_log ORDER BY number DESC LIMIT 1", [](Row row) {
         return std::pair{row.u64(0), row.hash(1)};
       });
   if (!last) return std::unexpected(last.error());
   if (*last) std::tie(check.entries, check.link) = **last;
-  const auto counter = read_counter(context.counter_file);
   if (!counter && counter.error().code != StorageError::corrupt) return std::unexpected(counter.error());
   if (counter && !*counter) {
     check.state = CounterState::missing;

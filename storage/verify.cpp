@@ -217,6 +217,7 @@ class SessionVerifier {
 }  // namespace
 
 Stored<Verification> verify_session(StorageContext& context, SessionId session) {
+  const Snapshot snapshot(context.db);
   return SessionVerifier(context, session).run();
 }
 

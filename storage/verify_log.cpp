@@ -44,6 +44,7 @@ Stored<Verification> follow_audit_log(StorageContext& context, const Uuid& stati
 }
 
 Stored<Verification> verify_audit_log(StorageContext& context) {
+  const Snapshot snapshot(context.db);
   return follow_audit_log(context, context.station, [](const AuditEntry&) {});
 }
 

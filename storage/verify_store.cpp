@@ -16,10 +16,12 @@ class StoreVerifier {
   explicit StoreVerifier(StorageContext& context) : context_{context}, db_{context.db} {}
 
   Stored<StoreVerification> run() {
+    const Snapshot snapshot(db_);
+    const auto counter = check_counter(context_);  // first: its file is read before the snapshot's moment
     if (auto done = read_log(); !done) return std::unexpected(done.error());
     check_schema();
     check_alone("audit_head");
-    check_counter_file();
+    name_counter(counter);
     check_station();
     check_keys();
     if (auto done = check_sessions(); !done) return std::unexpected(done.error());
@@ -74,8 +76,7 @@ class StoreVerifier {
     if (rows && rows->value_or(0) > 1) find(FindingCode::row_added, table);
   }
 
-  void check_counter_file() {
-    const auto check = check_counter(context_);
+  void name_counter(const Stored<CounterCheck>& check) {
     if (!check) return find(FindingCode::counter_missing, "audit_log", {}, context_.counter_file.string());
     switch (check->state) {
       case CounterState::good:

@@ -32,6 +32,15 @@ Stored<std::string> Database::integrity_check() {
   return out;
 }
 
+Snapshot::Snapshot(Database& database) : database_{database} {
+  // Fails only without memory; then each statement reads at its own moment.
+  if (!database_.in_transaction()) open_ = database_.run("BEGIN").has_value();
+}
+
+Snapshot::~Snapshot() {
+  if (open_ && database_.in_transaction()) static_cast<void>(database_.run("ROLLBACK"));
+}
+
 Transaction::Transaction(Database& database) : database_{database} {
   if (auto begun = database_.run("BEGIN IMMEDIATE"); begun) {
     open_ = true;

@@ -120,6 +120,20 @@ class Database {
   bool read_only_;
 };
 
+/// All reads while it stands see one moment, that of the first, whatever other programs write meanwhile. Inside another one
+/// or a Transaction it does nothing. Pre: nothing is written while it stands.
+class Snapshot {
+ public:
+  explicit Snapshot(Database& database);
+  ~Snapshot();
+  Snapshot(const Snapshot&) = delete;
+  Snapshot& operator=(const Snapshot&) = delete;
+
+ private:
+  Database& database_;
+  bool open_ = false;
+};
+
 /// BEGIN IMMEDIATE to commit. The first failure is kept, what follows is skipped, and commit() undoes everything and
 /// returns it: a sequence of writes reads straight down. Undone when it leaves scope without commit().
 class Transaction {

@@ -139,5 +139,29 @@ TEST(Locks, closing_while_another_reads_leaves_it_its_log) {
   EXPECT_EQ(must(reader->history.list(student.actor())).size(), 2u);
 }
 
+TEST(Verify, FindsNothingWhileAnotherProgramRecords) {
+  const Folder folder;
+  const fs::path file = folder / "a.db";
+  { open(file); }  // so that both find it made
+  Program recorder([&] {
+    const auto store = open(file);
+    const Account student = make_student(*store);
+    const SessionId session = must(store->sessions.start(student.actor(), new_session(student, keep(*store)))).id;
+    for (std::uint64_t tick = 1; tick < 12 * 400; tick += 12) must(store->traces.append(session, second_from(tick)));
+    must(store->sessions.finish(session, volume_after(12 * 400), "student"));
+    return !::testing::Test::HasFailure();
+  });
+  const auto store = open(file);
+  recorder.go();
+  // Until the other has finished: verify at each of its moments.
+  for (bool finished = false; !finished;) {
+    const auto verified = must(verify_store(store->context()));
+    EXPECT_TRUE(verified.findings.empty()) << key_of(verified.findings.front().code) << ' ' << verified.findings.front().table;
+    if (HasFailure()) break;
+    finished = must(store->database().first("SELECT 1 FROM final_volumes", [](Row) { return true; })).has_value();
+  }
+  EXPECT_TRUE(recorder.succeeded());
+}
+
 }  // namespace
 }  // namespace cusp
