@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace cusp {
+namespace cusp::device {
 namespace {
 
 constexpr std::array<DeviceKind, 5> kKinds = {{
@@ -30,4 +30,4 @@ std::vector<FoundDevice> with_those_of_no_hardware(std::vector<FoundDevice> hard
   return hardware;
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

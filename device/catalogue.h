@@ -8,7 +8,7 @@
 #include <vector>
 
 
-namespace cusp {
+namespace cusp::device {
 
 struct DeviceKind {
   std::string_view key;           // "pointer", "falcon", "emulated-falcon", "scripted": of settings and command line
@@ -47,4 +47,4 @@ std::unique_ptr<DeviceWatch> watch_devices();
 /// What the catalogue adds to every list of hardware, in order.
 std::vector<FoundDevice> with_those_of_no_hardware(std::vector<FoundDevice> hardware);
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -5,7 +5,7 @@
 #include "device/falcon/transport_watch.h"
 #include "device/inverse/service_probe.h"
 
-namespace cusp {
+namespace cusp::device {
 namespace {
 
 class Watch final : public DeviceWatch {
@@ -52,4 +52,4 @@ class Watch final : public DeviceWatch {
 
 std::unique_ptr<DeviceWatch> watch_devices() { return std::make_unique<Watch>(); }
 
-}  // namespace cusp
+}  // namespace cusp::device

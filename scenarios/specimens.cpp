@@ -8,7 +8,7 @@
 #include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/tooth.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 ImportFailure refused(const ToothFailure& failure) {
@@ -100,4 +100,4 @@ Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
   return fail(ImportError::unknown_generator, source.generator);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,9 +7,10 @@
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/import/import_error.h"
+#include "scenarios/modules.h"
 #include "scenarios/teeth/tooth.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Generators: "paper-block" (always the paper's 128^3; voxel_mm is not read), "block" and "layered-block" (voxel_mm), "tooth" (fdi, seed,
 /// voxel_mm). Without a generator `volume` is a plain file name in `scenario_folder` (NRRD). Seconds at most; not for the
@@ -31,4 +32,4 @@ namespace cusp {
 [[nodiscard]] Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source,
                                                                              ToothCancel cancel = nullptr);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,11 +9,11 @@
 
 #include "storage/error.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Readable by its owner alone; replaces a file of that name. On failure nothing is left of it.
 Stored<void> write_cache_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 /// nullopt: not there, not readable, no plain file, or longer than `most_bytes`.
 std::optional<std::vector<std::byte>> read_cache_file(const std::filesystem::path& file, std::size_t most_bytes);
 
-}  // namespace cusp
+}  // namespace cusp::storage

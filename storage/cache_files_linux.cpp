@@ -8,7 +8,7 @@
 
 #include "storage/cache_files.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<void> write_cache_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp fills the last six in
@@ -46,4 +46,4 @@ std::optional<std::vector<std::byte>> read_cache_file(const std::filesystem::pat
   return bytes;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

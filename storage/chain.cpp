@@ -2,7 +2,7 @@
 
 #include "storage/sodium.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 std::string hex(const Hash256& hash) {
   static constexpr char digits[] = "0123456789abcdef";
@@ -124,4 +124,4 @@ bool head_signature_holds(std::span<const std::uint8_t, 32> public_key, const Uu
   return signature_holds(public_key, head_message(owner, count, link), signature);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

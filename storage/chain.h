@@ -18,7 +18,7 @@
 
 #include "engine/base/ids.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 using Hash256 = std::array<std::uint8_t, 32>;
 
@@ -80,4 +80,4 @@ bool signature_holds(std::span<const std::uint8_t, 32> public_key, const Hash256
 bool head_signature_holds(std::span<const std::uint8_t, 32> public_key, const Uuid& owner, std::uint64_t count,
                           const Hash256& link, const Signature& signature) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cusp {
+namespace cusp::storage {
 
 Signature signature_of(std::span<const std::byte> bytes) {
   Signature out{};
@@ -47,4 +47,4 @@ void check_head(Database& db, const Uuid& owner, const StoredHead& head, const c
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -8,7 +8,7 @@
 
 #include "storage/verify.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct StoredLink {
   ChainLink link;
@@ -41,4 +41,4 @@ class ChainFollower {
 void check_head(Database& db, const Uuid& owner, const StoredHead& head, const char* table,
                 std::vector<ChainFinding>& findings);
 
-}  // namespace cusp
+}  // namespace cusp::storage

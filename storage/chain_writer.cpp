@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace cusp {
+namespace cusp::storage {
 
 ChainWriter::ChainWriter(StorageContext& context, Transaction& transaction, SessionId session)
     : context_{context}, transaction_{transaction}, session_{session}, link_{chain_start(session.uuid)} {
@@ -42,4 +42,4 @@ std::uint64_t next_row(Transaction& transaction, SessionTable table, SessionId s
       .value_or(0);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -6,7 +6,7 @@
 #include "storage/context.h"
 #include "storage/session_tables.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 class ChainWriter {
  public:
@@ -28,4 +28,4 @@ class ChainWriter {
 /// The row number that a session's next row in this table gets.
 std::uint64_t next_row(Transaction& transaction, SessionTable table, SessionId session);
 
-}  // namespace cusp
+}  // namespace cusp::storage

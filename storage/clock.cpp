@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
-namespace cusp {
+namespace cusp::storage {
 
 std::int64_t system_utc_us() {
   using namespace std::chrono;
@@ -24,4 +24,4 @@ std::string iso_utc(std::int64_t utc_us) {
   return text;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

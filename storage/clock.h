@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace cusp {
+namespace cusp::storage {
 
 using UtcClock = std::function<std::int64_t()>;
 
@@ -15,4 +15,4 @@ std::int64_t system_utc_us();
 /// ISO 8601 to the second, "2026-11-20T09:14:03Z". For files and logs, not for people.
 std::string iso_utc(std::int64_t utc_us);
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -1,6 +1,6 @@
 #include "storage/context.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 std::int64_t StorageContext::next_sequence(Transaction& transaction) {
   return transaction
@@ -9,4 +9,4 @@ std::int64_t StorageContext::next_sequence(Transaction& transaction) {
       .value_or(0);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -13,7 +13,7 @@
 #include "storage/process.h"
 #include "storage/sqlite/database.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct StorageContext {
   Database db;
@@ -33,4 +33,4 @@ struct StorageContext {
   std::int64_t next_sequence(Transaction& transaction);
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -5,7 +5,7 @@
 
 #include "engine/base/result.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 enum class StorageError : std::uint8_t {
   // Opening
@@ -38,4 +38,4 @@ using StorageFailure = Failure<StorageError>;
 template <class T>
 using Stored = Result<T, StorageFailure>;
 
-}  // namespace cusp
+}  // namespace cusp::storage

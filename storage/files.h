@@ -7,7 +7,7 @@
 
 #include "storage/error.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Whether the folder lies on NFS, SMB or another drive shared between machines. A path that cannot be asked: false.
 bool on_network_drive(const std::filesystem::path& folder);
@@ -23,4 +23,4 @@ Stored<void> replace_private_file(const std::filesystem::path& file, const std::
 /// nullopt when there is none.
 Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file);
 
-}  // namespace cusp
+}  // namespace cusp::storage

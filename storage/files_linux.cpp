@@ -12,7 +12,7 @@
 
 #include "storage/files.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 // From the kernel's sources where linux/magic.h leaves them out.
@@ -148,4 +148,4 @@ Stored<std::optional<std::string>> read_private_file(const std::filesystem::path
   return result;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -7,7 +7,7 @@
 #include "storage/cache_files.h"
 #include "storage/trace_codec.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 namespace fs = std::filesystem;
@@ -202,4 +202,4 @@ void KeyStateCache::drop(SessionId session, std::uint64_t tick) {
   for (const char* ending : {kLive, kRebuilt}) remove_file(folder() / name_of(session, tick, ending));
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

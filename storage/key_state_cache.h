@@ -13,7 +13,7 @@
 #include "storage/context.h"
 #include "storage/repositories/traces.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 class KeyStateCache {
  public:
@@ -53,4 +53,4 @@ class KeyStateCache {
   std::uint64_t most_bytes_ = kMostBytes;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

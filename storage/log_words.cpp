@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 std::string last_word_of(const std::string& detail) { return detail.substr(detail.rfind(' ') + 1); }
@@ -98,4 +98,4 @@ void LogWords::take_row(const AuditEntry& e) {
   keep(SealedTable::scenario_versions, {"version_published", "version_kept", "version_sealed"});
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -13,7 +13,7 @@
 #include "storage/sealing.h"
 #include "storage/verify.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// The log's last word on something.
 template <class Seal>
@@ -51,4 +51,4 @@ struct LogWords {
   void take_row(const AuditEntry& e);
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -4,7 +4,7 @@
 
 #include "storage/sodium.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 bool acceptable_password(std::string_view password) noexcept { return password.size() >= 8 && password.size() <= 1024; }
 
@@ -27,4 +27,4 @@ bool password_matches(const std::string& stored, std::string_view given) noexcep
   return crypto_pwhash_argon2id_str_verify(padded, given.data(), given.size()) == 0;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

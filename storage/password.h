@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cusp {
+namespace cusp::storage {
 
 /// What one guess costs. Any thread.
 struct PasswordCost {
@@ -27,4 +27,4 @@ std::string hash_password(std::string_view password, const PasswordCost& cost);
 /// Takes the same time whether or not it matches; false for an empty or damaged `stored`.
 bool password_matches(const std::string& stored, std::string_view given) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::storage

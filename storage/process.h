@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace cusp {
+namespace cusp::storage {
 
 /// The locked byte; free again when this is destroyed, or the process has ended in any way.
 class ProcessMark {
@@ -30,4 +30,4 @@ class ProcessMark {
 /// False only when it is certain: that process has ended, the machine was started anew, or the text is none of ours.
 bool process_runs(const std::string& process, const std::filesystem::path& lock_file);
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -12,7 +12,7 @@
 
 #include "storage/process.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 std::string boot_id() {
@@ -136,4 +136,4 @@ bool process_runs(const std::string& process, const std::filesystem::path& lock_
   return held(lock_file, *place).value_or(true);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace cusp {
+namespace cusp::storage {
 
 std::optional<Role> role_from_key(std::string_view key) noexcept {
   for (const Role role : {Role::student, Role::instructor, Role::administrator}) {
@@ -27,4 +27,4 @@ Stored<void> require_reading(const Actor& actor, UserId owner) {
   return require(actor, actor.id == owner ? Action::see_own_results : Action::see_all_results);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

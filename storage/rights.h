@@ -9,7 +9,7 @@
 #include "engine/base/ids.h"
 #include "storage/error.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 enum class Role : std::uint8_t { student, instructor, administrator };
 
@@ -60,4 +60,4 @@ Stored<void> require(const Actor& actor, Action action);
 /// For records of `owner`: see_own_results when it is the actor, else see_all_results.
 Stored<void> require_reading(const Actor& actor, UserId owner);
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -6,7 +6,7 @@
 
 #include "storage/files.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 constexpr std::string_view kFormat = "cusp-counter-1";
@@ -99,4 +99,4 @@ Stored<CounterCheck> check_counter(StorageContext& context) {
   return check;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

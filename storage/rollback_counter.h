@@ -10,7 +10,7 @@
 
 #include "storage/context.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct RollbackCounter {
   Uuid station{};
@@ -45,4 +45,4 @@ struct CounterCheck {
 /// Holds the counter against the log. Fails where the file is there and cannot be read.
 Stored<CounterCheck> check_counter(StorageContext& context);
 
-}  // namespace cusp
+}  // namespace cusp::storage

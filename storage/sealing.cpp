@@ -7,7 +7,7 @@
 #include "storage/repositories/audit_log.h"
 #include "storage/rollback_counter.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 /// A password's or PIN's record holds a random salt: equal secrets of two people have different hashes.
@@ -255,4 +255,4 @@ void look_at_counter(StorageContext& context) {
   if (check->state != CounterState::missing || (began && *began)) context.incident = incident_of(check->state);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

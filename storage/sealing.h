@@ -19,7 +19,7 @@
 
 #include "storage/context.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Columns of `people` that person_seal() takes, in its order: put "WHERE id = ?1" behind.
 inline constexpr const char* kSealedPeople =
@@ -62,4 +62,4 @@ Stored<void> begin_sealing(StorageContext& context);
 /// The same question without writing; for a file that is opened read-only.
 void look_at_counter(StorageContext& context);
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -1,6 +1,6 @@
 #include "storage/session_tables.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 struct Columns {
@@ -57,4 +57,4 @@ std::string select_rows(SessionTable table) {
   return select(table, true) + (table == SessionTable::sessions ? "" : " ORDER BY row");
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

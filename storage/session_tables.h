@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Numbers stand in the chain: never renumbered.
 enum class SessionTable : std::uint64_t {
@@ -33,4 +33,4 @@ std::string select_row(SessionTable table);
 /// ?1 session: its row number first, then the same columns, for every row in order.
 std::string select_rows(SessionTable table);
 
-}  // namespace cusp
+}  // namespace cusp::storage

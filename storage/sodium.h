@@ -5,11 +5,11 @@
 
 #include <cstdlib>
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Before the first call into libsodium; any thread, any number of times. There is no going on without randomness.
 inline void ready_sodium() {
   if (sodium_init() < 0) std::abort();
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

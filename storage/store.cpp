@@ -6,7 +6,7 @@
 #include "storage/rollback_counter.h"
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 /// The secret half and, within it, the public one, as 64 raw bytes.
@@ -107,4 +107,4 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
   return store;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -20,7 +20,7 @@
 #include "storage/repositories/sessions.h"
 #include "storage/repositories/traces.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct StoreOptions {
   DatabaseOptions database{};
@@ -61,4 +61,4 @@ class Store {
   KeyStateCache key_states;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

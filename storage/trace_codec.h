@@ -8,8 +8,9 @@
 
 #include "engine/step/input.h"
 #include "storage/error.h"
+#include "storage/modules.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Most inputs one chunk may hold: two minutes at 1 kHz, so that a damaged count cannot ask for all memory.
 inline constexpr std::size_t kMostInputsPerChunk = 120'000;
@@ -24,4 +25,4 @@ Stored<std::vector<StepInput>> decode_trace(std::span<const std::byte> bytes);
 std::vector<std::byte> pack(std::span<const std::byte> bytes);
 Stored<std::vector<std::byte>> unpack(std::span<const std::byte> bytes);
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -10,7 +10,7 @@
 #include "storage/session_tables.h"
 #include "storage/trace_codec.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 std::string_view key_of(FindingCode code) noexcept {
   constexpr std::array<std::string_view, 13> keys = {
@@ -230,4 +230,4 @@ Stored<std::vector<SessionId>> sessions_to_verify(StorageContext& context) {
   return context.db.all(sql, [](Row row) { return row.id<SessionId>(0); });
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

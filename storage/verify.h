@@ -11,7 +11,7 @@
 
 #include "storage/context.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 enum class FindingCode : std::uint8_t {
   row_changed,      // its content is not what the chain says
@@ -69,4 +69,4 @@ Stored<StoreVerification> verify_store(StorageContext& context);
 /// Every session that any table mentions.
 Stored<std::vector<SessionId>> sessions_to_verify(StorageContext& context);
 
-}  // namespace cusp
+}  // namespace cusp::storage

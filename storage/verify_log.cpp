@@ -4,7 +4,7 @@
 
 #include "storage/chain_check.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<Verification> follow_audit_log(StorageContext& context, const Uuid& station,
                                       const std::function<void(const AuditEntry&)>& each) {
@@ -48,4 +48,4 @@ Stored<Verification> verify_audit_log(StorageContext& context) {
   return follow_audit_log(context, context.station, [](const AuditEntry&) {});
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -8,7 +8,7 @@
 #include "storage/trace_codec.h"
 #include "storage/verify_log.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 class StoreVerifier {
@@ -292,4 +292,4 @@ class StoreVerifier {
 
 Stored<StoreVerification> verify_store(StorageContext& context) { return StoreVerifier(context).run(); }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -52,7 +52,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::AgainstBefore</name>
+    <name>cusp::ui::AgainstBefore</name>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
@@ -63,7 +63,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Audit</name>
+    <name>cusp::ui::Audit</name>
     <message>
         <source>Neighbouring teeth</source>
         <translation>Nachbarzähne</translation>
@@ -174,7 +174,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::AuditPage</name>
+    <name>cusp::ui::AuditPage</name>
     <message>
         <source>Audit</source>
         <translation>Aufwand</translation>
@@ -264,7 +264,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Briefing</name>
+    <name>cusp::ui::Briefing</name>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
@@ -274,7 +274,7 @@
         <translation>Der Zahn mit seinem Ziel</translation>
     </message>
     <message>
-        <source>Burrs</source>
+        <source>Burs</source>
         <translation>Bohrer</translation>
     </message>
     <message>
@@ -342,19 +342,19 @@
         <translation>Mit Maus und Tasten</translation>
     </message>
     <message>
-        <source>Move the mouse, or the arrow keys, to slide the burr over the tooth. Push with the wheel or with Page Down, let up with Page Up. Hold Space, or the left button, to cut.</source>
+        <source>Move the mouse, or the arrow keys, to slide the bur over the tooth. Push with the wheel or with Page Down, let up with Page Up. Hold Space, or the left button, to cut.</source>
         <translation>Mit der Maus oder den Pfeiltasten gleitet der Bohrer über den Zahn. Drücken Sie mit dem Mausrad oder Bild ab, geben Sie mit Bild auf nach. Zum Abtragen die Leertaste oder die linke Maustaste halten.</translation>
     </message>
     <message>
         <source>; </source>
-        <extracomment>Between the burrs of a list, each of which has commas of its own.</extracomment>
+        <extracomment>Between the burs of a list, each of which has commas of its own.</extracomment>
         <translation>; </translation>
     </message>
 </context>
 <context>
-    <name>cusp::BurrTray</name>
+    <name>cusp::ui::BurTray</name>
     <message>
-        <source>Burrs</source>
+        <source>Burs</source>
         <translation>Bohrer</translation>
     </message>
     <message>
@@ -363,16 +363,16 @@
     </message>
     <message>
         <source>%1 %2</source>
-        <extracomment>Kind of burr and its diameter in mm, as &quot;round 1.0&quot;.</extracomment>
+        <extracomment>Kind of bur and its diameter in mm, as &quot;round 1.0&quot;.</extracomment>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Burr %1</source>
+        <source>Bur %1</source>
         <translation>Bohrer %1</translation>
     </message>
 </context>
 <context>
-    <name>cusp::BurrWords</name>
+    <name>cusp::ui::BurWords</name>
     <message>
         <source>decay</source>
         <translation>Karies</translation>
@@ -563,14 +563,14 @@
     </message>
     <message>
         <source>%1, %2, %3</source>
-        <extracomment>Number of a burr, its shape, its diameter.</extracomment>
+        <extracomment>Number of a bur, its shape, its diameter.</extracomment>
         <translation>%1, %2, %3</translation>
     </message>
 </context>
 <context>
-    <name>cusp::BurrsForm</name>
+    <name>cusp::ui::BursForm</name>
     <message>
-        <source>Burr to add</source>
+        <source>Bur to add</source>
         <translation>Neuer Bohrer</translation>
     </message>
     <message>
@@ -578,23 +578,23 @@
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Add a burr</source>
+        <source>Add a bur</source>
         <translation>Bohrer hinzufügen</translation>
     </message>
     <message>
-        <source>Burr %1</source>
+        <source>Bur %1</source>
         <translation>Bohrer %1</translation>
     </message>
     <message>
-        <source>Diameter of burr %1</source>
+        <source>Diameter of bur %1</source>
         <translation>Durchmesser von Bohrer %1</translation>
     </message>
     <message>
-        <source>Remove burr %1</source>
+        <source>Remove bur %1</source>
         <translation>Bohrer %1 entfernen</translation>
     </message>
     <message>
-        <source>Burrs</source>
+        <source>Burs</source>
         <translation>Bohrer</translation>
     </message>
     <message>
@@ -606,7 +606,7 @@
         <translation>Aus dem Katalog hinzufügen</translation>
     </message>
     <message>
-        <source>Shape of the burr to add</source>
+        <source>Shape of the bur to add</source>
         <translation>Form des Bohrers, der hinzukommt</translation>
     </message>
     <message>
@@ -615,30 +615,30 @@
     </message>
     <message>
         <source>%1, %2</source>
-        <extracomment>Number of a burr and its diameter.</extracomment>
+        <extracomment>Number of a bur and its diameter.</extracomment>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>All burrs of this shape are in the exercise.</source>
+        <source>All burs of this shape are in the exercise.</source>
         <translation>Alle Bohrer dieser Form sind in der Übung.</translation>
     </message>
 </context>
 <context>
-    <name>cusp::Busy</name>
+    <name>cusp::ui::Busy</name>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
-    <name>cusp::Chart</name>
+    <name>cusp::ui::Chart</name>
     <message>
         <source>Which</source>
         <translation>Welcher</translation>
     </message>
 </context>
 <context>
-    <name>cusp::Checks</name>
+    <name>cusp::ui::Checks</name>
     <message>
         <source>The target reaches into the pulp, and opening it fails the go: nobody could pass.</source>
         <translation>Das Ziel reicht in die Pulpa, und sie zu eröffnen heißt nicht bestehen: Niemand könnte bestehen.</translation>
@@ -648,7 +648,7 @@
         <translation>Der Spielraum reicht bis in die Pulpa: Sie liegt %1 vom Ziel.</translation>
     </message>
     <message>
-        <source>There is no burr to work with. Add one.</source>
+        <source>There is no bur to work with. Add one.</source>
         <translation>Es gibt keinen Bohrer zum Arbeiten. Fügen Sie einen hinzu.</translation>
     </message>
     <message>
@@ -700,11 +700,11 @@
         <translation>%1 ist bei dieser Feinheit zu dünn zum Beurteilen; ab %2 geht es.</translation>
     </message>
     <message>
-        <source>No burr fits: the smallest is %1 wide, the target %2.</source>
+        <source>No bur fits: the smallest is %1 wide, the target %2.</source>
         <translation>Kein Bohrer passt: der kleinste ist %1 breit, das Ziel %2.</translation>
     </message>
     <message>
-        <source>The corner radius %1 is sharper than the smallest burr leaves it (%2).</source>
+        <source>The corner radius %1 is sharper than the smallest bur leaves it (%2).</source>
         <translation>Der Eckenradius %1 ist schärfer, als ihn der kleinste Bohrer hinterlässt (%2).</translation>
     </message>
     <message>
@@ -752,15 +752,15 @@
         <translation>%1 wird bewertet, aber diese Übung rechnet Kühlung und Wärme nicht.</translation>
     </message>
     <message>
-        <source>Burr %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.</source>
+        <source>Bur %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.</source>
         <translation>Bohrer %1 ist für diese Feinheit zu klein: sein Durchmesser ist %2, ab %3 trägt er genau ab.</translation>
     </message>
     <message>
-        <source>The head of burr %1 is too short for this fineness: %2 long, from %3 it cuts truly.</source>
+        <source>The head of bur %1 is too short for this fineness: %2 long, from %3 it cuts truly.</source>
         <translation>Der Kopf von Bohrer %1 ist für diese Feinheit zu kurz: %2 lang, ab %3 trägt er genau ab.</translation>
     </message>
     <message>
-        <source>The neck of burr %1 is wider than its head.</source>
+        <source>The neck of bur %1 is wider than its head.</source>
         <translation>Der Hals von Bohrer %1 ist dicker als sein Kopf.</translation>
     </message>
     <message>
@@ -869,7 +869,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Cli</name>
+    <name>cusp::ui::Cli</name>
     <message>
         <source>This database has accounts: say with --as which one to act as.</source>
         <translation>Diese Datenbank hat Konten: mit --as angeben, welches handelt.</translation>
@@ -1184,19 +1184,19 @@
         <translation>eine Einzelheit ist dünner als 2,5 Voxel und nicht beurteilbar</translation>
     </message>
     <message>
-        <source>a burr’s radius is below 3 voxels</source>
+        <source>a bur’s radius is below 3 voxels</source>
         <translation>der Radius eines Bohrers liegt unter 3 Voxeln</translation>
     </message>
     <message>
-        <source>a burr’s neck is wider than its ball</source>
+        <source>a bur’s neck is wider than its ball</source>
         <translation>der Hals eines Bohrers ist breiter als seine Kugel</translation>
     </message>
     <message>
-        <source>no burr fits into the target</source>
+        <source>no bur fits into the target</source>
         <translation>kein Bohrer passt in das Ziel</translation>
     </message>
     <message>
-        <source>the target’s corners are sharper than the smallest burr</source>
+        <source>the target’s corners are sharper than the smallest bur</source>
         <translation>die Ecken des Ziels sind schärfer als der kleinste Bohrer</translation>
     </message>
     <message>
@@ -1622,7 +1622,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Compass</name>
+    <name>cusp::ui::Compass</name>
     <message>
         <source>Directions</source>
         <translation>Richtungen</translation>
@@ -1654,7 +1654,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::CourseModel</name>
+    <name>cusp::ui::CourseModel</name>
     <message>
         <source>Briefing</source>
         <translation>Aufgabe</translation>
@@ -1709,7 +1709,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::CriteriaModel</name>
+    <name>cusp::ui::CriteriaModel</name>
     <message>
         <source>An edge of the marking is nearer than the figure is known.</source>
         <translation>Eine Grenze der Bewertung liegt näher, als der Wert bekannt ist.</translation>
@@ -1760,7 +1760,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Desktop</name>
+    <name>cusp::ui::Desktop</name>
     <message>
         <source>Try again</source>
         <translation>Noch einmal versuchen</translation>
@@ -1839,7 +1839,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::DeviationLegend</name>
+    <name>cusp::ui::DeviationLegend</name>
     <message>
         <source>Colours: left standing, on target, cut too far; from -0.5 to +0.5 mm</source>
         <translation>Farben: stehen gelassen, auf dem Ziel, zu weit abgetragen; von -0,5 bis +0,5 mm</translation>
@@ -1858,7 +1858,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::DevicePage</name>
+    <name>cusp::ui::DevicePage</name>
     <message>
         <source>Device</source>
         <translation>Gerät</translation>
@@ -1937,7 +1937,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::DrillBar</name>
+    <name>cusp::ui::DrillBar</name>
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
@@ -1964,7 +1964,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::DrillScreen</name>
+    <name>cusp::ui::DrillScreen</name>
     <message>
         <source>Leave</source>
         <translation>Verlassen</translation>
@@ -2003,7 +2003,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::DrillStage</name>
+    <name>cusp::ui::DrillStage</name>
     <message>
         <source>Turn</source>
         <translation>Drehen</translation>
@@ -2090,7 +2090,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::EditorModel</name>
+    <name>cusp::ui::EditorModel</name>
     <message>
         <source>Title</source>
         <translation>Titel</translation>
@@ -2176,15 +2176,15 @@
         <translation>Was zum Nichtbestehen führt</translation>
     </message>
     <message>
-        <source>Add a burr</source>
+        <source>Add a bur</source>
         <translation>Bohrer hinzufügen</translation>
     </message>
     <message>
-        <source>Remove a burr</source>
+        <source>Remove a bur</source>
         <translation>Bohrer entfernen</translation>
     </message>
     <message>
-        <source>Burr</source>
+        <source>Bur</source>
         <translation>Bohrer</translation>
     </message>
     <message>
@@ -2205,7 +2205,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::EditorPage</name>
+    <name>cusp::ui::EditorPage</name>
     <message>
         <source>Editor</source>
         <translation>Editor</translation>
@@ -2283,7 +2283,7 @@
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>Burrs</source>
+        <source>Burs</source>
         <translation>Bohrer</translation>
     </message>
     <message>
@@ -2459,7 +2459,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ExercisesPage</name>
+    <name>cusp::ui::ExercisesPage</name>
     <message>
         <source>Exercises</source>
         <translation>Übungen</translation>
@@ -2497,7 +2497,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Falcon</name>
+    <name>cusp::ui::Falcon</name>
     <message>
         <source>Looking for it</source>
         <translation>Wird gesucht</translation>
@@ -2656,7 +2656,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::FalconNow</name>
+    <name>cusp::ui::FalconNow</name>
     <message>
         <source>Answers a second</source>
         <translation>Antworten je Sekunde</translation>
@@ -2719,7 +2719,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::FalconPanel</name>
+    <name>cusp::ui::FalconPanel</name>
     <message>
         <source>Try again</source>
         <translation>Noch einmal</translation>
@@ -2853,12 +2853,12 @@
         <translation>%1 ist nicht beschreibbar.</translation>
     </message>
     <message>
-        <source>How the grip leads the burr</source>
+        <source>How the grip leads the bur</source>
         <translation>Wie der Griff den Bohrer führt</translation>
     </message>
 </context>
 <context>
-    <name>cusp::GoAnywhere</name>
+    <name>cusp::ui::GoAnywhere</name>
     <message>
         <source>Go to</source>
         <translation>Gehe zu</translation>
@@ -2877,7 +2877,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::GoesModel</name>
+    <name>cusp::ui::GoesModel</name>
     <message>
         <source>Passed</source>
         <translation>Bestanden</translation>
@@ -2924,7 +2924,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::HandpiecePanel</name>
+    <name>cusp::ui::HandpiecePanel</name>
     <message>
         <source>Handpiece</source>
         <translation>Handstück</translation>
@@ -2995,7 +2995,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::HelpPage</name>
+    <name>cusp::ui::HelpPage</name>
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
@@ -3009,7 +3009,7 @@
         <translation>1. Übung wählen und die Aufgabe lesen: Sie sagt, was abzutragen ist, wie tief, und was Punkte bringt.</translation>
     </message>
     <message>
-        <source>2. Slide the burr over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
+        <source>2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at the right shows the push, the bar at the left the depth.</source>
         <translation>2. Den Bohrer mit der Maus oder den Pfeiltasten über den Zahn führen. Mit dem Mausrad oder Bild ab drücken. Der Balken rechts zeigt den Druck, der Balken links die Tiefe.</translation>
     </message>
     <message>
@@ -3061,7 +3061,7 @@
         <translation>Tasten beim Bohren</translation>
     </message>
     <message>
-        <source>slide the burr</source>
+        <source>slide the bur</source>
         <translation>den Bohrer führen</translation>
     </message>
     <message>
@@ -3081,7 +3081,7 @@
         <translation>Ansichten des Zahns</translation>
     </message>
     <message>
-        <source>burr before, burr after</source>
+        <source>bur before, bur after</source>
         <translation>Bohrer davor, Bohrer danach</translation>
     </message>
     <message>
@@ -3122,7 +3122,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::HistoryCharts</name>
+    <name>cusp::ui::HistoryCharts</name>
     <message>
         <source>points</source>
         <translation>Punkte</translation>
@@ -3168,7 +3168,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ImportPage</name>
+    <name>cusp::ui::ImportPage</name>
     <message>
         <source>Import a specimen</source>
         <translation>Präparat importieren</translation>
@@ -3293,7 +3293,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ImportPreview</name>
+    <name>cusp::ui::ImportPreview</name>
     <message>
         <source>The imported specimen</source>
         <translation>Das importierte Präparat</translation>
@@ -3332,7 +3332,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ImportSize</name>
+    <name>cusp::ui::ImportSize</name>
     <message>
         <source>Millimetre</source>
         <translation>Millimeter</translation>
@@ -3387,7 +3387,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ImportWords</name>
+    <name>cusp::ui::ImportWords</name>
     <message>
         <source>Its voxels of %1 were resampled to cubes of %2.</source>
         <translation>Seine Voxel zu %1 wurden in Würfel zu %2 umgerechnet.</translation>
@@ -3547,7 +3547,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::InterruptedCard</name>
+    <name>cusp::ui::InterruptedCard</name>
     <message>
         <source>It broke off after %1 min, before anything was cut.</source>
         <translation>Er brach nach %1 min ab, bevor etwas abgetragen war.</translation>
@@ -3582,7 +3582,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::InversePanel</name>
+    <name>cusp::ui::InversePanel</name>
     <message>
         <source>It is reached through its maker&apos;s own service on this computer, which you install. Not yet tried with a real device: its directions, forces and rate are not verified.</source>
         <translation>Es wird über den Dienst seines Herstellers auf diesem Computer erreicht, den Sie installieren. Noch nicht mit einem echten Gerät erprobt: Richtungen, Kräfte und Rate sind nicht überprüft.</translation>
@@ -3684,7 +3684,7 @@
         <translation>Es antwortet nicht mehr. Es wird von selbst gesucht; bis dahin gibt es keine Kraft.</translation>
     </message>
     <message>
-        <source>None: the burr keeps its axis</source>
+        <source>None: the bur keeps its axis</source>
         <translation>Keiner: Der Bohrer behält seine Achse</translation>
     </message>
     <message>
@@ -3701,7 +3701,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::LibraryModel</name>
+    <name>cusp::ui::LibraryModel</name>
     <message>
         <source>Draft</source>
         <translation>Entwurf</translation>
@@ -3740,7 +3740,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::LibraryPage</name>
+    <name>cusp::ui::LibraryPage</name>
     <message>
         <source>Discard the draft</source>
         <translation>Entwurf verwerfen</translation>
@@ -3814,7 +3814,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::MeshForm</name>
+    <name>cusp::ui::MeshForm</name>
     <message>
         <source>Leave out</source>
         <translation>Weglassen</translation>
@@ -3868,14 +3868,14 @@
     </message>
 </context>
 <context>
-    <name>cusp::NumberBox</name>
+    <name>cusp::ui::NumberBox</name>
     <message>
         <source>%1 does not go with the rest of the exercise. It stays at %2.</source>
         <translation>%1 passt nicht zum Rest der Übung. Es bleibt bei %2.</translation>
     </message>
 </context>
 <context>
-    <name>cusp::NumberField</name>
+    <name>cusp::ui::NumberField</name>
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
@@ -3902,7 +3902,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::OwnHistory</name>
+    <name>cusp::ui::OwnHistory</name>
     <message>
         <source>My results</source>
         <translation>Meine Ergebnisse</translation>
@@ -3937,7 +3937,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::PasswordDialog</name>
+    <name>cusp::ui::PasswordDialog</name>
     <message>
         <source>Change password</source>
         <translation>Passwort ändern</translation>
@@ -3976,7 +3976,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::PedalPanel</name>
+    <name>cusp::ui::PedalPanel</name>
     <message>
         <source>Foot pedal</source>
         <translation>Fußpedal</translation>
@@ -4111,7 +4111,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::PeopleModel</name>
+    <name>cusp::ui::PeopleModel</name>
     <message>
         <source>PIN or password</source>
         <translation>PIN oder Passwort</translation>
@@ -4158,7 +4158,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::PeoplePage</name>
+    <name>cusp::ui::PeoplePage</name>
     <message>
         <source>People</source>
         <translation>Personen</translation>
@@ -4261,7 +4261,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Performance</name>
+    <name>cusp::ui::Performance</name>
     <message>
         <source>Performance</source>
         <translation>Leistungen</translation>
@@ -4455,14 +4455,14 @@
     </message>
 </context>
 <context>
-    <name>cusp::PinBoxes</name>
+    <name>cusp::ui::PinBoxes</name>
     <message>
         <source>PIN, digit %1 of %2</source>
         <translation>PIN, Ziffer %1 von %2</translation>
     </message>
 </context>
 <context>
-    <name>cusp::PinnedTooth</name>
+    <name>cusp::ui::PinnedTooth</name>
     <message>
         <source>The tooth after this go</source>
         <translation>Der Zahn nach diesem Durchgang</translation>
@@ -4477,7 +4477,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::PointsForm</name>
+    <name>cusp::ui::PointsForm</name>
     <message>
         <source>Points</source>
         <translation>Punkte</translation>
@@ -4564,7 +4564,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Report</name>
+    <name>cusp::ui::Report</name>
     <message>
         <source>Nothing of this go is kept</source>
         <translation>Von diesem Durchgang wird nichts aufbewahrt</translation>
@@ -4649,8 +4649,8 @@
         </translation>
     </message>
     <message>
-        <source>Burr %1: %2</source>
-        <extracomment>A burr, and when it was used.</extracomment>
+        <source>Bur %1: %2</source>
+        <extracomment>A bur, and when it was used.</extracomment>
         <translation>Bohrer %1: %2</translation>
     </message>
     <message>
@@ -4675,7 +4675,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ReportPage</name>
+    <name>cusp::ui::ReportPage</name>
     <message>
         <source>Report</source>
         <translation>Bericht</translation>
@@ -4794,7 +4794,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::RightsRow</name>
+    <name>cusp::ui::RightsRow</name>
     <message>
         <source>This user may not open it. Paste this line into a terminal once, then plug it in again:</source>
         <translation>Dieses Benutzerkonto darf es nicht öffnen. Fügen Sie diese Zeile einmal in ein Terminal ein und stecken Sie es dann neu an:</translation>
@@ -4813,9 +4813,9 @@
     </message>
 </context>
 <context>
-    <name>cusp::ScorePanel</name>
+    <name>cusp::ui::ScorePanel</name>
     <message>
-        <source>Section at the burr</source>
+        <source>Section at the bur</source>
         <translation>Schnitt am Bohrer</translation>
     </message>
     <message>
@@ -4909,14 +4909,14 @@
     </message>
 </context>
 <context>
-    <name>cusp::SectionView</name>
+    <name>cusp::ui::SectionView</name>
     <message>
-        <source>Section at the burr</source>
+        <source>Section at the bur</source>
         <translation>Schnitt am Bohrer</translation>
     </message>
 </context>
 <context>
-    <name>cusp::Sentences</name>
+    <name>cusp::ui::Sentences</name>
     <message>
         <source>The record is not there.</source>
         <translation>Der Eintrag ist nicht da.</translation>
@@ -5585,7 +5585,7 @@
         <translation>Heben Sie ab und lesen Sie die Tiefe, bevor Sie tiefer gehen.</translation>
     </message>
     <message>
-        <source>Keep the burr’s edge inside the target line; push less near the walls.</source>
+        <source>Keep the bur’s edge inside the target line; push less near the walls.</source>
         <translation>Halten Sie den Rand des Bohrers innerhalb der Ziellinie; drücken Sie nahe den Wänden weniger.</translation>
     </message>
     <message>
@@ -5605,11 +5605,11 @@
         <translation>Bleiben Sie von der Pulpa weg: über dem gewünschten Boden.</translation>
     </message>
     <message>
-        <source>Push less; let the burr do the work.</source>
+        <source>Push less; let the bur do the work.</source>
         <translation>Drücken Sie weniger; lassen Sie den Bohrer arbeiten.</translation>
     </message>
     <message>
-        <source>Plan the way of the burr before the first cut.</source>
+        <source>Plan the way of the bur before the first cut.</source>
         <translation>Planen Sie den Weg des Bohrers vor dem ersten Abtrag.</translation>
     </message>
     <message>
@@ -5717,7 +5717,7 @@
         <translation>%1 wärmer; volle Punkte bis %2</translation>
     </message>
     <message>
-        <source>Run the coolant before the burr touches the tooth.</source>
+        <source>Run the coolant before the bur touches the tooth.</source>
         <translation>Kühlung einschalten, bevor der Bohrer den Zahn berührt.</translation>
     </message>
     <message>
@@ -5955,7 +5955,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ShapeForm</name>
+    <name>cusp::ui::ShapeForm</name>
     <message>
         <source>Channel</source>
         <translation>Kanal</translation>
@@ -6054,7 +6054,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Shell</name>
+    <name>cusp::ui::Shell</name>
     <message>
         <source>Top bar</source>
         <translation>Kopfleiste</translation>
@@ -6097,7 +6097,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::SignIn</name>
+    <name>cusp::ui::SignIn</name>
     <message>
         <source>First start</source>
         <translation>Erster Start</translation>
@@ -6220,7 +6220,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::SliceView</name>
+    <name>cusp::ui::SliceView</name>
     <message>
         <source>From the side</source>
         <translation>Von der Seite</translation>
@@ -6243,7 +6243,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::SpaceMousePanel</name>
+    <name>cusp::ui::SpaceMousePanel</name>
     <message>
         <source>The SpaceMouse leads the view of the tooth</source>
         <translation>Die SpaceMouse führt die Ansicht des Zahns</translation>
@@ -6342,7 +6342,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::SpecimenForm</name>
+    <name>cusp::ui::SpecimenForm</name>
     <message>
         <source>%1, upper right</source>
         <translation>%1, oben rechts</translation>
@@ -6437,7 +6437,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::StartPage</name>
+    <name>cusp::ui::StartPage</name>
     <message>
         <source>Due next</source>
         <translation>Als Nächstes fällig</translation>
@@ -6491,7 +6491,7 @@
         <translation>noch keine</translation>
     </message>
     <message>
-        <source>Burrs</source>
+        <source>Burs</source>
         <translation>Bohrer</translation>
     </message>
     <message>
@@ -6593,7 +6593,7 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::StopCard</name>
+    <name>cusp::ui::StopCard</name>
     <message>
         <source>Leave</source>
         <translation>Verlassen</translation>
@@ -6644,7 +6644,7 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::TargetView</name>
+    <name>cusp::ui::TargetView</name>
     <message>
         <source>Turn</source>
         <translation>Drehen</translation>
@@ -6707,7 +6707,7 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::TissuesForm</name>
+    <name>cusp::ui::TissuesForm</name>
     <message>
         <source>set for this exercise</source>
         <translation>für diese Übung gesetzt</translation>
@@ -6749,7 +6749,7 @@ Ihr bester davor</translation>
         <translation>Langsam</translation>
     </message>
     <message>
-        <source>Burr vibrates in the hand</source>
+        <source>Bur vibrates in the hand</source>
         <translation>Bohrer zittert in der Hand</translation>
     </message>
     <message>
@@ -6786,7 +6786,7 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::ToothForm</name>
+    <name>cusp::ui::ToothForm</name>
     <message>
         <source>Central pit</source>
         <translation>Zentrale Grube</translation>
@@ -6913,7 +6913,7 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::ToothView</name>
+    <name>cusp::ui::ToothView</name>
     <message>
         <source>The tooth is drawn where the screen has OpenGL.</source>
         <translation>Der Zahn erscheint dort, wo der Bildschirm OpenGL hat.</translation>
@@ -6924,9 +6924,9 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::TrimForm</name>
+    <name>cusp::ui::TrimForm</name>
     <message>
-        <source>Burr, from where a go begins</source>
+        <source>Bur, from where a go begins</source>
         <translation>Bohrer, vom Beginn eines Durchgangs aus</translation>
     </message>
     <message>
@@ -6946,11 +6946,11 @@ Ihr bester davor</translation>
         <translation>Obere Taste</translation>
     </message>
     <message>
-        <source>Left button, which then changes no burr</source>
+        <source>Left button, which then changes no bur</source>
         <translation>Linke Taste, die dann keinen Bohrer wechselt</translation>
     </message>
     <message>
-        <source>Right button, which then changes no burr</source>
+        <source>Right button, which then changes no bur</source>
         <translation>Rechte Taste, die dann keinen Bohrer wechselt</translation>
     </message>
     <message>
@@ -6958,7 +6958,7 @@ Ihr bester davor</translation>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Clutch: the grip moves, the burr stays</source>
+        <source>Clutch: the grip moves, the bur stays</source>
         <translation>Kupplung: der Griff geht, der Bohrer bleibt</translation>
     </message>
     <message>
@@ -7000,7 +7000,7 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::VolumeForm</name>
+    <name>cusp::ui::VolumeForm</name>
     <message>
         <source>This is a specimen of Cusp’s own: it is taken as it stands.</source>
         <translation>Das ist ein Volumen von Cusp selbst: Es wird übernommen, wie es ist.</translation>
@@ -7050,7 +7050,7 @@ Ihr bester davor</translation>
     </message>
 </context>
 <context>
-    <name>cusp::WordsForm</name>
+    <name>cusp::ui::WordsForm</name>
     <message>
         <source>Title, English</source>
         <translation>Titel, Englisch</translation>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en_US">
 <context>
-    <name>cusp::AuditPage</name>
+    <name>cusp::ui::AuditPage</name>
     <message numerus="yes">
         <source>Each choice was left out or halved once, with %n scripted go(es) each.</source>
         <translation>
@@ -12,7 +12,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Cli</name>
+    <name>cusp::ui::Cli</name>
     <message numerus="yes">
         <source>%n session(s) and the audit log are whole.</source>
         <translation>
@@ -57,7 +57,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::EditorPage</name>
+    <name>cusp::ui::EditorPage</name>
     <message numerus="yes">
         <source>%n thing(s) to look at</source>
         <translation>
@@ -67,7 +67,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ExercisesPage</name>
+    <name>cusp::ui::ExercisesPage</name>
     <message numerus="yes">
         <source>%n exercise(s) cannot be read.</source>
         <translation>
@@ -77,7 +77,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::HistoryCharts</name>
+    <name>cusp::ui::HistoryCharts</name>
     <message numerus="yes">
         <source>%n go(es), the last with %1 points.</source>
         <translation>
@@ -87,7 +87,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ImportPage</name>
+    <name>cusp::ui::ImportPage</name>
     <message numerus="yes">
         <source>%n slice(s) of a CT, in the order of their places.</source>
         <translation>
@@ -104,7 +104,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::ImportWords</name>
+    <name>cusp::ui::ImportWords</name>
     <message numerus="yes">
         <source>The folder holds %n series; the one with %1 slices was read.</source>
         <translation>
@@ -156,7 +156,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::LibraryPage</name>
+    <name>cusp::ui::LibraryPage</name>
     <message numerus="yes">
         <source>%n exercise(s) cannot be read.</source>
         <translation>
@@ -166,7 +166,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::MeshForm</name>
+    <name>cusp::ui::MeshForm</name>
     <message numerus="yes">
         <source>%n gap(s), the widest of %1 at %2</source>
         <translation>
@@ -176,7 +176,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Performance</name>
+    <name>cusp::ui::Performance</name>
     <message numerus="yes">
         <source>Last %n day(s)</source>
         <translation>
@@ -214,7 +214,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Report</name>
+    <name>cusp::ui::Report</name>
     <message numerus="yes">
         <source>Best before: %1 point(s) on %2; today %3.</source>
         <translation>
@@ -231,7 +231,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::Sentences</name>
+    <name>cusp::ui::Sentences</name>
     <message numerus="yes">
         <source>%1: %2 point(s) lost</source>
         <translation>
@@ -241,7 +241,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::StartPage</name>
+    <name>cusp::ui::StartPage</name>
     <message numerus="yes">
         <source>Time earns no points. %1 only, %n go(es).</source>
         <translation>
@@ -251,7 +251,7 @@
     </message>
 </context>
 <context>
-    <name>cusp::VolumeForm</name>
+    <name>cusp::ui::VolumeForm</name>
     <message numerus="yes">
         <source>%n voxel(s)</source>
         <translation>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -41,7 +41,7 @@ void EmulatedBody::live(LinkTime now) noexcept {
     const auto legs = inverse({}, at);
     const auto rows = legs ? jacobian({}, *legs) : std::nullopt;
     if (!rows) return;
-    const Vec3 weight = cusp::falcon::force_n(*rows, gravity_torque_nm({}, {at, *legs, *rows}, settings_.weight));
+    const Vec3 weight = device::falcon::force_n(*rows, gravity_torque_nm({}, {at, *legs, *rows}, settings_.weight));
     const Vec3 push = past_[(past_at_ + kPast - delay) % kPast] + hand_n_ - weight - speed_ * settings_.damping_ns_per_m;
     // Friction first brakes what moves, then holds what stands.
     Vec3 next = speed_ + push * (kStepS / settings_.moving_kg);
@@ -55,4 +55,4 @@ void EmulatedBody::live(LinkTime now) noexcept {
   }
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

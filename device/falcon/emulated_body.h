@@ -7,7 +7,7 @@
 #include "device/falcon/emulator.h"
 #include "device/falcon/gravity.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct EmulatedBodySettings {
   double moving_kg = 0.2;
@@ -41,4 +41,4 @@ class EmulatedBody {
   std::optional<LinkTime> before_;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace cusp {
+namespace cusp::device {
 
 namespace {
 
@@ -107,7 +107,7 @@ Sample EmulatedFalconPort::wait(std::chrono::steady_clock::time_point deadline) 
   lead(kLeadMPerTick);
   falcon_.set_buttons(pose.cut ? FalconButtons{}.cut : 0);
   Sample sample = port_.wait(deadline);
-  sample.burr = pose.burr;
+  sample.bur = pose.bur;
   return sample;
 }
 
@@ -116,4 +116,4 @@ void EmulatedFalconPort::write(const Feedback& feedback) noexcept {
   port_.write(feedback);
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -7,13 +7,13 @@
 #include "device/falcon/emulated_link.h"
 #include "device/falcon/falcon_port.h"
 
-namespace cusp {
+namespace cusp::device {
 
-/// Where the hand has the burr, in the specimen.
+/// Where the hand has the bur, in the specimen.
 struct EmulatedHandPose {
   Vec3 position_mm{0.0};
   bool cut = false;
-  std::uint16_t burr = 0;
+  std::uint16_t bur = 0;
 };
 
 /// Haptic thread, once a sample: what was felt, and the time since the last call. Does not throw, allocate or wait.
@@ -59,4 +59,4 @@ class EmulatedFalconPort final : public HapticPort {
   falcon::LinkTime before_{0};
 };
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 EmulatedLink::EmulatedLink(Emulator& falcon, const EmulatedLinkSettings& settings) noexcept
     : falcon_(falcon), settings_(settings), now_(settings.start), random_(settings.seed * 2 + 1) {
@@ -119,4 +119,4 @@ LinkEvent EmulatedLink::wait(LinkTime until) noexcept {
   return {.kind = LinkEvent::Kind::received, .bytes = std::span(packet_).first(size)};
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -10,7 +10,7 @@
 #include "device/falcon/link.h"
 #include "engine/base/triple_buffer.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 enum class Presence : std::uint8_t { here, absent, denied, busy };
 
@@ -83,4 +83,4 @@ class EmulatedLink final : public FalconLink {
   std::function<void(LinkTime)> tick_;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -74,7 +74,7 @@ std::array<std::int16_t, 3> Emulator::torque_words(LinkTime now) const noexcept 
 }
 
 Vec3 Emulator::force_n(LinkTime now) const noexcept {
-  return cusp::falcon::force_n(rows_, torque_of_counts(settings_.calibration, torque_words(now)));
+  return device::falcon::force_n(rows_, torque_of_counts(settings_.calibration, torque_words(now)));
 }
 
 void Emulator::set_dtr(bool high) noexcept {
@@ -301,4 +301,4 @@ std::size_t Emulator::read(std::span<std::uint8_t, kPacketBytes> out, LinkTime n
   return size;
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

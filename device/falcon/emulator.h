@@ -13,7 +13,7 @@
 #include "device/falcon/link.h"
 #include "device/falcon/protocol.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct EmulatorSettings {
   bool powered = true;            // the adapter; the bridge itself lives from USB
@@ -131,4 +131,4 @@ class Emulator {
   std::uint8_t refuse_ = 0xFF;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cusp {
+namespace cusp::device {
 
 namespace {
 
@@ -146,8 +146,8 @@ void FalconPort::take_buttons(std::uint8_t bits) noexcept {
     if (ticks > kPressTicks) return false;
     return ++ticks == kPressTicks;
   };
-  if (pressed(does.next_burr, next_ticks_) && last_.burr + 1 < settings_.burrs) ++last_.burr;
-  if (pressed(does.previous_burr, previous_ticks_) && last_.burr > 0) --last_.burr;
+  if (pressed(does.next_bur, next_ticks_) && last_.bur + 1 < settings_.burs) ++last_.bur;
+  if (pressed(does.previous_bur, previous_ticks_) && last_.bur > 0) --last_.bur;
 }
 
 Sample FalconPort::fresh() noexcept {
@@ -278,4 +278,4 @@ void FalconPort::publish() noexcept {
   view_.write(view);
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

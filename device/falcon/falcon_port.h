@@ -19,14 +19,14 @@
 #include "engine/base/haptic_port.h"
 #include "engine/base/triple_buffer.h"
 
-namespace cusp {
+namespace cusp::device {
 
 /// Which button does what; falcon::status bits, 0 for none.
 struct FalconButtons {
   std::uint8_t cut = falcon::status::kCentre;
   std::uint8_t clutch = falcon::status::kForward;
-  std::uint8_t next_burr = falcon::status::kPlus;
-  std::uint8_t previous_burr = falcon::status::kMinus;
+  std::uint8_t next_bur = falcon::status::kPlus;
+  std::uint8_t previous_bur = falcon::status::kMinus;
 };
 
 struct FalconSettings {
@@ -36,7 +36,7 @@ struct FalconSettings {
   falcon::GravityCalibration gravity{};
   falcon::WorkspaceSettings workspace{};
   FalconButtons buttons{};
-  std::uint16_t burrs = 1;  // how many the scene has; the buttons stop at the ends
+  std::uint16_t burs = 1;  // how many the scene has; the buttons stop at the ends
   std::string name = "Novint Falcon";
   std::string device_class = "falcon";
   double max_force_n = 4.4;             // in any direction, anywhere within 40 mm of the axis and z 0.080 to 0.170 m
@@ -124,4 +124,4 @@ class FalconPort final : public HapticPort {
   TripleBuffer<FalconView> view_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::string_view FirmwareImage::known_as() const noexcept {
   return {};
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

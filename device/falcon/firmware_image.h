@@ -12,7 +12,7 @@
 
 #include "engine/base/result.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 enum class ImageError : std::uint8_t {
   unreadable,        // no such file, no permission
@@ -52,4 +52,4 @@ class FirmwareImage {
   int blocks_ = 0;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

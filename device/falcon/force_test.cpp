@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -47,4 +47,4 @@ Vec3 ForceTest::wanted(const TrialReading&, double dt_s) noexcept {
   return kDirections[static_cast<std::size_t>(way())] * (newtons_ * share) - speed() * kSoftenNsPerM;
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

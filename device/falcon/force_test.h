@@ -4,7 +4,7 @@
 
 #include "device/falcon/trial.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 enum class ForceWay : std::uint8_t { right, left, up, down, to_user, away };
 
@@ -24,4 +24,4 @@ class ForceTest final : public Trial {
   double newtons_, clock_s_ = 0;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

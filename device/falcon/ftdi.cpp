@@ -1,6 +1,6 @@
 #include "device/falcon/ftdi.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 double baud_of(std::uint16_t divisor) noexcept {
   // Codes of the FT232B family: 00 none, 01 a half, 10 a quarter, 11 an eighth.
@@ -10,4 +10,4 @@ double baud_of(std::uint16_t divisor) noexcept {
   return by >= 1.0 ? 3e6 / by : 0.0;
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

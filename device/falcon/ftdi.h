@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 inline constexpr std::uint16_t kVendor = 0x0403, kProduct = 0xCB48;
 inline constexpr std::uint8_t kInEndpoint = 0x81, kOutEndpoint = 0x02;
@@ -67,4 +67,4 @@ void strip_status(std::span<const std::uint8_t> transfer, LineErrors& errors, Ta
 /// Bits a second of a divisor request (low 14 bits whole, bits 15:14 a code for the fraction); 0 when it has none.
 double baud_of(std::uint16_t divisor) noexcept;
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::optional<GravityCalibration> fit_gravity(const Geometry& geometry, std::spa
   return fit;
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

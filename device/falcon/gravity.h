@@ -7,7 +7,7 @@
 
 #include "device/falcon/kinematics.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct GravityCalibration {
   double grip_kg = 0.0;   // what hangs on the grip: grip, platform and a share of the shins
@@ -28,4 +28,4 @@ struct HeldPose {
 /// cannot be told apart, or when the fit is not finite or negative.
 std::optional<GravityCalibration> fit_gravity(const Geometry& geometry, std::span<const HeldPose> held) noexcept;
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

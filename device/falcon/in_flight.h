@@ -10,7 +10,7 @@
 
 #include "device/falcon/link.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 class InFlight {
  public:
@@ -46,4 +46,4 @@ class InFlight {
   std::size_t at_ = 0, count_ = 0;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

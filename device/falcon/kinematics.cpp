@@ -5,7 +5,7 @@
 
 #include "device/falcon/protocol.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -164,4 +164,4 @@ Vec3 torque_of_counts(const Calibration& calibration, std::array<std::int16_t, 3
   return Vec3(counts[0], counts[1], counts[2]) / -(calibration.counts_per_nm * calibration.force_gain);
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

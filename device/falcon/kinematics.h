@@ -10,7 +10,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 /// Lengths of the mechanism (m) and what its encoders count.
 struct Geometry {
@@ -86,4 +86,4 @@ Vec3 ticks_of_arm_rad(const Geometry& geometry, const Calibration& calibration, 
 std::array<std::int16_t, 3> counts_of_torque(const Calibration& calibration, Vec3 torque_nm) noexcept;
 Vec3 torque_of_counts(const Calibration& calibration, std::array<std::int16_t, 3> counts) noexcept;
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -11,7 +11,7 @@
 
 #include "device/falcon/ftdi.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 /// Time since a zero of the link's own; only differences count. steady_clock's in a real link.
 using LinkTime = std::chrono::nanoseconds;
@@ -68,4 +68,4 @@ class FalconLink {
   virtual std::string name() const = 0;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -199,4 +199,4 @@ std::optional<MotionFit> fit_motion(std::span<const MotionSample> record) {
   return out;
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

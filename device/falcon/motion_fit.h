@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct MotionSample {
   double t_s = 0;      // when the reading was there
@@ -31,4 +31,4 @@ struct MotionFit {
 /// Nothing where there are too few windows in motion, the numbers cannot be told apart, or the mass is not positive.
 std::optional<MotionFit> fit_motion(std::span<const MotionSample> record);
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

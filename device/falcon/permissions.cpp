@@ -1,6 +1,6 @@
 #include "device/falcon/permissions.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 std::string_view udev_rule() noexcept {
   return R"(SUBSYSTEM=="usb", ENV{DEVTYPE}=="usb_device", ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48", TAG+="uaccess", ATTR{power/control}="on")";
@@ -14,4 +14,4 @@ std::string udev_install_command() {
          " --attr-match=idVendor=0403 --attr-match=idProduct=cb48";
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 /// The rule's one line, as in 51-cusp.rules. It has to sort before 73-seat-late.rules.
 std::string_view udev_rule() noexcept;
@@ -12,4 +12,4 @@ std::string_view udev_rule_path() noexcept;
 /// A shell command that writes the rule and applies it to what is plugged in already; asks for the password by sudo.
 std::string udev_install_command();
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::device {
 
 namespace {
 
@@ -18,7 +18,7 @@ std::optional<double> kept(std::optional<double> value, double high) noexcept {
 
 }  // namespace
 
-FalconSettings settings_for(const FalconProfile& profile, Vec3 origin_mm, std::uint16_t burrs) {
+FalconSettings settings_for(const FalconProfile& profile, Vec3 origin_mm, std::uint16_t burs) {
   FalconSettings out;
   const Vec3 trim = profile.calibration.trim_rad;
   if (within(trim.x, -kMostTrimRad, kMostTrimRad) && within(trim.y, -kMostTrimRad, kMostTrimRad) &&
@@ -36,17 +36,17 @@ FalconSettings settings_for(const FalconProfile& profile, Vec3 origin_mm, std::u
     out.workspace.centre_m = profile.centre_m;
   out.workspace.origin_mm = origin_mm;
   FalconButtons& does = out.buttons;
-  if (profile.clutch == 0 || profile.clutch == does.clutch || profile.clutch == does.next_burr ||
-      profile.clutch == does.previous_burr) {
-    if (profile.clutch == does.next_burr) does.next_burr = 0;
-    if (profile.clutch == does.previous_burr) does.previous_burr = 0;
+  if (profile.clutch == 0 || profile.clutch == does.clutch || profile.clutch == does.next_bur ||
+      profile.clutch == does.previous_bur) {
+    if (profile.clutch == does.next_bur) does.next_bur = 0;
+    if (profile.clutch == does.previous_bur) does.previous_bur = 0;
     does.clutch = profile.clutch;
   }
-  out.burrs = burrs;
+  out.burs = burs;
   out.damping_ns_per_m = kept(profile.damping_ns_per_m, kMostDamping);
   out.delay_ms = kept(profile.delay_ms, kMostDelayMs);
   out.encoder_mm = kept(profile.encoder_mm, kMostEncoderMm);
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

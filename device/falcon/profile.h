@@ -7,15 +7,15 @@
 
 #include "device/falcon/falcon_port.h"
 
-namespace cusp {
+namespace cusp::device {
 
 struct FalconProfile {
   falcon::Calibration calibration{};
   falcon::GravityCalibration gravity{};
   double scale = 0.5;  // mm in the specimen for a mm of the grip; falcon::WorkspaceSettings
   Vec3 centre_m = falcon::kMiddleM;              // of the grip, where a go begins
-  std::uint8_t clutch = FalconButtons{}.clutch;  // falcon::status bit of the button; 0: none. A burr's button that is it
-                                                 // changes no burr any more
+  std::uint8_t clutch = FalconButtons{}.clutch;  // falcon::status bit of the button; 0: none. A bur's button that is it
+                                                 // changes no bur any more
   // Of the self-test, at the grip; not known until it was run.
   std::optional<double> damping_ns_per_m, delay_ms, friction_n, moving_kg, encoder_mm;
   friend bool operator==(const FalconProfile&, const FalconProfile&) = default;
@@ -26,7 +26,7 @@ inline constexpr double kLeastForceGain = 0.25, kMostForceGain = 4.0;
 inline constexpr double kMostCentreShiftM = 0.03;  // each way: full force reaches 40 mm about the middle
 
 /// The driver's settings for a go: the middle of the device's workspace lies at `origin_mm`, the grip's buttons go
-/// through so many burrs. Numbers that no Falcon has (tests/device/falcon/self_test_test.cpp) are left at their defaults.
-FalconSettings settings_for(const FalconProfile& profile, Vec3 origin_mm = Vec3(0.0), std::uint16_t burrs = 1);
+/// through so many burs. Numbers that no Falcon has (tests/device/falcon/self_test_test.cpp) are left at their defaults.
+FalconSettings settings_for(const FalconProfile& profile, Vec3 origin_mm = Vec3(0.0), std::uint16_t burs = 1);
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::optional<Frame> FrameParser::push(std::uint8_t byte, Line line) noexcept {
   return decode(buffer_);
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

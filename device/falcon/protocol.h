@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 inline constexpr std::size_t kFrameBytes = 16;
 
@@ -72,4 +72,4 @@ class FrameParser {
   bool flawed_ = false, last_flawed_ = false;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -8,7 +8,7 @@
 #include "device/falcon/link.h"
 #include "engine/base/vec.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 class Reach {
  public:
@@ -47,4 +47,4 @@ class Reach {
   bool believed_ = false;  // last_ was; else it is the first after a gap
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

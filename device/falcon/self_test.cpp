@@ -6,7 +6,7 @@
 
 #include "device/falcon/kinematics.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -158,4 +158,4 @@ SelfTestResult SelfTest::result() const {
   return out;
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

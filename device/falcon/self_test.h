@@ -10,7 +10,7 @@
 #include "device/falcon/motion_fit.h"
 #include "device/falcon/trial.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct SelfTestResult {
   std::array<std::optional<MotionFit>, 3> axes;  // x right, y up, z to the user
@@ -56,4 +56,4 @@ class SelfTest final : public Trial {
   std::uint64_t readings_ = 0, missing_ = 0;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

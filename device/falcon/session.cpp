@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -340,4 +340,4 @@ void Session::advance(const LinkEvent& event, LinkTime now) noexcept {
   time_passed(now);
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

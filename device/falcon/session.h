@@ -26,7 +26,7 @@
 #include "device/falcon/link.h"
 #include "device/falcon/protocol.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 enum class Phase : std::uint8_t {
   unplugged,  // not there, or not to be opened: tried again by itself
@@ -216,4 +216,4 @@ class Session {
   std::size_t outbox_at_ = 0, outbox_count_ = 0;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -5,7 +5,7 @@
 
 #include "device/falcon/session.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -193,4 +193,4 @@ void Session::heard_loader(std::uint8_t byte, LinkTime now) noexcept {
   }
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

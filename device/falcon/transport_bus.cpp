@@ -5,7 +5,7 @@
 
 #include "device/falcon/ftdi.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 Result<Context, PortFailure> start_libusb() {
   libusb_context* context = nullptr;
@@ -39,4 +39,4 @@ std::string serial_of(libusb_device_handle* handle, const libusb_device_descript
   return {reinterpret_cast<const char*>(text.data()), static_cast<std::size_t>(size)};
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -11,7 +11,7 @@
 #include "engine/base/haptic_port.h"
 #include "engine/base/result.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct ContextEnd {
   void operator()(libusb_context* context) const noexcept { libusb_exit(context); }
@@ -46,4 +46,4 @@ std::string port_of(libusb_device* device);
 /// Empty when it has none. Up to a second where the device does not answer.
 std::string serial_of(libusb_device_handle* handle, const libusb_device_descriptor& descriptor);
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

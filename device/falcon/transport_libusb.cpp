@@ -9,7 +9,7 @@
 #include "device/falcon/transport_bus.h"
 #include "device/falcon/wait_for_files.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -329,4 +329,4 @@ Result<std::unique_ptr<FalconLink>, PortFailure> make_usb_link(std::string name)
   return std::make_unique<UsbLink>(std::move(*context), std::move(name));
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

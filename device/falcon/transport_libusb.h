@@ -10,11 +10,11 @@
 #include "engine/base/haptic_port.h"
 #include "engine/base/result.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 /// A link to the Falcon of that name (FalconOnBus::name or ::port), or to the first there is when `name` is empty. It
 /// is found each time the driver asks to open, so that one that was unplugged is found again. Fails with io when libusb
 /// does not start.
 Result<std::unique_ptr<FalconLink>, PortFailure> make_usb_link(std::string name);
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

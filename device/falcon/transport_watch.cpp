@@ -7,7 +7,7 @@
 #include "device/falcon/ftdi.h"
 #include "device/falcon/transport_bus.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -103,4 +103,4 @@ Result<std::unique_ptr<FalconWatch>, PortFailure> watch_usb_falcons() {
   return std::make_unique<UsbWatch>(std::move(*context));
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

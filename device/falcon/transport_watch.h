@@ -8,7 +8,7 @@
 #include "engine/base/haptic_port.h"
 #include "engine/base/result.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 /// One that is plugged in.
 struct FalconOnBus {
@@ -32,4 +32,4 @@ class FalconWatch {
 /// Fails with io when libusb does not start.
 Result<std::unique_ptr<FalconWatch>, PortFailure> watch_usb_falcons();
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -51,4 +51,4 @@ Vec3 Trial::advance(const TrialReading& reading) noexcept {
   return force_n_ += shortened(asked - force_n_, bounds_.rise_n_s * dt_s);
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

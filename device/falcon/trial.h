@@ -7,7 +7,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 /// One reading; the device's frame, metres, seconds since any zero.
 struct TrialReading {
@@ -76,4 +76,4 @@ class Trial {
   bool began_ = false;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

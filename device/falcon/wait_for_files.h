@@ -4,7 +4,7 @@
 #include <chrono>
 #include <span>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct WatchedFile {
   int descriptor = -1;
@@ -14,4 +14,4 @@ struct WatchedFile {
 /// Returns when one is ready or the time is over; at most 16 files are watched.
 void wait_for_files(std::span<const WatchedFile> files, std::chrono::nanoseconds at_most) noexcept;
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

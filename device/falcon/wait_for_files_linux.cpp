@@ -5,7 +5,7 @@
 
 #include "device/falcon/wait_for_files.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 void wait_for_files(std::span<const WatchedFile> files, std::chrono::nanoseconds at_most) noexcept {
   std::array<pollfd, 16> polled{};
@@ -21,4 +21,4 @@ void wait_for_files(std::span<const WatchedFile> files, std::chrono::nanoseconds
       ppoll(polled.data(), count, &time, nullptr));  // interrupted, it returns early: the caller looks again
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

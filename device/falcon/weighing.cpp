@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::optional<GravityCalibration> Weighing::result() const noexcept {
   return end() == TrialEnd::done ? fit_gravity(geometry_, held_) : std::nullopt;
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

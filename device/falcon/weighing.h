@@ -8,7 +8,7 @@
 #include "device/falcon/gravity.h"
 #include "device/falcon/trial.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 class Weighing final : public Trial {
  public:
@@ -36,4 +36,4 @@ class Weighing final : public Trial {
   bool began_ = false;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 namespace {
 constexpr double kMmPerM = 1000.0;
@@ -51,4 +51,4 @@ void Workspace::release(Vec3 grip_m) noexcept {
   settings_.origin_mm += held_mm_ - specimen_mm(grip_m);
 }
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -1,4 +1,4 @@
-/// From the grip's place to the specimen, and from a force on the burr to the grip. The device's x (right), y (up) and
+/// From the grip's place to the specimen, and from a force on the bur to the grip. The device's x (right), y (up) and
 /// z (to the user) become the specimen's x, z and -y, turned by `yaw_rad` about the specimen's z, scaled, shifted.
 /// Metres on the device's side, millimetres on the specimen's. Pure but for the clutch. Haptic thread.
 #pragma once
@@ -7,7 +7,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 
 struct WorkspaceSettings {
   Vec3 centre_m{0.0, 0.0,
@@ -31,7 +31,7 @@ class Workspace {
   /// Newtons stay newtons: with a scale under 1 a tissue of stiffness K feels K * scale to the hand.
   Vec3 device_n(Vec3 specimen_n) const noexcept;
 
-  /// While the clutch is held the grip moves and the burr does not; afterwards the burr goes on from where it stood.
+  /// While the clutch is held the grip moves and the bur does not; afterwards the bur goes on from where it stood.
   /// Whoever calls it gives no force meanwhile.
   void hold(Vec3 grip_m) noexcept;
   void release(Vec3 grip_m) noexcept;
@@ -48,4 +48,4 @@ class Workspace {
   bool held_ = false;
 };
 
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

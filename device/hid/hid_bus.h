@@ -12,7 +12,7 @@
 #include "engine/base/haptic_port.h"
 #include "engine/base/result.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// One interface of a device that is plugged in.
 struct HidDevice {
@@ -48,4 +48,4 @@ class HidBus {
   virtual Result<std::unique_ptr<HidReader>, PortFailure> open(const std::string& path) = 0;
 };
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

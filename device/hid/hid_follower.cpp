@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -95,4 +95,4 @@ void HidFollower::run() {
   let_go();
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

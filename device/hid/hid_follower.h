@@ -12,7 +12,7 @@
 
 #include "device/hid/hid_bus.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 using HidTime = std::chrono::steady_clock::time_point;
 
@@ -52,4 +52,4 @@ class HidFollower {
   std::thread thread_;
 };
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

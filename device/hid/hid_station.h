@@ -7,7 +7,7 @@
 #include "device/hid/pedal_reader.h"
 #include "device/hid/space_mouse_reader.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 class HidStation {
  public:
@@ -31,4 +31,4 @@ class HidStation {
   SpaceMouseReader space_mouse_;
 };
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -147,4 +147,4 @@ PedalReading reading_of(const PedalState& state, const PedalSettings& settings) 
   return out;
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

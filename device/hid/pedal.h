@@ -10,7 +10,7 @@
 #include "device/hid/report_descriptor.h"
 #include "engine/base/pedal_source.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// One thing that a foot can move: a button, an axis, or a key of a pedal that plays keyboard.
 struct ControlId {
@@ -110,4 +110,4 @@ bool is_known_pedal(std::uint16_t vendor, std::uint16_t product) noexcept;
 /// What a state comes to.
 PedalReading reading_of(const PedalState& state, const PedalSettings& settings) noexcept;
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -121,4 +121,4 @@ void PedalReader::publish(HidTime now) {
                 std::memory_order_release);
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

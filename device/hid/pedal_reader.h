@@ -10,7 +10,7 @@
 #include "device/hid/hid_follower.h"
 #include "device/hid/pedal.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// What a screen may want to know; plain values.
 struct PedalView {
@@ -59,4 +59,4 @@ class PedalReader final : public PedalSource, private HidSink {
   HidFollower follower_;
 };
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::optional<Taught> PedalTeacher::found(double dead_zone) const {
   return Taught{best->rest.id, best->rest.kind, *calibration};
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

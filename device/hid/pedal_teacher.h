@@ -7,7 +7,7 @@
 
 #include "device/hid/pedal.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 struct Taught {
   ControlId id;
@@ -35,4 +35,4 @@ class PedalTeacher {
   std::vector<Way> ways_;
 };
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp {
+namespace cusp::device {
 
 namespace {
 constexpr std::uint16_t kCut = 1, kCoolant = 2;  // Sample::buttons
@@ -21,4 +21,4 @@ Sample PedalledPort::wait(std::chrono::steady_clock::time_point deadline) noexce
   return sample;
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -7,7 +7,7 @@
 #include "engine/base/haptic_port.h"
 #include "engine/base/pedal_source.h"
 
-namespace cusp {
+namespace cusp::device {
 
 class PedalledPort final : public HapticPort {
  public:
@@ -25,4 +25,4 @@ class PedalledPort final : public HapticPort {
   std::shared_ptr<const PedalSource> pedal_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::device

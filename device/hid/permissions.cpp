@@ -5,7 +5,7 @@
 
 #include "device/hid/space_mouse.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::string udev_install_command(std::uint16_t vendor, std::uint16_t product) {
          " >/dev/null && sudo udevadm control --reload && sudo udevadm trigger --action=add --subsystem-match=hidraw";
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

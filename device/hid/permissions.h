@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// The lines of 52-cusp-hid.rules. They have to sort before 73-seat-late.rules.
 std::string_view udev_rules() noexcept;
@@ -18,4 +18,4 @@ std::string udev_rule_for(std::uint16_t vendor, std::uint16_t product);
 /// what is plugged in already; asks for the password by sudo.
 std::string udev_install_command(std::uint16_t vendor, std::uint16_t product);
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

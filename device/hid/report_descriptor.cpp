@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -214,4 +214,4 @@ std::optional<std::int32_t> value_in(const InputField& field, std::span<const st
   return static_cast<std::int32_t>(value);
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

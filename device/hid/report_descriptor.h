@@ -11,7 +11,7 @@
 
 #include "engine/base/result.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// Pages and usages that Cusp looks at.
 namespace usage {
@@ -57,4 +57,4 @@ Result<ReportDescriptor, DescriptorFailure> parse_report_descriptor(std::span<co
 std::optional<std::int32_t> value_in(const InputField& field, std::span<const std::uint8_t> payload,
                                      std::uint16_t slot = 0) noexcept;
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

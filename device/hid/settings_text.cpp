@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -112,4 +112,4 @@ SpaceMouseSettings space_mouse_settings_from(std::string_view text) {
   return out;
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -7,7 +7,7 @@
 #include "device/hid/pedal.h"
 #include "device/hid/space_mouse.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 std::string to_text(const PedalSettings& settings);
 PedalSettings pedal_settings_from(std::string_view text);
@@ -15,4 +15,4 @@ PedalSettings pedal_settings_from(std::string_view text);
 std::string to_text(const SpaceMouseSettings& settings);
 SpaceMouseSettings space_mouse_settings_from(std::string_view text);
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

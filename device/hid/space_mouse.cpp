@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -84,4 +84,4 @@ SpaceMouseMotion SpaceMouseState::motion(const SpaceMouseSettings& settings, Tim
   return out;
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// Six-axis devices of 3Dconnexion, by their numbers.
 bool is_space_mouse(std::uint16_t vendor, std::uint16_t product) noexcept;
@@ -52,4 +52,4 @@ class SpaceMouseState {
   Time moved_{};
 };
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

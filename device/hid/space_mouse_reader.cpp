@@ -1,6 +1,6 @@
 #include "device/hid/space_mouse_reader.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 SpaceMouseReader::SpaceMouseReader(std::function<std::unique_ptr<HidBus>()> make_bus, const SpaceMouseSettings& settings)
     : settings_(settings), follower_(std::move(make_bus), *this) {}
@@ -65,4 +65,4 @@ void SpaceMouseReader::lost() {
   view_.connected = false;
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -8,7 +8,7 @@
 #include "device/hid/report_descriptor.h"
 #include "device/hid/space_mouse.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// What a screen may want to know; plain values.
 struct SpaceMouseView {
@@ -49,4 +49,4 @@ class SpaceMouseReader final : private HidSink {
   HidFollower follower_;
 };
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <optional>
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 namespace {
 
@@ -134,4 +134,4 @@ std::unique_ptr<HidBus> make_hidapi_bus() {
   return std::make_unique<Bus>();
 }
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

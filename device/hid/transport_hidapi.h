@@ -6,9 +6,9 @@
 
 #include "device/hid/hid_bus.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 
 /// Null when hidapi does not start.
 std::unique_ptr<HidBus> make_hidapi_bus();
 
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

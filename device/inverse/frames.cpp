@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 
 namespace {
 
@@ -124,4 +124,4 @@ std::string force_message(std::string_view device, Vec3 force_n) {
   return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

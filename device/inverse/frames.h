@@ -11,7 +11,7 @@
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 
 /// Metres and newtons in the device's own frame: x right, y away from the user, z up [M].
 struct Reading {
@@ -41,4 +41,4 @@ Result<Frame, FrameError> parse_frame(std::string_view text);
 /// Pre: finite. The message that holds this force at the device until the next one.
 std::string force_message(std::string_view device, Vec3 force_n);
 
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

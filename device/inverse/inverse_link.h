@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 
 using LinkTime = std::chrono::steady_clock::time_point;
 
@@ -42,4 +42,4 @@ class InverseLink {
   virtual void close() noexcept = 0;
 };
 
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

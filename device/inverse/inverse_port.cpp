@@ -10,7 +10,7 @@
 
 #include "engine/base/triple_buffer.h"
 
-namespace cusp {
+namespace cusp::device {
 
 namespace {
 
@@ -184,7 +184,7 @@ Sample InversePort::Inner::fresh(const inverse::Reading& reading) noexcept {
   const Vec3 place = origin_mm + to_specimen(reading.position_m - *centre_m) * mm;
   if (reading.b && !held) held = true;
   if (held && !reading.b) {
-    // The burr goes on from where it stood, and the handle rests as it is held now.
+    // The bur goes on from where it stood, and the handle rests as it is held now.
     origin_mm += last.position_mm - place;
     rest = reading.orientation;
     held = false;
@@ -200,7 +200,7 @@ Sample InversePort::Inner::fresh(const inverse::Reading& reading) noexcept {
   last.buttons = reading.a ? 1 : 0;
   last.pedal = reading.a ? 65535 : 0;
   next_ticks = reading.c ? static_cast<std::uint8_t>(std::min(next_ticks + 1, kPressTicks + 1)) : std::uint8_t{0};
-  if (next_ticks == kPressTicks) last.burr = static_cast<std::uint16_t>((last.burr + 1) % std::max<int>(settings.burrs, 1));
+  if (next_ticks == kPressTicks) last.bur = static_cast<std::uint16_t>((last.bur + 1) % std::max<int>(settings.burs, 1));
   last.status = Sample::Status::fresh;
   return last;
 }
@@ -264,4 +264,4 @@ InverseView InversePort::view() const {
   return inner_->view;
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -1,6 +1,6 @@
 /// Haply's Inverse3 through the maker's own service on this computer, as a device of the haptic loop. A thread of its
 /// own talks to the service; the loop takes the newest reading and leaves a force. Of a wireless handle's buttons a
-/// cuts, b holds the burr while the hand moves, c takes the next burr [M]. What was learnt from public clients and never
+/// cuts, b holds the bur while the hand moves, c takes the next bur [M]. What was learnt from public clients and never
 /// tried on a real device is marked [M].
 #pragma once
 
@@ -13,7 +13,7 @@
 #include "device/inverse/inverse_session.h"
 #include "engine/base/haptic_port.h"
 
-namespace cusp {
+namespace cusp::device {
 
 struct InverseSettings {
   inverse::ServiceAddress service{};
@@ -24,7 +24,7 @@ struct InverseSettings {
   double scale = 0.5;          // mm in the specimen for a mm of the hand, 0.05 to 1
   double max_force_n = 2.0;    // what public clients let through [M]
   double max_stiffness_n_per_mm = 1.0;  // [M]
-  std::uint16_t burrs = 1;     // how many the scene has
+  std::uint16_t burs = 1;     // how many the scene has
 };
 
 /// What a screen may want to know; plain values.
@@ -61,4 +61,4 @@ class InversePort final : public HapticPort {
 /// Over WebSocket to the service on this computer.
 std::unique_ptr<InversePort> make_inverse_port(const InverseSettings& settings);
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 
 std::string_view key_of(Trouble trouble) noexcept {
   switch (trouble) {
@@ -183,4 +183,4 @@ std::optional<std::string> Session::last_words() const {
   return force_message(state_.device, Vec3(0.0));
 }
 
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

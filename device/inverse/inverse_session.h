@@ -13,10 +13,10 @@
 #include <optional>
 #include <string>
 
-#include "device/inverse/inverse_link.h"
 #include "device/inverse/frames.h"
+#include "device/inverse/inverse_link.h"
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 
 enum class Phase : std::uint8_t { closed, connecting, greeting, ready, silent, pausing };
 
@@ -92,4 +92,4 @@ class Session {
   int garbage_ = 0;
 };
 
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

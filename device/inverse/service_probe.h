@@ -3,9 +3,9 @@
 
 #include "device/inverse/inverse_link.h"
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 
 /// Whether anybody listens there. On loopback the system answers at once; nothing is said to whoever listens.
 bool service_listens(const ServiceAddress& address) noexcept;
 
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

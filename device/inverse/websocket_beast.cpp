@@ -11,7 +11,7 @@
 #include "device/inverse/inverse_port.h"
 #include "device/inverse/service_probe.h"
 
-namespace cusp {
+namespace cusp::device {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::unique_ptr<InversePort> make_inverse_port(const InverseSettings& settings) 
   return std::make_unique<InversePort>(std::make_unique<BeastLink>(settings.service), settings);
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::device {
 namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
@@ -37,8 +37,8 @@ void PointerHand::set_cut(bool cut) noexcept {
   hand_over();
 }
 
-void PointerHand::set_burr(std::uint16_t burr) noexcept {
-  wish_.burr = burr;
+void PointerHand::set_bur(std::uint16_t bur) noexcept {
+  wish_.bur = bur;
   hand_over();
 }
 
@@ -79,4 +79,4 @@ void PointerHand::set_view(Vec3 approach, Vec3 right) noexcept {
   hand_over();
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

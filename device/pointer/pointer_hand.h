@@ -7,15 +7,15 @@
 #include "engine/base/triple_buffer.h"
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::device {
 
 /// One consistent wish. Values are finite and in range: PointerHand sees to it.
 struct PointerWish {
   Vec3 target_mm{0.0};               // place that the pointer shows on the tooth
   Vec3 approach{0.0, 0.0, -1.0};     // unit; the way a push goes
-  double push_n = 0;                 // 0 = let go: the burr lifts off
+  double push_n = 0;                 // 0 = let go: the bur lifts off
   bool cut = false;
-  std::uint16_t burr = 0;
+  std::uint16_t bur = 0;
   Quat orientation{1.0, 0.0, 0.0, 0.0};  // by which the handpiece is turned from rest
 };
 
@@ -26,17 +26,17 @@ class PointerHand {
 
   explicit PointerHand(Vec3 start_mm = Vec3(0.0));
 
-  /// Slide to this place. Only the part across the approach moves a burr that touches; the part along it says how high
-  /// a lifted burr hovers. Ignored when not finite.
+  /// Slide to this place. Only the part across the approach moves a bur that touches; the part along it says how high
+  /// a lifted bur hovers. Ignored when not finite.
   void move_to(Vec3 target_mm) noexcept;
   /// Slide by so many mm to the right and up as seen along the approach: for held keys, steps of speed * time.
   void nudge(double right_mm, double up_mm) noexcept;
   /// Newtons along the approach, cut to [0, kMaxPushN]. 0 lets go.
   void set_push(double push_n) noexcept;
-  /// Lets go: push 0, and the burr lifts off. The cut button stays as it is.
+  /// Lets go: push 0, and the bur lifts off. The cut button stays as it is.
   void lift() noexcept { set_push(0); }
   void set_cut(bool cut) noexcept;
-  void set_burr(std::uint16_t burr) noexcept;
+  void set_bur(std::uint16_t bur) noexcept;
   /// Turns the handpiece by so many degrees, so that its shank leans to the right and up as seen along the approach; no
   /// further from rest than turn_limit_deg. For held keys, steps of speed * time.
   void turn(double right_deg, double up_deg) noexcept;
@@ -65,4 +65,4 @@ class PointerHand {
   TripleBuffer<PointerWish> exchange_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::device

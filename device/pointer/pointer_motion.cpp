@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::device {
 namespace {
 
 /// After a stall the hand goes on from where it was.
@@ -60,7 +60,7 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
                            : towards(depth, shown_depth - tuning_.hover_mm, sink, rise);
   } else if (touches) {
     push_n_ = std::min(wish.push_n * sweeping, push_n_ + tuning_.push_rise_n_s * dt);
-    // The contact may be a wall's: then nothing holds the burr, and it sinks no faster than through the air.
+    // The contact may be a wall's: then nothing holds the bur, and it sinks no faster than through the air.
     next_depth = std::min(proxy_depth + push_n_ / stiffness, depth + sink);
   } else {
     push_n_ = 0;
@@ -85,4 +85,4 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
   return device_mm_;
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

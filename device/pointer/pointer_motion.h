@@ -7,7 +7,7 @@
 #include "device/pointer/pointer_hand.h"
 #include "engine/base/haptic_port.h"
 
-namespace cusp {
+namespace cusp::device {
 
 /// All [M], by feel in the trials that tests/device repeats; each bounds how fast the point may move or load.
 struct PointerTuning {
@@ -22,7 +22,7 @@ struct PointerTuning {
   double smoothing_s = 0.025;      // of the pointer's own steps
   double sweep_mm_s = 10.0;        // a pointer that moves so fast sideways halves the push: sweeping wins over sinking
   double sweep_keeps_s = 0.15;     // a turn of the pointer is no rest: its speed falls no faster
-  double clear_mm = 1.0;           // so far above the first touch of a push the burr is out of what it cut
+  double clear_mm = 1.0;           // so far above the first touch of a push the bur is out of what it cut
   double max_step_mm = 0.15;       // a tick never moves the point further, whatever happens
 };
 
@@ -42,7 +42,7 @@ class PointerMotion {
   Vec3 smooth_mm_;     // the wish's place, smoothed
   double push_n_ = 0;  // the push as it builds up
   double sweep_ = 0;   // of the pointer across the approach, mm/s
-  std::optional<Vec3> entry_mm_;  // highest place of contact since the burr was clear
+  std::optional<Vec3> entry_mm_;  // highest place of contact since the bur was clear
 };
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -2,7 +2,7 @@
 
 #include <thread>
 
-namespace cusp {
+namespace cusp::device {
 
 PointerPort::PointerPort(Vec3 start_mm, const PointerTuning& tuning)
     : hand_(start_mm), motion_(hand_.wish().target_mm, tuning) {
@@ -26,7 +26,7 @@ Sample PointerPort::wait(std::chrono::steady_clock::time_point deadline) noexcep
   sample.position_mm = motion_.advance(wish, feedback_, dt_s);
   sample.buttons = wish.cut ? 1 : 0;
   sample.pedal = wish.cut ? 65535 : 0;
-  sample.burr = wish.burr;
+  sample.bur = wish.bur;
   sample.orientation = wish.orientation;
   return sample;
 }
@@ -49,4 +49,4 @@ void PointerPort::close() noexcept {
   feedback_.proxy_mm = motion_.device_mm();
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -8,11 +8,11 @@
 #include "device/pointer/pointer_motion.h"
 #include "engine/base/haptic_port.h"
 
-namespace cusp {
+namespace cusp::device {
 
 class PointerPort final : public HapticPort {
  public:
-  /// start_mm: a place outside the tissue where the burr begins.
+  /// start_mm: a place outside the tissue where the bur begins.
   explicit PointerPort(Vec3 start_mm, const PointerTuning& tuning = {});
 
   /// For the UI thread; lives as long as the port.
@@ -34,4 +34,4 @@ class PointerPort final : public HapticPort {
   bool open_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <thread>
 
-namespace cusp {
+namespace cusp::device {
 
 Result<void, PortFailure> CsvPort::open() {
   if (!file_.empty()) {
@@ -66,4 +66,4 @@ DeviceLimits CsvPort::limits() const {
   return limits;
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -8,7 +8,7 @@
 #include "device/scripted/csv_trace.h"
 #include "engine/base/haptic_port.h"
 
-namespace cusp {
+namespace cusp::device {
 
 enum class Pacing : std::uint8_t {
   real_time,  // a row is delivered when its time has come; a deadline before that gets the last one again, `late`
@@ -40,4 +40,4 @@ class CsvPort final : public HapticPort {
   Sample last_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <limits>
 
-namespace cusp {
+namespace cusp::device {
 namespace {
 
 constexpr std::string_view kHeader = "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal";
-constexpr std::string_view kHeaderWithBurr = "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal,burr";
+constexpr std::string_view kHeaderWithBur = "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal,bur";
+constexpr std::string_view kOlderHeaderWithBur = "elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal,burr";
 constexpr std::size_t kColumns = 10;
 constexpr std::size_t kMostColumns = 11;
 constexpr double kUnit = 32767.0;  // a quaternion's part of 1
@@ -126,7 +127,7 @@ Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text) {
       break;
     }
     if (lines.number() == 1 && !line.empty() && ((line.front() >= 'a' && line.front() <= 'z') || line.front() == '"')) {
-      if (line != kHeader && line != kHeaderWithBurr)
+      if (line != kHeader && line != kHeaderWithBur && line != kOlderHeaderWithBur)
         return fail(TraceError::bad_header, place(1, 1), std::string(line));
       columns = line == kHeader ? kColumns : kMostColumns;
       continue;
@@ -147,7 +148,7 @@ Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text) {
     reader.read(cells.cell[7], row.qw);
     reader.read(cells.cell[8], row.buttons);
     reader.read(cells.cell[9], row.pedal);
-    if (columns == kMostColumns) reader.read(cells.cell[10], row.burr);
+    if (columns == kMostColumns) reader.read(cells.cell[10], row.bur);
     if (reader.bad_column() != 0) {
       return fail(reader.code(), place(lines.number(), reader.bad_column()),
                   std::string(cells.cell[reader.bad_column() - 1]));
@@ -160,13 +161,13 @@ Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text) {
 }
 
 std::string write_trace(const std::vector<TraceRow>& rows) {
-  const bool burrs = std::ranges::any_of(rows, [](const TraceRow& row) { return row.burr != 0; });
-  std::string out(burrs ? kHeaderWithBurr : kHeader);
+  const bool burs = std::ranges::any_of(rows, [](const TraceRow& row) { return row.bur != 0; });
+  std::string out(burs ? kHeaderWithBur : kHeader);
   out += '\n';
   for (const TraceRow& row : rows) {
     const std::array<std::int64_t, kMostColumns> cells = {
-        row.elapsed_us, row.x, row.y, row.z, row.qx, row.qy, row.qz, row.qw, row.buttons, row.pedal, row.burr};
-    const std::size_t count = burrs ? kMostColumns : kColumns;
+        row.elapsed_us, row.x, row.y, row.z, row.qx, row.qy, row.qz, row.qw, row.buttons, row.pedal, row.bur};
+    const std::size_t count = burs ? kMostColumns : kColumns;
     for (std::size_t i = 0; i < count; ++i) {
       if (i > 0) out += ',';
       out += std::to_string(cells[i]);
@@ -185,8 +186,8 @@ Sample sample_of(const TraceRow& row) noexcept {
   sample.orientation = Quat(row.qw / kUnit, row.qx / kUnit, row.qy / kUnit, row.qz / kUnit);
   sample.buttons = static_cast<std::uint16_t>(row.buttons & ~(kGoneBit | kLateBit));
   sample.pedal = row.pedal;
-  sample.burr = row.burr;
+  sample.bur = row.bur;
   return sample;
 }
 
-}  // namespace cusp
+}  // namespace cusp::device

@@ -1,4 +1,4 @@
-/// A recorded or written motion as CSV: `elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal[,burr]`, the step's own integers
+/// A recorded or written motion as CSV: `elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal[,bur]`, the step's own integers
 /// (0.1 µm, 1/32767, µs), so that what is played is what was meant, to the bit.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include "engine/base/haptic_port.h"
 
-namespace cusp {
+namespace cusp::device {
 
 struct TraceRow {
   std::uint32_t elapsed_us = 1000;  // since the row before
@@ -18,7 +18,7 @@ struct TraceRow {
   std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;
   std::uint16_t buttons = 0;  // bit 0: cut; bit 15: the device was late; bit 14: it was gone
   std::uint16_t pedal = 0;
-  std::uint16_t burr = 0;
+  std::uint16_t bur = 0;
   friend bool operator==(const TraceRow&, const TraceRow&) = default;
 };
 
@@ -40,10 +40,10 @@ using TraceFailure = Failure<TraceError>;
 /// A header line is optional; lines may end in CR LF; an empty last line is no row.
 [[nodiscard]] Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text);
 
-/// With the header line; the burr column is written when any row has a burr other than 0.
+/// With the header line; the bur column is written when any row has a bur other than 0.
 std::string write_trace(const std::vector<TraceRow>& rows);
 
 /// The row as a device reports it.
 Sample sample_of(const TraceRow& row) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::device

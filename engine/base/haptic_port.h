@@ -37,14 +37,14 @@ struct Sample {
   Quat orientation{1.0, 0.0, 0.0, 0.0};
   std::uint16_t buttons = 0;  // bit 0: cut
   std::uint16_t pedal = 0;    // 0 released to 65535 fully down
-  std::uint16_t burr = 0;     // index of the scene's burr asked for
+  std::uint16_t bur = 0;     // index of the scene's bur asked for
 };
 
 /// What the step answers: the force for the hand, and where the proxy stands, for devices whose hand gives force
 /// and not depth (a mouse).
 struct Feedback {
   Vec3 force_n{0.0};                  // after the guard
-  Vec3 proxy_mm{0.0};                 // pivot of the burr that does not penetrate
+  Vec3 proxy_mm{0.0};                 // pivot of the bur that does not penetrate
   double stiffness_n_per_mm = 1.0;    // of what is touched, or of the softest tissue when nothing is
   Vec3 normal{0.0, 0.0, 1.0};         // direction of the contact force; last one when nothing is touched
   bool in_contact = false;

@@ -3,10 +3,10 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct BandedContact {
-  Vec3 pose_mm{0.0};  // where the burr is said to stand: device point + F / K
+  Vec3 pose_mm{0.0};  // where the bur is said to stand: device point + F / K
   bool touching = false;
   double stiffness_n_per_mm = 0.0;  // of what is touched
   Tissue tissue = Tissue::empty;    // touched most
@@ -16,4 +16,4 @@ struct BandedContact {
   bool deferred = false;            // still on its way: the rest next tick
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -99,4 +99,4 @@ CellsNear CellsNear::of(std::uint8_t slices) const noexcept {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

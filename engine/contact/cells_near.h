@@ -6,7 +6,7 @@
 
 #include "engine/contact/near_points.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct CellsNear {
   std::uint64_t slice[8];
@@ -21,4 +21,4 @@ struct CellsNear {
   CellsNear of(std::uint8_t slices) const noexcept;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,7 +4,7 @@
 #include "engine/contact/cut_surface.h"
 #include "engine/volume/sharp_edge.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 /// Two cuts make the larger of two distances, without rounding: what differs more is no ridge of two.
@@ -18,7 +18,7 @@ const double kAir = distance_from_solid(solid_from_distance(0.5));
 /// kBeside everywhere: second differences of samples within the band move it by no more than 3/8 of 2 and of 0.8 voxel, and
 /// a tenth of a voxel outside the cell by 0.3 and 0.12 more.
 constexpr double kTaken = 1.6, kUntouched = 2.2;
-/// Voxels: a scratch up to this deep holds a cutting burr though no cell of the cut has it.
+/// Voxels: a scratch up to this deep holds a cutting bur though no cell of the cut has it.
 constexpr double kShallow = 0.15;
 
 /// Another surface ends the plane of a point: of more than two, the nearest two.
@@ -83,7 +83,7 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   const double length = std::sqrt(glm::dot(g, g));
   if (d > 0.0) {
     // The cut has taken it. A scratch so shallow that it takes no voxel's centre shows in no cell of the cut, and most of
-    // the face about the point still stands: a burr that cuts on is held by the face as deep as the scratch has it there.
+    // the face about the point still stands: a bur that cuts on is held by the face as deep as the scratch has it there.
     if (!sharp && d < kShallow && length > 0.25 && !made.feature.edge) {
       made.at = Vec3f(Vec3(place) - Vec3(made.feature.normal) * (d / length));
       ++made_count_;
@@ -228,4 +228,4 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
   return sharp;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 IVec3 cell_of(Vec3 p, double edge) noexcept {
@@ -198,4 +198,4 @@ void CutMemory::load(const std::vector<Segment>& segments, bool open) noexcept {
   open_ = open;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

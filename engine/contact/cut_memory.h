@@ -1,4 +1,4 @@
-/// Where the burr has been while cutting: a pose that has cut is admissible for ever, since the burr fitted there.
+/// Where the bur has been while cutting: a pose that has cut is admissible for ever, since the bur fitted there.
 /// Segments of past cut poses, merged while straight, found by place. Fixed memory, as rings: when it is full each new
 /// segment takes the oldest one's place (a jam may then return at an old hole, never a wrong force). Thread: haptic.
 #pragma once
@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/base/vec.h"
-#include "engine/tool/burr.h"
+#include "engine/tool/bur.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 class CutMemory {
  public:
@@ -21,11 +21,11 @@ class CutMemory {
 
   CutMemory();
 
-  /// What was swept: a ball, however its burr stood; or another head of a burr, at one axis.
+  /// What was swept: a ball, however its bur stood; or another head of a bur, at one axis.
   struct Sweeper {
     static constexpr std::int32_t kBall = -1;
     double radius_mm = 0.0;       // of the ball
-    std::int32_t head = kBall;    // else the scene's number of the burr
+    std::int32_t head = kBall;    // else the scene's number of the bur
     Vec3 axis{0.0};               // zero for a ball
     bool operator==(const Sweeper&) const = default;
     /// Where this has been, `other` fits too.
@@ -34,11 +34,11 @@ class CutMemory {
     }
   };
 
-  /// The burr's pivot moved, cutting, from a to b. True when that only lengthened the last segment.
+  /// The bur's pivot moved, cutting, from a to b. True when that only lengthened the last segment.
   bool add(Vec3 from, Vec3 to, const Sweeper& by) noexcept;
   /// True when the last segment passes through p: the way from there has been straight.
   bool straight_from(Vec3 p) const noexcept;
-  /// The path is broken: the next segment starts anew (button up, burr changed).
+  /// The path is broken: the next segment starts anew (button up, bur changed).
   void lift() noexcept { open_ = false; }
 
   /// Ends of what lies within reach of y of the newest segments where `tool` fits; at most kMost of them.
@@ -100,10 +100,10 @@ class CutMemory {
   bool open_ = false;  // the last segment may grow
 };
 
-/// What a burr sweeps, for the memory. index: of the scene's burrs.
-inline CutMemory::Sweeper sweeper_of(const Burr& burr, std::uint16_t index, Vec3 axis) noexcept {
-  if (burr.head.ball()) return {burr.radius_mm, CutMemory::Sweeper::kBall, Vec3(0.0)};
-  return {burr.radius_mm, index, axis};
+/// What a bur sweeps, for the memory. index: of the scene's burs.
+inline CutMemory::Sweeper sweeper_of(const Bur& bur, std::uint16_t index, Vec3 axis) noexcept {
+  if (bur.head.ball()) return {bur.radius_mm, CutMemory::Sweeper::kBall, Vec3(0.0)};
+  return {bur.radius_mm, index, axis};
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 #include <bit>
 #include <utility>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 /// Features kept at once: a cavity of 60 mm2 at 0.04 mm voxels has about 60,000, and pages are two thirds full.
@@ -336,4 +336,4 @@ void CutSurface::put(Slot& slot) noexcept {
   slot.first = first;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,10 +1,10 @@
-/// The surface of a brick that a burr has reached, as points and edges in cell order: what is left of the specimen's own
+/// The surface of a brick that a bur has reached, as points and edges in cell order: what is left of the specimen's own
 /// points, the cut's points, and the edges where surfaces meet. Computed when contact asks for a brick, kept until a voxel
 /// that it was read from changes. What it answers depends on the volume, the strokes that made it and on which parts are
 /// sharp alone, so that an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features.
 ///
 /// A part (sixteen of a brick: halves of its slices, four rows of eight cells each) is *sharp* where ridges between cuts are
-/// found to their edge, *dull* where they are rounded as the field has them. While the burr cuts all are dull; afterwards
+/// found to their edge, *dull* where they are rounded as the field has them. While the bur cuts all are dull; afterwards
 /// they are sharpened some a tick (sharpen_parts), for an edge costs ten times a smooth cell. Which are sharp is part of the
 /// step's state.
 /// Thread: haptic.
@@ -19,7 +19,7 @@
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct CutFeature {
   Vec3f normal{0.0f};           // out of the tissue; for an edge its tangent
@@ -171,4 +171,4 @@ class CutSurface {
   double wide_[kWide * kWide * kWide];
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

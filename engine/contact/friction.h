@@ -5,7 +5,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 inline constexpr double kFrictionWholeMmS = 2.0;  // speed at which the Coulomb force is whole
 
@@ -17,4 +17,4 @@ inline Vec3 coulomb_n(Vec3 velocity_mm_s, double coefficient, double spring_n) n
   return velocity_mm_s * (-coefficient * spring_n * whole / speed);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -5,7 +5,7 @@
 
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -26,16 +26,16 @@ constexpr double kOnHeadMm = 1e-6;  // of the head's skin
 
 GradientProxy::GradientProxy(const Scene& scene, const Volume& volume) : axis_(scene.tool_axis), box_(volume) {
   const double voxel = volume.grid().voxel_mm;
-  for (const Burr& burr : scene.burrs) {
+  for (const Bur& bur : scene.burs) {
     // At least three by three points a side, so that the best of them leads to the foot.
-    const double spacing = std::min(kBallVoxels * voxel, 0.45 * burr.radius_mm);
-    shells_.push_back({shell_of(burr, scene.tool_axis, spacing, kHolderVoxels * voxel), burr.radius_mm, head_reach(burr),
-                       std::max(burr.neck_radius_mm, burr.shank_radius_mm)});
+    const double spacing = std::min(kBallVoxels * voxel, 0.45 * bur.radius_mm);
+    shells_.push_back({shell_of(bur, scene.tool_axis, spacing, kHolderVoxels * voxel), bur.radius_mm, head_reach(bur),
+                       std::max(bur.neck_radius_mm, bur.shank_radius_mm)});
   }
 }
 
-GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t burr, Vec3 y) const noexcept {
-  const Shell& shell = shells_[burr];
+GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t bur, Vec3 y) const noexcept {
+  const Shell& shell = shells_[bur];
   Scan out;
   out.gap_mm = field.band_mm();
   if (box_.holds(y, shell.reach_mm)) {
@@ -61,15 +61,15 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
   return out;
 }
 
-GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, const Burr& burr, Vec3 y,
+GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, const Bur& bur, Vec3 y,
                                         Vec3 offset) const noexcept {
   Foot out;
   out.offset = offset;
-  const double radius_mm = burr.radius_mm;
-  const bool ball = burr.head.ball();
+  const double radius_mm = bur.radius_mm;
+  const bool ball = bur.head.ball();
   // No point of neck and shank lies inside the head.
   out.shank = ball ? glm::dot(offset, offset) > radius_mm * radius_mm * (1.0 + 1e-9)
-                   : head_distance(burr, axis_, offset) > kOnHeadMm;
+                   : head_distance(bur, axis_, offset) > kOnHeadMm;
   if (out.shank) {
     out.known = field.normal(y + offset, out.n);
     out.gap_mm = field.at(y + offset);
@@ -77,12 +77,12 @@ GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, const Burr&
   }
   Vec3 n = offset / -radius_mm;
   if (!ball) {
-    head_distance(burr, axis_, offset, n);
+    head_distance(bur, axis_, offset, n);
     n = -n;
   }
   // The head's place that a plane of this normal touches; of a flat end or flank the one nearest to the foot so far.
   const auto against = [&](Vec3 normal) {
-    return ball ? normal * -radius_mm : head_support(burr, axis_, -normal, out.offset);
+    return ball ? normal * -radius_mm : head_support(bur, axis_, -normal, out.offset);
   };
   Vec3 before(0.0);
   for (int pass = 0; pass < kFootPasses; ++pass) {
@@ -90,7 +90,7 @@ GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, const Burr&
     if (!field.normal(ball ? y - n * radius_mm : y + against(n), m)) break;
     out.known = true;
     Vec3 change = m - n;
-    // On a feature sharper than the burr the iteration swings: then half the way.
+    // On a feature sharper than the bur the iteration swings: then half the way.
     if (glm::dot(change, before) < 0.0) change *= 0.5;
     before = change;
     // Half the way to the other side of a thin ridge is no direction at all.
@@ -106,16 +106,16 @@ GradientProxy::Foot GradientProxy::foot(const TrilinearField& field, const Burr&
   return out;
 }
 
-bool GradientProxy::fits(const Volume& volume, std::size_t burr, Vec3 pose) noexcept {
-  return scan(TrilinearField(volume), burr, pose).gap_mm >= 0.0;
+bool GradientProxy::fits(const Volume& volume, std::size_t bur, Vec3 pose) noexcept {
+  return scan(TrilinearField(volume), bur, pose).gap_mm >= 0.0;
 }
 
-BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 device,
+BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 device,
                                    Vec3& kept) noexcept {
   BandedContact out;
   const TrilinearField field(volume);
   const double voxel = volume.grid().voxel_mm;
-  const Burr& shape = scene.burrs[burr];
+  const Bur& shape = scene.burs[bur];
   Vec3 y = from;
   Foot held;
   bool touching = false, clipped = false;
@@ -128,7 +128,7 @@ BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std
     if (glm::dot(kept, kept) > 0.0) found = foot(field, shape, y, kept);
     if (since_scan >= kRescanVoxels * voxel) {
       since_scan = 0.0;
-      const Scan seen = scan(field, burr, y);
+      const Scan seen = scan(field, bur, y);
       clear = seen.gap_mm;
       if (clear < kNearVoxels * voxel) {
         const Foot other = foot(field, shape, y, seen.offset);
@@ -171,4 +171,4 @@ BandedContact GradientProxy::solve(const Volume& volume, const Scene& scene, std
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

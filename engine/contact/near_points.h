@@ -11,7 +11,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Calls visit(i) in rising order for each i < count with |(x,y,z)[i] - centre|^2 <= reach2. Seven floats beyond count
 /// must be readable.
@@ -107,4 +107,4 @@ inline float highest_along(const float* x, const float* y, const float* z, int c
   return most;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 constexpr int kMoves = 64;
 constexpr double kRayStepMm = 0.1;  // never coarser (paper, from [21]), nor than a quarter voxel
 }  // namespace
 
-VoxelContact OccupancyProxy::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from,
+VoxelContact OccupancyProxy::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from,
                                    Vec3 device) noexcept {
   VoxelContact out;
   overlap_.forget_hits();
   const Grid& grid = volume.grid();
 
-  if (overlap_.apart(volume, scene, burr, from, device)) {
+  if (overlap_.apart(volume, scene, bur, from, device)) {
     out.pose_mm = device;
     return out;
   }
@@ -32,7 +32,7 @@ VoxelContact OccupancyProxy::solve(const Volume& volume, const Scene& scene, std
       const IVec3 n = at + IVec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
       const Vec3 d = grid.centre_mm(n) - device;
       const double distance = glm::dot(d, d);
-      if (distance < best && overlap_.free(burr, n)) {
+      if (distance < best && overlap_.free(bur, n)) {
         best = distance;
         next = n;
       }
@@ -55,7 +55,7 @@ VoxelContact OccupancyProxy::solve(const Volume& volume, const Scene& scene, std
       const Vec3 p = grid.centre_mm(at) + ray * (static_cast<double>(i) / samples);
       const IVec3 v = ToolOverlap::voxel_at(grid, p);
       if (v != last) {
-        if (!overlap_.free(burr, v)) {
+        if (!overlap_.free(bur, v)) {
           arrived = false;
           break;
         }
@@ -67,8 +67,8 @@ VoxelContact OccupancyProxy::solve(const Volume& volume, const Scene& scene, std
   }
   out.pose_mm = pose;
   out.touching = !arrived;
-  if (!arrived) overlap_.hit_further(volume, burr, device, out);
+  if (!arrived) overlap_.hit_further(volume, bur, device, out);
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

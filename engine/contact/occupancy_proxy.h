@@ -5,18 +5,18 @@
 
 #include "engine/contact/tool_overlap.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 class OccupancyProxy {
  public:
   OccupancyProxy(const Scene& scene, const Volume& volume)
       : overlap_(scene, volume, scene.method == Method::occupancy_pivot) {}
 
-  VoxelContact solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 device) noexcept;
+  VoxelContact solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 device) noexcept;
   ToolOverlap& overlap() noexcept { return overlap_; }
 
  private:
   ToolOverlap overlap_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -7,12 +7,12 @@
 #include "engine/contact/trilinear_field.h"
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 constexpr double kHolderVoxels = 3.0;  // spacing of the neck's and shank's points
-constexpr int kHalvings = 40;          // of the burr's diameter: to 1e-12 mm
+constexpr int kHalvings = 40;          // of the bur's diameter: to 1e-12 mm
 constexpr int kChords = 24;            // of another head's depth
 constexpr double kSettledMm = 1e-6;
 }  // namespace
@@ -20,14 +20,14 @@ constexpr double kSettledMm = 1e-6;
 Penalty::Penalty(const Scene& scene, const Volume& volume)
     : box_(volume), band_mm_(kBandVoxels * volume.grid().voxel_mm) {
   const double voxel = volume.grid().voxel_mm;
-  for (const Burr& burr : scene.burrs) {
+  for (const Bur& bur : scene.burs) {
     Shell shell;
-    shell.points = shell_of(burr, scene.tool_axis, voxel, kHolderVoxels * voxel);  // a point a voxel, as in VPS
-    shell.radius_mm = burr.radius_mm;
-    shell.reach_mm = head_reach(burr);
-    shell.deepest_mm = std::min(2.0 * burr.radius_mm, burr.radius_mm + 0.5 * band_mm_);
+    shell.points = shell_of(bur, scene.tool_axis, voxel, kHolderVoxels * voxel);  // a point a voxel, as in VPS
+    shell.radius_mm = bur.radius_mm;
+    shell.reach_mm = head_reach(bur);
+    shell.deepest_mm = std::min(2.0 * bur.radius_mm, bur.radius_mm + 0.5 * band_mm_);
     // A flat end's points all come to the band's end at once: no deeper push can be told.
-    if (!burr.head.ball()) shell.deepest_mm = band_mm_;
+    if (!bur.head.ball()) shell.deepest_mm = band_mm_;
     shell.most = response(shell, shell.deepest_mm);
     shells_.push_back(std::move(shell));
   }
@@ -86,11 +86,11 @@ double Penalty::depth_of(const Shell& shell, Vec3 normal, double sum_mm) const n
   return 0.5 * (low + high);
 }
 
-BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 /*from*/, Vec3 device,
+BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 /*from*/, Vec3 device,
                              Vec3& /*kept*/) noexcept {
   BandedContact out;
   out.pose_mm = device;
-  const Shell& shell = shells_[burr];
+  const Shell& shell = shells_[bur];
   const TrilinearField field(volume);
   std::array<double, kTissueCodes> of{};  // push by tissue
 
@@ -120,7 +120,7 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
 
   Vec3 holder(0.0);
   double holder_depth = 0.0;
-  const Burr& shape = scene.burrs[burr];
+  const Bur& shape = scene.burs[bur];
   const double leaves = box_.leaves(device, scene.tool_axis, std::max(shape.neck_radius_mm, shape.shank_radius_mm));
   const double even = shell.points.holder.empty() ? 0.0 : 1.0 / static_cast<double>(shell.points.holder.size());
   for (const PointShell::HolderPoint& point : shell.points.holder) {
@@ -162,4 +162,4 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

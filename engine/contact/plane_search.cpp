@@ -6,7 +6,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -266,4 +266,4 @@ int PlaneSet::worst(Vec3 y, double tolerance_mm) const noexcept {
   return static_cast<int>(second ? at[1] : at[0]);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

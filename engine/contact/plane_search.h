@@ -10,7 +10,7 @@
 #include "engine/base/lanes.h"
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct Plane {
   Vec3 n{0.0};           // unit, out of the tissue
@@ -85,4 +85,4 @@ class PlaneSet {
 /// is the same, it is only found sooner.
 PlaneSearch closest_point(Vec3 q, const PlaneSet& planes, double tolerance_mm, std::span<const int> start) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -5,7 +5,7 @@
 
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -93,19 +93,19 @@ void head_points(const Profile& head, Vec3 axis, Vec3 a, Vec3 b, double spacing,
   for (PointShell::HeadPoint& p : out) p.share /= sum;
 }
 
-void ring(const Burr& burr, Vec3 axis, Vec3 a, Vec3 b, double along, double radius, Vec3 normal_along, double outward,
+void ring(const Bur& bur, Vec3 axis, Vec3 a, Vec3 b, double along, double radius, Vec3 normal_along, double outward,
           double spacing, std::vector<PointShell::HolderPoint>& out) {
   around(a, b, points_of(radius, spacing), [&](Vec3 round, double) {
     const Vec3 offset = axis * along + round * radius;
-    const bool in_head = burr.head.ball() ? glm::dot(offset, offset) <= burr.radius_mm * burr.radius_mm
-                                          : head_distance(burr, axis, offset) <= 0.0;
+    const bool in_head = bur.head.ball() ? glm::dot(offset, offset) <= bur.radius_mm * bur.radius_mm
+                                          : head_distance(bur, axis, offset) <= 0.0;
     if (!in_head) out.push_back({offset, normal_along + round * outward, along});
   });
 }
 
 }  // namespace
 
-PointShell shell_of(const Burr& burr, Vec3 axis, double head_spacing_mm, double holder_spacing_mm) {
+PointShell shell_of(const Bur& bur, Vec3 axis, double head_spacing_mm, double holder_spacing_mm) {
   PointShell out;
   int least = 0;
   for (int i = 1; i < 3; ++i)
@@ -115,28 +115,28 @@ PointShell shell_of(const Burr& burr, Vec3 axis, double head_spacing_mm, double 
   a -= axis * glm::dot(a, axis);
   a /= std::sqrt(glm::dot(a, a));
   const Vec3 b = glm::cross(axis, a);
-  if (burr.head.ball()) {
-    ball_points(burr.radius_mm, head_spacing_mm, out.ball);
+  if (bur.head.ball()) {
+    ball_points(bur.radius_mm, head_spacing_mm, out.ball);
   } else {
-    head_points(burr.head, axis, a, b, head_spacing_mm, out.head);
+    head_points(bur.head, axis, a, b, head_spacing_mm, out.head);
   }
   const auto tube = [&](double from, double to, double radius) {
     const int rings = std::max(1, static_cast<int>((to - from) / holder_spacing_mm + 0.5));
     for (int i = 0; i <= rings; ++i)
-      ring(burr, axis, a, b, from + (to - from) * i / rings, radius, Vec3(0.0), 1.0, holder_spacing_mm, out.holder);
+      ring(bur, axis, a, b, from + (to - from) * i / rings, radius, Vec3(0.0), 1.0, holder_spacing_mm, out.holder);
   };
-  tube(0.0, burr.neck_length_mm, burr.neck_radius_mm);
-  const double wide = burr.shank_radius_mm - burr.neck_radius_mm;
-  if (burr.shank_length_mm > 0.0 && wide > 0.0) {
+  tube(0.0, bur.neck_length_mm, bur.neck_radius_mm);
+  const double wide = bur.shank_radius_mm - bur.neck_radius_mm;
+  if (bur.shank_length_mm > 0.0 && wide > 0.0) {
     // The shoulder between neck and shank looks back to the ball.
     const int rings = std::max(1, static_cast<int>(wide / holder_spacing_mm + 0.5));
     for (int i = 1; i <= rings; ++i)
-      ring(burr, axis, a, b, burr.neck_length_mm, burr.neck_radius_mm + wide * i / rings, -axis, 0.0,
+      ring(bur, axis, a, b, bur.neck_length_mm, bur.neck_radius_mm + wide * i / rings, -axis, 0.0,
            holder_spacing_mm, out.holder);
   }
-  if (burr.shank_length_mm > 0.0)
-    tube(burr.neck_length_mm, burr.neck_length_mm + burr.shank_length_mm, burr.shank_radius_mm);
+  if (bur.shank_length_mm > 0.0)
+    tube(bur.neck_length_mm, bur.neck_length_mm + bur.shank_length_mm, bur.shank_radius_mm);
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

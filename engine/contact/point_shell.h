@@ -1,13 +1,13 @@
-/// Points on a burr's skin: its head, each with its share of it, and its neck and shank, coarser.
-/// Made of + - * / and sqrt alone, so that the same burr has the same points everywhere.
+/// Points on a bur's skin: its head, each with its share of it, and its neck and shank, coarser.
+/// Made of + - * / and sqrt alone, so that the same bur has the same points everywhere.
 #pragma once
 
 #include <vector>
 
 #include "engine/base/vec.h"
-#include "engine/tool/burr.h"
+#include "engine/tool/bur.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct PointShell {
   struct BallPoint {
@@ -30,6 +30,6 @@ struct PointShell {
 };
 
 /// axis: unit, from the head towards the shank. Spacings in mm, about. Not for the haptic thread.
-PointShell shell_of(const Burr& burr, Vec3 axis, double head_spacing_mm, double holder_spacing_mm);
+PointShell shell_of(const Bur& bur, Vec3 axis, double head_spacing_mm, double holder_spacing_mm);
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -6,7 +6,7 @@
 
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -23,7 +23,7 @@ constexpr double kLeastVoxels = 0.001;  // of a step that counts
 /// counts as one surface. Of a head that is no ball the mean is that of the head's normals towards the near voxels: one at
 /// a face, the same half the square root of two in a right angle.
 constexpr double kFlat = 0.85;
-/// Voxels whose mean gives the normal lie up to this far from the burr: fewer make the normal step with the voxels,
+/// Voxels whose mean gives the normal lie up to this far from the bur: fewer make the normal step with the voxels,
 /// more round every corner. Mean angle on a face, r 0.25, 10/128 mm: 1.5 gives 2.5 degrees, 2.5 gives 0.8, 3.5 gives
 /// 0.6.
 constexpr double kNearVoxels = 2.5;
@@ -45,15 +45,15 @@ constexpr const auto& kSquares = kSums<2>;
 }  // namespace
 
 RayProxy::RayProxy(const Scene& scene, const Volume& volume) : overlap_(scene, volume, false) {
-  for (const Burr& burr : scene.burrs) {
-    if (!burr.head.ball()) {
-      near_.push_back(near_head(burr, scene.tool_axis, volume.grid().voxel_mm));
+  for (const Bur& bur : scene.burs) {
+    if (!bur.head.ball()) {
+      near_.push_back(near_head(bur, scene.tool_axis, volume.grid().voxel_mm));
       continue;
     }
-    const double r = burr.radius_mm / volume.grid().voxel_mm + kNearVoxels;
+    const double r = bur.radius_mm / volume.grid().voxel_mm + kNearVoxels;
     const int reach = static_cast<int>(std::ceil(r));
     Near near;
-    const double face = 0.5 * (1.0 + burr.radius_mm / volume.grid().voxel_mm / r);
+    const double face = 0.5 * (1.0 + bur.radius_mm / volume.grid().voxel_mm / r);
     near.flat = kFlat * kFlat * face * face;
     for (int z = -reach; z <= reach; ++z)
       for (int y = -reach; y <= reach; ++y) {
@@ -65,15 +65,15 @@ RayProxy::RayProxy(const Scene& scene, const Volume& volume) : overlap_(scene, v
   }
 }
 
-RayProxy::Near RayProxy::near_head(const Burr& burr, Vec3 axis, double voxel_mm) {
+RayProxy::Near RayProxy::near_head(const Bur& bur, Vec3 axis, double voxel_mm) {
   Near out;
-  const int reach = static_cast<int>(std::ceil(head_reach(burr) / voxel_mm + kNearVoxels));
+  const int reach = static_cast<int>(std::ceil(head_reach(bur) / voxel_mm + kNearVoxels));
   for (int z = -reach; z <= reach; ++z)
     for (int y = -reach; y <= reach; ++y) {
       bool open = false;
       for (int x = -reach; x <= reach; ++x) {
         Vec3 gradient;
-        const double away = head_distance(burr, axis, Vec3(x, y, z) * voxel_mm, gradient);
+        const double away = head_distance(bur, axis, Vec3(x, y, z) * voxel_mm, gradient);
         const bool near = away > 0.0 && away <= kNearVoxels * voxel_mm;
         if (near && !open) out.rows.push_back({z, y, x, x});
         if (near) {
@@ -112,13 +112,13 @@ bool RayProxy::look_round_head(const Near& near, IVec3 pivot, Side& side) const 
   return true;
 }
 
-bool RayProxy::look(std::size_t burr, IVec3 pivot, Side& side) const noexcept {
-  if (!near_[burr].normals.empty()) return look_round_head(near_[burr], pivot, side);
+bool RayProxy::look(std::size_t bur, IVec3 pivot, Side& side) const noexcept {
+  if (!near_[bur].normals.empty()) return look_round_head(near_[bur], pivot, side);
   const Occupancy& occupancy = overlap_.occupancy();
   int count = 0;
   IVec3 sum(0);
   std::int64_t squares = 0;
-  for (const Row& row : near_[burr].rows) {
+  for (const Row& row : near_[bur].rows) {
     const int z = pivot.z + row.z;
     const int y = pivot.y + row.y;
     const int x1 = pivot.x + row.x1;
@@ -139,12 +139,12 @@ bool RayProxy::look(std::size_t burr, IVec3 pivot, Side& side) const noexcept {
   }
   if (count == 0) return false;
   const double length = length_of(Vec3(sum));
-  side.flat = length * length > near_[burr].flat * static_cast<double>(squares) * count;
+  side.flat = length * length > near_[bur].flat * static_cast<double>(squares) * count;
   if (length > 0.0) side.n = Vec3(sum) / -length;
   return true;
 }
 
-bool RayProxy::walk(const Grid& grid, std::size_t burr, At& at, Vec3 q) const noexcept {
+bool RayProxy::walk(const Grid& grid, std::size_t bur, At& at, Vec3 q) const noexcept {
   const Vec3 way = q - at.p;
   const double length = length_of(way);
   if (length < 1e-12) return true;
@@ -155,7 +155,7 @@ bool RayProxy::walk(const Grid& grid, std::size_t burr, At& at, Vec3 q) const no
     const double t = static_cast<double>(i) / steps;
     const IVec3 v = ToolOverlap::voxel_at(grid, start + way * t);
     if (v != at.voxel) {
-      if (!overlap_.free(burr, v)) {
+      if (!overlap_.free(bur, v)) {
         double free = reached, blocked = t;
         for (int half = 0; half < kHalvings; ++half) {
           const double middle = 0.5 * (free + blocked);
@@ -172,8 +172,8 @@ bool RayProxy::walk(const Grid& grid, std::size_t burr, At& at, Vec3 q) const no
   return true;
 }
 
-void RayProxy::climb(const Grid& grid, std::size_t burr, At& at, Vec3 n, double by) const noexcept {
-  if (walk(grid, burr, at, at.p + n * by)) return;
+void RayProxy::climb(const Grid& grid, std::size_t bur, At& at, Vec3 n, double by) const noexcept {
+  if (walk(grid, bur, at, at.p + n * by)) return;
   // On a jag the normal itself may lead into a voxel: then by its parts, the longest first.
   int order[3] = {0, 1, 2};
   std::sort(order, order + 3, [n](int a, int b) {
@@ -182,31 +182,31 @@ void RayProxy::climb(const Grid& grid, std::size_t burr, At& at, Vec3 n, double 
   for (const int axis : order) {
     Vec3 part(0.0);
     part[axis] = n[axis] * by;
-    walk(grid, burr, at, at.p + part);
+    walk(grid, bur, at, at.p + part);
   }
 }
 
-bool RayProxy::step_over(const Grid& grid, std::size_t burr, At& at, Vec3 move, Vec3 n, Vec3 device) const noexcept {
+bool RayProxy::step_over(const Grid& grid, std::size_t bur, At& at, Vec3 move, Vec3 n, Vec3 device) const noexcept {
   const double quarter = kStepVoxels * grid.voxel_mm;
   At next = at;
-  if (!walk(grid, burr, next, at.p + move)) {
+  if (!walk(grid, bur, next, at.p + move)) {
     // Up in quarter voxels until there is a way over.
     At up = at;
     bool over = false;
     for (int lift = 1; lift <= kLifts && !over; ++lift) {
-      climb(grid, burr, up, n, quarter);
+      climb(grid, bur, up, n, quarter);
       next = up;
-      over = walk(grid, burr, next, up.p + move);
+      over = walk(grid, bur, next, up.p + move);
     }
     if (!over) return false;
   }
   const double above = glm::dot(next.p - device, n);
-  if (above > 0.0) walk(grid, burr, next, next.p - n * std::min(above, kDropVoxels * grid.voxel_mm));
+  if (above > 0.0) walk(grid, bur, next, next.p - n * std::min(above, kDropVoxels * grid.voxel_mm));
   at = next;
   return true;
 }
 
-bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 device) const noexcept {
+bool RayProxy::step_nearer(const Grid& grid, std::size_t bur, At& at, Vec3 device) const noexcept {
   const double longest = kSlideVoxels * grid.voxel_mm;
   const Vec3 gap = device - at.p;
   double best = length_of(gap) - kLeastVoxels * grid.voxel_mm;
@@ -224,7 +224,7 @@ bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 devi
     const double length = length_of(part);
     if (length < kLeastVoxels * grid.voxel_mm) continue;
     At next = at;
-    walk(grid, burr, next, at.p + part * (std::min(length, longest) / length));
+    walk(grid, bur, next, at.p + part * (std::min(length, longest) / length));
     const double distance = length_of(device - next.p);
     if (distance < best) {
       best = distance;
@@ -236,7 +236,7 @@ bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 devi
   for (int choice = 0; choice < 27 && !found; ++choice) {
     const IVec3 to(choice % 3 - 1, choice / 3 % 3 - 1, choice / 9 - 1);
     const double distance = length_of(gap - Vec3(to) * grid.voxel_mm);
-    if (distance >= best || !overlap_.free(burr, at.voxel + to)) continue;
+    if (distance >= best || !overlap_.free(bur, at.voxel + to)) continue;
     best = distance;
     nearest = {at.p + Vec3(to) * grid.voxel_mm, at.voxel + to};
     jag = true;
@@ -245,21 +245,21 @@ bool RayProxy::step_nearer(const Grid& grid, std::size_t burr, At& at, Vec3 devi
   return found || jag;
 }
 
-VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from,
+VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from,
                              Vec3 device) noexcept {
   VoxelContact out;
   overlap_.forget_hits();
   out.pose_mm = device;
-  if (overlap_.apart(volume, scene, burr, from, device)) return out;
+  if (overlap_.apart(volume, scene, bur, from, device)) return out;
 
   const Grid& grid = volume.grid();
   const double voxel = grid.voxel_mm;
   At at{from, ToolOverlap::voxel_at(grid, from)};
-  bool arrived = walk(grid, burr, at, device);
+  bool arrived = walk(grid, bur, at, device);
 
   Side side;
   IVec3 side_of = at.voxel;
-  bool known = !arrived && look(burr, at.voxel, side);
+  bool known = !arrived && look(bur, at.voxel, side);
   Vec3 way(0.0);
   double most = kSlideVoxels * voxel;
   bool moved = false, resting = false;
@@ -274,30 +274,30 @@ VoxelContact RayProxy::solve(const Volume& volume, const Scene& scene, std::size
       if (glm::dot(along, way) < 0.0) most *= 0.5;
       way = along;
       resting = left < kRestVoxels * voxel || most < kRestVoxels * voxel ||
-                !step_over(grid, burr, next, along * (std::min(left, most) / left), side.n, device);
+                !step_over(grid, bur, next, along * (std::min(left, most) / left), side.n, device);
       const Vec3 rest = device - next.p;
       resting = resting || length_of(rest - side.n * glm::dot(rest, side.n)) > left - kLeastVoxels * voxel;
     } else {
-      resting = !step_nearer(grid, burr, next, device);
+      resting = !step_nearer(grid, bur, next, device);
     }
     if (resting) break;
     at = next;
     moved = true;
     if (at.voxel != side_of) {
-      known = look(burr, at.voxel, side);
+      known = look(bur, at.voxel, side);
       side_of = at.voxel;
     }
   }
   out.deferred = known && !resting;
-  if (moved) arrived = walk(grid, burr, at, device);
+  if (moved) arrived = walk(grid, bur, at, device);
   out.pose_mm = at.p;
   out.touching = !arrived;
   if (arrived) {
     out.deferred = false;
     return out;
   }
-  overlap_.hit_further(volume, burr, device, out);
+  overlap_.hit_further(volume, bur, device, out);
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 constexpr double kReach = 2.6;        // voxels: what is further from a surface is not looked at, it may be clamped
@@ -311,4 +311,4 @@ bool StrokeCells::beside(Vec3 place, Vec3 normal, Beside (&out)[2], int& count) 
   return true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,4 +1,4 @@
-/// What a cell of the cut holds where surfaces meet, told by the strokes that made it: the burr's swept balls are known
+/// What a cell of the cut holds where surfaces meet, told by the strokes that made it: the bur's swept balls are known
 /// exactly, while the field rounds the ridge between two of them and the corner where a ridge comes out at the mouth.
 /// Only where the strokes explain every sample that the cell's field is made of, at most 120 reach the brick and 12 shape
 /// the cell; elsewhere, as in a cavity of many short strokes, the field has to do. Thread: haptic.
@@ -11,7 +11,7 @@
 #include "engine/volume/cell_field.h"
 #include "engine/volume/sharp_edge.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// A surface beside a place, as a plane: distance of the place to it (negative inside the tissue) and its normal.
 struct Beside {
@@ -95,4 +95,4 @@ class StrokeCells {
   int feature_count_ = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,11 +1,11 @@
-// The search among planes; surface_gather.cpp finds the candidates, surface_planes.cpp what keeps the burr off each,
+// The search among planes; surface_gather.cpp finds the candidates, surface_planes.cpp what keeps the bur off each,
 // surface_polish.cpp where the fields themselves hold it, surface_free.cpp where there are none.
 #include "engine/contact/surface_contact.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -13,7 +13,7 @@ double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z
 
 constexpr int kSearches = 64;               // steps of the proxy in a tick (5 mm), the rest next tick
 constexpr double kMemorySlack = 5e-4;       // mm
-constexpr double kPredicted = 0.05;         // of a step: how far a burr may be from where it is expected
+constexpr double kPredicted = 0.05;         // of a step: how far a bur may be from where it is expected
 constexpr double kExpectedMm = 0.005;       // mm: and this far besides
 constexpr double kFurther = 1.5;            // of how far it would go then: what planes are laid for instead
 constexpr double kAsked = 0.3;              // of how far the last pass led: how far the next one may
@@ -23,14 +23,14 @@ constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less i
 constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge
 constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
 
-/// Crossing cells within reach of the widest burr: the ball's own area twice over (two fields), and the shank's.
+/// Crossing cells within reach of the widest bur: the ball's own area twice over (two fields), and the shank's.
 std::size_t candidate_room(const Scene& scene) {
   const double h = scene.specimen->grid().voxel_mm;
   double most = 0.0;
-  for (const Burr& burr : scene.burrs) {
-    const double r = (burr.radius_mm + 0.6) / h;
-    const double shank = (burr.neck_radius_mm + 0.6) * burr.neck_length_mm / (h * h);
-    const double flank = burr.head.ball() ? 0.0 : 6.3 * r * (burr.head.high() - burr.head.low()) / h;
+  for (const Bur& bur : scene.burs) {
+    const double r = (bur.radius_mm + 0.6) / h;
+    const double shank = (bur.neck_radius_mm + 0.6) * bur.neck_length_mm / (h * h);
+    const double flank = bur.head.ball() ? 0.0 : 6.3 * r * (bur.head.high() - bur.head.low()) / h;
     most = std::max(most, 4.0 * 3.15 * r * r * 2.0 + 6.3 * shank * 1.5 + 3.0 * flank);
   }
   return std::clamp<std::size_t>(static_cast<std::size_t>(most) + 2048, 4096, 65536);
@@ -142,17 +142,17 @@ void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Co
   }
 }
 
-Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
+Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
                               Vec3 from, Vec3 device, Vec3 ahead, double reach_mm, double most_mm) noexcept {
-  const Burr& burr = scene.burrs[burr_index];
+  const Bur& bur = scene.burs[bur_index];
   Contact out;
   out.pose_mm = device;
-  if (free_.valid && free_.burr == burr_index && free_.axis == axis && free_.holds(from) && free_.holds(device)) {
+  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.holds(from) && free_.holds(device)) {
     ++answered_free_;
     return out;
   }
-  const Tool tool{&burr, axis, burr_index};
-  if (free_.valid && free_.burr == burr_index && free_.axis == axis && free_.holds(from)) {
+  const Tool tool{&bur, axis, bur_index};
+  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.holds(from)) {
     // It leaves the free space that is known: there may be more.
     find_free(volume, tool, from);
     if (free_.valid && free_.holds(device)) {
@@ -177,7 +177,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     double within = limit;  // how far about the place that they were seen from the planes that are laid will do
     double asked = 0.0;     // how far they need do, as the last pass moved
     laid_.within_mm = -1.0;
-    Vec3 at = y;        // where planes are laid: first where the burr is expected, then where it is
+    Vec3 at = y;        // where planes are laid: first where the bur is expected, then where it is
     const double expected = length_of(ahead);
     bool expects = expected > 2.0 * kSettledMm;
     if (expects) at += expected > step ? ahead * (step / expected) : ahead;
@@ -196,14 +196,14 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
           within = limit;
           near_planes(volume, tool, centre, step, at, limit);
         }
-        // Surfaces that a burr left, and edges, may hug it: then the point under the push is asked for from the beginning.
+        // Surfaces that a bur left, and edges, may hug it: then the point under the push is asked for from the beginning.
         with_foot = with_foot || near_cut_;
         if (with_foot) {
           foot(volume, tool, at, device);
           planes(tool, at, at_hand_count, count_, within);
           count_ = at_hand_count;
         }
-        past_count_ = memory_ ? memory_->near(at, sweeper_of(burr, burr_index, axis), past_) : 0;
+        past_count_ = memory_ ? memory_->near(at, sweeper_of(bur, bur_index, axis), past_) : 0;
         relax_by_memory(tool, 0, planes_.size());
       } else {
         // It has nearly come to rest: only the tangents that hold it need to turn with it.
@@ -212,7 +212,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       bool infeasible = false;
       const PlaneSearch found = search_planes(y, device, infeasible);
       if (infeasible && expects) {
-        // Planes seen from where the burr was only expected may contradict each other: from where it is.
+        // Planes seen from where the bur was only expected may contradict each other: from where it is.
         expects = false;
         at = y;
         limit = 2.0 * step;
@@ -289,7 +289,7 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       next_step = std::min(kLongestStep, 4.0 * last_moved + 0.02);
     }
     // What still moves when the passes are over goes further in the next search: stopped there, it would stand up to 0.1 mm
-    // short. About a cut only what rolls does: the rest of it turns to and fro between walls of the burr's own.
+    // short. About a cut only what rolls does: the rest of it turns to and fro between walls of the bur's own.
     if (!left && !((rolling || !near_cut_) && last_moved > kSettledMm)) arrived = true;
     if (!left) ahead = Vec3(0.0);
     if (length_of(y - from) > most_mm) break;
@@ -308,13 +308,13 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
   return out;
 }
 
-Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t burr_index, Vec3 axis,
+Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
                                   const Contact& before, Vec3 device, double advance_mm) noexcept {
   // The field is the same: only the stroke's memory lets planes recede that are laid already.
   if (held_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
     Contact out;
-    const Tool tool{&scene.burrs[burr_index], axis, burr_index};
-    past_count_ = memory_ ? memory_->near(before.pose_mm, sweeper_of(scene.burrs[burr_index], burr_index, axis), past_) : 0;
+    const Tool tool{&scene.burs[bur_index], axis, bur_index};
+    past_count_ = memory_ ? memory_->near(before.pose_mm, sweeper_of(scene.burs[bur_index], bur_index, axis), past_) : 0;
     relax_by_memory(tool, 0, planes_.size());
     const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
     if (found.feasible && !out.infeasible &&
@@ -324,11 +324,11 @@ Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std:
       return out;
     }
   }
-  return solve(volume, scene, burr_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004, kAnyWay);
+  return solve(volume, scene, bur_index, axis, before.pose_mm, device, Vec3(0.0), advance_mm + 0.004, kAnyWay);
 }
 
-bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept {
-  const Tool tool{&burr, axis};
+bool SurfaceContact::fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept {
+  const Tool tool{&bur, axis};
   if (clear_path(volume, tool, pose, pose)) return true;
   if (inside_tissue(volume, pose)) return false;
   gathered_.valid = false;
@@ -338,9 +338,9 @@ bool SurfaceContact::fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec
   return planes_.size() == 0;
 }
 
-bool SurfaceContact::push_out(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept {
+bool SurfaceContact::push_out(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept {
   constexpr double kMost = 0.02;
-  const Tool tool{&burr, axis, kNoBurr, thin_mm, thin_mm};
+  const Tool tool{&bur, axis, kNoBur, thin_mm, thin_mm};
   count_ = 0;
   gathered_.valid = false;
   gather_head(volume, tool, pose, kMost + 0.01);
@@ -360,4 +360,4 @@ bool SurfaceContact::push_out(const Volume& volume, const Burr& burr, Vec3 axis,
   return true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

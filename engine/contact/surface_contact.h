@@ -1,4 +1,4 @@
-/// The surface proxy: the local minimum of the distance to the device point over poses in which the burr's ball does
+/// The surface proxy: the local minimum of the distance to the device point over poses in which the bur's ball does
 /// not enter tissue and its neck and shank touch none, followed from the last pose (design, "Contact methods", 5).
 /// Planes of the two fields within reach of a step, at most three active, polished by Newton on the fields.
 /// Frame: specimen, mm. Thread: haptic. Wait-free; all memory is taken at construction.
@@ -9,11 +9,11 @@
 #include "engine/contact/cut_memory.h"
 #include "engine/contact/cut_surface.h"
 #include "engine/contact/plane_search.h"
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "engine/volume/cell_field.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct Contact {
   Vec3 pose_mm{0.0};
@@ -30,7 +30,7 @@ struct Contact {
 
 class SurfaceContact {
  public:
-  /// Clearance by which the burr is thinner against what it has cut itself: without it the burr jams in its own hole.
+  /// Clearance by which the bur is thinner against what it has cut itself: without it the bur jams in its own hole.
   static constexpr double kClearanceMm = 0.001;
 
   /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
@@ -40,20 +40,20 @@ class SurfaceContact {
 
   /// From `from` (admissible) towards `device`. ahead: how the proxy may be expected to move, where the search begins to
   /// look. reach_mm: how far one search looks, about as long. most_mm: once it has gone further it may stop on its way.
-  Contact solve(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, Vec3 from, Vec3 device, Vec3 ahead,
+  Contact solve(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 from, Vec3 device, Vec3 ahead,
                 double reach_mm, double most_mm) noexcept;
 
   /// Contact again after a cut that the field does not hold yet, from `before`, what solve() answered last: the memory
   /// alone has grown, by advance_mm.
-  Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t burr, Vec3 axis, const Contact& before,
+  Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, const Contact& before,
                     Vec3 device, double advance_mm) noexcept;
 
-  /// True when the burr at this pose is in free space: ball, neck and shank clear of tissue.
-  bool fits(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose) noexcept;
+  /// True when the bur at this pose is in free space: ball, neck and shank clear of tissue.
+  bool fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept;
 
   /// Nearest pose to `pose` at which the head (and no shank), thinner by thin_mm all over, fits; false when there is none
   /// within 20 um.
-  bool push_out(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
+  bool push_out(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
 
   /// To be told of every change of the cut field: voxels low..high, inclusive. Cutting only takes tissue away, so what
   /// was clear stays clear.
@@ -73,7 +73,7 @@ class SurfaceContact {
 
   /// How many passes the searches from here on may take together, or however many look at no more candidates than this, each
   /// search at least one: what is still on its way then goes on in the next tick. A look takes some 25 ns, and up to as much
-  /// again what follows of it; a wide burr, or a long flank, lies near thousands.
+  /// again what follows of it; a wide bur, or a long flank, lies near thousands.
   static constexpr int kMostPasses = 48, kMostLooks = 10000;
   static constexpr int kLooksOfPass = 20;  // what a pass costs besides
   void allow_passes() noexcept {
@@ -83,10 +83,10 @@ class SurfaceContact {
   }
   bool spent() const noexcept { return passes_left_ <= 0 && looks_left_ <= 0; }
 
-  /// Once a tick, before solve(). Off while the burr cuts: then ridges between cuts are felt as the field rounds them, for
-  /// strokes are carved later than they are remembered. On: some of what is still rounded about the burr at `pose` is found
+  /// Once a tick, before solve(). Off while the bur cuts: then ridges between cuts are felt as the field rounds them, for
+  /// strokes are carved later than they are remembered. On: some of what is still rounded about the bur at `pose` is found
   /// to its edges, as much as a tick has time for; nothing in a tick that has to wait.
-  void sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept;
+  void sharpen(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept;
   /// What of it is state: see CutSurface.
   const CutSurface& cut_surface() const noexcept { return cut_; }
   template <class SharpOf>
@@ -110,7 +110,7 @@ class SurfaceContact {
   static constexpr double kTolerance = 1e-7;        // mm: planes closer than a tenth of a nanometre count as met
   static constexpr double kLongestStep = 0.08;      // mm: one search looks no further
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
-  static constexpr std::uint16_t kNoBurr = 0xffff;  // of a ball that no scene names
+  static constexpr std::uint16_t kNoBur = 0xffff;  // of a ball that no scene names
   static constexpr double kLeavesTangent = 0.25;    // voxels by which an edge's piece leaves its tangent at most
   static constexpr double kEdgeClose = 1e-4;        // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
   static constexpr double kEdgeBends = 0.02;        // below, it bends about the place about as the ball does
@@ -169,31 +169,31 @@ class SurfaceContact {
     Vec3 normal[3];
     std::int32_t candidate[3] = {0, 0, 0};
   };
-  /// A burr as the solve sees it.
+  /// A bur as the solve sees it.
   struct Tool {
-    const Burr* burr = nullptr;
+    const Bur* bur = nullptr;
     Vec3 axis{0.0};
-    std::uint16_t index = kNoBurr;
+    std::uint16_t index = kNoBur;
     double thin_base = 0.0, thin_cut = kClearanceMm;  // by how much the head is thinner against each field
-    bool ball() const noexcept { return burr->head.ball(); }
+    bool ball() const noexcept { return bur->head.ball(); }
     double thin(Field field) const noexcept { return field == Field::base ? thin_base : thin_cut; }
     /// Where the neck leaves the head; of a ball the head answers for what lies within it.
-    double neck_from() const noexcept { return ball() ? 0.0 : burr->head.high(); }
+    double neck_from() const noexcept { return ball() ? 0.0 : bur->head.high(); }
   };
   /// Candidates at hand: all that a ball of radius + margin about `centre` reaches, and the shank with the same margin.
   struct Gathered {
     Vec3 centre{0.0};
     double margin_mm = 0.0;
-    std::uint16_t burr = 0;
+    std::uint16_t bur = 0;
     bool valid = false;
     Vec3 axis{0.0};
     std::uint64_t revision = 0;  // of the cut's surface
   };
-  /// Poses known to be free: within margin of centre, the whole burr beyond a plane that no tissue nearby passes.
+  /// Poses known to be free: within margin of centre, the whole bur beyond a plane that no tissue nearby passes.
   struct FreeSpace {
     Vec3 centre{0.0}, n{0.0};
     double margin_mm = 0.0, c = 0.0;
-    std::uint16_t burr = 0;
+    std::uint16_t bur = 0;
     bool valid = false, bounded = false;
     Vec3 axis{0.0};
     bool holds(Vec3 p) const noexcept {
@@ -301,16 +301,16 @@ class SurfaceContact {
   bool overflow_ = false;
   int passes_left_ = kMostPasses, looks_left_ = kMostLooks;
   std::int64_t looked_ = 0;
-  bool sharp_ = true;                  // no part about the burr is dull
+  bool sharp_ = true;                  // no part about the bur is dull
   /// Nothing dull within kDullFar of here, when valid.
   struct DullFar {
     Vec3 at{0.0}, axis{0.0};
-    const Burr* burr = nullptr;
+    const Bur* bur = nullptr;
     bool valid = false;
   };
   DullFar dull_far_;
   bool edges_ = false;                 // edges may be among the candidates at hand
-  bool near_cut_ = false;              // a surface that a burr left is among those near
+  bool near_cut_ = false;              // a surface that a bur left is among those near
   /// Of this solve's last pass: planes that hold the pose, and whether planes_ are those it came from.
   struct Held {
     int plane[3] = {0, 0, 0};
@@ -325,4 +325,4 @@ class SurfaceContact {
   FieldCells fields_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,11 +1,11 @@
-// Free space: how far the burr may go without a search, found from the surface's nearest point.
+// Free space: how far the bur may go without a search, found from the surface's nearest point.
 #include <algorithm>
 #include <cmath>
 
 #include "engine/contact/surface_near.h"
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -19,10 +19,10 @@ constexpr int kPause = 16;            // looks that are skipped where there was 
 
 void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
   free_.valid = false;
-  // What has changed about the burr is made out some a tick; until then a search answers.
+  // What has changed about the bur is made out some a tick; until then a search answers.
   int budget = kCellsATick;
   if (tool.ball()) {
-    ball_bricks(volume, pose, tool.burr->radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
+    ball_bricks(volume, pose, tool.bur->radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
       const Vec3 corner = volume.grid().origin_mm + voxel_mm_ * Vec3(at * kBrickEdge);
       if (budget >= 0 && volume.has_cut(brick)) budget = cut_.prepare(volume, brick, cells_free(tool, pose, corner), budget);
     });
@@ -44,7 +44,7 @@ void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose
 /// Cells of a brick within the margin of a ball.
 CellsNear SurfaceContact::cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept {
   const double per_mm = 1.0 / voxel_mm_;
-  return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.burr->radius_mm + kFreeMargin) * per_mm + kLoose));
+  return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.bur->radius_mm + kFreeMargin) * per_mm + kLoose));
 }
 
 /// Normal of the surface's point that is nearest to a head that is no ball; false, and n as it was, where none is near.
@@ -53,7 +53,7 @@ bool SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec
   for (const double margin : {kCloseMm, kFreeMargin}) {
     features_within(volume, tool.axis, pose, head_within(tool, margin), [&](Vec3 point, const CutFeature& f) {
       Vec3 gradient;
-      const double gap = head_distance(*tool.burr, tool.axis, point - pose, gradient);
+      const double gap = head_distance(*tool.bur, tool.axis, point - pose, gradient);
       if (gap >= nearest) return;
       nearest = gap;
       n = f.edge ? -gradient : Vec3(f.normal);
@@ -65,7 +65,7 @@ bool SurfaceContact::nearest_to_head(const Volume& volume, const Tool& tool, Vec
 
 /// The same of a ball.
 bool SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept {
-  const double r = tool.burr->radius_mm;
+  const double r = tool.bur->radius_mm;
   double nearest2 = 1e300;
   Vec3 nearest(0.0);
   for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
@@ -112,7 +112,7 @@ bool SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec
 
 /// Free space beyond a plane with normal n, if there is enough.
 bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept {
-  const Burr& burr = *tool.burr;
+  const Bur& bur = *tool.bur;
   FreeSpace found{pose, n, kFreeMargin - voxel_mm_, 0.0, tool.index, true, false, tool.axis};
   double highest = -1e300;
   const Vec3f slim_n(n);
@@ -146,7 +146,7 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
     });
   };
   if (tool.ball())
-    ball_bricks(volume, pose, burr.radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
+    ball_bricks(volume, pose, bur.radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
       raise(brick, at, [&](Vec3 corner_mm) { return cells_free(tool, pose, corner_mm); });
     });
   else
@@ -158,11 +158,11 @@ bool SurfaceContact::raise_free(const Volume& volume, const Tool& tool, Vec3 pos
     // The lowest place of each part along n, from the pose.
     const double across2 = 1.0 - up * up;
     const double across = across2 > 0.0 ? std::sqrt(across2) : 0.0;
-    const double neck = -across * burr.neck_radius_mm - up * burr.neck_radius_mm;
-    const double shank = up * burr.neck_length_mm - across * burr.shank_radius_mm;
-    double head = -burr.radius_mm;
+    const double neck = -across * bur.neck_radius_mm - up * bur.neck_radius_mm;
+    const double shank = up * bur.neck_length_mm - across * bur.shank_radius_mm;
+    double head = -bur.radius_mm;
     if (!tool.ball()) {
-      const OnHalf deepest = burr.head.support({-up, across}, {});
+      const OnHalf deepest = bur.head.support({-up, across}, {});
       head = up * deepest.t - across * deepest.rho;
     }
     const double lowest = std::min(head, std::min(neck, shank));
@@ -178,8 +178,8 @@ bool SurfaceContact::inside_tissue(const Volume& volume, Vec3 pose) const noexce
 }
 
 bool SurfaceContact::clear_path(const Volume& volume, const Tool& tool, Vec3 from, Vec3 to) const noexcept {
-  const Burr& burr = *tool.burr;
-  // Every brick that the burr could sweep is all empty: then the proxy is the device point.
+  const Bur& bur = *tool.bur;
+  // Every brick that the bur could sweep is all empty: then the proxy is the device point.
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
   const Vec3 low_mm = glm::min(from, to);
@@ -195,11 +195,11 @@ bool SurfaceContact::clear_path(const Volume& volume, const Tool& tool, Vec3 fro
         }
     return true;
   };
-  const double wide = head_reach(burr) + 2.0 * grid.voxel_mm;
+  const double wide = head_reach(bur) + 2.0 * grid.voxel_mm;
   if (!empty(low_mm - wide, high_mm + wide)) return false;
-  const Vec3 reach = tool.axis * (burr.neck_length_mm + burr.shank_length_mm);
-  const double thick = std::max(burr.neck_radius_mm, burr.shank_radius_mm) + 2.0 * grid.voxel_mm;
+  const Vec3 reach = tool.axis * (bur.neck_length_mm + bur.shank_length_mm);
+  const double thick = std::max(bur.neck_radius_mm, bur.shank_radius_mm) + 2.0 * grid.voxel_mm;
   return empty(glm::min(low_mm, low_mm + reach) - thick, glm::max(high_mm, high_mm + reach) + thick);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

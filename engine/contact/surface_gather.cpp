@@ -5,11 +5,11 @@
 #include "engine/contact/surface_near.h"
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
-// What is gathered serves while the burr stays this near: some steps' way.
+// What is gathered serves while the bur stays this near: some steps' way.
 constexpr double kStepsAhead = 8.0, kStepsMeanwhile = 2.0;
 constexpr double kLeastMargin = 0.06, kMostMargin = 0.4;  // mm
 
@@ -85,7 +85,7 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
     out.feature = nullptr;
     known_[i] = out.field == Field::base ? Known::base_face : Known::cut_face;
     faces_[i] = {out.point.x,  out.point.y,  out.point.z, out.normal.x,
-                 out.normal.y, out.normal.z, out.level,   tool.burr->radius_mm - tool.thin(out.field)};
+                 out.normal.y, out.normal.z, out.level,   tool.bur->radius_mm - tool.thin(out.field)};
   } else if (feature == &base) {
     features_[i] = base;
     out.feature = &features_[i];
@@ -147,7 +147,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
     });
     return;
   }
-  const double reach = tool.burr->radius_mm + margin_mm;
+  const double reach = tool.bur->radius_mm + margin_mm;
   const double edge_reach = reach + edge_mm;
   ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
     gather_from(volume, tool, centre, brick, at, false,
@@ -161,7 +161,7 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
 
 /// Of the neck and the shank. Up to `inner` along the axis the neck lies within a ball, which answers for it.
 SurfaceContact::Reach SurfaceContact::shank_within(const Tool& tool, double margin_mm) noexcept {
-  const Burr& b = *tool.burr;
+  const Bur& b = *tool.bur;
   const double inner = b.neck_radius_mm + margin_mm;
   const double r2 = tool.ball() ? b.radius_mm * b.radius_mm - inner * inner : 0.0;
   return {r2 > 0.0 ? std::sqrt(r2) : tool.neck_from(), b.neck_length_mm - margin_mm,
@@ -170,7 +170,7 @@ SurfaceContact::Reach SurfaceContact::shank_within(const Tool& tool, double marg
 
 /// Of a head that is no ball.
 SurfaceContact::Reach SurfaceContact::head_within(const Tool& tool, double margin_mm) noexcept {
-  const Profile& head = tool.burr->head;
+  const Profile& head = tool.bur->head;
   const double wide = head.widest() + margin_mm;
   return {head.low() - margin_mm, head.low() - margin_mm, head.high() + margin_mm, wide, wide};
 }
@@ -205,11 +205,11 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   const auto reaches = [&](const Gathered& g) {
     const Vec3 off = centre - g.centre;
     const double left = g.margin_mm - step;
-    return g.valid && g.revision == cut_.revision() && g.burr == tool.index && g.axis == tool.axis && left >= 0.0 &&
+    return g.valid && g.revision == cut_.revision() && g.bur == tool.index && g.axis == tool.axis && left >= 0.0 &&
            glm::dot(off, off) <= left * left;
   };
   if (!reaches(gathered_)) {
-    // While the burr cuts it serves until the next piece is carved, while edges are found until the next tick.
+    // While the bur cuts it serves until the next piece is carved, while edges are found until the next tick.
     const double ahead = sharp_ ? kStepsAhead : kStepsMeanwhile;
     const double margin = step + std::min(kMostMargin, std::max(kLeastMargin, ahead * step));
     count_ = 0;
@@ -227,7 +227,7 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
   const Vec3 push = device - pose;
   const double length = std::sqrt(glm::dot(push, push));
   if (length < 1e-6) return;
-  const Vec3 x = pose + (tool.ball() ? push * (tool.burr->radius_mm / length) : head_furthest(*tool.burr, tool.axis, push / length));
+  const Vec3 x = pose + (tool.ball() ? push * (tool.bur->radius_mm / length) : head_furthest(*tool.bur, tool.axis, push / length));
   for (const Field field : {Field::base, Field::cut}) {
     FieldPoint at = fields_.at(volume, field, x);
     if (!at.known || at.d_mm > voxel_mm_ || at.d_mm < -voxel_mm_) continue;
@@ -256,4 +256,4 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -7,7 +7,7 @@
 #include "engine/contact/surface_near.h"
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -37,7 +37,7 @@ inline void SurfaceContact::lay(const Tool& tool, std::size_t i, Vec3 at, double
     if (!tool.ball())
       low = -slack_mm;
     else if (height > 0.0)
-      low = std::min(low, height - (tool.burr->radius_mm - tool.thin(c.field)));
+      low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
   }
   lay_plane(i, plane.n, plane.c, trusted, low);
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
@@ -93,7 +93,7 @@ inline void SurfaceContact::lay_edges(const Tool& tool, Vec3 centre, double reac
     const Pair tx{a.normal.x, b.normal.x}, ty{a.normal.y, b.normal.y}, tz{a.normal.z, b.normal.z};
     const CutFeature &fa = *a.feature, &fb = *b.feature;
     const Pair from{fa.other_d_mm, fb.other_d_mm}, to{fa.third_d_mm, fb.third_d_mm};
-    const Pair r{tool.burr->radius_mm - tool.thin(a.field), tool.burr->radius_mm - tool.thin(b.field)};
+    const Pair r{tool.bur->radius_mm - tool.thin(a.field), tool.bur->radius_mm - tool.thin(b.field)};
     const Pair far = r + slack_mm;
     Pair t = dx * tx + dy * ty + dz * tz;
     t = t < from ? from : t > to ? to : t;
@@ -170,7 +170,7 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
                                  double slack_mm) noexcept {
   planes_.clear();
   near_cut_ = false;
-  const double r = tool.burr->radius_mm;
+  const double r = tool.bur->radius_mm;
   const double edge_mm = 0.7 * voxel_mm_;
   const double ball = r + step, edge = ball + edge_mm;
   const double ball2 = ball * ball, edge2 = edge * edge;
@@ -209,7 +209,7 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
       ++looked;
       // A rim stands on the plane of a point that is beside it.
       const double far = step + std::max(beside, edge_mm);
-      if (head_distance(*tool.burr, tool.axis, candidates_[i].point - centre) <= far) lay(tool, i, at, slack_mm);
+      if (head_distance(*tool.bur, tool.axis, candidates_[i].point - centre) <= far) lay(tool, i, at, slack_mm);
     });
   }
   if (shank_count_ > 0) {
@@ -259,4 +259,4 @@ bool SurfaceContact::near_planes_again(const Tool& tool, Vec3 at, double slack_m
   return true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -8,7 +8,7 @@
 #include "engine/contact/near_points.h"
 #include "engine/contact/surface_contact.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Voxels that single precision may be off by in `for_near`, and then some.
 inline constexpr double kLoose = 1e-3;
@@ -167,7 +167,7 @@ template <class Visit>
 void SurfaceContact::head_bricks(const Volume& volume, const Tool& tool, Vec3 centre, double margin_mm,
                                  Visit&& visit) const noexcept {
   if (tool.ball())
-    ball_bricks(volume, centre, tool.burr->radius_mm + margin_mm, [&](int brick, IVec3 at, double) { visit(brick, at); });
+    ball_bricks(volume, centre, tool.bur->radius_mm + margin_mm, [&](int brick, IVec3 at, double) { visit(brick, at); });
   else
     bricks_within(volume, tool.axis, centre, head_within(tool, margin_mm), visit);
 }
@@ -188,4 +188,4 @@ void SurfaceContact::features_within(const Volume& volume, Vec3 axis, Vec3 centr
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,4 +1,4 @@
-// Planes from candidates: what keeps a burr off a point of a surface, an edge, a neck's or a shank's touch; and where a burr
+// Planes from candidates: what keeps a bur off a point of a surface, an edge, a neck's or a shank's touch; and where a bur
 // that rolls over edges will come to rest.
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "engine/contact/surface_contact.h"
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -79,7 +79,7 @@ inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 
   if (square > far * far + beside * beside) return false;
   const double height = glm::dot(c.normal, y) - c.level;
   if (height > 0.0 && square - height * height <= beside * beside) {
-    // While the burr cuts, its own scratch is a lens, whose side turns up again within the plane's reach.
+    // While the bur cuts, its own scratch is a lens, whose side turns up again within the plane's reach.
     const double bulge = !sharp_ && c.field == Field::base && c.others > 0 ? 0.5 * (square - height * height) / r : 0.0;
     const auto past = [&](Vec3 other, double other_d) {
       return other_d + glm::dot(other, d) - height * glm::dot(other, c.normal) > bulge;
@@ -104,14 +104,14 @@ inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 
 
 /// The neck's and the shank's: capsules along the axis; the nearer of the two holds the point off.
 bool SurfaceContact::plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane) const noexcept {
-  const Burr& burr = *tool.burr;
+  const Bur& bur = *tool.bur;
   const double along = glm::dot(c.point - y, tool.axis);
   bool any = false;
   double best = 0.0;
   for (int part = 0; part < 2; ++part) {
-    const double from = part == 0 ? tool.neck_from() : burr.neck_length_mm + burr.shank_radius_mm;
-    const double to = part == 0 ? burr.neck_length_mm : burr.neck_length_mm + burr.shank_length_mm;
-    const double radius = part == 0 ? burr.neck_radius_mm : burr.shank_radius_mm;
+    const double from = part == 0 ? tool.neck_from() : bur.neck_length_mm + bur.shank_radius_mm;
+    const double to = part == 0 ? bur.neck_length_mm : bur.neck_length_mm + bur.shank_length_mm;
+    const double radius = part == 0 ? bur.neck_radius_mm : bur.shank_radius_mm;
     const double t = along < from ? from : along > to ? to : along;
     const Vec3 d = y + tool.axis * t - c.point;
     const double distance = length_of(d);
@@ -133,7 +133,7 @@ bool SurfaceContact::plane_of_shank(const Tool& tool, const Candidate& c, Vec3 y
 /// holds it off.
 SurfaceContact::HeadFoot SurfaceContact::head_foot(const Tool& tool, Vec3 normal, Vec3 point_from_pivot,
                                                    double beside2) const noexcept {
-  const Profile& head = tool.burr->head;
+  const Profile& head = tool.bur->head;
   OnHalf at{glm::dot(point_from_pivot, tool.axis), 0.0};
   const Vec3 off = point_from_pivot - tool.axis * at.t;
   at.rho = length_of(off);
@@ -184,7 +184,7 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y,
   trusted = false;
   Vec3 point = c.point - y;
   Vec3 gradient;
-  double gap = head_distance(*tool.burr, tool.axis, point, gradient) + thin;
+  double gap = head_distance(*tool.bur, tool.axis, point, gradient) + thin;
   if (c.kind == Kind::surface) {
     if (gap > slack_mm + beside) return false;
     const HeadFoot foot = head_foot(tool, c.normal, point, beside * beside);
@@ -192,7 +192,7 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y,
     const double height = (glm::dot(c.normal, y + foot.at) - c.level + thin) / facing;
     const Vec3 d = foot.at - point;
     const double over = glm::dot(c.normal, d);
-    if (facing > kFacing && height > -tool.burr->radius_mm && glm::dot(d, d) - over * over <= beside * beside) {
+    if (facing > kFacing && height > -tool.bur->radius_mm && glm::dot(d, d) - over * over <= beside * beside) {
       const auto past = [&](Vec3 other, double other_d) {
         return other_d + glm::dot(other, d) - over * glm::dot(other, c.normal) > 0.0;
       };
@@ -214,7 +214,7 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y,
     const auto slope = [&](double t) {
       const Vec3 turn = twist + t * fourth;
       point = c.point + t * (tangent + t * (bend + t * turn)) - y;
-      gap = head_distance(*tool.burr, tool.axis, point, gradient) + thin;
+      gap = head_distance(*tool.bur, tool.axis, point, gradient) + thin;
       return glm::dot(gradient, tangent + t * (2.0 * bend + t * (3.0 * turn + t * fourth)));
     };
     double low = f.other_d_mm, high = f.third_d_mm;
@@ -231,7 +231,7 @@ bool SurfaceContact::plane_of_head(const Tool& tool, const Candidate& c, Vec3 y,
   return true;
 }
 
-/// The plane that keeps the burr off one candidate, seen from y; false where it is further than slack_mm off.
+/// The plane that keeps the bur off one candidate, seen from y; false where it is further than slack_mm off.
 bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, double slack_mm, Plane& plane,
                               bool& trusted) const noexcept {
   if (c.kind == Kind::shank) {
@@ -239,7 +239,7 @@ bool SurfaceContact::plane_of(const Tool& tool, const Candidate& c, Vec3 y, doub
     return plane_of_shank(tool, c, y, slack_mm, plane);
   }
   if (!tool.ball()) return plane_of_head(tool, c, y, slack_mm, plane, trusted);
-  const double r = tool.burr->radius_mm - tool.thin(c.field);
+  const double r = tool.bur->radius_mm - tool.thin(c.field);
   if (c.kind == Kind::surface) return plane_of_surface(r, c, y, slack_mm, plane, trusted);
   trusted = false;
   Vec3 d = y - c.point, along;
@@ -277,7 +277,7 @@ void SurfaceContact::turn(const Tool& tool, Vec3 y, std::size_t i) noexcept {
   relax_by_memory(tool, i, i + 1);
 }
 
-/// Where a burr rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the
+/// Where a bur rolls over edges and points its planes turn with it, and each pass leaves a share of the way: what the
 /// passes to come would add to off_by, the move of the last one from where its planes were laid. rolls: they would not come
 /// to rest.
 Vec3 SurfaceContact::leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at, Vec3 off_by, bool& rolls) const noexcept {
@@ -336,4 +336,4 @@ Vec3 SurfaceContact::leap_of(const Tool& tool, const PlaneSearch& found, Vec3 at
   return (free[0] * u + (directions > 1 ? free[1] * v : Vec3(0.0))) * share;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 
 #include "engine/contact/surface_contact.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr double kPolishedMm = 1e-6;        // mm: a polish that would move less
 /// Of the head, thinned against a field: its place (from the pivot) that stands on a surface with this normal, about a point.
 SurfaceContact::HeadFoot SurfaceContact::foot_of(const Tool& tool, Field field, Vec3 normal, Vec3 point, Vec3 pose) const noexcept {
   const double thin = tool.thin(field);
-  if (tool.ball()) return {normal * -(tool.burr->radius_mm - thin), normal, true};
+  if (tool.ball()) return {normal * -(tool.bur->radius_mm - thin), normal, true};
   const double beside = kPlaneReach * voxel_mm_;
   HeadFoot foot = head_foot(tool, normal, point - pose, beside * beside);
   foot.at += foot.normal * thin;
@@ -87,7 +87,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
       group[g].normal = field.normal;
       if (tool.ball()) {
         corrected[g].n = field.normal;
-        corrected[g].c = glm::dot(field.normal, x - field.normal * field.d_mm) + (tool.burr->radius_mm - tool.thin(group[g].field));
+        corrected[g].c = glm::dot(field.normal, x - field.normal * field.d_mm) + (tool.bur->radius_mm - tool.thin(group[g].field));
       } else {
         corrected[g].n = foot.deepest ? field.normal : foot.normal;
         corrected[g].c = glm::dot(corrected[g].n, at) - field.d_mm / glm::dot(field.normal, corrected[g].n);
@@ -127,4 +127,4 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,20 +1,20 @@
-// Edges about the burr, some a tick.
+// Edges about the bur, some a tick.
 #include <algorithm>
 
 #include "engine/contact/surface_near.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
-/// mm from the burr within which that is done: some ticks before it is there.
+/// mm from the bur within which that is done: some ticks before it is there.
 constexpr double kSharpenWithin = 0.15;
 /// mm beyond, that a look says something of for the next ticks.
 constexpr double kDullFar = 0.1;
 
 }  // namespace
 
-void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept {
+void SurfaceContact::sharpen(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept {
   if (on != cut_.sharpens()) {
     cut_.sharpen(volume, on);
     gathered_.valid = free_.valid = dull_far_.valid = false;
@@ -26,16 +26,16 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
     return;
   }
   const Vec3 gone = pose - dull_far_.at;
-  if (dull_far_.valid && dull_far_.burr == &burr && dull_far_.axis == axis && glm::dot(gone, gone) <= kDullFar * kDullFar) return;
+  if (dull_far_.valid && dull_far_.bur == &bur && dull_far_.axis == axis && glm::dot(gone, gone) <= kDullFar * kDullFar) return;
 
-  const Tool tool{&burr, axis};
+  const Tool tool{&bur, axis};
   const double side = voxel_mm_;
   // Parts of a brick near the head of a ball; of another head all.
   const auto near = [&](IVec3 at, double margin) {
     if (!tool.ball()) return CutSurface::kAllParts;
     CutSurface::Parts out = 0;
     const Vec3 corner = volume.grid().origin_mm + side * Vec3(at * kBrickEdge);
-    const double reach = burr.radius_mm + margin;
+    const double reach = bur.radius_mm + margin;
     for (int part = 0; part < 2 * kBrickEdge; ++part) {
       const double y = part % 2 * 4.0, z = part / 2;
       const Vec3 low = corner + Vec3(-0.2, y - 0.2, z - 0.2) * side, high = corner + Vec3(8.2, y + 4.2, z + 1.2) * side;
@@ -70,9 +70,9 @@ void SurfaceContact::sharpen(const Volume& volume, const Burr& burr, Vec3 axis, 
     gathered_.valid = free_.valid = false;
   } else if (!far) {
     shank(kSharpenWithin + kDullFar, [&](int) { far = true; });
-    dull_far_ = {pose, axis, &burr, !far};
+    dull_far_ = {pose, axis, &bur, !far};
   }
   sharp_ = !any || budget > 0;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

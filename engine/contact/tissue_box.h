@@ -3,7 +3,7 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Voxels with s > 0, inclusive; low above high when there are none. Not for the haptic thread.
 struct TissueVoxels {
@@ -62,4 +62,4 @@ struct TissueBox {
   }
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 IVec3 ToolOverlap::voxel_at(const Grid& grid, Vec3 p) noexcept {
   const Vec3 x = (p - grid.origin_mm) / grid.voxel_mm + 0.5;
@@ -25,9 +25,9 @@ std::vector<ToolOverlap::Row> ToolOverlap::rows_of(const std::vector<IVec3>& vox
 ToolOverlap::ToolOverlap(const Scene& scene, const Volume& volume, bool pivot_only)
     : occupancy_(volume), tissue_(volume.specimen()), pivot_only_(pivot_only) {
   std::size_t most = 0;
-  for (const Burr& burr : scene.burrs) {
+  for (const Bur& bur : scene.burs) {
     Tool tool;
-    tool.voxels = voxelise(burr, scene.tool_axis, volume.grid().voxel_mm);
+    tool.voxels = voxelise(bur, scene.tool_axis, volume.grid().voxel_mm);
     tool.cutting = rows_of(tool.voxels.cutting);
     tool.holder = rows_of(tool.voxels.holder);
     most = std::max(most, tool.voxels.cutting.size());
@@ -53,20 +53,20 @@ bool ToolOverlap::any(const std::vector<Row>& rows, IVec3 pivot) const noexcept 
   return false;
 }
 
-bool ToolOverlap::free(std::size_t burr, IVec3 pivot) const noexcept {
+bool ToolOverlap::free(std::size_t bur, IVec3 pivot) const noexcept {
   if (occupancy_.occupied(pivot)) return false;
   if (pivot_only_) return true;
-  return !any(tools_[burr].cutting, pivot) && !any(tools_[burr].holder, pivot);
+  return !any(tools_[bur].cutting, pivot) && !any(tools_[bur].holder, pivot);
 }
 
-bool ToolOverlap::apart(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 to) const noexcept {
+bool ToolOverlap::apart(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 to) const noexcept {
   const Grid& grid = volume.grid();
   const IVec3 a = voxel_at(grid, glm::min(from, to));
   const IVec3 b = voxel_at(grid, glm::max(from, to));
-  const Burr& shape = scene.burrs[burr];
+  const Bur& shape = scene.burs[bur];
   const Vec3 holder = scene.tool_axis * ((shape.neck_length_mm + shape.shank_length_mm) / grid.voxel_mm);
   const int wide =
-      std::max(tools_[burr].voxels.reach,
+      std::max(tools_[bur].voxels.reach,
                static_cast<int>(std::ceil(std::max(shape.shank_radius_mm, shape.neck_radius_mm) / grid.voxel_mm))) +
       1;
   const IVec3 reach_low = IVec3(glm::floor(glm::min(holder, Vec3(0.0)))) - wide;
@@ -76,9 +76,9 @@ bool ToolOverlap::apart(const Volume& volume, const Scene& scene, std::size_t bu
   return false;
 }
 
-void ToolOverlap::hit_further(const Volume& volume, std::size_t burr, Vec3 device, VoxelContact& contact) noexcept {
+void ToolOverlap::hit_further(const Volume& volume, std::size_t bur, Vec3 device, VoxelContact& contact) noexcept {
   const Grid& grid = volume.grid();
-  const Tool& tool = tools_[burr];
+  const Tool& tool = tools_[bur];
   const Vec3 push = device - contact.pose_mm;
   const double most = std::max(std::fabs(push.x), std::max(std::fabs(push.y), std::fabs(push.z)));
   for (int i = 0; i < 3; ++i) contact.step[i] = push[i] > 0.5 * most ? 1 : push[i] < -0.5 * most ? -1 : 0;
@@ -95,7 +95,7 @@ void ToolOverlap::hit_further(const Volume& volume, std::size_t burr, Vec3 devic
   contact.shank = !pivot_only_ && any(tool.holder, pivot);
 }
 
-bool ToolOverlap::remove_along(Volume& volume, std::size_t burr, Vec3 from, Vec3 to) noexcept {
+bool ToolOverlap::remove_along(Volume& volume, std::size_t bur, Vec3 from, Vec3 to) noexcept {
   const Grid& grid = volume.grid();
   const Specimen& specimen = volume.specimen();
   const Vec3 way = to - from;
@@ -103,7 +103,7 @@ bool ToolOverlap::remove_along(Volume& volume, std::size_t burr, Vec3 from, Vec3
   bool room = true;
   for (int i = 0; i <= samples; ++i) {
     const IVec3 pivot = voxel_at(grid, from + way * (static_cast<double>(i) / samples));
-    for (const IVec3& o : tools_[burr].voxels.cutting) {
+    for (const IVec3& o : tools_[bur].voxels.cutting) {
       const IVec3 v = pivot + o;
       if (!occupancy_.occupied(v)) continue;
       const int brick = specimen.brick_index({v.x >> 3, v.y >> 3, v.z >> 3});
@@ -120,4 +120,4 @@ bool ToolOverlap::remove_along(Volume& volume, std::size_t burr, Vec3 from, Vec3
   return room;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,4 +1,4 @@
-/// The voxelised burr superposed on the occupancy map: what the methods on the filled reading stand on.
+/// The voxelised bur superposed on the occupancy map: what the methods on the filled reading stand on.
 /// A pivot's voxel is free when the tool about it hits nothing, or by the pivot alone where the scene asks for that.
 /// Source: paper, "Collision detection"; design, "Contact methods", 1. Thread: haptic; wait-free; memory at
 /// construction.
@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "engine/contact/tissue_box.h"
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "engine/tool/voxel_tool.h"
 #include "engine/volume/occupancy.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// What a method on voxels found.
 struct VoxelContact {
@@ -33,17 +33,17 @@ class ToolOverlap {
   /// The voxel that holds a place.
   static IVec3 voxel_at(const Grid& grid, Vec3 p) noexcept;
 
-  bool free(std::size_t burr, IVec3 pivot) const noexcept;
-  /// First stage: nowhere between the two poses can the burr's box meet the tissue's box.
-  bool apart(const Volume& volume, const Scene& scene, std::size_t burr, Vec3 from, Vec3 to) const noexcept;
+  bool free(std::size_t bur, IVec3 pivot) const noexcept;
+  /// First stage: nowhere between the two poses can the bur's box meet the tissue's box.
+  bool apart(const Volume& volume, const Scene& scene, std::size_t bur, Vec3 from, Vec3 to) const noexcept;
   /// What would hit one voxel further from contact.pose_mm towards the device point: step, hits, offset and shank.
-  void hit_further(const Volume& volume, std::size_t burr, Vec3 device, VoxelContact& contact) noexcept;
+  void hit_further(const Volume& volume, std::size_t bur, Vec3 device, VoxelContact& contact) noexcept;
   /// Cutting voxels of the last hit_further(); at most as many as the tool has. Emptied by forget_hits().
   std::span<const IVec3> hit_voxels() const noexcept { return {hit_.data(), hit_count_}; }
   void forget_hits() noexcept { hit_count_ = 0; }
 
   /// Every voxel that the tool's cutting part covers with its pivot on the way loses all its density. False: no room.
-  bool remove_along(Volume& volume, std::size_t burr, Vec3 from, Vec3 to) noexcept;
+  bool remove_along(Volume& volume, std::size_t bur, Vec3 from, Vec3 to) noexcept;
 
   Occupancy& occupancy() noexcept { return occupancy_; }
   const Occupancy& occupancy() const noexcept { return occupancy_; }
@@ -61,11 +61,11 @@ class ToolOverlap {
   bool any(const std::vector<Row>& rows, IVec3 pivot) const noexcept;
 
   Occupancy occupancy_;
-  std::vector<Tool> tools_;  // one for each burr of the scene
+  std::vector<Tool> tools_;  // one for each bur of the scene
   std::vector<IVec3> hit_;
   std::size_t hit_count_ = 0;
   TissueVoxels tissue_;
   bool pivot_only_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -8,7 +8,7 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 class TrilinearField {
  public:
@@ -114,4 +114,4 @@ class TrilinearField {
   Vec3 origin_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 namespace {
 constexpr double kSlicesPerMs = 1000.0 / kSliceUs;
@@ -108,4 +108,4 @@ void ClosedLoop::unplug(bool out) noexcept {
   held_ = Vec3(0.0);
 }
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -9,7 +9,7 @@
 #include "engine/lab/device_model.h"
 #include "engine/lab/transport.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 /// What the host gets: the encoders' reading in the step's own unit, and the time since the reading before.
 struct Reading {
@@ -87,4 +87,4 @@ class ClosedLoop {
   LoopTick out_;
 };
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

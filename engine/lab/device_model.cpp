@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 namespace {
 
@@ -147,4 +147,4 @@ void Plant::advance(Vec3 force_n, int slices) noexcept {
   for (int i = 0; i < slices; ++i) slice(outside + grip_n_per_mm_ * intended_, rate);
 }
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -11,7 +11,7 @@
 #include "engine/base/vec.h"
 #include "engine/lab/grip.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 inline constexpr int kSliceUs = 50;        // the laboratory's grain of time
 inline constexpr int kSlicesPerTick = 20;  // 1 kHz
@@ -80,4 +80,4 @@ class Plant {
   double friction_mj_ = 0.0;
 };
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -3,7 +3,7 @@
 /// ranges of a hand's endpoint impedance; no measurement on a dental grip is known.
 #pragma once
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 struct Grip {
   double stiffness_n_per_mm = 0.0;  // 0: nobody holds
@@ -17,4 +17,4 @@ inline constexpr Grip kNoGrip{};
 inline constexpr Grip kSoftGrip{0.150, 2.0, 0.1};
 inline constexpr Grip kFirmGrip{0.700, 8.0, 0.25};
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 /// The delay line's grid. Finer than a nerve, coarser than nothing.
@@ -59,4 +59,4 @@ Vec3 HandModel::advance(Vec3 wanted_mm, Vec3 force_n, double dt_s) {
   return position_mm_;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -8,7 +8,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Of a hand resting on the teeth while it holds a handpiece [M]: order of magnitude of a braced precision grip.
 struct HandSettings {
@@ -42,4 +42,4 @@ class HandModel {
   std::uint64_t random_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

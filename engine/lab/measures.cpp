@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 namespace {
 double length_of(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
@@ -139,4 +139,4 @@ std::optional<double> ForceSteps::add(Vec3 force_n, Vec3 exact_n, bool guard_act
   return more;
 }
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -10,7 +10,7 @@
 #include "engine/base/vec.h"
 #include "engine/lab/closed_loop.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 /// energy_mj: the largest value of the sum of held force times true motion over a contact episode. An episode lasts
 /// while a force is held; gaps under 20 ms do not end it, and what moves in them counts (their force is zero).
@@ -103,7 +103,7 @@ class ForceSteps {
   double step_ = 0.0, guard_ = 0.0;
 };
 
-/// Deepest that a burr has been in tissue, by the exact clearance at its pose. um.
+/// Deepest that a bur has been in tissue, by the exact clearance at its pose. um.
 class Penetration {
  public:
   void add(double clearance_mm) noexcept {
@@ -115,4 +115,4 @@ class Penetration {
   double most_ = 0.0;
 };
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 namespace {
 
@@ -149,4 +149,4 @@ double abbott_okamura_bound_n_per_mm(double damping_ns_per_m, double friction_n,
   return encoder_step_mm > 0.0 ? std::min(viscous, 2.0 * friction_n / encoder_step_mm) : viscous;
 }
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -4,7 +4,7 @@
 
 #include "engine/lab/grip.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 /// F = -K x - B (x - x before) / T, computed from a sample and held one tick, delay_ticks later.
 struct SampledWall {
@@ -37,4 +37,4 @@ double colgate_bound_n_per_mm(double damping_ns_per_m, double virtual_damping_ns
 double abbott_okamura_bound_n_per_mm(double damping_ns_per_m, double friction_n, double encoder_step_mm,
                                      double tick_s) noexcept;
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

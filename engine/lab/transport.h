@@ -9,7 +9,7 @@
 #include "engine/base/vec.h"
 #include "engine/lab/device_model.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 struct TransportSettings {
   double delay_ms = 0.0;    // there and back, [0, 20]
@@ -67,4 +67,4 @@ class Wire {
   int first_ = 0, count_ = 0;
 };
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

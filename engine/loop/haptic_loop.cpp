@@ -5,7 +5,7 @@
 
 #include "engine/base/fp_guard.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 using Clock = std::chrono::steady_clock;
@@ -113,4 +113,4 @@ std::uint64_t VirtualLoop::run(std::uint64_t ticks) noexcept {
   return done;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -13,7 +13,7 @@
 #include "engine/loop/tick.h"
 #include "engine/loop/watchdog.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct LoopSettings {
   std::chrono::microseconds period{1000};
@@ -36,7 +36,7 @@ class HapticLoop {
   // Any thread.
   void pause() noexcept { ticker_.pause(); }
   void resume() noexcept { ticker_.resume(); }  // re-arms a latched guard, force ramps in
-  void change_burr(std::uint16_t index) noexcept { ticker_.change_burr(index); }
+  void change_bur(std::uint16_t index) noexcept { ticker_.change_bur(index); }
   void set_coolant(bool on) noexcept { ticker_.set_coolant(on); }
 
   /// Rings and latest values; see HandOver for who may read what.
@@ -86,4 +86,4 @@ class VirtualLoop {
   std::chrono::steady_clock::time_point now_{};
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 // Bucket of a duration in tenths of a microsecond: below 64 one bucket each, then 32 to the power of two.
@@ -60,4 +60,4 @@ LoopTimes times_of(const LoopStats& stats) noexcept {
   return t;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Counts of durations: 0.1 us each up to 6.4 us, then 32 buckets to the power of two, so that a percentile is read
 /// within 3.2 %; up to 5 s, longer ones count as that (the maximum stays exact).
@@ -42,4 +42,4 @@ struct LoopTimes {
 };
 LoopTimes times_of(const LoopStats& stats) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp {
+namespace cusp::engine {
 
 RealtimeGrant ask_by(RealtimeWays& ways) noexcept {
   RealtimeGrant grant;
@@ -36,4 +36,4 @@ RealtimeGrant ask_by(RealtimeWays& ways) noexcept {
   return grant;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace cusp {
+namespace cusp::engine {
 
 enum class RealtimeLevel : std::uint8_t {
   normal,  // other programs get in between: ticks come late on a busy machine
@@ -59,4 +59,4 @@ void name_this_thread(const char* name) noexcept;
 /// Processor time of the calling thread. No heap, no lock.
 std::uint64_t thread_cpu_ns() noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -11,7 +11,7 @@
 
 #include "engine/loop/rtkit.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::uint64_t thread_cpu_ns() noexcept {
   return static_cast<std::uint64_t>(t.tv_sec) * 1'000'000'000u + static_cast<std::uint64_t>(t.tv_nsec);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

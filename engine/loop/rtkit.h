@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace cusp {
+namespace cusp::engine {
 
 enum class RtkitAnswer : std::uint8_t { granted, refused, absent };
 
@@ -12,4 +12,4 @@ enum class RtkitAnswer : std::uint8_t { granted, refused, absent };
 /// without ever waiting for longer than the service allows (0.2 s) is killed.
 RtkitAnswer ask_rtkit(int& priority) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

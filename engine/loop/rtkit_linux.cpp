@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -51,4 +51,4 @@ RtkitAnswer ask_rtkit(int& priority) noexcept {
   return called < 0 ? RtkitAnswer::refused : RtkitAnswer::granted;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

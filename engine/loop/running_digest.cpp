@@ -2,7 +2,7 @@
 
 #include "engine/volume/hash.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 void RunningDigest::add(const StepState& state, const StepOutput& output) noexcept {
   Hash64 hash;
@@ -14,7 +14,7 @@ void RunningDigest::add(const StepState& state, const StepOutput& output) noexce
   hash.add_double(output.advance_mm);
   hash.add(output.tick);
   hash.add(output.elapsed_us);
-  hash.add(static_cast<std::uint64_t>(output.tissue) | std::uint64_t{output.burr} << 8 |
+  hash.add(static_cast<std::uint64_t>(output.tissue) | std::uint64_t{output.bur} << 8 |
            std::uint64_t{output.contact} << 24 | std::uint64_t{output.cutting} << 25 | std::uint64_t{output.shank} << 26 |
            std::uint64_t{output.faulted} << 27 | std::uint64_t{output.infeasible} << 28 |
            std::uint64_t{output.overflow} << 29 | std::uint64_t{output.deferred} << 30 |
@@ -30,4 +30,4 @@ void RunningDigest::add(const StepState& state, const StepOutput& output) noexce
   value_ = hash.value();
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -8,7 +8,7 @@
 
 #include "engine/step/step.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 class RunningDigest {
  public:
@@ -27,4 +27,4 @@ struct DigestMark {
   std::uint64_t digest = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -29,7 +29,7 @@ double softest_of(const Scene& scene) {
 
 Ticker::Ticker(StepState state, HandOver& hand_over)
     : state_(std::move(state)), hand_over_(hand_over), output_(state_.last()), softest_n_per_mm_(softest_of(state_.scene())) {
-  burr_ = output_.burr;
+  bur_ = output_.bur;
   hand_over_.ticks.store(output_.tick, std::memory_order_release);
 }
 
@@ -89,13 +89,13 @@ Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
       break;
     case Want::nothing: break;
   }
-  const auto burrs = state_.scene().burrs.size();
-  if (sample.burr != port_burr_) {
-    port_burr_ = sample.burr;
-    if (sample.burr < burrs) burr_ = sample.burr;
+  const auto burs = state_.scene().burs.size();
+  if (sample.bur != port_bur_) {
+    port_bur_ = sample.bur;
+    if (sample.bur < burs) bur_ = sample.bur;
   }
-  if (const auto wanted = want_burr_.exchange(kNoBurr, std::memory_order_acq_rel); wanted < burrs) {
-    burr_ = static_cast<std::uint16_t>(wanted);
+  if (const auto wanted = want_bur_.exchange(kNoBur, std::memory_order_acq_rel); wanted < burs) {
+    bur_ = static_cast<std::uint16_t>(wanted);
   }
   if (phase_ != LoopPhase::running) {
     publish(sample.status);
@@ -103,7 +103,7 @@ Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
   }
 
   StepInput input = quantise(sample, elapsed_us, last_input_);
-  input.burr = burr_;
+  input.bur = bur_;
   input.loose = named_piece();
   if (rearm_) input.buttons |= StepInput::kRearm;
   if (coolant_.load(std::memory_order_acquire)) input.buttons |= StepInput::kCoolant;
@@ -140,4 +140,4 @@ Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
   return feedback;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

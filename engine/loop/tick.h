@@ -11,7 +11,7 @@
 #include "engine/loop/running_digest.h"
 #include "engine/step/step.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 enum class LoopPhase : std::uint8_t {
   ready,    // made, not started
@@ -65,10 +65,10 @@ class Ticker {
   bool ended() const noexcept { return phase_ == LoopPhase::ended; }
   LoopPhase phase() const noexcept { return phase_; }
 
-  // Any thread; taken at the next tick, the last asked wins. The later of change_burr() and the port's own choice wins.
+  // Any thread; taken at the next tick, the last asked wins. The later of change_bur() and the port's own choice wins.
   void pause() noexcept { want_.store(Want::pause, std::memory_order_release); }
   void resume() noexcept { want_.store(Want::resume, std::memory_order_release); }
-  void change_burr(std::uint16_t index) noexcept { want_burr_.store(index, std::memory_order_release); }
+  void change_bur(std::uint16_t index) noexcept { want_bur_.store(index, std::memory_order_release); }
   /// Coolant on or off, besides what the device's own button says; off at the start.
   void set_coolant(bool on) noexcept { coolant_.store(on, std::memory_order_release); }
   /// Virtual time: a latched guard is re-armed by the next tick instead of holding. Before the first tick.
@@ -85,7 +85,7 @@ class Ticker {
   /// What the next input says of severed pieces: a name's first half, then its second.
   std::uint16_t named_piece() noexcept;
 
-  static constexpr std::uint32_t kNoBurr = 0xFFFFFFFF;
+  static constexpr std::uint32_t kNoBur = 0xFFFFFFFF;
   StepState state_;
   HandOver& hand_over_;
   StepInput last_input_;
@@ -94,16 +94,16 @@ class Ticker {
   Vec3 normal_{0.0, 0.0, 1.0};
   Quat orientation_{1.0, 0.0, 0.0, 0.0};
   double softest_n_per_mm_ = 1.0;
-  std::uint16_t burr_ = 0;
-  std::uint16_t port_burr_ = 0;
+  std::uint16_t bur_ = 0;
+  std::uint16_t port_bur_ = 0;
   std::uint16_t second_half_ = 0;  // of a name, still to be sent; 0: none
   LoopPhase phase_ = LoopPhase::ready;
   LoopEnd end_ = LoopEnd::none;
   bool rearm_ = false;
   bool rearm_by_itself_ = false;
   std::atomic<Want> want_{Want::nothing};
-  std::atomic<std::uint32_t> want_burr_{kNoBurr};
+  std::atomic<std::uint32_t> want_bur_{kNoBur};
   std::atomic<bool> coolant_{false};
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace cusp {
+namespace cusp::engine {
 
 class Watchdog {
  public:
@@ -26,4 +26,4 @@ class Watchdog {
   std::atomic<std::int64_t> last_ns_{0};
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,7 +4,7 @@
 
 #include "engine/volume/fragments.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 void LooseFinder::on_state(const StepState& state, const StateNews& news) {
   changed_.insert(changed_.end(), news.changed_bricks.begin(), news.changed_bricks.end());
@@ -35,4 +35,4 @@ void LooseFinder::name(const Volume& volume) {
   changed_.clear();
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -8,7 +8,7 @@
 
 #include "engine/mirror/mirror.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 class LooseFinder final : public MirrorObserver {
  public:
@@ -32,4 +32,4 @@ class LooseFinder final : public MirrorObserver {
   std::uint64_t next_us_ = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -6,7 +6,7 @@
 #include "engine/base/fp_guard.h"
 #include "engine/loop/realtime.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 constexpr std::uint64_t kMarkTicks = 1000;  // as the loop's
@@ -129,4 +129,4 @@ void Mirror::run() {
   show(true);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

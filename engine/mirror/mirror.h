@@ -14,7 +14,7 @@
 #include "engine/loop/tick.h"
 #include "engine/step/step.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// What a call of MirrorObserver::on_state tells besides the state.
 struct StateNews {
@@ -99,4 +99,4 @@ class Mirror {
   std::thread thread_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,7 +4,7 @@
 #include <array>
 #include <bitset>
 
-namespace cusp {
+namespace cusp::engine {
 namespace {
 
 /// Samples of a patch along one axis: every `step`-th voxel; edges start at samples `first` to `last`.
@@ -201,4 +201,4 @@ std::vector<int> patches_touched_by(const Specimen& specimen, int brick) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -8,13 +8,13 @@
 
 #include "engine/volume/surface_cells.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct PatchVertex {
   Vec3f position_mm{0.0f};  // specimen frame; on the surface
   Vec3f normal{0.0f};       // unit, out of the tissue
   Tissue tissue = Tissue::empty;
-  bool cut = false;         // left by a burr
+  bool cut = false;         // left by a bur
 };
 
 /// How dense a patch is: cells of one voxel, or of two for what lies outside the region of interest.
@@ -44,4 +44,4 @@ std::vector<int> patches_touched_by(const Specimen& specimen, int brick);
 /// and none is cut. Quick; for the first build.
 bool may_have_surface(const Volume& volume, int brick) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart part) noexcept {
   Carved out;
@@ -88,4 +88,4 @@ Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart p
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

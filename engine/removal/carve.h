@@ -1,10 +1,10 @@
-/// Removal for the surface reading: what a burr's cutting head sweeps is gone. Thread: haptic; wait-free.
+/// Removal for the surface reading: what a bur's cutting head sweeps is gone. Thread: haptic; wait-free.
 #pragma once
 
-#include "engine/tool/burr.h"
+#include "engine/tool/bur.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// What one carving came to.
 struct Carved {
@@ -21,7 +21,7 @@ struct Carved {
   int next = -1;           // where a part of the way's bricks ended: CarvePart::first of the next part; -1: at the end
 };
 
-/// A pose that went this far in a tick swept its way; faster or further, the burr flew and did not cut there. Nor does a tick
+/// A pose that went this far in a tick swept its way; faster or further, the bur flew and did not cut there. Nor does a tick
 /// cut whose search for contact was cut off (deferred): up to this speed no cutting one was, over 24 runs of 18,000 and 10,000
 /// ticks with balls of 1 to 6 mm, so that no wear is owed for any.
 inline bool swept_whole(double length_mm, double dt_s) noexcept {
@@ -53,9 +53,9 @@ Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, double radius_mm, CarvePart p
 /// other head is exact to 4e-4 voxel (measured 2.1e-4, a quantum being 8e-5); but within a head whose rim is less than a
 /// right angle it is deeper than the head itself, so that wall and floor which the rim leaves have their distance, to 0.03
 /// voxel at 1.5 of them (flat_head.h).
-/// `start_carved`: the last carving ended at a, with this burr and this axis; then what the head leaves behind is not
+/// `start_carved`: the last carving ended at a, with this bur and this axis; then what the head leaves behind is not
 /// looked at again. The volume comes out the same, sooner.
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved = false,
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, bool start_carved = false,
                    CarvePart part = {}) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -7,7 +7,7 @@
 #include "engine/removal/flat_head.h"
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -27,9 +27,9 @@ enum class Nearest { at_start, at_end, either };
 
 class Carving {
  public:
-  Carving(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved) noexcept
-      : volume_{volume}, burr_{burr}, axis_{axis}, a_{a}, b_{b}, start_carved_{start_carved},
-        voxel_{volume.grid().voxel_mm}, head_{burr.head, voxel_} {
+  Carving(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, bool start_carved) noexcept
+      : volume_{volume}, bur_{bur}, axis_{axis}, a_{a}, b_{b}, start_carved_{start_carved},
+        voxel_{volume.grid().voxel_mm}, head_{bur.head, voxel_} {
     start_ = (a - volume.grid().origin_mm) / voxel_;
     way_ = (b - a) / voxel_;
     length_ = std::sqrt(glm::dot(way_, way_));
@@ -55,7 +55,7 @@ class Carving {
 
   Carved run(CarvePart part) noexcept {
     const Grid& grid = volume_.grid();
-    const Profile& head = burr_.head;
+    const Profile& head = bur_.head;
     // The head lies in a cylinder about its axis: its box, swept, with the band round it.
     const double wide = head.widest() / voxel_ + kBandVoxels;
     const Vec3 foot = start_ + axis_ * (head.low() / voxel_), top = start_ + axis_ * (head.high() / voxel_);
@@ -99,7 +99,7 @@ class Carving {
     // From the middle of the way no pose is further than half of it; distance is convex, so it lies above its tangent.
     const Vec3 from = middle - 0.5 * way_;
     Vec3 slope;
-    const double d = head_distance(burr_, axis_, from * voxel_, slope) / voxel_;
+    const double d = head_distance(bur_, axis_, from * voxel_, slope) / voxel_;
     const double nearest = d - 0.5 * length_;
     const Vec3 steep = glm::abs(slope);
     if (nearest - kHalfBrick * (steep.x + steep.y + steep.z) >= kBandVoxels) return;
@@ -164,7 +164,7 @@ class Carving {
     return out;
   }
 
-  /// Everything in this brick is deep inside the burr.
+  /// Everything in this brick is deep inside the bur.
   void clear(int index, IVec3 corner) noexcept {
     std::uint16_t* values = volume_.cut_for_writing(index);
     if (values == nullptr) {
@@ -261,7 +261,7 @@ class Carving {
     for (; unsure != 0; unsure &= unsure - 1) {
       const int i = __builtin_ctz(unsure);
       const Vec3 place = volume_.grid().origin_mm + Vec3(first + IVec3(i, 0, 0)) * voxel_;
-      out[i] = static_cast<float>(passing_head(burr_, axis_, a_, b_, place).distance_mm / voxel_);
+      out[i] = static_cast<float>(passing_head(bur_, axis_, a_, b_, place).distance_mm / voxel_);
     }
     return out;
   }
@@ -291,7 +291,7 @@ class Carving {
   };
 
   Volume& volume_;
-  const Burr& burr_;
+  const Bur& bur_;
   Vec3 axis_, a_, b_;
   bool start_carved_;
   double voxel_;
@@ -310,10 +310,10 @@ class Carving {
 
 }  // namespace
 
-Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Burr& burr, Vec3 axis, bool start_carved,
+Carved carve_sweep(Volume& volume, Vec3 a, Vec3 b, const Bur& bur, Vec3 axis, bool start_carved,
                    CarvePart part) noexcept {
-  if (burr.head.ball()) return carve_sweep(volume, a, b, burr.radius_mm, part);
-  return Carving(volume, a, b, burr, axis, start_carved).run(part);
+  if (bur.head.ball()) return carve_sweep(volume, a, b, bur.radius_mm, part);
+  return Carving(volume, a, b, bur, axis, start_carved).run(part);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

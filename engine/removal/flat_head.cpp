@@ -4,7 +4,7 @@
 
 #include "engine/volume/voxel_volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -251,4 +251,4 @@ Lanes behind_rim(const AcuteRim& rim, const RimOnWay& way, Lanes t, Lanes p, Lan
   return open ? most_of(off, zero) : zero;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

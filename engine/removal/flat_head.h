@@ -1,11 +1,11 @@
-/// A burr's outline in voxels and single precision, four places at a time: what carving with a head spends its time in.
+/// A bur's outline in voxels and single precision, four places at a time: what carving with a head spends its time in.
 /// 1e-5 of a voxel at the distances that a band asks for. Wait-free; only + - * / sqrt.
 #pragma once
 
 #include "engine/base/lanes.h"
 #include "engine/tool/profile.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// A piece of the outline, and what tells the places that stand above it.
 struct FlatPiece {
@@ -155,7 +155,7 @@ inline Lanes distance_of(const AtHand& hand, Lanes t, Lanes rho, Lanes& gt, Lane
   return outside ? (cornered ? away : least) : most;
 }
 
-/// Four places by the burr at the start of its way: t along the axis, p across it in the plane of the way, and the
+/// Four places by the bur at the start of its way: t along the axis, p across it in the plane of the way, and the
 /// square of q, across both. The way: wt along the axis, wp across it.
 struct FourPlaces {
   Lanes t, p, q2;
@@ -277,4 +277,4 @@ class FlatHead {
   bool level_tip_ = false, level_top_ = false;  // level at the pole: no place is beyond it
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,6 +1,6 @@
 #include "engine/removal/heat.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -36,4 +36,4 @@ bool advance(HeatState& state, const HeatTick& tick) noexcept {
   return state.over;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,10 +1,10 @@
-/// Warmth of the tooth under the burr: the work of cutting warms it, coolant and time take it away. One figure, for the
+/// Warmth of the tooth under the bur: the work of cutting warms it, coolant and time take it away. One figure, for the
 /// tissue between cut and pulp; nothing is conducted in space. Pure, exact arithmetic. Thread: haptic; wait-free.
 /// Source: dental.md 3.3: dry cutting for longer than about 10 s reaches the 5.5 degrees criterion of the pulp [M]; the
 /// constants are chosen so that a turbine under the usual load does just that, and are [M] too.
 #pragma once
 
-namespace cusp {
+namespace cusp::engine {
 
 inline constexpr double kPulpCriterionK = 5.5;       // rise that raises the dry-cutting event [M]
 inline constexpr double kUnknownRpm = 210e3;         // of a scene without a handpiece: a turbine under load [M]
@@ -16,8 +16,8 @@ struct HeatState {
 };
 
 struct HeatTick {
-  double push_n = 0.0;           // of the burr on the tissue; 0 in the air
-  double surface_mm_s = 0.0;     // of the burr, where it is widest
+  double push_n = 0.0;           // of the bur on the tissue; 0 in the air
+  double surface_mm_s = 0.0;     // of the bur, where it is widest
   bool coolant = false;
   double dt_s = 0.001;
 };
@@ -26,4 +26,4 @@ struct HeatTick {
 /// gets there. Values that are no numbers, or negative, count as none; the rise stays within [0, 1000].
 bool advance(HeatState& state, const HeatTick& tick) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

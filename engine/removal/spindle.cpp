@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
 constexpr double kTau = 6.283185307179586;
-/// Slower than this a loaded burr stands, a coasting one is still.
+/// Slower than this a loaded bur stands, a coasting one is still.
 constexpr double kStandsShare = 0.01;
 constexpr double kRecoverShare = 0.5;
 /// Drag is whole from this share of the free speed on: it begins softly.
@@ -62,4 +62,4 @@ Vec3 drag_n(Vec3 force_n, Vec3 axis, double speed_share) noexcept {
   return against * (size * within(speed_share / kWholeDragShare, 0.0, 1.0));
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,4 +1,4 @@
-/// The handpiece: from the pedal to the burr's speed, what the load takes of it, and the drag that the turning burr
+/// The handpiece: from the pedal to the bur's speed, what the load takes of it, and the drag that the turning bur
 /// gives. Pure functions over an explicit state, exact arithmetic. Thread: haptic; wait-free. Figures are [M]: general
 /// knowledge, not verified.
 #pragma once
@@ -6,21 +6,15 @@
 #include <cstdint>
 
 #include "engine/base/vec.h"
+#include "engine/scene/phenomena.h"
 
-namespace cusp {
-
-enum class Handpiece : std::uint8_t {
-  none,      // the scene has no spindle: a pressed cut removes at the tissue's own speed
-  turbine,   // air: fast, soft; sags under load and stalls
-  electric,  // holds its speed until its torque is spent
-  slow,      // contra-angle; the pedal sets it from least_rpm up
-};
+namespace cusp::engine {
 
 struct SpindleSettings {
   double free_rpm = 0;   // pedal down, nothing touched
   double least_rpm = 0;  // pedal just touched
   double sag = 0;        // share of free_rpm that a load just below the stall takes
-  double stall_n = 0;    // push that stops a burr of kStallRadiusMm; a wider one stops sooner, in proportion
+  double stall_n = 0;    // push that stops a bur of kStallRadiusMm; a wider one stops sooner, in proportion
   double up_s = 0;       // time constants: running up; giving way to a load; coasting without pedal
   double load_s = 0;
   double coast_s = 0;
@@ -46,7 +40,7 @@ struct SpindleState {
   friend bool operator==(const SpindleState&, const SpindleState&) = default;
 };
 
-/// One tick. pedal: 0 to 1. push_n: what presses the burr on, 0 in the air. Values that are no numbers, or out of their
+/// One tick. pedal: 0 to 1. push_n: what presses the bur on, 0 in the air. Values that are no numbers, or out of their
 /// range, count as the nearest that is in it; the speed stays within [0, free_rpm].
 void advance(SpindleState& state, const SpindleSettings& settings, double pedal, double push_n, double radius_mm,
              double dt_s) noexcept;
@@ -55,15 +49,15 @@ void advance(SpindleState& state, const SpindleSettings& settings, double pedal,
 /// scene's speeds are those at free_rpm.
 double removal_factor(const SpindleState& state, const SpindleSettings& settings) noexcept;
 
-/// Tangential speed of the burr's surface at its widest, mm/s.
+/// Tangential speed of the bur's surface at its widest, mm/s.
 double surface_speed_mm_s(double rpm, double radius_mm) noexcept;
 
-/// Drag of the turning burr on the hand, N: against its surface's motion where it touches, across the force; none where
-/// the end cuts. `force_n`: contact force on the burr. `axis`: unit, towards the shank, seen from which it turns
+/// Drag of the turning bur on the hand, N: against its surface's motion where it touches, across the force; none where
+/// the end cuts. `force_n`: contact force on the bur. `axis`: unit, towards the shank, seen from which it turns
 /// clockwise. Never above kMostDragN, nor above kDragShare of the force.
 Vec3 drag_n(Vec3 force_n, Vec3 axis, double speed_share) noexcept;
 
 inline constexpr double kDragShare = 0.03;   // of the push
 inline constexpr double kMostDragN = 0.06;
 
-}  // namespace cusp
+}  // namespace cusp::engine

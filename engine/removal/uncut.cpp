@@ -8,7 +8,7 @@
 #include "engine/volume/cell_field.h"
 #include "engine/volume/surface_cells.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -267,4 +267,4 @@ Uncut UncutPlace::deepest(Vec3 pose, Vec3 towards, double enough_mm, bool beside
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -7,7 +7,7 @@
 #include "engine/contact/cut_memory.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct Uncut {
   double depth_mm = 0.0;  // of the ball's surface in what is left, where it is deepest; not above 0: none was found
@@ -72,4 +72,4 @@ class UncutPlace {
   int asked_ = 0;  // distances to strokes
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

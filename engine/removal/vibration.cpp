@@ -1,6 +1,6 @@
 #include "engine/removal/vibration.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -47,4 +47,4 @@ double vibration_n(VibrationState& state, const SpindleSettings& settings, doubl
   return size * sine_of(state.phase);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

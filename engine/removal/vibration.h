@@ -1,4 +1,4 @@
-/// What the hand feels of a cutting burr's turning. A handpiece turns 300 to 5800 times a second, and a force that is told
+/// What the hand feels of a cutting bur's turning. A handpiece turns 300 to 5800 times a second, and a force that is told
 /// 1000 times a second cannot say that: sampled as it is, it would come out as a false, slow beat. So only every n-th
 /// turn is told (subharmonic_of), which keeps the beat at 250 Hz or below, at least four samples to a wave, and in
 /// proportion to the speed; the drilling sound has the true pitch. Where ticks come slower than that the wave fades out
@@ -9,7 +9,7 @@
 
 #include "engine/removal/spindle.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 inline constexpr double kMostVibrationN = 0.060;      // never above: 60 mN
 inline constexpr double kMostVibrationShare = 0.10;   // nor above this share of the contact force: it never pulls
@@ -35,4 +35,4 @@ double sine_of(std::uint32_t phase) noexcept;
 double vibration_n(VibrationState& state, const SpindleSettings& settings, double rpm, double push_n, double hardness,
                    double dt_s) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 VoxelWear wear_voxels(Volume& volume, Occupancy& occupancy, const Scene& scene, std::span<const IVec3> hit, IVec3 step,
                       double alpha, double dt_s, std::array<double, kTissueCodes>& owed) noexcept {
@@ -42,4 +42,4 @@ VoxelWear wear_voxels(Volume& volume, Occupancy& occupancy, const Scene& scene, 
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,11 +4,11 @@
 #include <array>
 #include <span>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "engine/volume/occupancy.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct VoxelWear {
   bool any = false;       // a voxel lost density
@@ -23,4 +23,4 @@ struct VoxelWear {
 VoxelWear wear_voxels(Volume& volume, Occupancy& occupancy, const Scene& scene, std::span<const IVec3> hit, IVec3 step,
                       double alpha, double dt_s, std::array<double, kTissueCodes>& owed) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -7,7 +7,7 @@
 
 #include "engine/tool/swept.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -163,13 +163,13 @@ double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::
   return met.weight > 0.0 ? met.weight / met.time : fallback_mm_s;
 }
 
-double slide_depth(const Burr& burr, Vec3 axis, Vec3 direction, Vec3 slide_mm, double advance_mm) noexcept {
+double slide_depth(const Bur& bur, Vec3 axis, Vec3 direction, Vec3 slide_mm, double advance_mm) noexcept {
   const double slide = std::sqrt(glm::dot(slide_mm, slide_mm));
   const double ratio = advance_mm / slide;
-  if (burr.head.ball()) return 0.5 * burr.radius_mm * ratio * ratio;
-  if (ratio >= 1.0) return burr.radius_mm;
+  if (bur.head.ball()) return 0.5 * bur.radius_mm * ratio * ratio;
+  if (ratio >= 1.0) return bur.radius_mm;
   const Vec3 turned = direction * std::sqrt(1.0 - ratio * ratio) + slide_mm * (ratio / slide);
-  return glm::dot(direction, head_furthest(burr, axis, direction) - head_furthest(burr, axis, turned));
+  return glm::dot(direction, head_furthest(bur, axis, direction) - head_furthest(bur, axis, turned));
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

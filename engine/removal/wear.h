@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Wear coefficient alpha of eq. (4): distance over d_max = full_force / stiffness, at most 1.
 /// Source: paper, eq. (4), read as a force set against a length.
@@ -41,9 +41,9 @@ std::vector<FrontRing> front_rings(const Profile& head);
 double front_speed(const Volume& volume, const Scene& scene, Vec3 pose_mm, std::span<const FrontRing> head, Vec3 axis,
                    Vec3 direction, double fallback_mm_s, std::uint64_t tick) noexcept;
 
-/// Sliding: how deep (mm) a burr that goes `slide` sideways while it wears `advance` into `direction` may stand, if nothing
+/// Sliding: how deep (mm) a bur that goes `slide` sideways while it wears `advance` into `direction` may stand, if nothing
 /// recedes faster than it wears: the height over its lowest place of where its surface has turned so far that sliding asks
 /// just that of it, sine = advance / slide (of a ball to the second order). Pre: both > 0.
-double slide_depth(const Burr& burr, Vec3 axis, Vec3 direction, Vec3 slide_mm, double advance_mm) noexcept;
+double slide_depth(const Bur& bur, Vec3 axis, Vec3 direction, Vec3 slide_mm, double advance_mm) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -113,4 +113,4 @@ void release(GuardState& state) noexcept {
   state.passivity = PassivityState{};
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -9,15 +9,15 @@
 /// the port can know that.
 #pragma once
 
+#include "engine/scene/scene.h"
 #include "engine/step/passivity.h"
-#include "engine/step/scene.h"
 #include "engine/step/step.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct GuardState {
   Fault fault = Fault::none;
-  double ramp_ms = 0.0;     // since start, burr change or re-arm
+  double ramp_ms = 0.0;     // since start, bur change or re-arm
   Vec3 given_n{0.0};        // in the tick before
   std::uint16_t acted = 0;  // GuardPart bits of the tick before
   double stale_ms = 0.0;    // since the device last said something new
@@ -39,4 +39,4 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
 /// The force is taken away: ramp, slew, velocity and passivity begin anew.
 void release(GuardState& state) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -6,14 +6,14 @@
 #include "engine/base/haptic_port.h"
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct StepInput {
   std::int32_t x = 0, y = 0, z = 0;                 // device point, 0.1 µm, specimen frame
   std::int16_t qx = 0, qy = 0, qz = 0, qw = 32767;  // orientation, 1/32767
   std::uint16_t buttons = 0;                        // bit 0: cut, bit 1: coolant; the others below
   std::uint16_t pedal = 0;                          // 0 to 65535
-  std::uint16_t burr = 0;                           // index into Scene::burrs
+  std::uint16_t bur = 0;                           // index into Scene::burs
   std::uint16_t loose = 0;                          // half of a loose piece's name, 0: none; LeavingPiece::hear()
   std::uint32_t elapsed_us = 1000;                  // since the input before
 
@@ -30,4 +30,4 @@ static_assert(sizeof(StepInput) == 32);
 /// the last one with kNotFinite set.
 StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInput& last) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

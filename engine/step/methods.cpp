@@ -4,7 +4,7 @@
 #include "engine/step/state.h"
 #include "engine/volume/fragments.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -16,20 +16,20 @@ class SurfaceMethod final : public ContactMethod {
   }
   bool lift(StepState::Inner& state) noexcept override { return end_stroke(state); }
   bool fits(StepState::Inner& state, Vec3 axis, Vec3 pose_mm) noexcept override {
-    return state.surface->fits(state.volume, state.scene->burrs[state.last.burr], axis, pose_mm);
+    return state.surface->fits(state.volume, state.scene->burs[state.last.bur], axis, pose_mm);
   }
-  bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
-    const Burr& head = state.scene->burrs[burr];
+  bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
+    const Bur& head = state.scene->burs[bur];
     const Vec3 axis = state.scene->tool_axis;
     const bool room = end_stroke(state);
     const Carved carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);
     for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
-    state.memory.add(from_mm, to_mm, sweeper_of(head, burr, axis));
+    state.memory.add(from_mm, to_mm, sweeper_of(head, bur, axis));
     state.memory.lift();
     return room && !carved.overflow;
   }
   bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
-    const ChangedBox changed = cusp::take_away(state.volume, voxels);
+    const ChangedBox changed = engine::take_away(state.volume, voxels);
     if (changed.any) state.surface->changed_dull(state.volume, changed.low, changed.high);
     return !changed.overflow;
   }
@@ -44,4 +44,4 @@ std::unique_ptr<ContactMethod> make_method(StepState::Inner& state) {
   return make_banded_method(state);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

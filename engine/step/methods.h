@@ -9,7 +9,7 @@
 
 #include "engine/step/step.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// What a tick asks of a method.
 struct Tick {
@@ -25,14 +25,14 @@ class ContactMethod {
  public:
   virtual ~ContactMethod() = default;
 
-  /// Moves the proxy, removes what the burr wears and fills contact, force, tissue and flags of `out`.
+  /// Moves the proxy, removes what the bur wears and fills contact, force, tissue and flags of `out`.
   virtual void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept = 0;
-  /// The stroke is over (fault, another burr). False when the volume had no room.
+  /// The stroke is over (fault, another bur). False when the volume had no room.
   virtual bool lift(StepState::Inner& state) noexcept = 0;
   /// True when a proxy may begin at this pose, false when it has to come down from above the specimen.
   virtual bool fits(StepState::Inner& state, Vec3 axis, Vec3 pose_mm) noexcept = 0;
   /// See cut_along() of step.h.
-  virtual bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept = 0;
+  virtual bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept = 0;
   /// A severed piece's voxels go (engine/volume/fragments.h). False when the volume had no room.
   virtual bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept = 0;
   /// The volume was replaced by a key state's.
@@ -44,4 +44,4 @@ std::unique_ptr<ContactMethod> make_method(StepState::Inner& state);
 std::unique_ptr<ContactMethod> make_filled_method(StepState::Inner& state);  // occupancy, occupancy-pivot, ray
 std::unique_ptr<ContactMethod> make_banded_method(StepState::Inner& state);  // penalty, gradient
 
-}  // namespace cusp
+}  // namespace cusp::engine

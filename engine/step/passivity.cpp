@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr double kDamperFromMmS = 15.0;
 /// A wall softer than this is none. What half of the least damping (0.5 N s/m) bears where the force comes late by
 /// half a tick and the delay is passive on any device, and needs no controller.
 constexpr double kLeastNPerMm = 0.2, kHalfDampingNsPerMm = 0.25e-3, kHalfTickS = 0.0005;
-/// What an encoder's noise costs at most while the burr slides on a slope (measured: 0.004 mJ/s at 2 N/mm, 50 mm/s).
+/// What an encoder's noise costs at most while the bur slides on a slope (measured: 0.004 mJ/s at 2 N/mm, 50 mm/s).
 constexpr double kNoiseMjPerMs = 5e-6;
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
@@ -57,7 +57,7 @@ Vec3 passive(const GuardSettings& settings, PassivityState& state, const GuardTi
 
   const double most = settings.has(GuardPart::limit) ? settings.limit_n : 1e6;
   const double stretch = length_of(state.spring_mm), stretch_before = length_of(before_spring);
-  // A tissue's stiffness may change under the burr, and the ramp rises: that is meant, and not owed.
+  // A tissue's stiffness may change under the bur, and the ramp rises: that is meant, and not owed.
   const double k = state.stiffness_n_per_mm;
   const double stored = stored_mj(state.scale * k, stretch, most);
   const double given = glm::dot(state.held_n[static_cast<std::size_t>(back)], state.device_mm - before_device);
@@ -116,4 +116,4 @@ void hold(PassivityState& state, Vec3 force_n, Vec3 spring_mm) noexcept {
   state.held_n[0] = force_n + (state.spring_mm - spring_mm) * (state.scale * state.stiffness_n_per_mm);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -17,9 +17,9 @@
 
 #include <array>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 inline constexpr int kMostDelayTicks = 8;
 
@@ -52,4 +52,4 @@ Vec3 passive(const GuardSettings& settings, PassivityState& state, const GuardTi
 /// What the hand gets in the end, to be called after passive() with what limit, slew and ramp left of it.
 void hold(PassivityState& state, Vec3 force_n, Vec3 spring_mm) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -5,7 +5,7 @@
 
 #include "engine/step/state.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -73,7 +73,7 @@ void write_output(Writer& w, const StepOutput& o) {
   w.d(o.stiffness_n_per_mm);
   w.d(o.advance_mm);
   w.u(static_cast<std::uint64_t>(o.tissue), 1);
-  w.u(o.burr, 2);
+  w.u(o.bur, 2);
   w.u(o.tick, 8);
   w.u(o.elapsed_us, 8);
   const bool flags[8] = {o.contact, o.cutting, o.shank, o.faulted, o.infeasible, o.overflow, o.deferred, false};
@@ -92,7 +92,7 @@ void read_output(Reader& r, StepOutput& o) {
   o.stiffness_n_per_mm = r.d();
   o.advance_mm = r.d();
   o.tissue = static_cast<Tissue>(r.u(1));
-  o.burr = static_cast<std::uint16_t>(r.u(2));
+  o.bur = static_cast<std::uint16_t>(r.u(2));
   o.tick = r.u(8);
   o.elapsed_us = r.u(8);
   const auto bits = static_cast<unsigned>(r.u(1));
@@ -183,7 +183,7 @@ std::vector<std::byte> StepState::save() const {
   w.v(s.astray);
   w.u(s.strays, 1);
   for (const Vec3& v : {s.owed_piece.from, s.owed_piece.to, s.owed_piece.axis}) w.v(v);
-  w.u(s.owed_piece.burr, 2);
+  w.u(s.owed_piece.bur, 2);
   w.u(s.owed_piece.start_carved, 1);
   w.u(static_cast<std::uint64_t>(s.owed_piece.next + 1), 4);
   for (const double owed : s.owed) w.d(owed);
@@ -222,7 +222,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   if (r.u(4) != kMark || r.u(4) != static_cast<std::uint64_t>(kEngineVersion) || r.u(8) != scene->specimen->hash() ||
       r.u(1) != static_cast<std::uint64_t>(scene->method))
     return std::nullopt;
-  const std::size_t burrs = scene->burrs.size();
+  const std::size_t burs = scene->burs.size();
   StepState out(std::move(scene));
   Inner& s = *out.inner_;
   read_output(r, s.last);
@@ -239,15 +239,15 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   s.astray = r.v();
   s.strays = r.u(1) != 0;
   for (Vec3* v : {&s.owed_piece.from, &s.owed_piece.to, &s.owed_piece.axis}) *v = r.v();
-  s.owed_piece.burr = static_cast<std::uint16_t>(r.u(2));
+  s.owed_piece.bur = static_cast<std::uint16_t>(r.u(2));
   s.owed_piece.start_carved = r.u(1) != 0;
   s.owed_piece.next = static_cast<std::int32_t>(r.u(4)) - 1;
-  if (s.owed_piece.burr >= burrs) return std::nullopt;
+  if (s.owed_piece.bur >= burs) return std::nullopt;
   for (double& owed : s.owed) owed = r.d();
   s.foot = r.v();
   const bool open = r.u(1) != 0;
   const std::size_t count = r.u(4);
-  if (!r.good() || count > r.left() / kSegmentBytes || s.last.burr >= burrs || index_of(s.last.tissue) >= kTissueCodes ||
+  if (!r.good() || count > r.left() / kSegmentBytes || s.last.bur >= burs || index_of(s.last.tissue) >= kTissueCodes ||
       s.guard.fault > Fault::stale)
     return std::nullopt;
   std::vector<CutMemory::Segment> segments(count);
@@ -257,7 +257,7 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
     segment.by.radius_mm = r.d();
     segment.by.head = static_cast<std::int32_t>(r.u(4)) - 1;
     segment.by.axis = r.v();
-    if (segment.by.head >= static_cast<std::int32_t>(burrs)) return std::nullopt;
+    if (segment.by.head >= static_cast<std::int32_t>(burs)) return std::nullopt;
   }
   s.memory.load(segments, open);
   const auto half = static_cast<std::uint16_t>(r.u(2));
@@ -282,4 +282,4 @@ std::optional<StepState> StepState::restore(std::shared_ptr<const Scene> scene, 
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

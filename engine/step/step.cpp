@@ -8,7 +8,7 @@
 #include "engine/tool/swept.h"
 #include "engine/volume/hash.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInput& last) noexcept {
   StepInput out = last;
@@ -16,7 +16,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
   out.buttons = static_cast<std::uint16_t>(sample.buttons & 0x1fff);
   out.pedal = sample.pedal;
   out.loose = 0;
-  out.burr = sample.burr;
+  out.bur = sample.bur;
   if (sample.status == Sample::Status::late) out.buttons |= StepInput::kLate;
   if (sample.status == Sample::Status::gone) out.buttons |= StepInput::kGone;
   constexpr double kMostMm = 1e5;
@@ -46,7 +46,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
 
 StepState::Inner::Inner(std::shared_ptr<const Scene> s) : scene(std::move(s)), volume(scene->specimen) {
   if (scene->method == Method::surface) surface = std::make_unique<SurfaceContact>(*scene, volume, &memory);
-  for (const Burr& burr : scene->burrs) fronts.push_back(front_rings(burr.head));
+  for (const Bur& bur : scene->burs) fronts.push_back(front_rings(bur.head));
   method = make_method(*this);
   if (scene->phenomena.any()) phenomena = std::make_unique<PhenomenaState>(*scene);
 }
@@ -70,10 +70,10 @@ std::uint64_t StepState::hash() const noexcept {
     for (int i = 0; i < 3; ++i) h.add_double(v[i]);
   h.add(s.last.tick);
   h.add(s.last.elapsed_us);
-  h.add(static_cast<std::uint64_t>(s.last.burr) | static_cast<std::uint64_t>(s.guard.fault) << 16 |
+  h.add(static_cast<std::uint64_t>(s.last.bur) | static_cast<std::uint64_t>(s.guard.fault) << 16 |
         static_cast<std::uint64_t>(s.started) << 24 | static_cast<std::uint64_t>(s.cut_valid) << 25 |
         static_cast<std::uint64_t>(s.cut_pending) << 26);
-  h.add(static_cast<std::uint64_t>(s.owed_piece.next + 1) | static_cast<std::uint64_t>(s.owed_piece.burr) << 32 |
+  h.add(static_cast<std::uint64_t>(s.owed_piece.next + 1) | static_cast<std::uint64_t>(s.owed_piece.bur) << 32 |
         static_cast<std::uint64_t>(s.owed_piece.start_carved) << 48);
   h.add_double(s.guard.ramp_ms);
   h.add_double(s.guard.stale_ms);
@@ -128,11 +128,11 @@ namespace {
 /// Where the proxy begins: at the device point when nothing is there, else above the specimen, whence it comes down.
 Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   const Grid& grid = state.volume.grid();
-  const Burr& burr = state.scene->burrs[state.last.burr];
+  const Bur& bur = state.scene->burs[state.last.bur];
   const Vec3 low = grid.origin_mm - grid.voxel_mm;
   const Vec3 high = grid.origin_mm + grid.voxel_mm * Vec3(grid.size);
   if (state.method->fits(state, axis, device)) return device;
-  const double reach = head_reach(burr);
+  const double reach = head_reach(bur);
   // Along the tool's axis until the head has left the box.
   double leave = 0.0;
   for (int pass = 0; pass < 512; ++pass) {
@@ -156,7 +156,7 @@ Vec3 first_pose(StepState::Inner& state, Vec3 device, Vec3 axis) noexcept {
   out.faulted = state.guard.fault != Fault::none;
 }
 
-/// The burr's axis of this input: the scene's, turned by the orientation, no further than the scene lets it.
+/// The bur's axis of this input: the scene's, turned by the orientation, no further than the scene lets it.
 Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
   const Vec3 rest = scene.tool_axis;
   if (!(scene.tilt_cosine < 1.0) || scene.method != Method::surface) return rest;
@@ -176,8 +176,8 @@ Vec3 axis_of(const Scene& scene, const StepInput& input) noexcept {
 
 }  // namespace
 
-bool cut_along(StepState& outer, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept {
-  return outer.inner().method->cut_along(outer.inner(), burr, from_mm, to_mm);
+bool cut_along(StepState& outer, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept {
+  return outer.inner().method->cut_along(outer.inner(), bur, from_mm, to_mm);
 }
 
 StepOutput step(StepState& outer, const StepInput& input) noexcept {
@@ -186,7 +186,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   StepOutput out;
   out.tick = state.last.tick + 1;
   out.elapsed_us = state.last.elapsed_us + input.elapsed_us;
-  out.burr = input.burr < scene.burrs.size() ? input.burr : static_cast<std::uint16_t>(scene.burrs.size() - 1);
+  out.bur = input.bur < scene.burs.size() ? input.bur : static_cast<std::uint16_t>(scene.burs.size() - 1);
   const Vec3 device = input.position_mm();
   out.device_mm = device;
   out.axis = axis_of(scene, input);
@@ -202,7 +202,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   state.guard.stale_ms = fresh || first || (input.buttons & StepInput::kRearm) ? 0.0 : state.guard.stale_ms + elapsed_ms;
   if (state.guard.fault == Fault::none)
     state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), state.guard.stale_ms, first);
-  if (!first && out.burr != state.last.burr) {
+  if (!first && out.bur != state.last.bur) {
     release(state.guard);
     out.overflow = !state.method->lift(state);
   }
@@ -227,7 +227,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   if (first) {
     state.started = true;
     state.device = device;
-    state.last.burr = out.burr;
+    state.last.bur = out.bur;
     state.proxy = first_pose(state, device, out.axis);
   }
   Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, piece_goes};
@@ -245,4 +245,4 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

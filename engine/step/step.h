@@ -11,31 +11,31 @@
 #include <span>
 #include <vector>
 
+#include "engine/scene/scene.h"
 #include "engine/step/input.h"
-#include "engine/step/scene.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// What the scene's phenomena have to say of a tick.
 enum class PhenomenonSign : std::uint8_t {
-  stalled = 1 << 0,  // the burr stands under load
+  stalled = 1 << 0,  // the bur stands under load
   coolant = 1 << 1,  // it runs
-  dry = 1 << 2,      // the burr works on tissue without coolant
+  dry = 1 << 2,      // the bur works on tissue without coolant
   overheated = 1 << 3,  // the dry-cutting event: in this tick the rise came to the pulp's criterion (heat.h)
 };
 
 /// What one tick came to. Plain values; safe to copy between threads.
 struct StepOutput {
   Vec3 device_mm{0.0};           // the input's point
-  Vec3 proxy_mm{0.0};            // pivot of the burr that does not penetrate
-  Vec3 axis{0.0, 0.0, 1.0};      // of the burr, from the head towards the shank
+  Vec3 proxy_mm{0.0};            // pivot of the bur that does not penetrate
+  Vec3 axis{0.0, 0.0, 1.0};      // of the bur, from the head towards the shank
   Vec3 force_raw_n{0.0};         // eq. (1) before the guard: what metrics use
   Vec3 force_n{0.0};             // after the guard: what the hand gets
   double stiffness_n_per_mm = 0; // blended over what is touched; 0 without contact
   double advance_mm = 0;         // how far the cut went in this tick
   Tissue tissue = Tissue::empty; // touched most
-  std::uint16_t burr = 0;
+  std::uint16_t bur = 0;
   float spindle_rpm = 0;         // of the handpiece; 0 where the scene has none
   std::uint64_t tick = 0;        // 1 after the first step
   std::uint64_t elapsed_us = 0;  // sum of all inputs
@@ -60,7 +60,7 @@ enum class Fault : std::uint8_t { none, jump, late, gone, not_finite, stale };
 
 class StepState {
  public:
-  /// Reserves everything the scene can need. Not for the haptic thread. Pre: the scene's specimen, burrs are there.
+  /// Reserves everything the scene can need. Not for the haptic thread. Pre: the scene's specimen, burs are there.
   explicit StepState(std::shared_ptr<const Scene> scene);
   ~StepState();
   StepState(StepState&&) noexcept;
@@ -86,12 +86,12 @@ class StepState {
   std::unique_ptr<Inner> inner_;
 };
 
-/// A cut whose path is known, as if the burr had been led along it: for benches and tests, which know its exact surface.
-/// Banded readings carve the swept ball; filled ones lose the voxels that the voxelised burr covers on its way. The
+/// A cut whose path is known, as if the bur had been led along it: for benches and tests, which know its exact surface.
+/// Banded readings carve the swept ball; filled ones lose the voxels that the voxelised bur covers on its way. The
 /// proxy stays where it is. False when the volume had no room.
-bool cut_along(StepState& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept;
+bool cut_along(StepState& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept;
 
 /// Haptic thread. One tick.
 StepOutput step(StepState& state, const StepInput& input) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

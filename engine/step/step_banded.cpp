@@ -1,4 +1,4 @@
-// One tick of the penalty and of the gradient proxy: contact, the burr's cut pose, contact again in the field that the
+// One tick of the penalty and of the gradient proxy: contact, the bur's cut pose, contact again in the field that the
 // cut left. Removal follows the surface method (design, "Removal") in its plain form: carved every tick, and without a
 // memory of past poses.
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "engine/step/step_fragments.h"
 #include "engine/volume/fragments.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -28,12 +28,12 @@ class BandedMethod final : public ContactMethod {
   void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
     const Scene& scene = *state.scene;
     const Vec3 before = state.proxy;
-    BandedContact contact = finder_.solve(state.volume, scene, out.burr, state.proxy, tick.device, state.foot);
+    BandedContact contact = finder_.solve(state.volume, scene, out.bur, state.proxy, tick.device, state.foot);
     state.proxy = contact.pose_mm;
     const bool wears = tick.cut && contact.touching && !contact.deferred;
     if (wears) {
       cut(state, contact, contact.pose_mm - before, tick, out);
-      contact = finder_.solve(state.volume, scene, out.burr, state.proxy, tick.device, state.foot);
+      contact = finder_.solve(state.volume, scene, out.bur, state.proxy, tick.device, state.foot);
       state.proxy = contact.pose_mm;
     } else {
       state.cut_valid = false;
@@ -63,14 +63,14 @@ class BandedMethod final : public ContactMethod {
     return true;
   }
   bool fits(StepState::Inner& state, Vec3, Vec3 pose_mm) noexcept override {
-    return finder_.fits(state.volume, state.last.burr, pose_mm);
+    return finder_.fits(state.volume, state.last.bur, pose_mm);
   }
-  bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
+  bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
     state.cut_valid = false;
-    return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burrs[burr], state.scene->tool_axis).overflow;
+    return !carve_sweep(state.volume, from_mm, to_mm, state.scene->burs[bur], state.scene->tool_axis).overflow;
   }
   bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
-    return !cusp::take_away(state.volume, voxels).overflow;
+    return !engine::take_away(state.volume, voxels).overflow;
   }
   void reload(StepState::Inner&) override {}  // reads the volume itself
 
@@ -79,8 +79,8 @@ class BandedMethod final : public ContactMethod {
   void cut(StepState::Inner& state, const BandedContact& contact, Vec3 slid, const Tick& tick,
            StepOutput& out) noexcept {
     const Scene& scene = *state.scene;
-    const Burr& burr = scene.burrs[out.burr];
-    const double radius = burr.radius_mm;
+    const Bur& bur = scene.burs[out.bur];
+    const double radius = bur.radius_mm;
     const Vec3 push = tick.device - contact.pose_mm;
     const double distance = length_of(push);
     if (!(distance > 1e-6)) return;
@@ -96,8 +96,8 @@ class BandedMethod final : public ContactMethod {
     const Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double alpha = wear_coefficient(distance, contact.stiffness_n_per_mm, scene.full_force_n);
     const double own = scene.tissues[index_of(contact.tissue)].speed_mm_s;
-    const double speed = burr.head.ball() ? front_speed(state.volume, scene, pose, radius, direction, own, out.tick)
-                                          : front_speed(state.volume, scene, pose, state.fronts[out.burr],
+    const double speed = bur.head.ball() ? front_speed(state.volume, scene, pose, radius, direction, own, out.tick)
+                                          : front_speed(state.volume, scene, pose, state.fronts[out.bur],
                                                         scene.tool_axis, direction, own, out.tick);
     double advance = alpha * speed * tick.dt_s * tick.removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
@@ -105,7 +105,7 @@ class BandedMethod final : public ContactMethod {
     const Vec3 next = pose + direction * advance;
     if (advance > 0.0) {
       const bool whole = state.cut_valid && swept_whole(length_of(next - state.cut_pose), tick.dt_s);
-      const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, burr, scene.tool_axis);
+      const Carved carved = carve_sweep(state.volume, whole ? state.cut_pose : pose, next, bur, scene.tool_axis);
       out.overflow = !drop_crumbs(state, carved) || carved.overflow;
       out.cutting = carved.any;
       out.advance_mm = advance;
@@ -124,4 +124,4 @@ std::unique_ptr<ContactMethod> make_banded_method(StepState::Inner& state) {
   return std::make_unique<BandedMethod<GradientProxy>>(state);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

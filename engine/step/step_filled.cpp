@@ -10,13 +10,13 @@
 #include "engine/step/step_fragments.h"
 #include "engine/volume/fragments.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// K_T of eq. (3) as the scene's friction coefficient reads it: the push of the mean offset (about the burr's radius)
+/// K_T of eq. (3) as the scene's friction coefficient reads it: the push of the mean offset (about the bur's radius)
 /// is this share of the spring's, scaled by alpha, so that it vanishes with the contact.
 Vec3 tool_friction(const Scene& scene, const VoxelContact& contact, double stiffness, double alpha) noexcept {
   return contact.mean_offset_mm * (scene.friction_coefficient * stiffness * alpha);
@@ -77,18 +77,18 @@ class FilledMethod final : public ContactMethod {
   explicit FilledMethod(const StepState::Inner& state) : finder_(*state.scene, state.volume) {}
 
   void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
-    const VoxelContact contact = finder_.solve(state.volume, *state.scene, out.burr, state.proxy, tick.device);
+    const VoxelContact contact = finder_.solve(state.volume, *state.scene, out.bur, state.proxy, tick.device);
     answer(state, finder_.overlap(), contact, tick, out);
   }
   bool lift(StepState::Inner&) noexcept override { return true; }
   bool fits(StepState::Inner& state, Vec3, Vec3 pose_mm) noexcept override {
-    return finder_.overlap().free(state.last.burr, ToolOverlap::voxel_at(state.volume.grid(), pose_mm));
+    return finder_.overlap().free(state.last.bur, ToolOverlap::voxel_at(state.volume.grid(), pose_mm));
   }
-  bool cut_along(StepState::Inner& state, std::uint16_t burr, Vec3 from_mm, Vec3 to_mm) noexcept override {
-    return finder_.overlap().remove_along(state.volume, burr, from_mm, to_mm);
+  bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
+    return finder_.overlap().remove_along(state.volume, bur, from_mm, to_mm);
   }
   bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
-    return cusp::take_away(state.volume, finder_.overlap().occupancy(), voxels);
+    return engine::take_away(state.volume, finder_.overlap().occupancy(), voxels);
   }
   void reload(StepState::Inner& state) override { finder_ = Finder(*state.scene, state.volume); }
 
@@ -103,4 +103,4 @@ std::unique_ptr<ContactMethod> make_filled_method(StepState::Inner& state) {
   return std::make_unique<FilledMethod<OccupancyProxy>>(state);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -2,7 +2,7 @@
 
 #include "engine/volume/fragments.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 bool drop_crumbs(StepState::Inner& state, const Carved& carved) noexcept {
   if (!carved.any) return true;
@@ -30,4 +30,4 @@ bool let_pieces_go(StepState::Inner& state, std::uint16_t named) noexcept {
   return room;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

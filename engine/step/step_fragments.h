@@ -5,7 +5,7 @@
 #include "engine/removal/carve.h"
 #include "engine/step/state.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// After a carving: crumbs beside what it changed go with it. False when the volume had no room.
 bool drop_crumbs(StepState::Inner& state, const Carved& carved) noexcept;
@@ -15,4 +15,4 @@ bool drop_crumbs(StepState::Inner& state, IVec3 low, IVec3 high) noexcept;
 /// Takes in what the input names, and lets the next brick of a named piece go. False when the volume had no room.
 bool let_pieces_go(StepState::Inner& state, std::uint16_t named) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

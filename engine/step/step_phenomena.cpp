@@ -5,13 +5,13 @@
 #include "engine/step/methods.h"
 #include "engine/volume/hash.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// What presses the burr on the tissue, without friction.
+/// What presses the bur on the tissue, without friction.
 double push_of(const StepOutput& out) noexcept {
   return out.contact ? out.stiffness_n_per_mm * length_of(out.proxy_mm - out.device_mm) : 0.0;
 }
@@ -39,9 +39,9 @@ void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, con
   if (scene.phenomena.handpiece == Handpiece::none) return;
   // A device without a pedal has the cut button: down is down.
   const double pedal = input.pedal > 0 ? static_cast<double>(input.pedal) / 65535.0 : input.cutting() ? 1.0 : 0.0;
-  const std::size_t burr = input.burr < scene.burrs.size() ? input.burr : scene.burrs.size() - 1;
-  if (burr != before.burr) state.spindle = SpindleState{};  // it stands while the burr is changed
-  advance(state.spindle, state.settings, pedal, push_of(before), scene.burrs[burr].radius_mm, dt_s);
+  const std::size_t bur = input.bur < scene.burs.size() ? input.bur : scene.burs.size() - 1;
+  if (bur != before.bur) state.spindle = SpindleState{};  // it stands while the bur is changed
+  advance(state.spindle, state.settings, pedal, push_of(before), scene.burs[bur].radius_mm, dt_s);
   tick.cut = state.spindle.rpm > 0.0;
   tick.removal_factor = removal_factor(state.spindle, state.settings);
 }
@@ -55,7 +55,7 @@ void work(PhenomenaState& state, const Scene& scene, const StepInput& input, Vec
   if (asked.heat) {
     const bool coolant = (input.buttons & StepInput::kCoolant) != 0;
     const double rpm = asked.handpiece == Handpiece::none ? kUnknownRpm : state.spindle.rpm;
-    const double surface_mm_s = surface_speed_mm_s(rpm, scene.burrs[out.burr].radius_mm);
+    const double surface_mm_s = surface_speed_mm_s(rpm, scene.burs[out.bur].radius_mm);
     if (advance(state.heat, {push_n, surface_mm_s, coolant, dt_s})) sign(out, PhenomenonSign::overheated);
     if (coolant) sign(out, PhenomenonSign::coolant);
     if (works && !coolant) sign(out, PhenomenonSign::dry);
@@ -90,4 +90,4 @@ void add_to(Hash64& hash, const PhenomenaState& state) noexcept {
            std::uint64_t{state.heat.over} << 33);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

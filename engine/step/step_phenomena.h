@@ -1,11 +1,14 @@
 /// A tick of a scene that asks for phenomena: spindle before the method, drag, vibration and heat after the guard.
 #pragma once
 
+#include "engine/removal/heat.h"
+#include "engine/removal/spindle.h"
+#include "engine/removal/vibration.h"
+#include "engine/scene/scene.h"
 #include "engine/step/input.h"
-#include "engine/step/scene.h"
 #include "engine/step/step.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct Tick;
 class Hash64;
@@ -21,7 +24,7 @@ struct PhenomenaState {
   HeatState heat;
 };
 
-/// Before the method. Takes what pressed on the burr in the tick before, moves the spindle, and says whether the burr
+/// Before the method. Takes what pressed on the bur in the tick before, moves the spindle, and says whether the bur
 /// cuts and at which share of the tissues' speeds.
 void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, const StepOutput& before, double dt_s,
           Tick& tick) noexcept;
@@ -37,4 +40,4 @@ void rest(PhenomenaState& state, double dt_s, StepOutput& out) noexcept;
 
 void add_to(Hash64& hash, const PhenomenaState& state) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

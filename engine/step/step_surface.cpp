@@ -9,7 +9,7 @@
 #include "engine/step/state.h"
 #include "engine/step/step_fragments.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -59,7 +59,7 @@ double blended(const Scene& scene, const Contact& contact, Tissue& most) noexcep
 bool carve_some(StepState::Inner& state, int bricks) noexcept {
   StepState::Inner::Owed& owed = state.owed_piece;
   if (owed.next < 0) return true;
-  const Carved carved = carve_sweep(state.volume, owed.from, owed.to, state.scene->burrs[owed.burr], owed.axis,
+  const Carved carved = carve_sweep(state.volume, owed.from, owed.to, state.scene->burs[owed.bur], owed.axis,
                                     owed.start_carved, {owed.next, bricks});
   for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
   owed.next = carved.next;
@@ -73,27 +73,27 @@ constexpr int kAllBricks = 1 << 30;
 int bricks_a_tick(const StepState::Inner& state) noexcept {
   const StepState::Inner::Owed& owed = state.owed_piece;
   const double side = kBrickEdge * state.volume.grid().voxel_mm;
-  const Burr& burr = state.scene->burrs[owed.burr];
-  const double across = 2.0 * burr.radius_mm / side + 1.0;
-  const double along = burr.head.ball() ? across : (burr.head.high() - burr.head.low()) / side + 1.0;
-  // A small burr's front is in few bricks, and their cells would be made again for each: at once it is cheaper.
+  const Bur& bur = state.scene->burs[owed.bur];
+  const double across = 2.0 * bur.radius_mm / side + 1.0;
+  const double along = bur.head.ball() ? across : (bur.head.high() - bur.head.low()) / side + 1.0;
+  // A small bur's front is in few bricks, and their cells would be made again for each: at once it is cheaper.
   return across * along < 10.0 ? kAllBricks : 1 + static_cast<int>(across * along / 16.0);
 }
 
 /// Ends the piece from cut_from to cut_pose: it is owed from now on. What was owed before is carved.
-bool owe_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
+bool owe_pending(StepState::Inner& state, std::uint16_t bur) noexcept {
   const bool room = carve_some(state, kAllBricks);
   StepState::Inner::Owed& owed = state.owed_piece;
-  const bool goes_on = owed.to == state.cut_from && owed.axis == state.cut_axis && owed.burr == burr;
-  owed = {state.cut_from, state.cut_pose, state.cut_axis, burr, goes_on, 0};
+  const bool goes_on = owed.to == state.cut_from && owed.axis == state.cut_axis && owed.bur == bur;
+  owed = {state.cut_from, state.cut_pose, state.cut_axis, bur, goes_on, 0};
   state.cut_from = state.cut_pose;
   state.cut_pending = false;
   return room;
 }
 
 /// Carves all that has been swept. False when the volume had no room.
-bool carve_pending(StepState::Inner& state, std::uint16_t burr) noexcept {
-  const bool room = !state.cut_pending || owe_pending(state, burr);
+bool carve_pending(StepState::Inner& state, std::uint16_t bur) noexcept {
+  const bool room = !state.cut_pending || owe_pending(state, bur);
   return carve_some(state, kAllBricks) && room;
 }
 
@@ -124,7 +124,7 @@ void lift_out(const StepState::Inner& state, double radius_mm, Vec3 towards, dou
 }  // namespace
 
 bool end_stroke(StepState::Inner& state) noexcept {
-  const bool room = carve_pending(state, state.last.burr);
+  const bool room = carve_pending(state, state.last.bur);
   state.owed_piece = {};
   state.cut_valid = false;
   state.memory.lift();
@@ -136,7 +136,7 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   const bool cut = tick.cut;
   const double dt_s = tick.dt_s, removal_factor = tick.removal_factor;
   const Scene& scene = *state.scene;
-  const Burr& burr = scene.burrs[out.burr];
+  const Bur& bur = scene.burs[out.bur];
   SurfaceContact& surface = *state.surface;
   const Vec3 way = device - state.device;
   const double moved = length_of(way);
@@ -149,8 +149,8 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
 
   surface.allow_passes();
   // The tick that ends a stroke carves what is left of it; edges are for those after it.
-  surface.sharpen(state.volume, burr, axis, state.proxy, !cut && !state.cut_valid, tick.piece_goes);
-  Contact contact = surface.solve(state.volume, scene, out.burr, axis, state.proxy, device, ahead, reach,
+  surface.sharpen(state.volume, bur, axis, state.proxy, !cut && !state.cut_valid, tick.piece_goes);
+  Contact contact = surface.solve(state.volume, scene, out.bur, axis, state.proxy, device, ahead, reach,
                                   led ? most : SurfaceContact::kAnyWay);
   if ((contact.active > 0 || contact.deferred) && led && length_of(contact.pose_mm - state.proxy) > most) {
     // The proxy went much further than its device: over an edge perhaps that a device moving evenly would have been held
@@ -161,7 +161,7 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
     const double part_reach = kReach * moved / kParts + kReachMm;
     for (int i = 1; i <= kParts && !(i > 1 && surface.spent()); ++i) {
       const Vec3 to = i < kParts ? state.device + part * static_cast<double>(i) : device;
-      contact = surface.solve(state.volume, scene, out.burr, axis, at, to, part, part_reach, SurfaceContact::kAnyWay);
+      contact = surface.solve(state.volume, scene, out.bur, axis, at, to, part, part_reach, SurfaceContact::kAnyWay);
       at = contact.pose_mm;
       out.infeasible = out.infeasible || contact.infeasible;
       out.overflow = out.overflow || contact.overflow;
@@ -181,9 +181,9 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   double stiffness = blended(scene, contact, touched);
   const double push = length_of(device - state.proxy);
 
-  // While contact is still on its way to where it will stand, how hard the burr is pressed is not known: what the device has
+  // While contact is still on its way to where it will stand, how hard the bur is pressed is not known: what the device has
   // run ahead would count as push. Such a tick cuts nothing, and none was met while cutting: balls of 1 to 6 mm on a face and
-  // across a ridge of many strokes, at 50 to 300 mm/s, above which a burr flies (carve.h).
+  // across a ridge of many strokes, at 50 to 300 mm/s, above which a bur flies (carve.h).
   if (cut && contact.active > 0 && push > 1e-6 && !contact.deferred) {
     const double alpha = wear_coefficient(push, stiffness, scene.full_force_n);
     const Vec3 aim_from = state.cut_valid ? state.cut_pose + slid : state.proxy;
@@ -198,30 +198,30 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
     double gap = length_of(to_device);
     Vec3 direction = gap > 1e-9 ? to_device / gap : Vec3(0.0);
     const double own = scene.tissues[index_of(touched)].speed_mm_s;
-    const double speed = burr.head.ball()
-                             ? front_speed(state.volume, scene, pose, burr.radius_mm, direction, own, out.tick)
-                             : front_speed(state.volume, scene, pose, state.fronts[out.burr], axis, direction, own, out.tick);
+    const double speed = bur.head.ball()
+                             ? front_speed(state.volume, scene, pose, bur.radius_mm, direction, own, out.tick)
+                             : front_speed(state.volume, scene, pose, state.fronts[out.bur], axis, direction, own, out.tick);
     double advance = alpha * speed * dt_s * removal_factor;
     if (contact.shank && glm::dot(contact.shank_normal, direction) < -0.05) advance = 0.0;
 
-    // Sliding: a burr that moves this far in a tick may stand only so deep, if nothing recedes faster than it wears.
+    // Sliding: a bur that moves this far in a tick may stand only so deep, if nothing recedes faster than it wears.
     const double slide = length_of(slid);
     bool carved = false;
     if (slide > kLeastSlideMm && advance > 0.0) {
-      const double tau = slide_depth(burr, axis, direction, slid, advance);
+      const double tau = slide_depth(bur, axis, direction, slid, advance);
       if (tau < kShallowTauMm) {
-        out.overflow = !carve_pending(state, out.burr) || out.overflow;
+        out.overflow = !carve_pending(state, out.bur) || out.overflow;
         carved = true;
         Vec3 out_pose;
         const double shallow = tau > kLeastTauMm ? tau : kLeastTauMm;
-        if (surface.push_out(state.volume, burr, axis, pose, shallow, out_pose)) {
+        if (surface.push_out(state.volume, bur, axis, pose, shallow, out_pose)) {
           pose = out_pose;
         } else {
           pose = state.proxy;
           advance = 0.0;
         }
-        if (burr.head.ball()) {
-          lift_out(state, burr.radius_mm, direction, shallow + kUncutMm, pose);
+        if (bur.head.ball()) {
+          lift_out(state, bur.radius_mm, direction, shallow + kUncutMm, pose);
           out.cutting = advance > 0.0;
           advance = entering(advance, static_cast<std::int64_t>(out.tick));
         }
@@ -236,14 +236,14 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
       const bool whole = state.cut_valid && swept_whole(length_of(next - old_pose), dt_s);
       const Vec3 from = whole ? old_pose : pose;
       if (!whole) {
-        out.overflow = !carve_pending(state, out.burr) || out.overflow;
+        out.overflow = !carve_pending(state, out.bur) || out.overflow;
         state.memory.lift();
       }
       if (state.cut_pending && !(state.cut_axis == axis))
-        out.overflow = !owe_pending(state, out.burr) || out.overflow;
+        out.overflow = !owe_pending(state, out.bur) || out.overflow;
       state.cut_axis = axis;
-      const bool straight_on = state.memory.add(from, next, sweeper_of(burr, out.burr, axis));
-      if (state.cut_pending && !straight_on) out.overflow = !owe_pending(state, out.burr) || out.overflow;
+      const bool straight_on = state.memory.add(from, next, sweeper_of(bur, out.bur, axis));
+      if (state.cut_pending && !straight_on) out.overflow = !owe_pending(state, out.bur) || out.overflow;
       if (!state.cut_pending) state.cut_from = from;
       state.cut_pose = next;
       state.cut_pending = true;
@@ -253,20 +253,20 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
                                ? std::min(kLongestPieceMm, 0.5 * state.volume.grid().voxel_mm)
                                : kLeastPieceMm;
       if (length_of(next - state.cut_from) >= piece)
-        out.overflow = !owe_pending(state, out.burr) || out.overflow;
+        out.overflow = !owe_pending(state, out.bur) || out.overflow;
     } else {
-      out.overflow = !carve_pending(state, out.burr) || out.overflow;
+      out.overflow = !carve_pending(state, out.bur) || out.overflow;
       state.cut_pose = next;
     }
     state.cut_valid = true;
 
-    // Before contact is looked for again: how the proxy moves because the field has changed is no slide. A small burr's piece
-    // only once a tick: what is about the burr is made out anew after it.
+    // Before contact is looked for again: how the proxy moves because the field has changed is no slide. A small bur's piece
+    // only once a tick: what is about the bur is made out anew after it.
     if (state.owed_piece.next >= 0) {
       const int bricks = bricks_a_tick(state);
       if (!carved || bricks != kAllBricks) out.overflow = !carve_some(state, bricks) || out.overflow;
     }
-    contact = surface.after_cut(state.volume, scene, out.burr, axis, contact, device, advance);
+    contact = surface.after_cut(state.volume, scene, out.bur, axis, contact, device, advance);
     out.infeasible = out.infeasible || contact.infeasible;
     out.overflow = out.overflow || contact.overflow;
     state.proxy = contact.pose_mm;
@@ -297,4 +297,4 @@ void step_surface(StepState::Inner& state, const Tick& tick, StepOutput& out) no
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

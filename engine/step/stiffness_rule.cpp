@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -37,4 +37,4 @@ StiffnessRule stiffness_rule(const DeviceLimits& device, Method method, double v
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

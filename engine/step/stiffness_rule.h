@@ -14,9 +14,9 @@
 #include <optional>
 
 #include "engine/base/haptic_port.h"
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// What bounds the stiffness.
 enum class StiffnessBound : std::uint8_t {
@@ -35,4 +35,4 @@ struct StiffnessRule {
 /// For a scene of this method and voxel size.
 StiffnessRule stiffness_rule(const DeviceLimits& device, Method method, double voxel_mm) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

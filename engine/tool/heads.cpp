@@ -3,7 +3,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::optional<Profile> oval_head(double radius, double tip_radius, double widest
              line(top, {high, 0.0})});
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,4 +1,4 @@
-/// Profiles of the cutting heads that burrs come in, from the figures that a catalogue gives. Lengths in mm; the tip
+/// Profiles of the cutting heads that burs come in, from the figures that a catalogue gives. Lengths in mm; the tip
 /// stands at t = -radius, the head's end at length - radius. A figure that makes no convex solid gives no profile.
 /// Only + - * / sqrt: the same figures make the same profile everywhere.
 #pragma once
@@ -7,10 +7,10 @@
 
 #include "engine/tool/profile.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// A flat end of tip_radius and a straight flank to top_radius: straight fissure (both the radius), tapered fissure and
-/// flat-end taper (wider at the top), inverted cone (wider at the tip). The wider of the two is the burr's radius.
+/// flat-end taper (wider at the top), inverted cone (wider at the tip). The wider of the two is the bur's radius.
 std::optional<Profile> flat_head(double tip_radius, double top_radius, double length);
 
 /// A ball of tip_radius and a flank that touches it: dome fissure (both the radius), round-end taper (wider at the top).
@@ -23,4 +23,4 @@ std::optional<Profile> pear_head(double radius, double corner_radius, double top
 /// A flank that bulges from a rounded tip over the widest place, widest_at from the tip, to top_radius: flame, football.
 std::optional<Profile> oval_head(double radius, double tip_radius, double widest_at, double top_radius, double length);
 
-}  // namespace cusp
+}  // namespace cusp::engine

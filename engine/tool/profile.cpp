@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -184,4 +184,4 @@ OnHalf Profile::support(OnHalf direction, OnHalf near) const noexcept {
   return best;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,13 +1,13 @@
-/// Profile of revolution of a burr's cutting head: one convex solid about the axis, told by its outline in the half plane
+/// Profile of revolution of a bur's cutting head: one convex solid about the axis, told by its outline in the half plane
 /// (t along the axis towards the shank, rho >= 0 off it), from the tip's pole to the upper one, in straight lines and arcs.
-/// A profile's origin is the burr's pivot. Lengths in mm. Any thread; wait-free; only + - * / sqrt: the step uses it.
+/// A profile's origin is the bur's pivot. Lengths in mm. Any thread; wait-free; only + - * / sqrt: the step uses it.
 #pragma once
 
 #include <array>
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// A point of the half plane.
 struct OnHalf {
@@ -27,7 +27,7 @@ class Profile {
  public:
   static constexpr int kMostPieces = 8;
 
-  /// None: the burr is a ball about its pivot.
+  /// None: the bur is a ball about its pivot.
   Profile() = default;
   bool ball() const noexcept { return count_ == 0; }
   int size() const noexcept { return count_; }
@@ -77,4 +77,4 @@ class Profile {
   double low_ = 0.0, high_ = 0.0, wide_ = 0.0, reach_ = 0.0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
-/// A place by the burr's axis: t along it, `off` across it.
+/// A place by the bur's axis: t along it, `off` across it.
 struct Cylindrical {
   OnHalf at;
   Vec3 off{0.0};
@@ -83,56 +83,56 @@ Vec3 across(Vec3 axis) noexcept {
   return out / std::sqrt(glm::dot(out, out));
 }
 
-Vec3 head_furthest(const Burr& burr, Vec3 axis, Vec3 direction) noexcept {
-  if (burr.head.ball()) return direction * burr.radius_mm;
+Vec3 head_furthest(const Bur& bur, Vec3 axis, Vec3 direction) noexcept {
+  if (bur.head.ball()) return direction * bur.radius_mm;
   const Cylindrical way = by_axis(axis, direction);
-  const OnHalf at = burr.head.support(way.at, {});
+  const OnHalf at = bur.head.support(way.at, {});
   return in_space(axis, way, at);
 }
 
-double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot) noexcept {
-  if (burr.head.ball()) return std::sqrt(glm::dot(from_pivot, from_pivot)) - burr.radius_mm;
+double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot) noexcept {
+  if (bur.head.ball()) return std::sqrt(glm::dot(from_pivot, from_pivot)) - bur.radius_mm;
   OnHalf gradient;
-  return burr.head.distance(by_axis(axis, from_pivot).at, gradient);
+  return bur.head.distance(by_axis(axis, from_pivot).at, gradient);
 }
 
-double head_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
-  if (burr.head.ball()) return ball_distance(burr.radius_mm, axis, from_pivot, gradient);
+double head_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
+  if (bur.head.ball()) return ball_distance(bur.radius_mm, axis, from_pivot, gradient);
   const Cylindrical place = by_axis(axis, from_pivot);
   OnHalf on_half;
-  const double distance = burr.head.distance(place.at, on_half);
+  const double distance = bur.head.distance(place.at, on_half);
   gradient = in_space(axis, place, on_half);
   return distance;
 }
 
-Vec3 head_support(const Burr& burr, Vec3 axis, Vec3 direction, Vec3 near) noexcept {
-  if (burr.head.ball()) return direction * burr.radius_mm;
+Vec3 head_support(const Bur& bur, Vec3 axis, Vec3 direction, Vec3 near) noexcept {
+  if (bur.head.ball()) return direction * bur.radius_mm;
   const Cylindrical way = by_axis(axis, direction), place = by_axis(axis, near);
-  const OnHalf at = burr.head.support(way.at, place.at);
+  const OnHalf at = bur.head.support(way.at, place.at);
   if (way.at.rho > 1e-9) return axis * at.t + way.off * (at.rho / way.at.rho);
   // Along the axis: about it as the place is.
   const Vec3 round = place.at.rho > 0.0 ? place.off / place.at.rho : across(axis);
   return axis * at.t + round * at.rho;
 }
 
-Passing passing_head(const Burr& burr, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, double enough_mm) noexcept {
+Passing passing_head(const Bur& bur, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, double enough_mm) noexcept {
   Passing out;
   const double near = nearest_part(a, b, place);
   const Vec3 from_near = place - (a + (b - a) * near);
-  if (burr.head.ball()) {
+  if (bur.head.ball()) {
     out.part = near;
-    out.distance_mm = ball_distance(burr.radius_mm, axis, from_near, out.gradient);
+    out.distance_mm = ball_distance(bur.radius_mm, axis, from_near, out.gradient);
     return out;
   }
   if (enough_mm < 1e299) {
-    const double bound = std::sqrt(glm::dot(from_near, from_near)) - burr.head.reach();
+    const double bound = std::sqrt(glm::dot(from_near, from_near)) - bur.head.reach();
     if (bound > enough_mm) {
       out.distance_mm = bound;
       return out;
     }
   }
   const Vec3 way = b - a;
-  const auto look = [&](double part) { return at_part(burr.head, axis, place - a, way, part); };
+  const auto look = [&](double part) { return at_part(bur.head, axis, place - a, way, part); };
   const auto answer = [&](const OnTheWay& best) {
     out.part = best.part;
     out.distance_mm = best.distance;
@@ -160,14 +160,14 @@ Passing passing_head(const Burr& burr, Vec3 axis, Vec3 a, Vec3 b, Vec3 place, do
   return answer(low.distance <= high.distance ? low : high);
 }
 
-double holder_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
+double holder_distance(const Bur& bur, Vec3 axis, Vec3 from_pivot, Vec3& gradient) noexcept {
   const Cylindrical place = by_axis(axis, from_pivot);
   OnHalf on_half{0.0, 1.0};
-  double distance = cylinder_distance(0.0, burr.neck_length_mm, burr.neck_radius_mm, place.at, on_half);
-  if (burr.shank_length_mm > 0.0) {
+  double distance = cylinder_distance(0.0, bur.neck_length_mm, bur.neck_radius_mm, place.at, on_half);
+  if (bur.shank_length_mm > 0.0) {
     OnHalf of_shank;
-    const double shank = cylinder_distance(burr.neck_length_mm, burr.neck_length_mm + burr.shank_length_mm,
-                                           burr.shank_radius_mm, place.at, of_shank);
+    const double shank = cylinder_distance(bur.neck_length_mm, bur.neck_length_mm + bur.shank_length_mm,
+                                           bur.shank_radius_mm, place.at, of_shank);
     if (shank < distance) {
       distance = shank;
       on_half = of_shank;
@@ -177,4 +177,4 @@ double holder_distance(const Burr& burr, Vec3 axis, Vec3 from_pivot, Vec3& gradi
   return distance;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

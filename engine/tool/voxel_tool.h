@@ -1,12 +1,12 @@
-/// A burr as the paper has it: voxels of the specimen's size about the pivot's voxel, cutting ones and the others.
+/// A bur as the paper has it: voxels of the specimen's size about the pivot's voxel, cutting ones and the others.
 #pragma once
 
 #include <vector>
 
 #include "engine/base/vec.h"
-#include "engine/tool/burr.h"
+#include "engine/tool/bur.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct VoxelTool {
   std::vector<IVec3> cutting;  // offsets from the pivot's voxel, in order of z, y, x
@@ -14,7 +14,7 @@ struct VoxelTool {
   int reach = 0;               // voxels from the pivot to the furthest cutting one
 };
 
-/// Voxels whose centre lies in the burr; axis: unit, from the head towards the shank. Not for the haptic thread.
-VoxelTool voxelise(const Burr& burr, Vec3 axis, double voxel_mm);
+/// Voxels whose centre lies in the bur; axis: unit, from the head towards the shank. Not for the haptic thread.
+VoxelTool voxelise(const Bur& bur, Vec3 axis, double voxel_mm);
 
-}  // namespace cusp
+}  // namespace cusp::engine

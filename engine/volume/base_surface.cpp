@@ -6,7 +6,7 @@
 #include "engine/volume/sharp_edge.h"
 #include "engine/volume/specimen.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 /// Outside an edge a distance is that to the edge, up to 0.3 voxel more than to either face.
@@ -95,4 +95,4 @@ const BaseSurface::Sharp& BaseSurface::sharp(const BasePoints& points, int i) co
                            [](const Sharp& s, std::uint32_t wanted) { return s.index < wanted; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

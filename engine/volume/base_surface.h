@@ -9,7 +9,7 @@
 #include "engine/base/vec.h"
 #include "engine/volume/tissue.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 class Specimen;
 
@@ -73,4 +73,4 @@ class BaseSurface {
   std::vector<Sharp> sharp_;          // by rising index
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

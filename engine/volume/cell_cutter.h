@@ -9,13 +9,13 @@
 #include "engine/volume/cut_volume.h"
 #include "engine/volume/sharp_edge.h"
 
-namespace cusp::cell_cutter {
+namespace cusp::engine::cell_cutter {
 
 /// A corner of a tetrahedron with both fields in voxels, signed so that the kept side is negative.
 struct Corner {
   Vec3 p;
   double base;  // negative in the specimen
-  double cut;   // negative in the void that a burr left
+  double cut;   // negative in the void that a bur left
 };
 
 inline Corner between(const Corner& a, const Corner& b, double Corner::* field) noexcept {
@@ -312,4 +312,4 @@ class CellCutter {
   Lattice base_, cut_;
 };
 
-}  // namespace cusp::cell_cutter
+}  // namespace cusp::engine::cell_cutter

@@ -8,7 +8,7 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Which of the two fields of a volume.
 enum class Field : std::uint8_t { base, cut };
@@ -321,4 +321,4 @@ inline bool cell_point(const CellField& field, Vec3& f, Vec3& normal, double* st
   return true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,7 +4,7 @@
 
 #include "engine/volume/cell_cutter.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -124,4 +124,4 @@ SolidMeasure removed_solid(const Volume& volume) {
   return sum;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -15,7 +15,7 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Takes the pieces that a solid falls into. All lengths in mm, specimen frame.
 class PieceSink {
@@ -25,7 +25,7 @@ class PieceSink {
   virtual void cell(Vec3 low, Vec3 high) = 0;
   virtual void box(Vec3 low, Vec3 high, Tissue tissue) = 0;
   virtual void tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) = 0;
-  /// A triangle of the solid's own surface: of the specimen's, or of what a burr left (for removed_pieces).
+  /// A triangle of the solid's own surface: of the specimen's, or of what a bur left (for removed_pieces).
   virtual void face(const std::array<Vec3, 3>& corners, double mm2, Tissue tissue) = 0;
 };
 
@@ -46,4 +46,4 @@ struct SolidMeasure {
 [[nodiscard]] SolidMeasure specimen_solid(const Specimen& specimen);
 [[nodiscard]] SolidMeasure removed_solid(const Volume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -6,7 +6,7 @@
 
 #include "engine/volume/fragments.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -236,4 +236,4 @@ std::vector<std::uint32_t> find_loose_pieces(const Volume& volume, std::span<con
   return Search(volume).run(changed_bricks);
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

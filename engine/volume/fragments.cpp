@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -320,4 +320,4 @@ bool LeavingPiece::load(std::uint16_t half, std::span<const Entry> entries, int 
   return true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

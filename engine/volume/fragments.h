@@ -15,7 +15,7 @@
 #include "engine/volume/occupancy.h"
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 inline constexpr int kCrumbVoxels = 27;
 
@@ -176,4 +176,4 @@ class LeavingPiece {
 /// the smaller pieces are large. Changed bricks: since the last call, else a piece may be missed.
 std::vector<std::uint32_t> find_loose_pieces(const Volume& volume, std::span<const std::int32_t> changed_bricks);
 
-}  // namespace cusp
+}  // namespace cusp::engine

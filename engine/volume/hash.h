@@ -6,7 +6,7 @@
 #include <cstring>
 #include <span>
 
-namespace cusp {
+namespace cusp::engine {
 
 class Hash64 {
  public:
@@ -36,4 +36,4 @@ class Hash64 {
   std::uint64_t state_ = 0x243F6A8885A308D3ull;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

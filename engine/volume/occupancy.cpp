@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -130,4 +130,4 @@ void Occupancy::vanish(IVec3 v) noexcept {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -9,7 +9,7 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 enum class VoxelClass : std::uint8_t { external, boundary, internal };
 
@@ -62,4 +62,4 @@ class Occupancy {
   std::int32_t used_ = 2;                // places taken
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

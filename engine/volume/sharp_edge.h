@@ -6,7 +6,7 @@
 
 #include "engine/volume/cell_field.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// x(t) = at + tangent t + bend t^2 + twist t^3 + fourth t^4 for |t| <= 0.7, in voxels from the cell's lower corner;
 /// tangent is unit.
@@ -285,4 +285,4 @@ inline Creased creased(const CellField& own, double most_off, Load&& load, bool 
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

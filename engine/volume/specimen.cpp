@@ -5,7 +5,7 @@
 
 #include "engine/volume/hash.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -186,4 +186,4 @@ VoxelVolume Specimen::dense() const {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

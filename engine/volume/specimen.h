@@ -14,7 +14,7 @@
 #include "engine/volume/base_surface.h"
 #include "engine/volume/voxel_volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// How s is read (design, "The volume").
 enum class Reading : std::uint8_t {
@@ -133,4 +133,4 @@ class Specimen {
   std::uint64_t hash_ = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

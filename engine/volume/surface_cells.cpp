@@ -2,7 +2,7 @@
 
 #include "engine/volume/cell_field.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 namespace {
 
@@ -139,4 +139,4 @@ double base_distance_mm(const Specimen& specimen, Vec3 at_mm, Vec3* normal) noex
   return length > 0.25 ? d * grid.voxel_mm / length : d * grid.voxel_mm;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,13 +4,13 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 struct SurfacePoint {
   Vec3 point_mm{0.0};   // on the surface; may lie a little outside its cell
   Vec3 normal{0.0};     // unit, out of the tissue
   Tissue tissue = Tissue::empty;  // of the most solid corner
-  bool cut = false;     // left by a burr, not the specimen's own surface
+  bool cut = false;     // left by a bur, not the specimen's own surface
 };
 
 /// True and the point where the surface of min(B, C) crosses the cell: the corner occupancies differ.
@@ -21,4 +21,4 @@ bool surface_point(const Volume& volume, IVec3 cell, SurfacePoint& out) noexcept
 /// trilinear field corrected by its second differences. Exact to the band: |d| < 2 voxels.
 double base_distance_mm(const Specimen& specimen, Vec3 at_mm, Vec3* normal) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::engine

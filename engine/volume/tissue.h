@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-namespace cusp {
+namespace cusp::engine {
 
 enum class Tissue : std::uint8_t {
   empty = 0,
@@ -42,4 +42,4 @@ constexpr std::optional<Tissue> tissue_from_key(std::string_view key) noexcept {
   return std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -4,12 +4,12 @@
 
 #include "engine/volume/hash.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 Volume::Volume(std::shared_ptr<const Specimen> specimen) : specimen_(std::move(specimen)) {
   const IVec3 n = specimen_->brick_count();
   const auto bricks = static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z);
-  // A burr cuts tissue, and its band reaches one brick further.
+  // A bur cuts tissue, and its band reaches one brick further.
   slot_.assign(bricks, kOutOfReach);
   for (int b = 0; b < static_cast<int>(bricks); ++b) {
     if (specimen_->uniform(b) && specimen_->s_in(b, 0) == 0) continue;
@@ -133,4 +133,4 @@ bool Volume::load_cuts(std::span<const std::byte> bytes) {
   return true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -1,5 +1,5 @@
 /// A specimen and what has been cut from it. Two fields: the base B (the specimen's, shared, immutable) and the cut C,
-/// present only in bricks that a burr has reached; a voxel's solid fraction is s = min(B, C). For a filled reading C
+/// present only in bricks that a bur has reached; a voxel's solid fraction is s = min(B, C). For a filled reading C
 /// holds the worn fraction itself. One writer thread; memory is taken at construction, none while cutting.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 #include "engine/volume/specimen.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// Bricks that a volume reserves cut room for, at most: 17 MB. At voxels of 0.04 mm they hold 537 mm3 of cuts, at 0.1
 /// mm 8,400: more than any preparation takes. A scene of fewer bricks reserves for all of them.
@@ -102,4 +102,4 @@ class Volume {
   std::uint32_t loaded_ = 0;             // revision of all bricks since the last load
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -10,7 +10,7 @@
 #include "engine/base/vec.h"
 #include "engine/volume/tissue.h"
 
-namespace cusp {
+namespace cusp::engine {
 
 /// A regular grid of cubic voxels in the specimen frame. Voxel (i,j,k) is a cube about centre_mm(i,j,k).
 struct Grid {
@@ -66,4 +66,4 @@ struct VoxelVolume {
       : grid(g), tissue(g.voxels(), Tissue::empty), s(g.voxels(), 0) {}
 };
 
-}  // namespace cusp
+}  // namespace cusp::engine

@@ -6,10 +6,10 @@
 
 #include "scenarios/format/validate.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
-/// Findings that an exercise has beyond another's: a coarser voxel may leave a burr unresolved.
+/// Findings that an exercise has beyond another's: a coarser voxel may leave a bur unresolved.
 bool adds_findings(const Scenario& before, const Scenario& after) {
   const auto had = validate(before);
   for (const Finding& f : validate(after)) {
@@ -334,4 +334,4 @@ Result<AuditReport, AuditFailure> audit(const Scenario& scenario, const AuditSet
   return Search(scenario, settings, runner, watch).run();
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

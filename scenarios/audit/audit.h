@@ -12,7 +12,7 @@
 
 #include "scenarios/audit/hands.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// What came of a choice.
 enum class Verdict : std::uint8_t {
@@ -108,4 +108,4 @@ struct AuditSettings {
 [[nodiscard]] Result<AuditReport, AuditFailure> audit(const Scenario& scenario, const AuditSettings& settings,
                                                       const AuditRunner& runner, const AuditWatch& watch);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -2,9 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -119,4 +120,4 @@ std::string audit_json(const AuditReport& report) {
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

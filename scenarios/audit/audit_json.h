@@ -6,8 +6,8 @@
 
 #include "scenarios/audit/audit.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 [[nodiscard]] std::string audit_json(const AuditReport& report);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 
 #include "scenarios/audit/audit.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 void keep_larger(double& most, double one) noexcept {
@@ -161,4 +161,4 @@ GradeChange mean_change_between(const ModelResult& from, const ModelResult& to) 
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

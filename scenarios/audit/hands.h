@@ -11,9 +11,9 @@
 #include "scenarios/audit/model.h"
 #include "scenarios/grading/grade.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
-/// A scripted hand (scenarios/hands/faults.h, hand_by_name) and the seed of its tremor.
+/// A scripted hand (scenarios/operators/faults.h, hand_by_name) and the seed of its tremor.
 struct AuditHand {
   std::string hand = "expert";
   std::uint64_t seed = 1;
@@ -68,4 +68,4 @@ struct AuditRun {
 using AuditRunner =
     std::function<Result<std::vector<std::optional<ModelResult>>, AuditFailure>(const AuditRun& run, const AuditWatch& watch)>;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/shapes/outline.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 void drop(std::vector<std::string>& keys, std::string_view key) { std::erase(keys, std::string(key)); }
@@ -53,7 +53,7 @@ VoxelVolume cropped(const VoxelVolume& v, const Scenario& scenario) {
   const TargetShape shape(scenario.target);
   if (shape.empty()) return v;
   double radius = 0;
-  for (const Burr& burr : scenario.instruments) radius = std::max(radius, burr.radius_mm);
+  for (const Bur& bur : scenario.instruments) radius = std::max(radius, bur.radius_mm);
   const double side = scenario.leeway.side_mm + radius + kReachMm;
   const double down = scenario.leeway.floor_mm + radius + kReachMm;
   const Vec3 low(shape.low().x - side, shape.low().y - side, shape.floor_mm() - down);
@@ -141,4 +141,4 @@ VoxelVolume prepared(VoxelVolume volume, const Model& model) {
   return volume;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,8 +8,9 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/format/scenario.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// What can be chosen of a model.
 enum class Aspect : std::uint8_t {
@@ -52,8 +53,8 @@ struct Model {
 /// One to three passes over the voxels.
 [[nodiscard]] VoxelVolume prepared(VoxelVolume volume, const Model& model);
 
-/// Beyond target and leeway, and beyond the largest burr's radius, this much is kept of a specimen that is cropped: as far
+/// Beyond target and leeway, and beyond the largest bur's radius, this much is kept of a specimen that is cropped: as far
 /// as a hand that goes wrong may reach [M].
 inline constexpr double kReachMm = 1.5;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,7 +8,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/teeth/tooth.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Edges that a person would write, mm.
@@ -75,4 +75,4 @@ std::vector<double> finer_voxels(const Scenario& scenario) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -70,7 +70,7 @@ def twice(report):
     row = voxel_row(report, False)
     if row is None:
         return ""
-    return change(row["change"], report["tolerance_points"]) + (", too coarse for its burrs" if row["verdict"] == "unresolved" else "")
+    return change(row["change"], report["tolerance_points"]) + (", too coarse for its burs" if row["verdict"] == "unresolved" else "")
 
 
 def half(report):

@@ -7,7 +7,7 @@
 
 #include "scenarios/import/limits.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Signed distance of a box that spans +-half about the middle.
@@ -67,4 +67,4 @@ VoxelVolume layered_block(double voxel_mm) {
                [](double depth_mm) { return depth_mm < kHardLayerMm ? Tissue::composite : Tissue::plastic; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

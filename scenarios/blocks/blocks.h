@@ -3,8 +3,9 @@
 #pragma once
 
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Edge of the paper's cube, voxels along it (so a voxel is 10/128 = 0.078125 mm) and height of one of its materials.
 inline constexpr double kPaperBlockMm = 10.0;
@@ -21,11 +22,11 @@ inline constexpr Vec3 kDexterityBlockMm{20.0, 20.0, 10.0};
 /// Plastic, padded by four voxels. Pre: 0.04 <= voxel_mm <= 1 (at 0.04 it has 65 million voxels).
 [[nodiscard]] VoxelVolume dexterity_block(double voxel_mm = 0.1);
 
-/// The same block of two materials: a hard layer of composite above plastic, so that the burr breaks through into
+/// The same block of two materials: a hard layer of composite above plastic, so that the bur breaks through into
 /// what gives way faster, as from enamel into dentine. Pre: as above.
 inline constexpr double kHardLayerMm = 1.0;
 [[nodiscard]] VoxelVolume layered_block(double voxel_mm = 0.1);
 inline constexpr double kDexterityLeastVoxelMm = 0.04;
 inline constexpr double kDexterityMostVoxelMm = 1.0;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

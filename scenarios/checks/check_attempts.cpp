@@ -6,7 +6,7 @@
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kTokenShare = 0.05;
@@ -111,4 +111,4 @@ std::vector<Finding> check_exercise(const Scenario& scenario, std::shared_ptr<co
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/shapes/leeway.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Less pulp in a target is a horn that it opens, not a chamber that it gives access to [M]: a chamber holds ten times that.
@@ -91,4 +91,4 @@ std::vector<Finding> check_regions(const Scenario& scenario, const Specimen& spe
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -10,7 +10,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/library/library.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Lengths that are told to a tenth or a hundredth of a millimetre.
@@ -62,9 +62,9 @@ std::vector<double> drawn_mm(const Scenario& s) {
 std::vector<double> known_mm(const Scenario& s) {
   std::vector<double> out = drawn_mm(s);
   for (const double mm : {s.target.corner_radius_mm, s.leeway.floor_mm, s.leeway.side_mm}) out.push_back(mm);
-  for (const Burr& burr : s.instruments) {
-    out.push_back(2.0 * burr.radius_mm);
-    out.push_back(s.target.width_mm - 2.0 * burr.radius_mm);
+  for (const Bur& bur : s.instruments) {
+    out.push_back(2.0 * bur.radius_mm);
+    out.push_back(s.target.width_mm - 2.0 * bur.radius_mm);
   }
   return out;
 }
@@ -191,4 +191,4 @@ const std::vector<Scenario>& library_patterns() {
   return all;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,8 +9,9 @@
 
 #include "engine/volume/specimen.h"
 #include "scenarios/format/validate.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Target and leeway against the tissues of the specimen; some 10 ms.
 /// Errors: target_opens_pulp (value mm deep; opening it fails the attempt, or it holds too little pulp to be an access),
@@ -33,4 +34,4 @@ namespace cusp {
 /// All of the above, errors first.
 [[nodiscard]] std::vector<Finding> check_exercise(const Scenario& scenario, std::shared_ptr<const Specimen> specimen);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,7 +9,7 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 std::string ContentHash::hex() const {
   static constexpr char digits[] = "0123456789abcdef";
@@ -58,4 +58,4 @@ Result<ContentHash, FormatFailure> content_hash_of_folder(const std::filesystem:
   return content_hash(*scenario, beside);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

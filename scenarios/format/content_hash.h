@@ -15,7 +15,7 @@
 #include "scenarios/format/format_error.h"
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct ContentHash {
   std::array<std::uint8_t, 32> bytes{};
@@ -32,4 +32,4 @@ ContentHash content_hash(const Scenario& scenario, const std::map<std::string, s
 /// Reads scenario.json in `folder` and the volume that it names.
 Result<ContentHash, FormatFailure> content_hash_of_folder(const std::filesystem::path& folder);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -1,6 +1,6 @@
 #include "scenarios/format/format_error.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 std::string_view key_of(FormatError code) noexcept {
   switch (code) {
@@ -25,10 +25,10 @@ std::string_view key_of(FormatError code) noexcept {
     case FormatError::unknown_generator: return "unknown_generator";
     case FormatError::unknown_shape: return "unknown_shape";
     case FormatError::unknown_phenomenon: return "unknown_phenomenon";
-    case FormatError::unknown_burr: return "unknown_burr";
+    case FormatError::unknown_bur: return "unknown_bur";
     case FormatError::unknown_builtin: return "unknown_builtin";
   }
   return "unreadable";
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 
 #include "engine/base/result.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 enum class FormatError : std::uint8_t {
   unreadable,          // file: missing, no permission, not a file
@@ -31,7 +31,7 @@ enum class FormatError : std::uint8_t {
   unknown_generator,
   unknown_shape,
   unknown_phenomenon,
-  unknown_burr,        // a number that the catalogue has not
+  unknown_bur,        // a number that the catalogue has not
   unknown_builtin,     // library: no scenario of that key
 };
 
@@ -40,4 +40,4 @@ using FormatFailure = Failure<FormatError>;
 /// Stable key of a code ("missing_key"), for --json and for findings.
 std::string_view key_of(FormatError code) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

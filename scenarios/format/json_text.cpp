@@ -10,7 +10,7 @@
 
 #include "scenarios/format/read.h"
 
-namespace cusp::json_text {
+namespace cusp::scenarios::json_text {
 namespace {
 
 /// "line:column" of a byte, both from 1; the column counts characters, not bytes of UTF-8.
@@ -134,4 +134,4 @@ std::string pointer_step(std::string_view key) {
   return out;
 }
 
-}  // namespace cusp::json_text
+}  // namespace cusp::scenarios::json_text

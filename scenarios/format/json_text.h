@@ -10,7 +10,7 @@
 #include "engine/base/result.h"
 #include "scenarios/format/format_error.h"
 
-namespace cusp::json_text {
+namespace cusp::scenarios::json_text {
 
 /// Parses; refuses duplicate keys, nesting beyond kMaxDepth and texts above kMaxScenarioBytes. Never throws.
 Result<nlohmann::json, FormatFailure> parse(std::string_view text);
@@ -76,4 +76,4 @@ void append(std::string& out, const Json& node, int indent) {
   }
 }
 
-}  // namespace cusp::json_text
+}  // namespace cusp::scenarios::json_text

@@ -15,7 +15,7 @@
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/scenario.h"
 
-namespace cusp::format_reader {
+namespace cusp::scenarios::format_reader {
 
 using nlohmann::json;
 
@@ -220,4 +220,4 @@ auto one_of(const Container& known) {
   };
 }
 
-}  // namespace cusp::format_reader
+}  // namespace cusp::scenarios::format_reader

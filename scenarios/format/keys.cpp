@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::string_view kRemoved = "removed_";
@@ -55,4 +55,4 @@ std::string_view key_of_scenario_tissue(Tissue tissue) noexcept {
   return kOwnKeys[code - kFirstOwn];
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,10 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "engine/volume/tissue.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// A quantity that a rubric may ask for. Besides these, "removed_<tissue>" (mm3) for every tissue key but "empty".
 struct MetricKey {
@@ -35,7 +36,7 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"time", "s"},
     MetricKey{"force_peak", "N"},
     MetricKey{"force_mean", "N"},
-    MetricKey{"dry_cutting_time", "s"},            // the burr worked without coolant; needs the phenomenon "heat"
+    MetricKey{"dry_cutting_time", "s"},            // the bur worked without coolant; needs the phenomenon "heat"
     MetricKey{"temperature_rise_peak", "K"},       // likewise
 };
 
@@ -80,4 +81,4 @@ std::optional<Tissue> scenario_tissue_from_key(std::string_view key) noexcept;
 /// Pre: the code is below kTissueCodes and is not 13 to 15.
 std::string_view key_of_scenario_tissue(Tissue tissue) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 Result<void, FormatFailure> migrate(nlohmann::json& document) {
   const auto format = document.find("format");
@@ -16,4 +16,4 @@ Result<void, FormatFailure> migrate(nlohmann::json& document) {
   return {};
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 #include "engine/base/result.h"
 #include "scenarios/format/format_error.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// The format this program writes. 1: the first.
 inline constexpr int kScenarioFormat = 1;
@@ -14,4 +14,4 @@ inline constexpr int kScenarioFormat = 1;
 /// Pre: the document is an object. Afterwards its "format" is kScenarioFormat, or the failure says why not.
 Result<void, FormatFailure> migrate(nlohmann::json& document);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/migrate.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::string_view kPlace = "a metre: no specimen is larger, and 0.1 µm steps of it fit 32 bits";
@@ -96,4 +96,4 @@ const NumberRange* range_of(std::string_view pointer) noexcept {
   return it == kRanges.end() ? nullptr : &*it;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

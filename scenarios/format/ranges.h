@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct NumberRange {
   std::string_view path;  // JSON pointer, "*" for any index: "/tissues/*/speed_mm_s"
@@ -23,4 +23,4 @@ std::span<const NumberRange> number_ranges() noexcept;
 /// Of a place in a document ("/tissues/3/speed_mm_s"); nullptr where no number stands.
 const NumberRange* range_of(std::string_view pointer) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

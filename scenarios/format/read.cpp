@@ -7,7 +7,7 @@
 #include "scenarios/format/migrate.h"
 #include "scenarios/format/read_sections.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 using namespace format_reader;
@@ -51,11 +51,11 @@ Scenario read_document(const json& document, Problems& problems) {
     out.tissues.push_back(tissue);
   });
   root.need("instruments").list(0, 64, [&](const Value& v) {
-    const Burr burr = read_burr(v);
-    for (const Burr& other : out.instruments) {
-      if (other.name == burr.name) v.refuse(FormatError::duplicate_value, burr.name);
+    const Bur bur = read_bur(v);
+    for (const Bur& other : out.instruments) {
+      if (other.name == bur.name) v.refuse(FormatError::duplicate_value, bur.name);
     }
-    out.instruments.push_back(burr);
+    out.instruments.push_back(bur);
   });
   const Value device_value = root.need("device");
   Object device(device_value.node(), device_value.where(), device_value.problems());
@@ -133,4 +133,4 @@ Result<Scenario, FormatFailure> read_scenario_file(const std::filesystem::path& 
   return scenario;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -10,7 +10,7 @@
 #include "scenarios/format/format_error.h"
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// A scenario is a page or two of text; more is not one.
 inline constexpr std::size_t kMaxScenarioBytes = 1u << 20;
@@ -23,4 +23,4 @@ inline constexpr int kMaxDepth = 16;
 /// A scenario.json, or a folder that holds one.
 [[nodiscard]] Result<Scenario, FormatFailure> read_scenario_file(const std::filesystem::path& path);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

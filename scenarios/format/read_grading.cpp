@@ -3,7 +3,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/format/read_sections.h"
 
-namespace cusp::format_reader {
+namespace cusp::scenarios::format_reader {
 namespace {
 
 constexpr Range kBand{-1e6, 1e6};
@@ -68,4 +68,4 @@ Rubric read_rubric(const Value& value) {
   return out;
 }
 
-}  // namespace cusp::format_reader
+}  // namespace cusp::scenarios::format_reader

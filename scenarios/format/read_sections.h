@@ -3,13 +3,13 @@
 
 #include "scenarios/format/json_values.h"
 
-namespace cusp::format_reader {
+namespace cusp::scenarios::format_reader {
 
 Tissue read_tissue(const Value& value);
 SpecimenSource read_specimen(const Value& value);
 ScenarioTissue read_scenario_tissue(const Value& value);
-Burr read_burr(const Value& value);
+Bur read_bur(const Value& value);
 Target read_target(const Value& value);
 Rubric read_rubric(const Value& value);
 
-}  // namespace cusp::format_reader
+}  // namespace cusp::scenarios::format_reader

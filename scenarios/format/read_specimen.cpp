@@ -4,7 +4,7 @@
 #include "scenarios/format/read_sections.h"
 #include "scenarios/tissues/tissue_facts.h"
 
-namespace cusp::format_reader {
+namespace cusp::scenarios::format_reader {
 namespace {
 
 /// A file name beside scenario.json: no folder, no drive, nothing hidden.
@@ -78,4 +78,4 @@ ScenarioTissue read_scenario_tissue(const Value& value) {
   return out;
 }
 
-}  // namespace cusp::format_reader
+}  // namespace cusp::scenarios::format_reader

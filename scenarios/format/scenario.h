@@ -10,9 +10,10 @@
 
 #include "engine/base/ids.h"
 #include "engine/base/vec.h"
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Text by language code ("en", "de", "pt_BR"); "en" is always there.
 using LocalText = std::map<std::string, std::string>;
@@ -56,7 +57,7 @@ struct Target {
   double width_mm = 1.2;          // of the slot, wall to wall
   double depth_mm = 2.0;          // from `top_mm` down to the floor
   double top_mm = 0.0;            // height of the reference plane (block: its face; tooth: the central pit)
-  double corner_radius_mm = 0.5;  // rounding between wall and floor (the burr's radius)
+  double corner_radius_mm = 0.5;  // rounding between wall and floor (the bur's radius)
   Vec3 box_size_mm{0.0};          // shape "box": x, y extents about paths[0][0]; z ignored
   friend bool operator==(const Target&, const Target&) = default;
 };
@@ -102,7 +103,7 @@ struct Scenario {
   LocalText title, briefing;
   SpecimenSource specimen;
   std::vector<ScenarioTissue> tissues;
-  std::vector<Burr> instruments;
+  std::vector<Bur> instruments;
   DeviceNeeds device;
   Method method = Method::surface;
   std::vector<std::string> phenomena;  // kPhenomenonKeys of scenarios/format/keys.h
@@ -117,4 +118,4 @@ struct Scenario {
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

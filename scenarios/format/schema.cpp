@@ -11,7 +11,7 @@
 
 #include "scenarios/format/json_text.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace embedded {
 extern const std::string_view scenario_schema;
 }
@@ -66,4 +66,4 @@ std::vector<Finding> check_schema(std::string_view text) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

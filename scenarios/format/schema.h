@@ -6,7 +6,7 @@
 
 #include "scenarios/format/validate.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 std::string_view scenario_schema() noexcept;
 
@@ -14,4 +14,4 @@ std::string_view scenario_schema() noexcept;
 /// them minds. Text that is not JSON gives none: the reader says why.
 std::vector<Finding> check_schema(std::string_view text);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

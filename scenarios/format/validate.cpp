@@ -13,7 +13,7 @@
 #include "scenarios/format/schema.h"
 #include "scenarios/format/write_document.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Below these a shape is not resolved by the voxels (contact trials: a cut of the band cannot be told from its noise).
@@ -25,12 +25,12 @@ constexpr double kLeastShare = 0.05;
 /// Below a limit that is itself a product of rounded numbers (3 voxels of 0.1 mm are a hair more than 0.3).
 bool below(double value, double limit) noexcept { return value < limit - 1e-9; }
 
-/// The rounding that an upright burr leaves between wall and floor: that of its tip, or none below a flat end.
-double corner_of(const Burr& burr) noexcept {
-  if (burr.head.ball()) return burr.radius_mm;
-  const OutlinePiece& tip = burr.head.piece(0);
-  if (tip.radius > 0.0 || burr.head.size() < 2) return tip.radius;
-  return burr.head.piece(1).radius;
+/// The rounding that an upright bur leaves between wall and floor: that of its tip, or none below a flat end.
+double corner_of(const Bur& bur) noexcept {
+  if (bur.head.ball()) return bur.radius_mm;
+  const OutlinePiece& tip = bur.head.piece(0);
+  if (tip.radius > 0.0 || bur.head.size() < 2) return tip.radius;
+  return bur.head.piece(1).radius;
 }
 
 void errors_first(std::vector<Finding>& findings) {
@@ -133,23 +133,23 @@ class Checks {
   void instruments() {
     if (s_.instruments.empty()) error("/instruments", "no_instrument");
     for (std::size_t i = 0; i < s_.instruments.size(); ++i) {
-      const Burr& burr = s_.instruments[i];
+      const Bur& bur = s_.instruments[i];
       const double least = kLeastRadiusVoxels * s_.specimen.voxel_mm;
-      if (below(burr.radius_mm, least)) {
-        warn(at("/instruments", i, "/radius_mm"), "burr_small", {{"value", burr.radius_mm}, {"limit", least}},
-             burr.name);
+      if (below(bur.radius_mm, least)) {
+        warn(at("/instruments", i, "/radius_mm"), "bur_small", {{"value", bur.radius_mm}, {"limit", least}},
+             bur.name);
       }
-      const double length = burr.head.ball() ? 2 * burr.radius_mm : burr.head.high() - burr.head.low();
-      if (!burr.head.ball() && below(length, 2 * least)) {
-        warn(at("/instruments", i, "/head"), "head_short", {{"value", length}, {"limit", 2 * least}}, burr.name);
+      const double length = bur.head.ball() ? 2 * bur.radius_mm : bur.head.high() - bur.head.low();
+      if (!bur.head.ball() && below(length, 2 * least)) {
+        warn(at("/instruments", i, "/head"), "head_short", {{"value", length}, {"limit", 2 * least}}, bur.name);
       }
       // The neck runs from the pivot: where it is wider than the head it would touch before the head does.
       OnHalf gradient;
-      const bool wider = burr.head.ball() ? burr.neck_radius_mm > burr.radius_mm
-                                          : burr.head.distance({0.0, burr.neck_radius_mm}, gradient) > 1e-9;
+      const bool wider = bur.head.ball() ? bur.neck_radius_mm > bur.radius_mm
+                                          : bur.head.distance({0.0, bur.neck_radius_mm}, gradient) > 1e-9;
       if (wider) {
         warn(at("/instruments", i, "/neck_radius_mm"), "neck_wider_than_ball",
-             {{"value", burr.neck_radius_mm}, {"limit", burr.radius_mm}}, burr.name);
+             {{"value", bur.neck_radius_mm}, {"limit", bur.radius_mm}}, bur.name);
       }
     }
   }
@@ -192,16 +192,16 @@ class Checks {
       warn("/target/depth_mm", "feature_thin", {{"value", t.depth_mm}, {"limit", resolved}});
 
     if (!s_.instruments.empty()) {
-      const auto by_radius = [](const Burr& a, const Burr& b) { return a.radius_mm < b.radius_mm; };
-      const Burr& smallest = *std::ranges::min_element(s_.instruments, by_radius);
+      const auto by_radius = [](const Bur& a, const Bur& b) { return a.radius_mm < b.radius_mm; };
+      const Bur& smallest = *std::ranges::min_element(s_.instruments, by_radius);
       if (narrow > 0 && below(narrow, 2 * smallest.radius_mm)) {
-        warn(narrow_path, "burr_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}},
+        warn(narrow_path, "bur_wider_than_target", {{"value", 2 * smallest.radius_mm}, {"limit", narrow}},
              smallest.name);
       }
-      const auto by_corner = [](const Burr& a, const Burr& b) { return corner_of(a) < corner_of(b); };
-      const Burr& sharpest = *std::ranges::min_element(s_.instruments, by_corner);
+      const auto by_corner = [](const Bur& a, const Bur& b) { return corner_of(a) < corner_of(b); };
+      const Bur& sharpest = *std::ranges::min_element(s_.instruments, by_corner);
       if (below(t.corner_radius_mm, corner_of(sharpest))) {
-        warn("/target/corner_radius_mm", "corner_below_burr",
+        warn("/target/corner_radius_mm", "corner_below_bur",
              {{"value", t.corner_radius_mm}, {"limit", corner_of(sharpest)}}, sharpest.name);
       }
     }
@@ -383,4 +383,4 @@ bool has_error(const std::vector<Finding>& findings) noexcept {
   return std::ranges::any_of(findings, [](const Finding& f) { return f.severity == Severity::error; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

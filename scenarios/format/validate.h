@@ -11,7 +11,7 @@
 #include "engine/base/vec.h"
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 enum class Severity : std::uint8_t { warning, error };
 
@@ -40,8 +40,8 @@ SpecimenFacts facts_of(const VoxelVolume& volume);
 ///   pass_unreachable, protected_missing (pulp_exposure needs pulp protected; a protected tissue must be a tissue of
 ///   the exercise and occur in the specimen), two_spindles, spindle_missing (vibration and sound need one), heat_missing (a
 ///   criterion or critical event of coolant in an exercise without heat); with a specimen: tissue_missing, target_outside, voxel_mismatch;
-/// warnings: feature_thin (below 2.5 voxels), burr_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
-///   burr_wider_than_target, corner_below_burr, leeway_below_voxel, point_off_floor, target_scores_less (a go that
+/// warnings: feature_thin (below 2.5 voxels), bur_small (radius below 3 voxels), head_short (below 6), neck_wider_than_ball,
+///   bur_wider_than_target, corner_below_bur, leeway_below_voxel, point_off_floor, target_scores_less (a go that
 ///   meets the target loses points), weight_vanishes (a criterion brings no point that shows), language_missing, nothing_can_be_cut; with a specimen: tissue_unused.
 std::vector<Finding> validate(const Scenario& scenario, const SpecimenFacts* specimen = nullptr);
 
@@ -51,4 +51,4 @@ std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* s
 
 bool has_error(const std::vector<Finding>& findings) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

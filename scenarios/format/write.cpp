@@ -6,7 +6,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/format/write_document.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 template <class Json>
@@ -50,19 +50,19 @@ Json json_of(const SpecimenSource& specimen) {
 }
 
 template <class Json>
-Json json_of(const Burr& burr) {
+Json json_of(const Bur& bur) {
   Json out = Json::object();
-  out["name"] = burr.name;
-  out["radius_mm"] = burr.radius_mm;
-  out["neck_radius_mm"] = burr.neck_radius_mm;
-  out["neck_length_mm"] = burr.neck_length_mm;
-  out["shank_radius_mm"] = burr.shank_radius_mm;
-  out["shank_length_mm"] = burr.shank_length_mm;
+  out["name"] = bur.name;
+  out["radius_mm"] = bur.radius_mm;
+  out["neck_radius_mm"] = bur.neck_radius_mm;
+  out["neck_length_mm"] = bur.neck_length_mm;
+  out["shank_radius_mm"] = bur.shank_radius_mm;
+  out["shank_length_mm"] = bur.shank_length_mm;
   // Written out, wherever it came from: what was published stays as it was, whatever becomes of the catalogue.
-  if (!burr.head.ball()) {
+  if (!bur.head.ball()) {
     Json head = Json::array();
-    for (int i = 0; i < burr.head.size(); ++i) {
-      const OutlinePiece& p = burr.head.piece(i);
+    for (int i = 0; i < bur.head.size(); ++i) {
+      const OutlinePiece& p = bur.head.piece(i);
       Json piece = Json::array({p.from.t, p.from.rho, p.to.t, p.to.rho});
       if (p.radius > 0.0)
         for (const double figure : {p.centre.t, p.centre.rho, p.radius}) piece.push_back(figure);
@@ -136,7 +136,7 @@ Json json_of(const Scenario& scenario) {
   }
   out["tissues"] = std::move(tissues);
   Json instruments = Json::array();
-  for (const Burr& burr : scenario.instruments) instruments.push_back(json_of<Json>(burr));
+  for (const Bur& bur : scenario.instruments) instruments.push_back(json_of<Json>(bur));
   out["instruments"] = std::move(instruments);
   Json device = Json::object();
   device["needs_dof"] = scenario.device.needs_dof;
@@ -190,4 +190,4 @@ Result<std::string, FormatFailure> canonical_json(std::string_view text) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

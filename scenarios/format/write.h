@@ -9,7 +9,7 @@
 #include "scenarios/format/format_error.h"
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// For people and version control: keys in the order of scenario.h, two spaces, shortest numbers that read back the
 /// same, a newline at the end.
@@ -21,4 +21,4 @@ std::string canonical_json(const Scenario& scenario);
 /// The same for any JSON text; the failure names line and column.
 Result<std::string, FormatFailure> canonical_json(std::string_view text);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

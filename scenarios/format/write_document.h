@@ -5,9 +5,9 @@
 
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// As write_scenario() lays it out, keys sorted. Numbers may be anything, also none.
 nlohmann::json document_of(const Scenario& scenario);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -37,4 +37,4 @@ std::string_view band_of(const Bands& bands, double value, double uncertainty) n
   return "fail";
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// 1 in [ideal_lo, ideal_hi], 1/2 at acc_lo and acc_hi, 0 at fail_lo and fail_hi and outside. Edges that coincide are a
 /// step: the better side wins at the edge itself.
@@ -15,4 +15,4 @@ namespace cusp {
 /// the uncertainty. A side whose three edges coincide is a natural end (0 mm3, 100 %), not an edge.
 [[nodiscard]] std::string_view band_of(const Bands& bands, double value, double uncertainty) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

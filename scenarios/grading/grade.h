@@ -9,7 +9,7 @@
 #include "engine/base/vec.h"
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// One measured quantity of the final volume or of the process.
 struct Measure {
@@ -44,4 +44,4 @@ struct Grade {
                                           // 3: points are of 100, evidence lies on the cut surface
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 
 #include "scenarios/grading/bands.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -15,7 +15,7 @@ const Measure* find(const std::vector<Measure>& measures, std::string_view metri
   return it == measures.end() ? nullptr : &*it;
 }
 
-/// Whether a tooth that nobody touched earns points here: the burr went nowhere it should not, because it went nowhere.
+/// Whether a tooth that nobody touched earns points here: the bur went nowhere it should not, because it went nowhere.
 /// Of an untouched tooth depth, excess, push and time are 0, and the dentine over the pulp is whole.
 bool earned_by_doing_nothing(const Criterion& criterion) {
   const std::string_view metric = criterion.metric;
@@ -120,4 +120,4 @@ Grade grade(const Scenario& scenario, const std::vector<Measure>& measures) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 
 #include "scenarios/grading/grade.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Score = 100 · sum of points / sum of their maxima, over what was measured; a criterion that was not measured has
 /// points_max 0 and says so. The maxima of the others are their weights scaled to sum to 100. Passed: at least one criterion measured, score >= pass and no critical event. A critical key
@@ -25,4 +25,4 @@ namespace cusp {
 /// not keep the mark, so a grade that was read from them needs it with its scenario's rubric.
 void mark_counted_with_target(Grade& grade, const Rubric& rubric);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::vector<LossReason> loss_reasons(const Grade& grade) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,7 +8,7 @@
 
 #include "scenarios/grading/grade.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Steps of a point that are shown. The remainders of the rounding go to the largest first, so that the sum holds.
 inline constexpr double kShownPoint = 0.1;
@@ -39,4 +39,4 @@ struct LossReason {
 /// first. Last those that lost only because little was drilled: they follow from the target.
 [[nodiscard]] std::vector<LossReason> loss_reasons(const Grade& grade);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

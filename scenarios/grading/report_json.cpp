@@ -4,7 +4,7 @@
 
 #include "scenarios/grading/maxima.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 std::string report_json(const ReportHead& head, const Grade& grade, const ReportWords& words) {
   using Json = nlohmann::ordered_json;
@@ -49,4 +49,4 @@ std::string report_json(const ReportHead& head, const Grade& grade, const Report
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 
 #include "scenarios/grading/grade.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct ReportHead {
   std::string session;                          // UUID
@@ -31,4 +31,4 @@ struct ReportWords {
 /// are what the report shows, and their maxima sum to score_max.
 [[nodiscard]] std::string report_json(const ReportHead& head, const Grade& grade, const ReportWords& words = {});
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -13,7 +13,7 @@
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/packed_data.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::size_t kMaxLine = 256;
@@ -191,4 +191,4 @@ Binvox binvox_of(const VoxelVolume& volume) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -10,8 +10,9 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/import/image.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// What the file says, kept whole: writing what was read gives it back bit for bit.
 struct Binvox {
@@ -36,4 +37,4 @@ struct Binvox {
 /// 1 where s >= 1/2: a .binvox holds neither tissues nor surfaces finer than a voxel.
 Binvox binvox_of(const VoxelVolume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct ChildLimits {
   std::size_t memory_bytes = 0;  // of address space; 0: none
@@ -41,4 +41,4 @@ std::string own_program();
 ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limits,
                    const std::function<void(std::string_view)>& line, std::stop_token stop);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

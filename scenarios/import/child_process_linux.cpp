@@ -16,7 +16,7 @@
 
 extern char** environ;
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::size_t kMaxLine = 65536;
@@ -219,4 +219,4 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
   return end;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -17,7 +17,7 @@
 #include "scenarios/import/foreign_images.h"
 #include "scenarios/import/limit_figures.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::size_t kMaxFiles = 4096;       // in one folder; a full-body series has 2,000
@@ -287,4 +287,4 @@ Result<DicomSeries, ImportFailure> read_dicom(const std::filesystem::path& path,
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

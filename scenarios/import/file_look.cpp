@@ -11,8 +11,9 @@
 #include "scenarios/import/metaimage.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/nrrd_image.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::size_t kMaxColours = 4096;
@@ -190,4 +191,4 @@ Result<VoxelVolume, ImportFailure> import_image(const ImageImport& what, const I
   return volume;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 
 #include "scenarios/import/image.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// NIfTI-1, .nii, .nii.gz and .hdr with .img, by niftilib (nifti_niftilib.cpp). Its world is right-anterior-superior as
 /// the specimen's: sform, else qform, else the spacings alone. Scaled by scl_slope and scl_inter.
@@ -26,4 +26,4 @@ struct DicomSeries {
 /// Whether a file begins as a DICOM file does, whatever its name ends in.
 bool looks_like_dicom(const std::filesystem::path& file);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

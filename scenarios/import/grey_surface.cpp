@@ -6,7 +6,7 @@
 
 #include "scenarios/import/triangle_distance.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr float kLeast = 1e-3f;  // no corner lies on the surface itself: its triangles would have no area
@@ -139,4 +139,4 @@ VoxelVolume volume_of_grey(const GreyField& field, const std::vector<std::pair<d
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,8 +7,9 @@
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/import/image.h"
 #include "scenarios/import/label_map.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Values at the centres of a box of voxels; beyond the outermost centres they go on as they are there.
 struct GreyField {
@@ -26,4 +27,4 @@ struct GreyField {
 VoxelVolume volume_of_grey(const GreyField& field, const std::vector<std::pair<double, Tissue>>& thresholds, const Grid& grid,
                            const std::vector<Tissue>& labels, const LabelBox& box, const ImportProgress& progress);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

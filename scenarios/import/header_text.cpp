@@ -1,6 +1,6 @@
 #include "scenarios/import/header_text.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
@@ -48,4 +48,4 @@ std::string exact(double value) {
   return std::string(buffer, end);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Without blanks and tabs at both ends.
 std::string_view trimmed(std::string_view t);
@@ -28,4 +28,4 @@ std::optional<Whole> whole_number(std::string_view t) {
 /// The shortest text that reads back as the same number.
 std::string exact(double value);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kMaxStepMm = 1e4;     // ten metres between voxels is no specimen
@@ -152,4 +152,4 @@ std::array<double, 2> suggested_thresholds(const std::vector<float>& values) {
   return {value(first), value(second)};
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

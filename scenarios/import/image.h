@@ -15,7 +15,7 @@
 #include "scenarios/import/import_error.h"
 #include "scenarios/import/limits.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Share done, 0 to 1; called on the calling thread.
 using ImportProgress = std::function<void(double)>;
@@ -65,4 +65,4 @@ ImageKind kind_of_values(const std::vector<float>& values);
 /// beginning for the eye. The least and the most value when all are alike.
 std::array<double, 2> suggested_thresholds(const std::vector<float>& values);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -12,7 +12,7 @@
 #include "scenarios/import/pieces.h"
 #include "scenarios/import/size_question.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kCubic = 1e-3;  // share by which spacings may differ and still be one: printed digits
@@ -223,4 +223,4 @@ Result<VoxelVolume, ImportFailure> volume_of_image(const Image& image, const Ima
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

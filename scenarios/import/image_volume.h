@@ -10,8 +10,9 @@
 #include "scenarios/import/image.h"
 #include "scenarios/import/remarks.h"
 #include "scenarios/import/up_axis.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct ImageTissues {
   /// Labels and colours: the tissue of a number. What is not named is left out.
@@ -38,4 +39,4 @@ Tissue tissue_at(double value, const std::vector<std::pair<double, Tissue>>& thr
                                                                  std::vector<ImportRemark>& remarks,
                                                                  const ImportProgress& progress = {});
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -11,7 +11,7 @@
 #include "scenarios/import/size_question.h"
 #include "scenarios/import/triangle_mesh.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 Result<void, ImportFailure> check_options(const MeshImport& what) {
@@ -155,4 +155,4 @@ Result<VoxelVolume, ImportFailure> import_mesh(const MeshImport& what, const Imp
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

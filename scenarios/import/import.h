@@ -18,8 +18,9 @@
 #include "scenarios/import/mesh_repair.h"
 #include "scenarios/import/remarks.h"
 #include "scenarios/import/up_axis.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Which of several meshes wins where they overlap.
 enum class PartPrecedence : std::uint8_t {
@@ -122,4 +123,4 @@ FileKind file_kind(const std::filesystem::path& path);
                                                             const VolumeLimits& limits = {},
                                                             const ImportProgress& progress = {});
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

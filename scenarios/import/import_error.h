@@ -10,7 +10,7 @@
 
 #include "engine/base/result.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 enum class ImportError : std::uint8_t {
   missing_file,     // no file there
@@ -61,4 +61,4 @@ constexpr std::optional<ImportError> import_error_from_key(std::string_view key)
   return std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 
 #include "scenarios/import/limits.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr int kReach = 4;       // voxels: the band ends 2.75 + 0.5 from the other side's centres
@@ -97,4 +97,4 @@ VoxelVolume volume_of_labels(const Grid& grid, const std::vector<Tissue>& labels
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// The box of what is not empty.
 struct LabelBox {
@@ -39,4 +40,4 @@ Tissue nearest_label(const Grid& grid, const std::vector<Tissue>& labels, IVec3 
 /// half a voxel off elsewhere, for that is all a label map knows. Pre: the box is not empty.
 VoxelVolume volume_of_labels(const Grid& grid, const std::vector<Tissue>& labels);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

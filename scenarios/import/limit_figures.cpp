@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::string_view kMark = "limit ";
@@ -73,4 +73,4 @@ std::string passed_file_limit(Vec3 voxels, const VolumeLimits& limits) {
   return figures ? text_of(*figures) : std::string();
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

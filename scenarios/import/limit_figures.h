@@ -11,7 +11,7 @@
 #include "engine/base/vec.h"
 #include "scenarios/import/limits.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 enum class LimitKind : std::uint8_t {
   voxels,       // of the specimen that was asked for
@@ -48,4 +48,4 @@ std::optional<LimitFigures> passed_limit(Vec3 voxels, Vec3 extent_mm, double vox
 /// The same for a file's own voxels, as text; empty: it passes none.
 std::string passed_file_limit(Vec3 voxels, const VolumeLimits& limits);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

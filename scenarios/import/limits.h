@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct VolumeLimits {
   int max_edge_voxels = 2048;                            // along one axis
@@ -17,4 +17,4 @@ struct VolumeLimits {
 /// Empty voxels that generators and importers leave around a specimen: the band reaches 2.75 voxels out.
 inline constexpr int kPadVoxels = 4;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -18,7 +18,7 @@
 #include "scenarios/import/limits.h"
 #include "scenarios/import/triangle_mesh.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 using Transform = aiMatrix4x4t<double>;
@@ -175,4 +175,4 @@ Result<std::vector<TriangleMesh>, ImportFailure> read_meshes(const std::filesyst
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 std::vector<float> mesh_distance(const TriangleMesh& shell, const Grid& grid, const ImportProgress& progress) {
   constexpr float reach = kDistanceReach;
@@ -21,4 +21,4 @@ std::vector<float> mesh_distance(const TriangleMesh& shell, const Grid& grid, co
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,8 +7,9 @@
 #include "scenarios/import/image.h"
 #include "scenarios/import/triangle_distance.h"
 #include "scenarios/import/triangle_mesh.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Distance of each voxel in voxels, negative inside, [z][y][x]; clamped to +-kDistanceReach. The points are in the
 /// grid's frame; what lies outside the grid counts too. `progress` is told a hundred times at most. Throws std::bad_alloc.
@@ -19,4 +20,4 @@ std::vector<float> mesh_distance(const TriangleMesh& shell, const Grid& grid, co
 /// 0.9 of a voxel too long.
 std::vector<bool> mesh_inside(const TriangleMesh& shell, const Grid& grid);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

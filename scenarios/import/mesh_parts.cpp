@@ -7,7 +7,7 @@
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/mesh_distance.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 std::string short_text(double value) {
@@ -162,4 +162,4 @@ Result<PartField, ImportFailure> field_of(const MeshPart& part, const Grid& grid
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

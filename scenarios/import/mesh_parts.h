@@ -7,8 +7,9 @@
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/import/import.h"
 #include "scenarios/import/triangle_mesh.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct MeshPart {
   TriangleMesh mesh;  // specimen frame, mm
@@ -45,4 +46,4 @@ struct PartField {
 /// A part's solids less its cavities. Throws std::bad_alloc.
 [[nodiscard]] Result<PartField, ImportFailure> field_of(const MeshPart& part, const Grid& grid, const ImportProgress& progress);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

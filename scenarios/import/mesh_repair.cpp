@@ -7,7 +7,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kJoin = 1e-4;  // of the box's diagonal: a micrometre on a tooth, far below a voxel and above what STL rounds
@@ -252,4 +252,4 @@ MeshRepair repair(TriangleMesh& mesh, double max_hole) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 
 #include "scenarios/import/triangle_mesh.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// One run of edges with nothing on their other side, in the mesh's own lengths.
 struct MeshGap {
@@ -31,4 +31,4 @@ struct MeshRepair {
 /// still wrong afterwards is left to check(). The same for any order of triangles but for ties.
 MeshRepair repair(TriangleMesh& mesh, double max_hole);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

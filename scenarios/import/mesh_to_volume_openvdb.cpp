@@ -6,7 +6,7 @@
 
 #include "scenarios/import/mesh_distance.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// The mesh as meshToVolume asks for it: points in voxels from the grid's first.
@@ -44,4 +44,4 @@ std::vector<bool> mesh_inside(const TriangleMesh& shell, const Grid& grid) {
   return inside;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -11,7 +11,7 @@
 #include "scenarios/import/packed_data.h"
 #include "scenarios/import/samples.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::size_t kMaxHeaderBytes = 65536;  // of a scanner's with notes: a few KiB
@@ -308,4 +308,4 @@ Result<Image, ImportFailure> read_metaimage(const std::filesystem::path& file, c
   return read_metaimage(in, *bytes, file.filename().string(), beside, limits, progress);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

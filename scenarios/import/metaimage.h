@@ -10,7 +10,7 @@
 
 #include "scenarios/import/image.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// A file beside the header, by its plain name: its stream and its length; no stream when there is none.
 struct SideFile {
@@ -27,4 +27,4 @@ using SideFiles = std::function<SideFile(const std::string& name)>;
 [[nodiscard]] Result<Image, ImportFailure> read_metaimage(const std::filesystem::path& file, const VolumeLimits& limits = {},
                                                           const ImportProgress& progress = {});
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

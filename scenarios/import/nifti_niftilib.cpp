@@ -10,7 +10,7 @@
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/samples.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 struct Free {
@@ -133,4 +133,4 @@ Result<Image, ImportFailure> read_nifti(const std::filesystem::path& file, const
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

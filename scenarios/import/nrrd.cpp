@@ -8,10 +8,10 @@
 #include "engine/base/ids.h"
 #include "scenarios/import/label_map.h"
 #include "scenarios/import/limit_figures.h"
-#include "scenarios/import/packed_data.h"
 #include "scenarios/import/nrrd_header.h"
+#include "scenarios/import/packed_data.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 std::string text_of(IVec3 v) {
@@ -178,4 +178,4 @@ Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::fil
   return {};
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -14,8 +14,9 @@
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/import/import_error.h"
 #include "scenarios/import/limits.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// `where` of a failure is the file's name, then the line, key or voxel. Axes in another order or direction (LPS, flipped,
 /// permuted) are turned into the specimen frame; oblique ones are refused. A label map is cropped to what it holds and
@@ -31,4 +32,4 @@ namespace cusp {
 /// for a code below 16.
 [[nodiscard]] Result<void, ImportFailure> write_nrrd(const VoxelVolume& volume, const std::filesystem::path& file);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

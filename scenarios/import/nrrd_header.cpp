@@ -10,7 +10,7 @@
 #include "scenarios/import/header_text.h"
 #include "scenarios/import/limit_figures.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 std::optional<Vec3> vector3(std::string_view t) {
@@ -386,4 +386,4 @@ std::string nrrd_header_of(const VoxelVolume& volume) {
   return out + "\n";
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

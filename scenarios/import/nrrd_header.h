@@ -11,8 +11,9 @@
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/import/import_error.h"
 #include "scenarios/import/limits.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct NrrdHeader {
   enum class Content : std::uint8_t {
@@ -51,4 +52,4 @@ enum class NrrdUse : std::uint8_t { specimen, image };
 /// The header of a tissue-and-s volume, blank line included. Pre: names hold no control characters.
 std::string nrrd_header_of(const VoxelVolume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 #include "scenarios/import/packed_data.h"
 #include "scenarios/import/samples.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 Result<Image, ImportFailure> read_nrrd_image(std::istream& in, std::uintmax_t bytes, const std::string& name,
                                              const VolumeLimits& limits, const ImportProgress& progress) {
   const auto text = read_nrrd_text(in, name);
@@ -64,4 +64,4 @@ bool nrrd_is_specimen(const std::filesystem::path& file) {
   return header && header->content == NrrdHeader::Content::tissue_and_s;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,7 +8,7 @@
 
 #include "scenarios/import/image.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 [[nodiscard]] Result<Image, ImportFailure> read_nrrd_image(std::istream& in, std::uintmax_t bytes, const std::string& name,
                                                            const VolumeLimits& limits = {},
@@ -19,4 +19,4 @@ namespace cusp {
 /// Whether the file is a specimen volume as read_nrrd() takes it: tissues with their solid fractions.
 bool nrrd_is_specimen(const std::filesystem::path& file);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

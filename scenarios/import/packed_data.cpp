@@ -8,7 +8,7 @@
 #include <new>
 #include <system_error>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::size_t kPiece = 65536;
@@ -146,4 +146,4 @@ bool PackedSink::finish() {
   return out_.good();
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

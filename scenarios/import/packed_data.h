@@ -14,7 +14,7 @@
 
 #include "scenarios/import/import_error.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Opens a regular file for reading: its length, or missing_file or io with the file's name.
 [[nodiscard]] Result<std::uintmax_t, ImportFailure> open_volume_file(const std::filesystem::path& file, std::ifstream& in);
@@ -62,4 +62,4 @@ class PackedSink {
   std::unique_ptr<Packed> packed_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kDeepVoxels = 1.0;        // a wall that two parts share is known to less than this
@@ -172,4 +172,4 @@ VoxelVolume put_together(const PartOrder& order, const std::vector<MeshPart>& pa
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

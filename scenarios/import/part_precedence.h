@@ -5,7 +5,7 @@
 
 #include "scenarios/import/mesh_parts.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Indices of parts, the one that wins over all others first.
 using PartOrder = std::vector<std::size_t>;
@@ -28,4 +28,4 @@ std::vector<PartOverlap> overlaps_of(const PartOrder& order, const std::vector<P
 VoxelVolume put_together(const PartOrder& order, const std::vector<MeshPart>& parts, const std::vector<PartField>& fields,
                          const Grid& grid);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -1,6 +1,6 @@
 #include "scenarios/import/pieces.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Marks all that hangs together with the seeds where `open` holds; how many voxels. Takes room for its front only.
@@ -80,4 +80,4 @@ std::size_t fill_hollows(const Grid& grid, std::vector<Tissue>& labels, Tissue t
   return filled;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -1,6 +1,6 @@
 #include "scenarios/import/quarter_turn.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// One quarter turn: the axis after `axis` becomes the one after that, which becomes the first, reversed.
@@ -36,4 +36,4 @@ VoxelVolume quarter_turned(const VoxelVolume& volume, int axis, int quarters) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

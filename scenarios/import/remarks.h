@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 enum class RemarkCode : std::uint8_t {
   resampled,         // numbers: the file's spacing along x, y, z and the voxels' edge, mm
@@ -49,4 +49,4 @@ constexpr std::optional<RemarkCode> remark_from_key(std::string_view key) noexce
   return std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct SampleFormat {
   int bytes = 2;  // 1, 2, 4 or 8; of a floating one 4 or 8
@@ -33,4 +33,4 @@ inline float colour_value(const std::byte* p, int channels) noexcept {
   return static_cast<float>(channel(0) << 16 | channel(1) << 8 | channel(2));
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,7 +9,7 @@
 #include "engine/base/vec.h"
 #include "scenarios/import/remarks.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Longest sides that are believed, mm: the crown of a deciduous incisor is 5 mm high, a dental arch 65 mm wide.
 /// tests/scenarios/import/precedence_test.cpp holds both ends.
@@ -38,4 +38,4 @@ inline std::optional<ImportRemark> odd_size(Vec3 size_mm) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Squared distance of a point to a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
@@ -66,4 +66,4 @@ void stamp_triangle(const std::array<Vec3, 3>& t, const Grid& grid, std::vector<
     }
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

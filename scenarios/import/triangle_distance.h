@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Distances are exact up to here, in voxels; the band ends at 2.75.
 inline constexpr int kDistanceReach = 3;
@@ -15,4 +16,4 @@ inline constexpr int kDistanceReach = 3;
 /// first. Begins with kDistanceReach squared everywhere.
 void stamp_triangle(const std::array<Vec3, 3>& corners, const Grid& grid, std::vector<float>& squared);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

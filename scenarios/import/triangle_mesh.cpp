@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Six times the signed volume between a triangle and `from`.
@@ -137,4 +137,4 @@ Shells shells_of(const TriangleMesh& mesh) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -11,7 +11,7 @@
 #include "engine/base/vec.h"
 #include "scenarios/import/import_error.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct TriangleMesh {
   std::string name;
@@ -46,4 +46,4 @@ struct Shells {
 /// inside out as a whole is turned first.
 Shells shells_of(const TriangleMesh& mesh);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// The direction of the file that becomes the specimen's +z (occlusal). The turn keeps right hands right.
 enum class UpAxis : std::uint8_t { z, y, x, minus_z, minus_y, minus_x };
@@ -26,4 +26,4 @@ constexpr Vec3 turned_up(Vec3 p, UpAxis up) noexcept {
   return p;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

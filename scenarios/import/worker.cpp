@@ -11,7 +11,7 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/worker_words.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// A folder of this import's own, gone with it.
@@ -169,4 +169,4 @@ Result<FileLook, ImportFailure> look_in_child(const std::vector<std::filesystem:
   return std::move(heard->look);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

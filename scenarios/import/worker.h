@@ -13,7 +13,7 @@
 #include "scenarios/import/child_process.h"
 #include "scenarios/import/import.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct WorkerSettings {
   std::size_t memory_bytes = std::size_t{6} << 30;  // of address space: libraries and thread stacks count too
@@ -50,4 +50,4 @@ struct WorkerSettings {
 /// nullopt for any other call.
 std::optional<int> import_child_main(int argc, const char* const* argv);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 #include "scenarios/import/worker.h"
 #include "scenarios/import/worker_words.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 void say(const std::vector<std::string>& words) {
@@ -83,4 +83,4 @@ std::optional<int> import_child_main(int argc, const char* const* argv) {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -2,7 +2,7 @@
 
 #include <initializer_list>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr std::string_view kMark = "cusp-import\t";
@@ -277,4 +277,4 @@ std::optional<ImportRemark> remark_of(const std::vector<std::string>& words) {
   return r.ended() ? std::optional(std::move(out)) : std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -12,7 +12,7 @@
 
 #include "scenarios/import/import.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 inline constexpr std::string_view kWorkerVerb = "import-child";
 
@@ -48,4 +48,4 @@ std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& words);
 std::optional<ImageInfo> image_info_of(const std::vector<std::string>& words);
 std::optional<ImportRemark> remark_of(const std::vector<std::string>& words);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

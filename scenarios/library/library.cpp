@@ -5,7 +5,7 @@
 #include "scenarios/format/read.h"
 
 // builtin_list.inc: CUSP_BUILTIN("channel-1", channel_1) and so on, written by CMakeLists.txt.
-namespace cusp {
+namespace cusp::scenarios {
 namespace embedded {
 #define CUSP_BUILTIN(key, symbol) extern const std::string_view symbol;
 #include "builtin_list.inc"
@@ -46,4 +46,4 @@ Result<Scenario, FormatFailure> load_builtin(std::string_view key) {
   return read_scenario(text);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

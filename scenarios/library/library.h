@@ -8,7 +8,7 @@
 #include "scenarios/format/format_error.h"
 #include "scenarios/format/scenario.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Keys in the order in which a newcomer should meet them.
 std::span<const std::string_view> builtin_scenarios() noexcept;
@@ -19,4 +19,4 @@ std::string_view builtin_scenario_text(std::string_view key) noexcept;
 /// unknown_builtin, or a scenario that reads.
 [[nodiscard]] Result<Scenario, FormatFailure> load_builtin(std::string_view key);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

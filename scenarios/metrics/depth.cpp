@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "engine/volume/cell_field.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
 struct Floor {
   double z_mm;
-  bool cut;      // left by a burr
+  bool cut;      // left by a bur
   double level;  // cosine of its lean
 };
 
@@ -103,7 +104,7 @@ std::optional<FloorDepth> over_outline(const Reference& reference, const Volume&
   const TargetShape& shape = reference.shape();
   const Grid& grid = volume.grid();
   const double step = 0.5 * grid.voxel_mm;
-  // Half a step more than the inset, so that a slot as wide as the burr, whose floor is a line, keeps its columns.
+  // Half a step more than the inset, so that a slot as wide as the bur, whose floor is a line, keeps its columns.
   const double inset = shape.corner_mm() - 0.5 * step;
   constexpr double kLevel = 0.70710678;  // 45 degrees
   FloorDepth out;
@@ -144,4 +145,4 @@ std::optional<FloorDepth> floor_depth(const Reference& reference, const Volume& 
                                                         : over_outline(reference, volume, BandedColumn(volume));
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

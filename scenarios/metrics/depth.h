@@ -5,18 +5,19 @@
 
 #include "engine/volume/volume.h"
 #include "scenarios/metrics/reference.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct FloorDepth {
   double least_mm = 0, mean_mm = 0, most_mm = 0;
   Vec3 least_at_mm{0.0}, most_at_mm{0.0};
-  std::size_t samples = 0;  // columns with a floor that a burr left
+  std::size_t samples = 0;  // columns with a floor that a bur left
 };
 
 /// Looks down columns half a voxel apart, over the outline inset by the corner's radius (there the target's floor is
-/// flat). A column counts when the first tissue from above is a face that a burr left and leans less than 45 degrees
+/// flat). A column counts when the first tissue from above is a face that a bur left and leans less than 45 degrees
 /// (dental.md 2.2: more is a wall). nullopt when no column has such a floor.
 [[nodiscard]] std::optional<FloorDepth> floor_depth(const Reference& reference, const Volume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

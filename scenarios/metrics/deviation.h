@@ -5,10 +5,10 @@
 
 #include "scenarios/shapes/outline.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Signed deviation in mm: positive cut too far (the cut surface lies outside the target by so much), negative left
-/// standing (tissue reaches into the target by so much). `cut`: the point is on a surface left by a burr
+/// standing (tissue reaches into the target by so much). `cut`: the point is on a surface left by a bur
 /// (SurfacePoint::cut). nullopt: the specimen's own surface outside the target, which nobody was to touch.
 [[nodiscard]] inline std::optional<double> deviation_mm(const TargetShape& target, Vec3 point_mm, bool cut) noexcept {
   if (target.empty()) return std::nullopt;
@@ -17,4 +17,4 @@ namespace cusp {
   return d;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

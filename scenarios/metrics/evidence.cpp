@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "engine/volume/cell_field.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -120,4 +121,4 @@ std::optional<Vec3> exposed_pulp(const Reference& reference, const Volume& volum
       faces, [&](Vec3 a, Vec3 b) { return glm::dot(a - middle, a - middle) < glm::dot(b - middle, b - middle); });
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,8 +9,9 @@
 
 #include "engine/volume/volume.h"
 #include "scenarios/metrics/reference.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Lean of a face from level, above which it is a wall (dental.md 2.2): cosine of 45 degrees.
 inline constexpr double kFloorCosine = 0.70710678;
@@ -48,4 +49,4 @@ class FaceJudge {
 /// Where the pulp lies open: the face between a pulp voxel and what is gone, nearest to the middle of all that is open.
 [[nodiscard]] std::optional<Vec3> exposed_pulp(const Reference& reference, const Volume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

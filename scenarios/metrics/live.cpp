@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 LiveMetrics::LiveMetrics(std::shared_ptr<const Reference> reference) : reference_(std::move(reference)) { reset(); }
 
@@ -14,10 +14,10 @@ void LiveMetrics::reset() {
 }
 
 void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> changed, const StepOutput& output,
-                         const Burr& burr) {
+                         const Bur& bur) {
   const TargetShape& shape = reference_->shape();
   reading_.over_target = !shape.empty() && shape.outline_mm({output.proxy_mm.x, output.proxy_mm.y}) < 0.0;
-  reading_.depth_under_burr_mm = shape.top_mm() - (output.proxy_mm.z - burr.radius_mm);
+  reading_.depth_under_bur_mm = shape.top_mm() - (output.proxy_mm.z - bur.radius_mm);
   if (changed.empty()) return;
 
   // A brick's cells read its 26 neighbours.
@@ -47,4 +47,4 @@ void LiveMetrics::update(const Volume& volume, std::span<const std::int32_t> cha
       !reference_->pulp().empty() && std::isfinite(sum.pulp_mm) ? std::optional(sum.pulp_mm) : std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

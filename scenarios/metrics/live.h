@@ -12,8 +12,9 @@
 
 #include "engine/step/step.h"
 #include "scenarios/metrics/region_shares.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Plain values; safe to copy between threads.
 struct LiveReading {
@@ -21,8 +22,8 @@ struct LiveReading {
   bool target_measured = false;                 // false: the target holds no tissue
   std::array<double, kPlaces> overcut_mm3{};    // by Place; [target] is what was rightly removed
   std::array<double, kTissueCodes> removed_mm3{};
-  double depth_under_burr_mm = 0;               // of the burr's lowest point below the reference plane; negative above
-  bool over_target = false;                     // the burr's centre is within the outline
+  double depth_under_bur_mm = 0;               // of the bur's lowest point below the reference plane; negative above
+  bool over_target = false;                     // the bur's centre is within the outline
   std::optional<double> remaining_over_pulp_mm; // least so far; none: no pulp, or nothing cut
 };
 
@@ -31,7 +32,7 @@ class LiveMetrics {
   explicit LiveMetrics(std::shared_ptr<const Reference> reference);
   /// `changed`: bricks whose cut field changed since the last call (StateNews::changed_bricks).
   void update(const Volume& volume, std::span<const std::int32_t> changed, const StepOutput& output,
-              const Burr& burr);
+              const Bur& bur);
   const LiveReading& reading() const noexcept { return reading_; }
   /// Forgets everything, for another volume or a jump in a replay; the next update lists every cut brick.
   void reset();
@@ -43,4 +44,4 @@ class LiveMetrics {
   LiveReading reading_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,8 +6,9 @@
 #include "engine/volume/cut_volume.h"
 #include "scenarios/metrics/depth.h"
 #include "scenarios/metrics/region_shares.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -176,4 +177,4 @@ std::vector<Measure> measure(const Reference& reference, const Volume& volume, c
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -15,8 +15,9 @@
 #include "scenarios/grading/grade.h"
 #include "scenarios/metrics/process.h"
 #include "scenarios/metrics/reference.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Not for the haptic thread; some tens of milliseconds. Pre: `volume` is of the reference's specimen.
 [[nodiscard]] std::vector<Measure> measure(const Reference& reference, const Volume& volume, const Process& process);
@@ -24,4 +25,4 @@ namespace cusp {
 /// "removed_enamel", "removed_16".
 [[nodiscard]] std::string removed_key(Tissue tissue);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

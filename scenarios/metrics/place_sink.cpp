@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -165,4 +165,4 @@ void PlaceSink::tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tiss
       });
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

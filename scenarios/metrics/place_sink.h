@@ -5,9 +5,10 @@
 #include <array>
 
 #include "engine/volume/cut_volume.h"
+#include "scenarios/modules.h"
 #include "scenarios/shapes/leeway.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class PlaceSink : public PieceSink {
  public:
@@ -37,4 +38,4 @@ class PlaceSink : public PieceSink {
   std::array<double, 9> outline_{};   // from the wall, at thirds 0, 1/2, 1 of x (fastest) and y
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -92,4 +92,4 @@ void Process::add(const StepOutput& output) noexcept {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "engine/step/step.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class Process {
  public:
@@ -62,4 +63,4 @@ class Process {
   Vec3 overheated_at_mm_{0.0}, heat_peak_at_mm_{0.0};
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

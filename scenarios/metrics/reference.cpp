@@ -7,7 +7,7 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/metrics/place_sink.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -154,4 +154,4 @@ double Reference::point_sigma_mm() const noexcept {
   return (specimen_->reading() == Reading::filled ? kFilledSigmaVoxels : kBandedPointVoxels) * specimen_->grid().voxel_mm;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,9 +9,10 @@
 
 #include "engine/volume/specimen.h"
 #include "scenarios/format/scenario.h"
+#include "scenarios/modules.h"
 #include "scenarios/shapes/leeway.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// How well the surface of a cut is known, in voxels, one-sided (measured: README, "Uncertainty").
 inline constexpr double kBandedSigmaVoxels = 0.01;  // as a mean over a face
@@ -71,4 +72,4 @@ class Reference {
   bool heat_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

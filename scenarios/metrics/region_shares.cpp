@@ -4,7 +4,7 @@
 
 #include "scenarios/metrics/place_sink.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::vector<int> bricks_to_measure(const Volume& volume) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,12 +8,13 @@
 
 #include "engine/volume/volume.h"
 #include "scenarios/metrics/evidence.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 struct RegionShares {
   std::array<double, kPlaces> removed_mm3{};           // by Place
-  std::array<double, kPlaces> cut_face_mm2{};          // area that the burr left, by Place
+  std::array<double, kPlaces> cut_face_mm2{};          // area that the bur left, by Place
   std::array<Evidence, kPlaces> worst{};               // by Place: on a floor the deepest, on a wall the furthest out
   std::array<double, kTissueCodes> tissue_mm3{};       // removed
   std::array<double, kTissueCodes> tissue_face_mm2{};  // cut face in that tissue
@@ -30,4 +31,4 @@ struct RegionShares {
 /// Bricks whose cells can have lost something: those that were cut and their neighbours, ascending.
 [[nodiscard]] std::vector<int> bricks_to_measure(const Volume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 using Vec2 = glm::dvec2;
 
@@ -48,4 +48,4 @@ inline double rounded_corner(double u, double v, double radius) noexcept {
   return std::max(u, v);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

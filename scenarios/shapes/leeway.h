@@ -6,7 +6,7 @@
 
 #include "scenarios/shapes/outline.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 enum class Place : std::uint8_t { target, leeway_floor, leeway_side, beyond_floor, beyond_side };
 inline constexpr int kPlaces = 5;
@@ -22,4 +22,4 @@ inline Place place_of(const TargetShape& shape, const Leeway& leeway, Vec3 p) no
   return place_of(shape.outline_mm({p.x, p.y}), shape.below_floor_mm(p.z), shape.corner_mm(), leeway);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 TargetShape::TargetShape(const Target& target)
     : top_mm_(target.top_mm), floor_mm_(target.top_mm - target.depth_mm) {
@@ -44,4 +44,4 @@ double TargetShape::outline_mm(Vec2 p) const noexcept {
   return std::sqrt(nearest) - half_width_mm_;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

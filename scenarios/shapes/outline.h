@@ -8,7 +8,7 @@
 #include "scenarios/format/scenario.h"
 #include "scenarios/shapes/distance.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class TargetShape {
  public:
@@ -47,4 +47,4 @@ class TargetShape {
   Vec2 low_{0.0}, high_{0.0};
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 #include "scenarios/teeth/shared_shape.h"
 #include "scenarios/teeth/tables.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// How far the arch turns at a contact, degrees, from the midline backwards: I1|I1, I1|I2, ... M2|M3. Chosen so that
@@ -107,4 +107,4 @@ Standing stand_beside(const Standing& before, bool mesial, std::shared_ptr<const
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

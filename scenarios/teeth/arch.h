@@ -7,7 +7,7 @@
 
 #include "scenarios/teeth/tooth_body.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Gap that a neighbour is placed at: touching, as far as a surface can be known.
 inline constexpr double kContactGapMm = 0.01;
@@ -41,4 +41,4 @@ struct Gap {
 };
 Gap gap_between(const ToothBody& a, const ToothBody& b, Vec3 way, Vec3 about_mm);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,8 +3,9 @@
 
 #include "engine/base/vec.h"
 #include "engine/volume/tissue.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class Body {
  public:
@@ -26,4 +27,4 @@ class Body {
   virtual Vec3 high() const noexcept = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,7 +8,7 @@
 #include "scenarios/teeth/shape.h"
 #include "scenarios/teeth/tables.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kBelowContactMm = 1.0;   // proximal caries begins 0.5 to 1 mm below the contact [M]
@@ -133,4 +133,4 @@ Tissue PlacedLesion::decayed(Tissue sound, Vec3 p, double outside_mm, double den
   return share < lesion_.softness ? Tissue::carious_dentine : kFirmCariousDentine;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,8 +9,9 @@
 
 #include "engine/base/vec.h"
 #include "engine/volume/tissue.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class ToothShape;
 struct ToothLandmarks;
@@ -35,7 +36,7 @@ struct Lesion {
 /// number that is no tooth's.
 std::vector<std::string> lesion_sites(int fdi, Lesion::Kind kind);
 
-/// Decay keeps this far from the pulp, whatever its depth [M]: exposing it is for the burr.
+/// Decay keeps this far from the pulp, whatever its depth [M]: exposing it is for the bur.
 inline constexpr double kLesionFromPulpMm = 0.5;
 
 /// A lesion on its tooth. It reads the tooth's fields: the tooth must outlive it.
@@ -58,4 +59,4 @@ class PlacedLesion {
   double to_junction_ = 0.0, reach_ = 0.0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// Fritsch-Carlson slopes: the curve never overshoots its knots.
@@ -146,4 +146,4 @@ Line2::Nearest Line2::nearest(Vec2 p) const noexcept {
   return best;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 using Vec2 = glm::dvec2;
 
@@ -112,4 +112,4 @@ inline double smax(double a, double b, double k) noexcept {
 }
 inline double smin(double a, double b, double k) noexcept { return -smax(-a, -b, k); }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -4,11 +4,11 @@
 #include "scenarios/teeth/landmarks.h"
 #include "scenarios/teeth/shape.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 ToothLandmarks find_landmarks(const ToothShape& shape);
 
 /// The same with x turned round.
 ToothLandmarks mirrored(ToothLandmarks landmarks);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 
 #include "scenarios/teeth/two_threads.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kStepMm = 0.4;
@@ -194,4 +194,4 @@ Tissue Gums::whole(Vec3 p, double far) const noexcept {
   return Tissue::empty;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

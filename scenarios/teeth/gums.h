@@ -6,7 +6,7 @@
 
 #include "scenarios/teeth/tooth_body.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 inline constexpr double kGumMarginMm = 1.0;   // of the free gingiva above the CEJ [M]
 inline constexpr double kBoneCrestMm = 2.0;   // of the bone below the CEJ [M]
@@ -45,4 +45,4 @@ class Gums final : public Body {
   Coarse surface_, bone_, tooth_;  // distances: to the outer surface, to the bone's, to the nearest tooth
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

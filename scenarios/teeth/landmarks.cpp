@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kLineStepMm = 0.1;
@@ -116,4 +116,4 @@ ToothLandmarks mirrored(ToothLandmarks l) {
   return l;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

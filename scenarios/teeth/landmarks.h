@@ -8,7 +8,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// The way in which "mesial" lies on a tooth along its frame's x: 1 in quadrants 1 and 3, -1 in 2 and 4, 0 if `fdi` is no
 /// tooth's number.
@@ -55,4 +55,4 @@ struct ToothLandmarks {
   }
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

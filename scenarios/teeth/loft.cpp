@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kSlopeStepMm = 0.02;  // forward difference along z
@@ -243,4 +243,4 @@ double round_cone(Vec3 p, const HornTable& horn) noexcept {
   return (std::sqrt(x2 * a2 * il2) + y * rr) * il2 - horn.ra;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 #include "scenarios/teeth/map2.h"
 #include "scenarios/teeth/tables.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// A signed distance and the unit direction in which it grows.
 struct Sided {
@@ -88,4 +88,4 @@ class Wall {
 /// Distance to a capsule of two radii.
 double round_cone(Vec3 p, const HornTable& horn) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -1,6 +1,6 @@
 #include "scenarios/teeth/map2.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 Map2 Map2::blurred(double sigma_mm) const {
   const int reach = static_cast<int>(3.0 * sigma_mm / kStepMm) + 1;
@@ -31,4 +31,4 @@ Map2 Map2::blurred(double sigma_mm) const {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

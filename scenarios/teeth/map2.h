@@ -8,7 +8,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class Map2 {
  public:
@@ -74,4 +74,4 @@ class Map2 {
   std::vector<float> values_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 /// splitmix64's finaliser.
@@ -58,4 +58,4 @@ double normal_draw(std::uint64_t seed, std::uint64_t n) noexcept {
   return std::clamp(sum - 6.0, -2.0, 2.0);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -6,7 +6,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class ValueNoise {
  public:
@@ -30,4 +30,4 @@ class ValueNoise {
 /// The n-th draw of a seed: roughly normal, zero mean, unit variance, cut at two sigma.
 double normal_draw(std::uint64_t seed, std::uint64_t n) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -4,7 +4,7 @@
 
 #include "scenarios/teeth/noise.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kHalfExtentMm = 7.2;  // beyond the widest crown (BL 11 mm) and a seed's spread
@@ -155,4 +155,4 @@ Occlusal::Occlusal(const ToothTable& table, std::uint64_t seed, double min_half_
   lowest_ = height_.lowest();
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,7 +7,7 @@
 #include "scenarios/teeth/map2.h"
 #include "scenarios/teeth/tables.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class Occlusal {
  public:
@@ -26,4 +26,4 @@ class Occlusal {
   double lowest_ = 0.0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,8 +7,9 @@
 #include <string>
 
 #include "engine/volume/tissue.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// A neighbour's tissues are told apart from the tooth's own: what is cut of a neighbour is damage.
 inline constexpr Tissue kNeighbourEnamel{29};
@@ -21,4 +22,4 @@ inline const std::map<std::uint8_t, std::string>& own_tissue_names() {
   return names;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

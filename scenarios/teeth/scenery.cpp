@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr int kSkip = 4;           // cells on a side of what is passed over when the surface is far
@@ -141,4 +141,4 @@ void mirror(SceneryMesh& mesh) noexcept {
   for (std::size_t k = 0; k + 2 < mesh.triangles.size(); k += 3) std::swap(mesh.triangles[k + 1], mesh.triangles[k + 2]);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

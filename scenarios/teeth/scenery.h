@@ -1,13 +1,14 @@
-/// Teeth and gums that no burr can reach, as a surface to look at: no voxels, a few thousand triangles each.
+/// Teeth and gums that no bur can reach, as a surface to look at: no voxels, a few thousand triangles each.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "engine/volume/tissue.h"
+#include "scenarios/modules.h"
 #include "scenarios/teeth/body.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Triangles that face outwards and close a body. Any thread.
 struct SceneryMesh {
@@ -36,4 +37,4 @@ void cover(SceneryMesh& mesh, const Body& by, double margin_mm);
 /// body's surface, so that nobody looks between the two.
 void tuck_in(SceneryMesh& mesh, const Body& under, double under_mm);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -4,7 +4,7 @@
 
 #include "scenarios/teeth/variety.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kGrooveVoxels = 1.8, kCanalVoxels = 0.8, kCoatVoxels = 1.2;
@@ -300,4 +300,4 @@ void ToothShape::fit() {
   measure();
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

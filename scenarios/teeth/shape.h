@@ -8,7 +8,7 @@
 #include "scenarios/teeth/noise.h"
 #include "scenarios/teeth/occlusal.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 class ToothShape {
  public:
@@ -66,4 +66,4 @@ class ToothShape {
   Vec3 low_{0.0}, high_{0.0}, mesial_{0.0}, distal_{0.0};
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

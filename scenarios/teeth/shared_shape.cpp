@@ -4,7 +4,7 @@
 #include <mutex>
 #include <tuple>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 std::shared_ptr<const ToothShape> shared_shape(const ToothTable& table, std::uint64_t seed, double voxel_mm) {
   struct Slot {
@@ -26,4 +26,4 @@ std::shared_ptr<const ToothShape> shared_shape(const ToothTable& table, std::uin
   return {slot, &*slot->shape};
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -7,9 +7,9 @@
 
 #include "scenarios/teeth/shape.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// ToothShape(table, seed, voxel_mm). `table` must be of table_for. Any thread; waits while another thread fits the same.
 std::shared_ptr<const ToothShape> shared_shape(const ToothTable& table, std::uint64_t seed, double voxel_mm);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -4,7 +4,7 @@
 
 #include "scenarios/teeth/teeth_json.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 using Json = nlohmann::json;
@@ -156,4 +156,4 @@ Result<TableChoice, ToothFailure> table_for(int fdi) {
   return fail(ToothError::bad_tables, std::to_string(key));
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -12,7 +12,7 @@
 #include "scenarios/teeth/curve.h"
 #include "scenarios/teeth/tooth.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 using Vec2 = glm::dvec2;
 
@@ -111,4 +111,4 @@ struct TableChoice {
 };
 Result<TableChoice, ToothFailure> table_for(int fdi);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 extern const std::string_view kTeethJson;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -12,7 +12,7 @@
 #include "scenarios/teeth/two_threads.h"
 #include "scenarios/teeth/voxels.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kShapeShare = 0.25;     // of the time, measured at 0.1 mm
@@ -294,4 +294,4 @@ Result<ToothDims, ToothFailure> average_dims(int fdi) {
   return choice->table->dims;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

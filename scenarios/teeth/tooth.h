@@ -8,11 +8,12 @@
 
 #include "engine/base/result.h"
 #include "engine/volume/voxel_volume.h"
+#include "scenarios/modules.h"
 #include "scenarios/teeth/caries.h"
 #include "scenarios/teeth/landmarks.h"
 #include "scenarios/teeth/scenery.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 enum class ToothError : std::uint8_t {
   unknown_fdi,     // not 11..18, 21..28, 31..38, 41..48
@@ -62,7 +63,7 @@ struct Tooth {
 [[nodiscard]] Result<Tooth, ToothFailure> grow_tooth(const ToothRequest& request, ToothCancel cancel = nullptr,
                                                      const ToothProgress& progress = {});
 
-/// A whole jaw about a tooth that can be drilled. What the burr can reach (the tooth, its neighbours, gingiva and bone
+/// A whole jaw about a tooth that can be drilled. What the bur can reach (the tooth, its neighbours, gingiva and bone
 /// about them where the request asks) is voxels; the other teeth, and the gums about those, are surfaces to look at.
 struct Jaw {
   Tooth tooth;
@@ -72,7 +73,7 @@ struct Jaw {
   };
   std::vector<Standing> scenery;  // from the patient's right to the left; gums last
 };
-inline constexpr double kSceneryStepMm = 0.3;  // as fine as a look past the burr needs [M]
+inline constexpr double kSceneryStepMm = 0.3;  // as fine as a look past the bur needs [M]
 /// As grow_tooth with neighbours; scenery of about `scenery_step_mm`. Pre: 0.1 <= scenery_step_mm <= 1.
 [[nodiscard]] Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm = kSceneryStepMm,
                                                  ToothCancel cancel = nullptr, const ToothProgress& progress = {});
@@ -92,4 +93,4 @@ inline constexpr double kSceneryStepMm = 0.3;  // as fine as a look past the bur
 /// The average of the tables for this tooth (teeth.json, dims): what dims are fitted to at seed 0.
 [[nodiscard]] Result<ToothDims, ToothFailure> average_dims(int fdi);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

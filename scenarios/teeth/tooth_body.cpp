@@ -2,7 +2,7 @@
 
 #include "scenarios/teeth/own_tissues.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 ToothBody::ToothBody(const ToothShape& shape, const ToothPlace& place, ToothMaterial material,
                      std::vector<PlacedLesion> lesions)
@@ -65,4 +65,4 @@ Tissue ToothBody::whole(Vec3 p, double far) const noexcept {
   return Tissue::empty;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,7 +9,7 @@
 #include "scenarios/teeth/caries.h"
 #include "scenarios/teeth/shape.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// place = R(turn about z) * mirrored(tooth) + move; the frame is that of the tooth that the exercise is about.
 struct ToothPlace {
@@ -59,4 +59,4 @@ class ToothBody final : public Body {
   Vec3 low_{0.0}, high_{0.0};
 };
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

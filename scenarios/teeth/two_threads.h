@@ -5,7 +5,7 @@
 #include <functional>
 #include <thread>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Runs work(i) for each i in [0, count) once; `tick(i)` on the calling thread, between its pieces. Stops early, between
 /// pieces, once *cancel is true. Pieces must not throw and must not depend on one another.
@@ -23,4 +23,4 @@ inline void in_two_threads(int count, const std::function<void(int)>& work, cons
   run(true);
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 
 #include "scenarios/teeth/noise.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr double kCuspSpreadMm = 0.1;  // one sigma; draws are cut at two
@@ -39,4 +39,4 @@ ToothTable varied_table(ToothTable t, std::uint64_t seed) {
   return t;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

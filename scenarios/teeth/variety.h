@@ -6,9 +6,9 @@
 
 #include "scenarios/teeth/tables.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Seed 0 changes nothing.
 ToothTable varied_table(ToothTable table, std::uint64_t seed);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -8,7 +8,7 @@
 #include "scenarios/teeth/own_tissues.h"
 #include "scenarios/teeth/two_threads.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 namespace {
 
 constexpr int kBlock = 4;             // voxels on a side of the blocks that are skipped or sampled whole
@@ -391,4 +391,4 @@ VoxelVolume mirrored(const VoxelVolume& volume) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -5,7 +5,7 @@
 #include "scenarios/teeth/body.h"
 #include "scenarios/teeth/tooth.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 /// Fails only with `cancelled`. Progress from `from` to 1.
 Result<VoxelVolume, ToothFailure> voxels_of(const Body& body, double voxel_mm, ToothCancel cancel,
@@ -21,4 +21,4 @@ VoxelVolume embedded(VoxelVolume teeth, const VoxelVolume& around);
 /// The same volume with x turned round: voxel for voxel, bit for bit.
 VoxelVolume mirrored(const VoxelVolume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

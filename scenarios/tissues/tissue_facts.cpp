@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-namespace cusp {
+namespace cusp::scenarios {
 
 namespace embedded {
 extern const std::string_view tissues;
@@ -177,4 +177,4 @@ const TissueFacts& tissue_facts(Tissue tissue) noexcept {
   return table[index_of(tissue) % kTissueCodes];
 }
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

@@ -9,8 +9,9 @@
 
 #include "engine/base/result.h"
 #include "engine/volume/tissue.h"
+#include "scenarios/modules.h"
 
-namespace cusp {
+namespace cusp::scenarios {
 
 template <class Value>
 struct Sourced {
@@ -46,4 +47,4 @@ enum class TissueTableError : std::uint8_t {
 /// The program's own table. The first call reads it: not on the haptic thread.
 const TissueFacts& tissue_facts(Tissue tissue) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::scenarios

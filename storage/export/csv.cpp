@@ -6,7 +6,7 @@
 #include "storage/repositories/audit_log.h"
 #include "storage/repositories/grades.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 /// One line: cells with commas between, CRLF at the end.
@@ -156,4 +156,4 @@ Stored<std::string> export_criteria(StorageContext& context, const Actor& actor,
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

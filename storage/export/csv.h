@@ -8,7 +8,7 @@
 
 #include "storage/repositories/history.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct CsvOptions {
   bool byte_order_mark = false;  // some spreadsheets need one to see UTF-8
@@ -29,4 +29,4 @@ Stored<std::string> export_history(StorageContext& context, const Actor& actor, 
 Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                     const CsvOptions& options = {});
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -2,7 +2,7 @@
 
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 Assignment assignment_of(Row row) {
@@ -56,4 +56,4 @@ Stored<std::vector<Assignment>> Assignments::for_cohort(CohortId cohort) {
       assignment_of, cohort);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -9,7 +9,7 @@
 #include "storage/repositories/sessions.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct Assignment {
   AssignmentId id{};
@@ -34,4 +34,4 @@ class Assignments {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

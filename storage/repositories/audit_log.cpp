@@ -6,7 +6,7 @@
 #include "storage/chain_check.h"
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 namespace {
 
@@ -102,4 +102,4 @@ Stored<std::vector<AuditEntry>> AuditLog::list(const Actor& actor, int limit, st
       before_number, limit);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

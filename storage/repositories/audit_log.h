@@ -9,7 +9,7 @@
 #include "storage/context.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct AuditEntry {
   std::int64_t number = 0;
@@ -52,4 +52,4 @@ class AuditLog {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

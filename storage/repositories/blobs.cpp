@@ -2,7 +2,7 @@
 
 #include "storage/trace_codec.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<Hash256> Blobs::put(std::span<const std::byte> bytes) {
   if (bytes.size() > kMostUnpackedBytes) return fail(StorageError::bad_value, "blobs");
@@ -26,4 +26,4 @@ Stored<std::vector<std::byte>> Blobs::get(const Hash256& hash) {
   return bytes;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

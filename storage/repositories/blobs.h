@@ -7,7 +7,7 @@
 
 #include "storage/context.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 class Blobs {
  public:
@@ -21,4 +21,4 @@ class Blobs {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

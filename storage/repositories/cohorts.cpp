@@ -3,7 +3,7 @@
 #include "storage/repositories/audit_log.h"
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<Cohort> Cohorts::create(const Actor& actor, const std::string& name) {
   if (auto allowed = require(actor, Action::manage_cohorts); !allowed) return std::unexpected(allowed.error());
@@ -55,4 +55,4 @@ Stored<std::vector<CohortId>> Cohorts::cohorts_of(UserId student) {
       "SELECT cohort FROM cohort_students WHERE student = ?1", [](Row row) { return row.id<CohortId>(0); }, student);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

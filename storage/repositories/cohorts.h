@@ -7,7 +7,7 @@
 #include "storage/context.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct Cohort {
   CohortId id;
@@ -31,4 +31,4 @@ class Cohorts {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -2,7 +2,7 @@
 
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<Comment> Comments::add(const Actor& actor, SessionId session, std::optional<std::uint64_t> tick,
                               const std::string& text) {
@@ -31,4 +31,4 @@ Stored<std::vector<Comment>> Comments::of(SessionId session) {
       session);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

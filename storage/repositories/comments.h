@@ -9,7 +9,7 @@
 #include "storage/context.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct Comment {
   Uuid id;
@@ -32,4 +32,4 @@ class Comments {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -6,7 +6,7 @@
 #include "storage/repositories/session_state.h"
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 using nlohmann::json;
@@ -144,4 +144,4 @@ Stored<std::optional<StoredGrade>> Grades::newest(SessionId session) {
   return std::move(grades->back());
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

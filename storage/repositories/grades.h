@@ -7,9 +7,10 @@
 
 #include "scenarios/grading/grade.h"
 #include "storage/context.h"
+#include "storage/modules.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct StoredGrade {
   Grade grade;
@@ -36,4 +37,4 @@ class Grades {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

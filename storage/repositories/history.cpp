@@ -6,7 +6,7 @@
 #include "storage/repositories/session_state.h"
 #include "storage/repositories/title.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 /// ?1 session, ?2 student, ?3 scenario, ?4 cohort, ?5 device class, ?6 from, ?7 to, ?8 passed, ?9 search, ?10 scripted,
@@ -192,4 +192,4 @@ Stored<std::vector<ExerciseStanding>> History::standings(const Actor& actor, Use
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -14,7 +14,7 @@
 #include "storage/repositories/sessions.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct HistoryRow {
   SessionId session{};
@@ -85,4 +85,4 @@ class History {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

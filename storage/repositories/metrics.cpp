@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<std::vector<MetricsRow>> Metrics::over_time(SessionId session) {
   auto rows = c_.db.all(
@@ -40,4 +40,4 @@ Stored<std::vector<RemovedTissue>> Metrics::removed(SessionId session) {
       [](Row row) { return RemovedTissue{static_cast<Tissue>(row.integer(0)), row.u64(1), row.real(2)}; }, session);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -6,8 +6,9 @@
 
 #include "engine/volume/tissue.h"
 #include "storage/context.h"
+#include "storage/modules.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Running total since the session's start.
 struct RemovedTissue {
@@ -42,4 +43,4 @@ class Metrics {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -6,7 +6,7 @@
 #include "storage/repositories/audit_log.h"
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 constexpr const char* kColumns =
@@ -300,4 +300,4 @@ Stored<std::vector<Account>> People::list(const Actor& actor) {
   return c_.db.all(std::string(kColumns) + "WHERE guest = 0 ORDER BY name, number", account_of);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

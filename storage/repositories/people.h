@@ -10,7 +10,7 @@
 #include "storage/context.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 struct Account {
   UserId id{};
@@ -74,4 +74,4 @@ class People {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

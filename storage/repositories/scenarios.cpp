@@ -5,7 +5,7 @@
 #include "storage/repositories/title.h"
 #include "storage/sealing.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 constexpr const char* kColumns =
@@ -172,4 +172,4 @@ Stored<DraftSave> Scenarios::drop_draft(const Actor& actor, ScenarioId scenario,
   return mine ? DraftSave::kept : DraftSave::changed_elsewhere;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

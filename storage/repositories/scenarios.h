@@ -10,9 +10,10 @@
 
 #include "scenarios/format/scenario.h"
 #include "storage/context.h"
+#include "storage/modules.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// A published version. Never changes.
 struct ScenarioVersion {
@@ -76,4 +77,4 @@ class Scenarios {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

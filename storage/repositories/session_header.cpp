@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace cusp {
+namespace cusp::storage {
 
 using nlohmann::json;
 
@@ -113,4 +113,4 @@ std::optional<SessionHeader> header_from_json(const std::string& text) {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -6,7 +6,7 @@
 #include "storage/process.h"
 #include "storage/trace_codec.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 std::string_view key_of(SessionKind kind) noexcept {
   constexpr std::array<std::string_view, 4> keys = {"practice", "assessment", "try_it", "try_out"};
@@ -100,4 +100,4 @@ void insert_final_volume(Transaction& transaction, SessionId session, const Fina
                   session, volume.tick, volume.hash, pack(volume.cuts));
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

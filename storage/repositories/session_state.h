@@ -8,7 +8,7 @@
 #include "storage/context.h"
 #include "storage/repositories/sessions.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// How far a session's trace goes.
 struct TraceEnd {
@@ -31,4 +31,4 @@ std::uint64_t insert_event(StorageContext& context, Transaction& transaction, Se
 /// The only one of its session; the caller links row 0.
 void insert_final_volume(Transaction& transaction, SessionId session, const FinalVolume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::storage

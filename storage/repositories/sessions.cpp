@@ -7,7 +7,7 @@
 #include "storage/sealing.h"
 #include "storage/trace_codec.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (auto allowed = require(actor, Action::drill); !allowed) return std::unexpected(allowed.error());
@@ -154,4 +154,4 @@ Stored<SessionState> Sessions::state(SessionId session) {
   return state_after(*all);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "engine/base/haptic_port.h"
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "storage/context.h"
+#include "storage/modules.h"
 #include "storage/repositories/scenarios.h"
 #include "storage/rights.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 enum class SessionKind : std::uint8_t {
   practice,
@@ -118,4 +119,4 @@ class Sessions {
 /// "still what it was": from the events of a session, in order.
 SessionState state_after(const std::vector<SessionEvent>& events) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -5,8 +5,9 @@
 #include <string>
 
 #include "scenarios/format/scenario.h"
+#include "storage/modules.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 inline std::string title_to_json(const LocalText& title) {
   return nlohmann::json(title).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -22,4 +23,4 @@ inline LocalText title_from_json(const std::string& text) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -6,7 +6,7 @@
 #include "storage/repositories/session_state.h"
 #include "storage/trace_codec.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<void> Traces::append(SessionId session, const RecordedSecond& second) {
   const auto& inputs = second.inputs;
@@ -135,4 +135,4 @@ Stored<std::optional<FinalVolume>> Traces::final_volume(SessionId session) {
   return volume;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

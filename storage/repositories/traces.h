@@ -11,10 +11,11 @@
 
 #include "engine/step/input.h"
 #include "storage/context.h"
+#include "storage/modules.h"
 #include "storage/repositories/metrics.h"
 #include "storage/repositories/sessions.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// StepState::save() after `tick`, and Process::save() of all ticks up to it; empty where not all of them are known.
 struct KeyState {
@@ -62,4 +63,4 @@ class Traces {
   StorageContext& c_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

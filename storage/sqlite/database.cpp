@@ -2,7 +2,7 @@
 
 #include <sqlite3.h>
 
-namespace cusp {
+namespace cusp::storage {
 Database::~Database() { sqlite3_close_v2(handle_); }
 Database::Database(Database&& other) noexcept
     : handle_{std::exchange(other.handle_, nullptr)}, file_{std::move(other.file_)}, read_only_{other.read_only_} {}
@@ -67,4 +67,4 @@ Stored<void> Transaction::commit() {
   return {};
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -16,7 +16,7 @@
 #include "storage/error.h"
 #include "storage/sqlite/statement.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// In order: the first brings user_version from 0 to 1 (storage/sqlite/migrate.h).
 std::span<const std::string_view> built_in_migrations() noexcept;
@@ -176,4 +176,4 @@ class Transaction {
   bool open_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

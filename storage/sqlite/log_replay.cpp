@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 constexpr std::size_t kHeader = 32, kFrameHeader = 24;
@@ -73,4 +73,4 @@ void lay_over(const CommittedLog& log, std::span<const std::byte> bytes, std::sp
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

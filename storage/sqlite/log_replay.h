@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-namespace cusp {
+namespace cusp::storage {
 
 struct CommittedLog {
   std::uint32_t page_size = 0;                  // 0: nothing is committed in the log
@@ -20,4 +20,4 @@ CommittedLog read_log(std::span<const std::byte> log);
 /// Pre: image holds log.pages pages.
 void lay_over(const CommittedLog& log, std::span<const std::byte> bytes, std::span<std::byte> image);
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp {
+namespace cusp::storage {
 
 int read_at(sqlite3_file* file, std::span<std::byte> to, std::int64_t at) noexcept {
   constexpr std::size_t kMost = std::size_t{1} << 24;  // of one call: its length is an int
@@ -42,4 +42,4 @@ void MainFile::unlock() noexcept {
   locked_ = false;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Reads all of `to` from `at` on. SQLITE_OK, SQLITE_IOERR_SHORT_READ past the end (the rest is zeros), or an error.
 int read_at(sqlite3_file* file, std::span<std::byte> to, std::int64_t at) noexcept;
@@ -38,4 +38,4 @@ class MainFile {
   bool locked_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -12,7 +12,7 @@
 #include "storage/sqlite/main_file.h"
 #include "storage/sqlite/statement.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ Stored<sqlite3*> memory_copy(sqlite3* source) {
   return copy;
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -10,11 +10,11 @@
 
 struct sqlite3;
 
-namespace cusp {
+namespace cusp::storage {
 
 /// A read-only connection of its own. Memory: as much as the file has, once. Fails with busy where another connection
 /// stands, io where the file cannot be read, corrupt where file and log do not fit together.
 /// Pre: `source` has run no statement yet.
 Stored<sqlite3*> memory_copy(sqlite3* source);
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace cusp {
+namespace cusp::storage {
 
 Stored<void> migrate(Database& database, std::span<const std::string_view> migrations) {
   const auto newest = static_cast<int>(migrations.size());
@@ -25,4 +25,4 @@ Stored<void> migrate(Database& database, std::span<const std::string_view> migra
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -8,10 +8,10 @@
 #include "storage/error.h"
 #include "storage/sqlite/database.h"
 
-namespace cusp {
+namespace cusp::storage {
 
 /// Brings the file up to `migrations.size()`. newer_schema when it is past that; where a migration fails, the file
 /// stays at the version before it.
 Stored<void> migrate(Database& database, std::span<const std::string_view> migrations = built_in_migrations());
 
-}  // namespace cusp
+}  // namespace cusp::storage

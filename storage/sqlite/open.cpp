@@ -12,7 +12,7 @@
 #include "storage/sqlite/memory_copy.h"
 #include "storage/sqlite/migrate.h"
 
-namespace cusp {
+namespace cusp::storage {
 namespace {
 
 namespace fs = std::filesystem;
@@ -238,4 +238,4 @@ void Database::remove_if_empty(const fs::path& file, const DatabaseOptions& opti
   if (size_of(main.handle()) == 0) fs::remove(file, ignored);
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace cusp {
+namespace cusp::storage {
 
 int Row::columns() const noexcept { return sqlite3_column_count(statement_); }
 bool Row::is_null(int column) const noexcept { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
@@ -171,4 +171,4 @@ StorageFailure failure_of(sqlite3* database, int status, std::string where) {
   return {code, std::move(where), std::move(detail)};
 }
 
-}  // namespace cusp
+}  // namespace cusp::storage

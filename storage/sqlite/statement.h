@@ -17,7 +17,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace cusp {
+namespace cusp::storage {
 
 /// The row that a statement stands on. Columns count from 0; valid until the next step.
 class Row {
@@ -112,4 +112,4 @@ class Statement {
 /// SQLite's state as a failure of storage; `where` is the database's file unless given.
 StorageFailure failure_of(sqlite3* database, int status, std::string where = {});
 
-}  // namespace cusp
+}  // namespace cusp::storage

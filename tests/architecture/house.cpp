@@ -107,7 +107,7 @@ TEST(House, every_room_says_what_lives_in_it) {
   for (const auto& entry : fs::directory_iterator(kRoot / "ui")) {
     const std::string name = entry.path().filename().string();
     if (entry.is_regular_file()) {
-      EXPECT_TRUE(name == "README.md" || name == "CMakeLists.txt") << name << " lies directly in ui";
+      EXPECT_TRUE(name == "README.md" || name == "CMakeLists.txt" || name == "modules.h") << name << " lies directly in ui";
     } else if (entry.is_directory()) {
       EXPECT_NE(read(kRoot / "ui/README.md").find(name), std::string::npos) << "ui/README.md does not name " << name;
     }

@@ -13,23 +13,23 @@ namespace {
 constexpr double kVoxel = 10.0 / 128;  // 128^3 in 10 mm
 constexpr int kHoles = 30;             // of a channel: ten upright, twenty oblique; sixteen more across a slot
 
-/// A voxel size and burr at which a shape is measured.
+/// A voxel size and bur at which a shape is measured.
 struct Size {
   double voxel_mm;
-  double burr_radius_mm;
+  double bur_radius_mm;
 };
 
 std::vector<Size> sizes_of(std::string_view shape, const Options& options) {
   std::vector<Size> out;
-  if (!options.voxels_mm.empty() || !options.burr_radii_mm.empty()) {
+  if (!options.voxels_mm.empty() || !options.bur_radii_mm.empty()) {
     for (const double voxel : chosen(options.voxels_mm, {kVoxel}))
-      for (const double radius : chosen(options.burr_radii_mm, {0.25, 0.5})) out.push_back({voxel, radius});
+      for (const double radius : chosen(options.bur_radii_mm, {0.25, 0.5})) out.push_back({voxel, radius});
     return out;
   }
   out = {{kVoxel, 0.25}, {kVoxel, 0.5}};
   const bool plain = shape == "face" || shape == "sphere";
   if (plain) out.insert(out.end(), {{kVoxel, 1.15}, {kVoxel, 3.0}});
-  // One burr for the order of the error: at 0.2 mm the small one is hardly more than a voxel.
+  // One bur for the order of the error: at 0.2 mm the small one is hardly more than a voxel.
   if (plain || shape == "cylinder") out.insert(out.end(), {{0.2, 0.5}, {0.1, 0.5}, {0.04, 0.5}});
   return out;
 }
@@ -51,7 +51,7 @@ void channel_rows(const Options& options, const Size& size, Measure what, std::v
   if (!asked(options.motions, "slide")) return;
   for (const HoleKind kind : {HoleKind::straight, HoleKind::oblique, HoleKind::slot}) {
     const int count = kind == HoleKind::straight ? kHoles / 3 : kind == HoleKind::oblique ? 2 * kHoles / 3 : 16;
-    const auto holes = meant_holes(size.burr_radius_mm, kind, options.seed, count);
+    const auto holes = meant_holes(size.bur_radius_mm, kind, options.seed, count);
     for (const Method method : kMethods) {
       if (!asked(options.methods, key_of(method))) continue;
       what.method = method;
@@ -81,7 +81,7 @@ std::vector<Row> accuracy_rows(const Options& options) {
       const std::vector<std::string_view> variants =
           name == "cut" ? std::vector<std::string_view>{"single", "crossing"} : std::vector<std::string_view>{""};
       for (const std::string_view variant : variants)
-        shape_rows(options, *make_shape(name, size.burr_radius_mm, variant), what, rows);
+        shape_rows(options, *make_shape(name, size.bur_radius_mm, variant), what, rows);
     }
   }
   return rows;

@@ -8,8 +8,8 @@
 
 namespace cusp::bench {
 
-/// Default set: every method at 10/128 mm with burrs of 0.25 and 0.5 mm on every shape and motion; voxels of 0.2, 0.1
-/// and 0.04 mm and burrs of 1.15 and 3 mm on face and sphere, the voxels on the cylinder too.
+/// Default set: every method at 10/128 mm with burs of 0.25 and 0.5 mm on every shape and motion; voxels of 0.2, 0.1
+/// and 0.04 mm and burs of 1.15 and 3 mm on face and sphere, the voxels on the cylinder too.
 std::vector<Row> accuracy_rows(const Options& options);
 
 /// Prints them; an exit code of program.h.

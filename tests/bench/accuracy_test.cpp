@@ -140,7 +140,7 @@ TEST(Accuracy, gives_a_row_for_each_that_is_asked_for) {
   options.methods = {"surface", "occupancy"};
   options.shapes = {"face"};
   options.voxels_mm = {0.2};
-  options.burr_radii_mm = {0.5};
+  options.bur_radii_mm = {0.5};
   options.budget_s = 0.001;
   const std::vector<Row> rows = accuracy_rows(options);  // press, and slides at three speeds
   ASSERT_EQ(rows.size(), 8u);

@@ -1,6 +1,7 @@
 #include "tests/bench/candidates.h"
 
 #include "engine/step/state.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 

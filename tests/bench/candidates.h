@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/step/step.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 

@@ -14,7 +14,7 @@ constexpr double kEdgeStep = 0.005;  // mm between points of an edge
 constexpr double kSlack = 0.012;     // mm: what is further away than this cannot bind within one step ...
 constexpr double kTrust = 0.004;     // ... of this length
 constexpr double kNear = 0.08;       // mm: edge points are gathered this far beyond touch
-constexpr double kConformal = 0.02;  // mm: a burr that has no more room than this in a capsule touches it all round
+constexpr double kConformal = 0.02;  // mm: a bur that has no more room than this in a capsule touches it all round
 constexpr int kRing = 64;
 
 Vec3 on_axis(const Capsule& c, Vec3 p) {
@@ -208,7 +208,7 @@ Vec3 CarvedBlock::refined(int i, Vec3 centre) const {
     const Vec3 at = e.at + s * slope + s * s * second - centre;
     const Vec3 d = slope + 2.0 * s * second;
     const double bend = glm::dot(d, d) + 2.0 * glm::dot(at, second);
-    if (bend < 1e-9) return e.at;  // no single foot: the burr lies in the edge's own curvature
+    if (bend < 1e-9) return e.at;  // no single foot: the bur lies in the edge's own curvature
     s = std::clamp(s - glm::dot(at, d) / bend, back, on);
   }
   return e.at + s * slope + s * s * second;
@@ -293,7 +293,7 @@ void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
       }
     }
     if (!all_round) continue;
-    // As wide as the burr: it touches all round, so the foot alone says little.
+    // As wide as the bur: it touches all round, so the foot alone says little.
     const Capsule& c = capsules_[static_cast<std::size_t>(f)];
     const Frame& frame = frames_[static_cast<std::size_t>(f)];
     const Vec3 axis = on_axis(c, y);

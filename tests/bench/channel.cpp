@@ -7,6 +7,7 @@
 #include "engine/contact/surface_contact.h"
 #include "tests/bench/candidates.h"
 #include "tests/bench/tick_times.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 

@@ -22,7 +22,7 @@ Row accuracy_row(std::string_view method, std::string_view shape, double radius,
   row.shape = shape;
   row.motion = "slide";
   row.speed_mm_s = 50.0;
-  row.burr_radius_mm = radius;
+  row.bur_radius_mm = radius;
   row.voxel_mm = voxel;
   row.updates_per_s = rate;
   row.angle_deg_mean = angle;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/contact/surface_contact.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kPieceMm = 0.1;
 constexpr double kAbove = 0.05;
-constexpr double kCutterOverBurr = 1.5;
+constexpr double kCutterOverBur = 1.5;
 constexpr double kRadians = 0.017453292519943296;
 
 bool cut_in_pieces(StepState& state, std::uint16_t cutter, const Capsule& c) {
@@ -27,8 +28,8 @@ bool cut_in_pieces(StepState& state, std::uint16_t cutter, const Capsule& c) {
 class Cut : public CutBlock {
  public:
   Cut(double r, bool crossing) : CutBlock("cut", r), crossing_(crossing) {
-    // Three lines round a triangle 1 mm wide, each a little inclined; depths below the face 0.3 to 0.6 burr radii.
-    const double big = kCutterOverBurr * r;
+    // Three lines round a triangle 1 mm wide, each a little inclined; depths below the face 0.3 to 0.6 bur radii.
+    const double big = kCutterOverBur * r;
     std::vector<Capsule> paths;
     const double wide = 0.35, reach = 1.6;
     for (int i = 0; i < (crossing ? 3 : 1); ++i) {
@@ -43,13 +44,13 @@ class Cut : public CutBlock {
   std::string variant() const override { return crossing_ ? "crossing" : "single"; }
   Vec3 tool_axis() const override { return frame_.z; }
   Vec3 home() const override { return frame_.to_world({0.0, 0.0, 14.0}); }
-  double cutter_radius_mm() const override { return kCutterOverBurr * burr_radius_mm(); }
+  double cutter_radius_mm() const override { return kCutterOverBur * bur_radius_mm(); }
 
-  /// On a ridge or a mouth a small burr's device point would lie beyond the edge, where no minimum is meant.
+  /// On a ridge or a mouth a small bur's device point would lie beyond the edge, where no minimum is meant.
   Spot spot(Random& random) const override {
     for (;;) {
       const Vec3 c = over(random.between(-kSide, kSide), random.between(-kSide, kSide), 1e-8);
-      if (burr_radius_mm() < kDepthMm + 0.02 && block_->edge_nearest(c)) continue;
+      if (bur_radius_mm() < kDepthMm + 0.02 && block_->edge_nearest(c)) continue;
       Vec3 slope;
       constexpr double kStep = 1e-6;
       for (int i = 0; i < 3; ++i) {
@@ -62,7 +63,7 @@ class Cut : public CutBlock {
       return {c, unit(slope)};
     }
   }
-  /// Straight over the scratched part as seen from above, kDepthMm below the height at which the burr rests there.
+  /// Straight over the scratched part as seen from above, kDepthMm below the height at which the bur rests there.
   Leg leg(Random& random, const Vec3* from) const override {
     const auto aim = [&] { return Vec3(random.between(-kSide, kSide), random.between(-kSide, kSide), 0.0); };
     const Vec3 a = from ? frame_.to_local(*from) : aim();
@@ -79,9 +80,9 @@ class Cut : public CutBlock {
  private:
   static constexpr double kSide = 1.2;
   bool crossing_;
-  /// Where the burr rests when it is let down along the face's normal.
+  /// Where the bur rests when it is let down along the face's normal.
   Vec3 over(double x, double y, double precision_mm) const {
-    double high = burr_radius_mm() + 1e-6, low = 0.0;
+    double high = bur_radius_mm() + 1e-6, low = 0.0;
     while (high - low > precision_mm) {
       const double middle = 0.5 * (high + low);
       (block_->clearance_mm(frame_.to_world({x, y, middle})) >= 0.0 ? high : low) = middle;
@@ -91,7 +92,7 @@ class Cut : public CutBlock {
 };
 
 /// What two crossing pairs of slots leave: an islet on a neck of 0.4 mm, 0.5 mm across at its top, with four sharp
-/// tips. A smaller burr goes to and fro over it.
+/// tips. A smaller bur goes to and fro over it.
 class Islet : public CutBlock {
  public:
   explicit Islet(double r) : CutBlock("islet", r) {
@@ -107,11 +108,11 @@ class Islet : public CutBlock {
   double cutter_radius_mm() const override { return kCutterMm; }
   double thinnest_mm() const override { return 2.0 * (kApartMm - kCutterMm); }
   Spot spot(Random& random) const override {
-    const Vec3 c = frame_.to_world({random.between(-0.05, 0.05), random.between(-0.05, 0.05), burr_radius_mm()});
+    const Vec3 c = frame_.to_world({random.between(-0.05, 0.05), random.between(-0.05, 0.05), bur_radius_mm()});
     return {c, frame_.z};
   }
   Leg leg(Random& random, const Vec3* from) const override {
-    const double low = burr_radius_mm() - kDepthMm;
+    const double low = bur_radius_mm() - kDepthMm;
     const Vec3 a = from ? frame_.to_local(*from) : Vec3(-1.3, random.between(-0.3, 0.3), low);
     const double phi = random.between(0.0, 6.283185307179586);
     const Vec3 b(1.3 * std::cos(phi), 1.3 * std::sin(phi), low);
@@ -132,7 +133,7 @@ void CutBlock::carve(std::vector<Capsule> local, double thinner_mm) {
     c.b = frame_.to_world(c.b);
   }
   block_ = std::make_shared<CarvedBlock>(frame_.z, glm::dot(frame_.z, frame_.origin), std::move(local),
-                                         burr_radius_mm(), thinner_mm);
+                                         bur_radius_mm(), thinner_mm);
 }
 
 bool CutBlock::prepare(StepState& state) const {
@@ -191,13 +192,13 @@ bool Pitfall::give_way(StepState& state) const {
 
 std::unique_ptr<Truth> Pitfall::truth_after() const {
   return std::make_unique<InPitfall>(frame_.to_world(kPitfallBottom), frame_.z,
-                                     kPitfallMm - burr_radius_mm() + SurfaceContact::kClearanceMm);
+                                     kPitfallMm - bur_radius_mm() + SurfaceContact::kClearanceMm);
 }
 
 /// Within the hole's middle half.
 Spot Pitfall::spot(Random& random) const {
   const double half = 0.35 * kPitfallMm;
-  const Vec3 c(random.between(-half, half), random.between(-half, half), burr_radius_mm());
+  const Vec3 c(random.between(-half, half), random.between(-half, half), bur_radius_mm());
   return {frame_.to_world(c), frame_.z};
 }
 
@@ -220,13 +221,13 @@ bool LoosePlate::give_way(StepState& state) const {
 std::unique_ptr<Truth> LoosePlate::truth_after() const { return std::make_unique<Nothing>(); }
 
 Spot LoosePlate::spot(Random& random) const {
-  return {frame_.to_world({random.between(-0.3, 0.3), random.between(-0.3, 0.3), burr_radius_mm()}), frame_.z};
+  return {frame_.to_world({random.between(-0.3, 0.3), random.between(-0.3, 0.3), bur_radius_mm()}), frame_.z};
 }
 
-std::unique_ptr<Shape> make_islet(double burr_radius_mm) { return std::make_unique<Islet>(burr_radius_mm); }
+std::unique_ptr<Shape> make_islet(double bur_radius_mm) { return std::make_unique<Islet>(bur_radius_mm); }
 
-std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing) {
-  return std::make_unique<Cut>(burr_radius_mm, crossing);
+std::unique_ptr<Shape> make_cut(double bur_radius_mm, bool crossing) {
+  return std::make_unique<Cut>(bur_radius_mm, crossing);
 }
 
 Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm)
@@ -237,7 +238,7 @@ Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm)
   const double deep = random.between(0.4, 1.3);
   const Vec3 mouth(random.between(-0.5, 0.5), random.between(-0.5, 0.5), 0.0);
   const Vec3 axis(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt));
-  // From well outside, where the burr touches nothing yet, to its depth below the face along the axis.
+  // From well outside, where the bur touches nothing yet, to its depth below the face along the axis.
   std::vector<Capsule> paths{{mouth + axis * (1.5 * r / std::cos(tilt) + 0.2), mouth - axis * deep, r}};
   const double side = random.between(0.0, 360.0) * kRadians;
   const Frame across = Frame::of(axis, {0.3, 1.0, 0.2}, Vec3(0.0));

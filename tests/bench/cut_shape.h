@@ -1,5 +1,5 @@
-/// Blocks that a burr has cut along known paths: `cut`, one scratch or three across each other that a smaller burr
-/// slides over, and the holes of `channel`, in which the burr that cut them is pulled out and pushed back.
+/// Blocks that a bur has cut along known paths: `cut`, one scratch or three across each other that a smaller bur
+/// slides over, and the holes of `channel`, in which the bur that cut them is pulled out and pushed back.
 #pragma once
 
 #include <memory>
@@ -22,8 +22,8 @@ class CutBlock : public Shape {
   const std::vector<Capsule>& capsules() const { return block_->capsules(); }
 
  protected:
-  CutBlock(std::string name, double burr_radius_mm) : Shape(std::move(name), burr_radius_mm) {}
-  /// capsules in the frame's own axes. thinner_mm: the burr's clearance against cuts.
+  CutBlock(std::string name, double bur_radius_mm) : Shape(std::move(name), bur_radius_mm) {}
+  /// capsules in the frame's own axes. thinner_mm: the bur's clearance against cuts.
   void carve(std::vector<Capsule> local, double thinner_mm);
 
   Frame frame_ = oblique_frame();
@@ -31,14 +31,14 @@ class CutBlock : public Shape {
   std::shared_ptr<CarvedMemory> memory_ = std::make_shared<CarvedMemory>();
 };
 
-/// Scratches of a burr half again as wide, 0.3 to 0.6 burr radii deep: one of them, whose edges are its mouth, or three
+/// Scratches of a bur half again as wide, 0.3 to 0.6 bur radii deep: one of them, whose edges are its mouth, or three
 /// that meet in a triangle, with ridges where two of them cross.
-std::unique_ptr<Shape> make_cut(double burr_radius_mm, bool crossing);
+std::unique_ptr<Shape> make_cut(double bur_radius_mm, bool crossing);
 
 /// An islet on a neck of 0.4 mm between four slots.
-std::unique_ptr<Shape> make_islet(double burr_radius_mm);
+std::unique_ptr<Shape> make_islet(double bur_radius_mm);
 
-/// A face that gives way under a burr that leans on it.
+/// A face that gives way under a bur that leans on it.
 class ChangingFace : public Shape {
  public:
   /// False: the volume had no room.
@@ -53,7 +53,7 @@ class ChangingFace : public Shape {
   Vec3 before(Vec3 first) const override { return face_->before(first); }
 
  protected:
-  ChangingFace(std::string name, double burr_radius_mm);
+  ChangingFace(std::string name, double bur_radius_mm);
   const Shape& face() const { return *face_; }
   Frame frame_ = oblique_frame();
 
@@ -61,10 +61,10 @@ class ChangingFace : public Shape {
   std::unique_ptr<Shape> face_;
 };
 
-/// Out of it, while a burr presses on it, a hole of 1.6 mm is cut at once.
+/// Out of it, while a bur presses on it, a hole of 1.6 mm is cut at once.
 class Pitfall : public ChangingFace {
  public:
-  explicit Pitfall(double burr_radius_mm) : ChangingFace("pitfall", burr_radius_mm) {}
+  explicit Pitfall(double bur_radius_mm) : ChangingFace("pitfall", bur_radius_mm) {}
   bool give_way(StepState& state) const override;
   /// In the hole, below its mouth.
   std::unique_ptr<Truth> truth_after() const override;
@@ -75,10 +75,10 @@ class Pitfall : public ChangingFace {
   Spot spot(Random& random) const override;
 };
 
-/// A plate of 0.5 mm, its top in a face's plane, on a bridge to a block beside it; cut loose it floats under the burr.
+/// A plate of 0.5 mm, its top in a face's plane, on a bridge to a block beside it; cut loose it floats under the bur.
 class LoosePlate : public ChangingFace {
  public:
-  explicit LoosePlate(double burr_radius_mm) : ChangingFace("fragment", burr_radius_mm) {}
+  explicit LoosePlate(double bur_radius_mm) : ChangingFace("fragment", bur_radius_mm) {}
   /// Cuts through the bridge: it is then for the step to let the plate go.
   bool give_way(StepState& state) const override;
   /// Once it has gone: nothing there.
@@ -92,24 +92,24 @@ class LoosePlate : public ChangingFace {
 enum class HoleKind { straight, oblique, slot };
 const char* name_of(HoleKind kind);
 
-/// A hole of the burr's own width, by seed: 0.4 to 1.3 mm deep along its axis, upright (within 5 degrees of the face's
+/// A hole of the bur's own width, by seed: 0.4 to 1.3 mm deep along its axis, upright (within 5 degrees of the face's
 /// normal), oblique (10 to 70 degrees), or the latter across an older slot.
 class Hole : public CutBlock {
  public:
-  Hole(double burr_radius_mm, HoleKind kind, std::uint64_t seed, double thinner_mm);
+  Hole(double bur_radius_mm, HoleKind kind, std::uint64_t seed, double thinner_mm);
 
   std::string variant() const override;
   Vec3 tool_axis() const override { return axis_; }
   Vec3 home() const override { return mouth_ + axis_ * 8.0; }
-  double cutter_radius_mm() const override { return 0.0; }  // the burr itself
+  double cutter_radius_mm() const override { return 0.0; }  // the bur itself
   Spot spot(Random&) const override { return {bottom_, axis_}; }
   Leg leg(Random&, const Vec3*) const override;
   Vec3 before(Vec3) const override { return bottom_; }
 
   std::uint64_t seed() const { return seed_; }
   Vec3 axis() const { return axis_; }      // out of the hole
-  Vec3 bottom() const { return bottom_; }  // centre of the burr at the end of its cut
-  Vec3 outside() const { return mouth_ + axis_ * (3.0 * burr_radius_mm()); }
+  Vec3 bottom() const { return bottom_; }  // centre of the bur at the end of its cut
+  Vec3 outside() const { return mouth_ + axis_ * (3.0 * bur_radius_mm()); }
   Vec3 pull() const { return pull_; }  // 0.1 mm across
 
  private:

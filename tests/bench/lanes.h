@@ -6,6 +6,7 @@
 
 #include "engine/step/step.h"
 #include "tests/bench/tick_times.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 

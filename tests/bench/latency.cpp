@@ -19,6 +19,7 @@
 #include "tests/bench/latency_load.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/program.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -30,7 +31,7 @@ constexpr double kWarmUpS = 0.5;  // not counted: caches, first pages, homing's 
 constexpr double kVoxelMm = 0.1;
 constexpr double kHalfMm = 4.0, kDeepMm = 4.0;
 
-/// A block of plastic, 8 x 8 x 4 mm with its face at z = 0, padded by four voxels, and a burr of 1 mm.
+/// A block of plastic, 8 x 8 x 4 mm with its face at z = 0, padded by four voxels, and a bur of 1 mm.
 std::shared_ptr<const Scene> block() {
   Grid grid;
   grid.size = {88, 88, 48};
@@ -52,9 +53,9 @@ std::shared_ptr<const Scene> block() {
   scene->specimen = Specimen::build(volume, reading_of(Method::surface));
   scene->method = Method::surface;
   scene->tissues[index_of(Tissue::plastic)] = {1.0, 4.0};
-  Burr burr;
-  burr.radius_mm = 0.5;
-  scene->burrs = {burr};
+  Bur bur;
+  bur.radius_mm = 0.5;
+  scene->burs = {bur};
   scene->guard.late_ms = 60'000;  // lateness is what is measured here: it must not end the run
   return scene;
 }

@@ -11,6 +11,7 @@
 #include "engine/loop/loop_stats.h"
 #include "engine/loop/realtime.h"
 #include "tests/bench/options.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 

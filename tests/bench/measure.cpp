@@ -95,7 +95,7 @@ Row row_of(const Shape& shape, const Measure& what, std::string_view motion) {
   row.variant = shape.variant();
   row.motion = motion;
   if (motion == "slide") row.speed_mm_s = what.speed_mm_s;
-  row.burr_radius_mm = shape.burr_radius_mm();
+  row.bur_radius_mm = shape.bur_radius_mm();
   row.voxel_mm = what.voxel_mm;
   row.seed = static_cast<std::int64_t>(what.seed);
   row.unresolved = shape.unresolved(what.voxel_mm);

@@ -5,6 +5,7 @@
 
 #include "engine/step/step.h"
 #include "tests/bench/shapes.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -33,7 +34,7 @@ class Slide {
 /// Steps that are counted or broken on purpose go through here too.
 using Stepper = std::function<StepOutput(StepState&, const StepInput&)>;
 
-/// Leads the burr straight from wherever it is and lets it arrive. Used between measurements.
+/// Leads the bur straight from wherever it is and lets it arrive. Used between measurements.
 void lead(StepState& state, const Stepper& stepper, Vec3 to_mm, double per_tick_mm);
 
 /// Puts a fresh or used state at an admissible centre, by way of home.

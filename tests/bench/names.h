@@ -5,7 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 

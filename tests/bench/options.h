@@ -25,9 +25,9 @@ struct Options {
   std::vector<std::string> directions;  // removal
   std::vector<double> ticks_ms;         // removal
   std::vector<double> alphas;           // removal
-  bool full = false;                    // removal: every combination, every burr; stability: k_max on every device
+  bool full = false;                    // removal: every combination, every bur; stability: k_max on every device
   std::vector<double> speeds_mm_s;
-  std::vector<double> burr_radii_mm;
+  std::vector<double> bur_radii_mm;
   std::vector<double> voxels_mm;
   double seconds = 10.0;          // latency: of each row
   std::vector<std::string> loads; // latency: off, on
@@ -48,7 +48,7 @@ inline bool asked(const std::vector<std::string>& filter, std::string_view value
 /// Within 0.5 %: 0.078 means 10/128.
 inline bool same(double a, double b) { return std::fabs(a - b) <= 0.005 * std::fabs(b); }
 
-/// The verb's own values, or those asked for: a voxel size or a burr that is no default may be asked for as well.
+/// The verb's own values, or those asked for: a voxel size or a bur that is no default may be asked for as well.
 inline std::vector<double> chosen(const std::vector<double>& filter, const std::vector<double>& standard) {
   if (filter.empty()) return standard;
   std::vector<double> out;

@@ -12,7 +12,7 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kFullForceN = 0.25;  // at K = 1 N/mm: full wear from 0.25 mm of spring on
-constexpr double kLeadMm = 0.3;       // of the device point before the burr: always full wear
+constexpr double kLeadMm = 0.3;       // of the device point before the bur: always full wear
 constexpr double kCoverMm = 0.3;      // over the ball when the clock starts, more than the band
 constexpr double kLeadStepMm = 0.05;  // a tick, on the way there
 constexpr int kSettleTicks = 100;
@@ -38,10 +38,10 @@ Perforation::Perforation(Method method, const Shape& face, double voxel_mm, std:
     : state_(drilling_scene(method, face, voxel_mm)) {
   Random random(seed);
   const Spot spot = face.spot(random);
-  const double r = face.burr_radius_mm();
+  const double r = face.bur_radius_mm();
   inwards_ = -spot.normal;
   start_ = spot.centre + inwards_ * (2.0 * r + kCoverMm);
-  // The way there is cut at once; the burr goes in, begins to cut, and settles.
+  // The way there is cut at once; the bur goes in, begins to cut, and settles.
   cut_along(state_, 0, spot.centre - inwards_ * (2.0 * r), start_);
   lead(state_, step, face.home(), kLeadStepMm);
   lead(state_, step, spot.centre - inwards_ * (2.0 * r), kLeadStepMm);
@@ -76,7 +76,7 @@ Changes changes_a_tick(Method method, const Shape& face, double voxel_mm, int ti
       b.crossed[static_cast<std::size_t>(o)] = crossed(volume, corner + IVec3(o & 7, o >> 3 & 7, o >> 6));
     }
   };
-  // Every brick that the burr can reach in these ticks, so that a value's first change is seen as one.
+  // Every brick that the bur can reach in these ticks, so that a value's first change is seen as one.
   for (int b = 0; b < specimen.brick_count().x * specimen.brick_count().y * specimen.brick_count().z; ++b)
     if (volume.cuttable(b)) remember(b);
 

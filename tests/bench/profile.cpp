@@ -35,7 +35,7 @@ Profile::Profile(std::vector<Vec2> corners, double radius_mm) : corners_(std::mo
     }
     const Vec2 before = corners_[i] - corners_[i - 1];
     const Vec2 old_normal = left_of(before / size(before));
-    if (cross(before, d) < 0.0) {  // an outer corner: the burr rolls about it
+    if (cross(before, d) < 0.0) {  // an outer corner: the bur rolls about it
       Piece arc;
       arc.arc = true;
       arc.middle = corners_[i];
@@ -45,7 +45,7 @@ Profile::Profile(std::vector<Vec2> corners, double radius_mm) : corners_(std::mo
       arc.b = next.a;
       pieces_.push_back(arc);
     } else {
-      // An inner corner: what the burr touched last ends where it meets the new piece's line.
+      // An inner corner: what the bur touched last ends where it meets the new piece's line.
       const double level = glm::dot(next.normal, next.a);
       for (;;) {
         assert(!pieces_.empty());

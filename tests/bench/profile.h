@@ -1,5 +1,5 @@
 /// A tissue boundary drawn in a plane as straight pieces, endless along the third axis, and the curve that the centre
-/// of a burr of radius r cannot cross: offset pieces, arcs about outer corners, trimmed at inner ones.
+/// of a bur of radius r cannot cross: offset pieces, arcs about outer corners, trimmed at inner ones.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -69,9 +69,9 @@ class ProfileTruth : public Truth {
 
 class ProfileShape : public Shape {
  public:
-  ProfileShape(std::string name, double burr_radius_mm, std::vector<Vec2> corners, double lift_mm, Vec3 axis,
+  ProfileShape(std::string name, double bur_radius_mm, std::vector<Vec2> corners, double lift_mm, Vec3 axis,
                const Frame& frame = oblique_frame())
-      : Shape(std::move(name), burr_radius_mm), profile_(std::move(corners), burr_radius_mm), frame_(frame) {
+      : Shape(std::move(name), bur_radius_mm), profile_(std::move(corners), bur_radius_mm), frame_(frame) {
     frame_.origin += frame_.z * lift_mm;
     axis_ = frame_.direction(unit(axis));
   }
@@ -79,7 +79,7 @@ class ProfileShape : public Shape {
   Vec3 tool_axis() const override { return axis_; }
   Vec3 home() const override { return frame_.origin + axis_ * kHome; }
   std::unique_ptr<Truth> truth() const override {
-    return std::make_unique<ProfileTruth>(profile_, frame_, burr_radius_mm());
+    return std::make_unique<ProfileTruth>(profile_, frame_, bur_radius_mm());
   }
   Vec3 before(Vec3 first) const override {
     const Vec3 p = frame_.to_local(first);
@@ -94,10 +94,10 @@ class ProfileShape : public Shape {
           pieces[static_cast<std::size_t>(random.between(0.0, static_cast<double>(pieces.size())))];
       const double y = random.between(-kAlong, kAlong);
       if (p.arc) {
-        if (burr_radius_mm() < kDepthMm + 0.02) continue;
+        if (bur_radius_mm() < kDepthMm + 0.02) continue;
         const double angle = random.between(p.to, p.from);
         const Vec2 n(std::cos(angle), std::sin(angle));
-        const Vec2 c = p.middle + burr_radius_mm() * n;
+        const Vec2 c = p.middle + bur_radius_mm() * n;
         return {frame_.to_world({c.x, y, c.y}), frame_.direction({n.x, 0.0, n.y})};
       }
       // The part of the piece within 2 mm of the middle.
@@ -164,8 +164,8 @@ class Edge : public ProfileShape {
   }
 
  private:
-  double under() const { return burr_radius_mm() - kDepthMm; }
-  double out() const { return burr_radius_mm() + 0.1; }
+  double under() const { return bur_radius_mm() - kDepthMm; }
+  double out() const { return bur_radius_mm() + 0.1; }
 };
 
 /// The same where a volume ends whose every voxel is tissue: its own edge, between its faces towards +x and +z.
@@ -178,7 +178,7 @@ class Rim : public Edge {
   static constexpr double kHalfBoxMm = 5.0;
 };
 
-/// A groove of 60 degrees, sharp at its bottom, deep enough for the burr to rest on both walls below the mouth.
+/// A groove of 60 degrees, sharp at its bottom, deep enough for the bur to rest on both walls below the mouth.
 class Groove : public ProfileShape {
  public:
   explicit Groove(double r) : Groove(r, std::max(2.5, 2.2 * r)) {}
@@ -199,9 +199,9 @@ class Groove : public ProfileShape {
                       {kFar, 0.0}},
                      deep / 2.0, {0.0, 0.0, 1.0}),
         deep_(deep) {}
-  Vec2 apex() const { return {0.0, -deep_ + (burr_radius_mm() - kDepthMm) / kSine30}; }
+  Vec2 apex() const { return {0.0, -deep_ + (bur_radius_mm() - kDepthMm) / kSine30}; }
   Vec2 up_wall(double side, Random& random) const {
-    const double most = std::min(2.0, (deep_ - 1.5 * burr_radius_mm()) / kCosine30 - 0.2);
+    const double most = std::min(2.0, (deep_ - 1.5 * bur_radius_mm()) / kCosine30 - 0.2);
     const double s = random.between(0.3, most);
     return apex() + s * Vec2(side * kSine30, kCosine30);
   }
@@ -218,7 +218,7 @@ class Step : public ProfileShape {
  protected:
   Vec2 start(Random& random) const override { return {lower_x(random), under()}; }
   std::vector<Vec2> way_on(Random& random, Vec2 at) const override {
-    const double above = kStepMm + burr_radius_mm() + 0.1;
+    const double above = kStepMm + bur_radius_mm() + 0.1;
     if (at.x > 0.0) {
       const double x = random.between(-1.5, -0.4);
       return {{under(), under()}, {under(), above}, {x, above}, {x, kStepMm + under()}};
@@ -228,15 +228,15 @@ class Step : public ProfileShape {
   }
 
  private:
-  double under() const { return burr_radius_mm() - kDepthMm; }
-  double lower_x(Random& random) const { return burr_radius_mm() + random.between(0.4, 1.5); }
+  double under() const { return bur_radius_mm() - kDepthMm; }
+  double lower_x(Random& random) const { return bur_radius_mm() + random.between(0.4, 1.5); }
 };
 
-/// A slot 1.2 burr radii wide and three deep, which the burr cannot enter: it rests on both mouth edges. The slide goes
+/// A slot 1.2 bur radii wide and three deep, which the bur cannot enter: it rests on both mouth edges. The slide goes
 /// across it, in and out again.
 class NarrowSlot : public ProfileShape {
  public:
-  /// Where the centre may go is what a notch leaves it whose walls the burr all but touches as it rests on the mouth
+  /// Where the centre may go is what a notch leaves it whose walls the bur all but touches as it rests on the mouth
   /// (10 nm off, relative to a radius of 0.25): tan of their slope 0.75 where the mouth edges stand at 0.6 radii.
   explicit NarrowSlot(double r)
       : ProfileShape("narrow-slot", r,
@@ -260,8 +260,8 @@ class NarrowSlot : public ProfileShape {
  private:
   static constexpr double kHalf = 0.6, kLift = 0.5;
   Profile slot_;
-  double under() const { return burr_radius_mm() - kDepthMm; }
-  double side(Random& random) const { return burr_radius_mm() + random.between(0.3, 1.2); }
+  double under() const { return bur_radius_mm() - kDepthMm; }
+  double side(Random& random) const { return bur_radius_mm() + random.between(0.3, 1.2); }
 };
 
 }  // namespace

@@ -9,6 +9,6 @@
 namespace cusp::bench {
 
 /// nullptr for another name.
-std::unique_ptr<Shape> make_profile_shape(std::string_view name, double burr_radius_mm);
+std::unique_ptr<Shape> make_profile_shape(std::string_view name, double bur_radius_mm);
 
 }  // namespace cusp::bench

@@ -27,7 +27,7 @@ struct Verb {
 };
 
 constexpr Verb kVerbs[] = {
-    {"accuracy", "every contact method against the exact proxy of a ball burr", run_accuracy, false},
+    {"accuracy", "every contact method against the exact proxy of a ball bur", run_accuracy, false},
     {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
     {"scale", "what a tick and a scene cost as the volume grows from 128^3 to 1024^3 voxels", run_scale, false},
     {"stability", "where every method, its guard on and off, becomes unstable, falls through, jams or kicks",
@@ -73,10 +73,10 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
       ->check(CLI::IsMember(direction_names()));
   app.add_option("--tick-ms", options.ticks_ms, "removal: lengths of a tick (repeatable)")->check(CLI::Range(0.1, 50.0));
   app.add_option("--alpha", options.alphas, "removal: wear coefficients (repeatable)")->check(CLI::Range(0.01, 1.0));
-  app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round burr at 0.1 mm, not all pairs; every burr of the "
+  app.add_flag("--full", options.full, "removal: every combination for the 1.0 mm round bur at 0.1 mm, not all pairs; every bur of the "
                "catalogue. stability: k_max on every device, grip, friction and delay, and nothing else");
   app.add_option("--speed-mm-s", options.speeds_mm_s, "speeds of slides (repeatable)")->check(CLI::Range(0.01, 2000.0));
-  app.add_option("--burr-radius-mm", options.burr_radii_mm, "burr radii (repeatable)")->check(CLI::Range(0.05, 5.0));
+  app.add_option("--bur-radius-mm", options.bur_radii_mm, "bur radii (repeatable)")->check(CLI::Range(0.05, 5.0));
   app.add_option("--voxel-mm", options.voxels_mm, "voxel sizes; 0.078 is 10/128 (repeatable)")
       ->check(CLI::Range(0.01, 1.0));
   app.add_option("--budget-s", options.budget_s, "wall clock a row, 1 unless given")->check(CLI::Range(0.001, 3600.0));

@@ -57,7 +57,7 @@ Row row_of(Method method, const Shape& shape, std::string_view task, double voxe
   row.method = key_of(method);
   row.shape = shape.name();
   row.task = task;
-  row.burr_radius_mm = shape.burr_radius_mm();
+  row.bur_radius_mm = shape.bur_radius_mm();
   row.voxel_mm = voxel_mm;
   row.seed = static_cast<std::int64_t>(options.seed);
   row.unresolved = shape.unresolved(voxel_mm);
@@ -103,7 +103,7 @@ std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double sp
   return rows;
 }
 
-/// In and out of holes that the burr cut, pulled aside by 0.1 mm: from the end to where the ball's centre passes the
+/// In and out of holes that the bur cut, pulled aside by 0.1 mm: from the end to where the ball's centre passes the
 /// face.
 std::vector<Row> channel_rows(double radius, HoleKind kind, double speed, double voxel_mm, const Options& options) {
   const std::vector<Method> methods = methods_asked(options);
@@ -189,7 +189,7 @@ void print(const std::vector<Row>& rows) {
              "method", "updates/s", "ratio", "p50 us", "p99", "p99.9", "max", "voxels");
   for (const Row& r : rows)
     fmt::print("{:<13}{:<10}{:>6.2f}{:>8.3f}  {:<16}{:>11.0f}{:>9.3g}{:>9.2f}{:>9.2f}{:>10.2f}{:>10.1f}{:>9.3g}\n",
-               r.task, r.variant.empty() ? r.shape : r.variant, r.burr_radius_mm, r.voxel_mm, r.method, r.updates_per_s,
+               r.task, r.variant.empty() ? r.shape : r.variant, r.bur_radius_mm, r.voxel_mm, r.method, r.updates_per_s,
                r.ratio_to_occupancy, r.tick_us_p50, r.tick_us_p99, r.tick_us_p999, r.tick_us_max, r.voxels_changed);
 }
 
@@ -213,7 +213,7 @@ std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, doubl
       d[a] = kStep;
       n[a] = shape.distance_mm(p + d) - shape.distance_mm(p - d);
     }
-    return p + unit(n) * (shape.burr_radius_mm() + clear_mm - shape.distance_mm(p));
+    return p + unit(n) * (shape.bur_radius_mm() + clear_mm - shape.distance_mm(p));
   };
   // Further out a way round a shape is longer: the slide below goes as much slower.
   Slide trial(shape, speed_mm_s, seed);
@@ -239,9 +239,9 @@ std::vector<Row> rate_rows(const Options& options) {
     if (!asked(options.motions, "slide") && task.task != "perforation") continue;
     // The tasks at other voxel sizes are there for the chart: sizes that were asked for stand with the first ones.
     const bool usual = task.voxels_mm.size() == 1;
-    if (!usual && !(options.voxels_mm.empty() && options.burr_radii_mm.empty())) continue;
+    if (!usual && !(options.voxels_mm.empty() && options.bur_radii_mm.empty())) continue;
     for (const double voxel : usual ? chosen(options.voxels_mm, task.voxels_mm) : task.voxels_mm)
-      for (const double radius : chosen(options.burr_radii_mm, task.radii)) {
+      for (const double radius : chosen(options.bur_radii_mm, task.radii)) {
         if (task.shape == "channel") {
           for (const double speed : chosen(options.speeds_mm_s, {kRateSpeedMmS}))
             for (const HoleKind kind : {HoleKind::straight, HoleKind::oblique, HoleKind::slot})

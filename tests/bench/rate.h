@@ -1,7 +1,7 @@
 /// The verb `rate`: how many updates a second each method comes to in the paper's three tasks (its figure 13), all
 /// methods side by side in one run on one core. 10/128 mm voxels, 128^3 in 10 mm.
 /// Displacement: 50 mm/s, 0.1 mm clear of the surface. Exploration: slides at 50 mm/s, 0.3 mm below the offset surface,
-/// and in and out of the burr's own channel. Perforation: the burr wholly in tissue, advancing 1 mm/s at ticks of 1 ms,
+/// and in and out of the bur's own channel. Perforation: the bur wholly in tissue, advancing 1 mm/s at ticks of 1 ms,
 /// with all the upkeep that the step does.
 #pragma once
 
@@ -25,7 +25,7 @@ std::vector<StepInput> slide_inputs(const Shape& shape, double speed_mm_s, std::
 std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, double clear_mm, std::uint64_t seed,
                                     std::size_t ticks);
 
-/// A burr that drills straight into a face, from where it is wholly in tissue on.
+/// A bur that drills straight into a face, from where it is wholly in tissue on.
 class Perforation {
  public:
   static constexpr int kTicks = 2000;  // 2 mm

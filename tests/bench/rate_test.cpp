@@ -67,7 +67,7 @@ TEST_P(Drilling, advances_a_millimetre_a_second_wholly_in_tissue) {
     wear += out.advance_mm;
     EXPECT_FALSE(out.overflow);
   }
-  // The surface's burr keeps up to micrometres. The paper's wears along the grid's axes and diagonals, not along the
+  // The surface's bur keeps up to micrometres. The paper's wears along the grid's axes and diagonals, not along the
   // way, and falls behind on this slant of 12 degrees: measured 0.85 of wear, 0.70 of way.
   const bool surface = GetParam() == Method::surface;
   EXPECT_NEAR(wear, 1.0, surface ? 0.002 : 0.2);
@@ -85,12 +85,12 @@ TEST_P(Drilling, changes_a_shell_of_voxels_and_cells) {
   EXPECT_LT(changes.cells, 100.0);
 }
 
-TEST(Rate, rows_name_method_task_burr_and_their_ratio) {
+TEST(Rate, rows_name_method_task_bur_and_their_ratio) {
   Options options;
   options.budget_s = 0.002;
   options.tasks = {"exploration"};
   options.shapes = {"face"};
-  options.burr_radii_mm = {0.25};
+  options.bur_radii_mm = {0.25};
   options.methods = {"surface", "occupancy"};
   const std::vector<Row> rows = rate_rows(options);
   ASSERT_EQ(rows.size(), 2u);
@@ -98,7 +98,7 @@ TEST(Rate, rows_name_method_task_burr_and_their_ratio) {
     EXPECT_EQ(row.task, "exploration");
     EXPECT_EQ(row.shape, "face");
     EXPECT_EQ(row.motion, "slide");
-    EXPECT_DOUBLE_EQ(row.burr_radius_mm, 0.25);
+    EXPECT_DOUBLE_EQ(row.bur_radius_mm, 0.25);
     EXPECT_DOUBLE_EQ(row.voxel_mm, kVoxel);
     EXPECT_GT(row.updates_per_s, 0.0);
     EXPECT_GE(row.tick_us_p99, row.tick_us_p50);
@@ -113,7 +113,7 @@ TEST(Rate, without_the_occupancy_proxy_there_is_no_ratio) {
   Options options;
   options.budget_s = 0.002;
   options.tasks = {"perforation"};
-  options.burr_radii_mm = {0.25};
+  options.bur_radii_mm = {0.25};
   options.methods = {"surface"};
   const std::vector<Row> rows = rate_rows(options);
   ASSERT_EQ(rows.size(), 1u);
@@ -125,7 +125,7 @@ TEST(Rate, explores_every_kind_of_channel) {
   Options options;
   options.budget_s = 0.002;
   options.shapes = {"channel"};
-  options.burr_radii_mm = {0.25};
+  options.bur_radii_mm = {0.25};
   options.methods = {"occupancy"};
   const std::vector<Row> rows = rate_rows(options);
   ASSERT_EQ(rows.size(), 3u);

@@ -13,6 +13,7 @@
 #include "tests/bench/pin.h"
 #include "tests/bench/program.h"
 #include "tests/bench/removal_ways.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -25,14 +26,14 @@ std::string_view name_of(Tissue tissue) {
 }
 
 /// Radius under three voxels: what the field says of such a bowl is outside every goal.
-bool unresolved(const Cutter& cutter, double voxel_mm) { return cutter.burr.radius_mm < 3.0 * voxel_mm; }
+bool unresolved(const Cutter& cutter, double voxel_mm) { return cutter.bur.radius_mm < 3.0 * voxel_mm; }
 
 Row row_of(std::string_view measure, const DrillRun& run) {
   Row row;
   row.method = key_of(run.method);
   row.measure = measure;
-  row.burr = run.cutter.name;
-  row.burr_radius_mm = run.cutter.burr.radius_mm;
+  row.bur = run.cutter.name;
+  row.bur_radius_mm = run.cutter.bur.radius_mm;
   row.voxel_mm = run.voxel_mm;
   row.tick_ms = run.tick_ms;
   row.alpha = run.alpha;
@@ -48,7 +49,7 @@ void fill(Row& row, const DrillSpeed& speed) {
   row.deepest_mm_s = speed.by_deepest_mm_s;
   row.volume_mm_s = speed.by_volume_mm_s;
   row.samples = speed.ticks;
-  // The worse of the two; where the burr is too small for its volume to be read, its deepest place alone.
+  // The worse of the two; where the bur is too small for its volume to be read, its deepest place alone.
   row.measured_mm_s = speed.by_deepest_mm_s;
   if (!row.unresolved && !std::isnan(speed.by_volume_mm_s) &&
       std::fabs(speed.by_volume_mm_s - row.target_mm_s) > std::fabs(speed.by_deepest_mm_s - row.target_mm_s))
@@ -66,19 +67,19 @@ void add_speeds(const Options& options, Method method, std::vector<Row>& rows) {
 
 void add_hands(Method method, std::vector<Row>& rows) {
   for (const RemovalTissue& material : kRemovalMaterials)
-    for (const double diameter : {0.5, 1.0, kLargestBurrMm}) {
+    for (const double diameter : {0.5, 1.0, kLargestBurMm}) {
       DrillRun run = run_in(method, round_cutter(diameter), kPaperVoxelMm, material, 0.6);
       run.by_hand = true;
       Row& row = rows.emplace_back(row_of("hand", run));
       row.tissue = name_of(material.tissue);
       DrillSpeed speed = drill(run);
-      speed.by_volume_mm_s = kAbsent;  // a trembling burr takes more than its depth tells
+      speed.by_volume_mm_s = kAbsent;  // a trembling bur takes more than its depth tells
       fill(row, speed);
       row.alpha = row.target_mm_s / material.speed_mm_s;
     }
 }
 
-/// The seam lies along the way, turned about it: half of the burr in each tissue, to a part of a voxel. Whose voxels they
+/// The seam lies along the way, turned about it: half of the bur in each tissue, to a part of a voxel. Whose voxels they
 /// are there counts: the target is the harmonic mean over what the front has before it.
 void add_mixed(const Options& options, Method method, std::vector<Row>& rows) {
   const RemovalTissue &soft = kRemovalMaterials[0], &hard = kRemovalMaterials[2];
@@ -118,8 +119,8 @@ Row way_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Way
   Row row;
   row.method = key_of(Method::surface);
   row.measure = measure;
-  row.burr = cutter.name;
-  row.burr_radius_mm = cutter.burr.radius_mm;
+  row.bur = cutter.name;
+  row.bur_radius_mm = cutter.bur.radius_mm;
   row.voxel_mm = voxel_mm;
   row.direction = key_of(way);
   row.tick_ms = 1.0;
@@ -153,20 +154,20 @@ void each_head(bool every, std::vector<Row>& rows, RowOf&& row_of_head) {
   const std::vector<Cutter> cutters = shape_cutters(every);
   for (std::size_t i = 0; i < cutters.size(); ++i) {
     std::size_t first = 0;
-    const auto alike = [](const Burr& a, const Burr& b) {
+    const auto alike = [](const Bur& a, const Bur& b) {
       return a.head == b.head && a.radius_mm == b.radius_mm && a.neck_radius_mm == b.neck_radius_mm &&
              a.neck_length_mm == b.neck_length_mm;
     };
-    while (!alike(cutters[first].burr, cutters[i].burr)) ++first;
+    while (!alike(cutters[first].bur, cutters[i].bur)) ++first;
     if (first == i) {
       for (Row& row : row_of_head(cutters[i])) rows.push_back(std::move(row));
       continue;
     }
     const std::size_t so_far = rows.size();
     for (std::size_t k = 0; k < so_far; ++k) {
-      if (rows[k].burr != cutters[first].name) continue;
+      if (rows[k].bur != cutters[first].name) continue;
       Row same = rows[k];
-      same.burr = cutters[i].name;
+      same.bur = cutters[i].name;
       rows.push_back(std::move(same));
     }
   }
@@ -225,7 +226,7 @@ void add_orders(std::vector<Row>& rows) {
 
 void add_slides(std::uint64_t seed, std::vector<Row>& rows) {
   for (const Cutter& cutter : removal_cutters()) {
-    if (cutter.sideways || !cutter.burr.head.ball()) continue;  // the exact excess is known for a ball
+    if (cutter.sideways || !cutter.bur.head.ball()) continue;  // the exact excess is known for a ball
     Row& row = rows.emplace_back(way_row("slide", cutter, kPaperVoxelMm, Way::curved));
     row.direction = "circle";
     row.speed_mm_s = 50.0;
@@ -251,7 +252,7 @@ void add_ridges(std::vector<Row>& rows) {
 }
 
 void add_costs(const Options& options, Method method, std::vector<Row>& rows) {
-  const Cutter cutter = round_cutter(kLargestBurrMm);
+  const Cutter cutter = round_cutter(kLargestBurMm);
   Row& row = rows.emplace_back(way_row("tick", cutter, kPaperVoxelMm, Way::straight));
   row.method = key_of(method);
   row.direction.clear();
@@ -266,7 +267,7 @@ void add_costs(const Options& options, Method method, std::vector<Row>& rows) {
 void print(const std::vector<Row>& rows) {
   const auto number = [](double v, int digits) { return std::isnan(v) ? std::string("-") : fmt::format("{:.{}f}", v, digits); };
   fmt::print("{:<10} {:<8} {:<11} {:<20} {:>6} {:>6} {:<10} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}\n", "method",
-             "measure", "burr", "tissue", "voxel", "ms", "direction", "alpha", "target", "mm/s", "%", "um", "um max",
+             "measure", "bur", "tissue", "voxel", "ms", "direction", "alpha", "target", "mm/s", "%", "um", "um max",
              "us p50", "us p99");
   for (const Row& row : rows) {
     const double um = !std::isnan(row.deviation_um_mean) ? row.deviation_um_mean
@@ -274,7 +275,7 @@ void print(const std::vector<Row>& rows) {
                                                          : row.ridge_um;
     const double most = !std::isnan(row.deviation_um_max) ? row.deviation_um_max : row.excess_um_max;
     fmt::print("{:<10} {:<8} {:<11} {:<20} {:>6} {:>6} {:<10} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}{}\n",
-               row.method, row.measure, row.burr, row.tissue.empty() ? row.variant : row.tissue, number(row.voxel_mm, 3),
+               row.method, row.measure, row.bur, row.tissue.empty() ? row.variant : row.tissue, number(row.voxel_mm, 3),
                number(row.tick_ms, 2), row.direction, number(row.alpha, 2), number(row.target_mm_s, 3),
                number(std::isnan(row.measured_mm_s) ? row.density : row.measured_mm_s, 4), number(row.error_percent, 3),
                number(um, 3), number(most, 2), number(row.tick_us_p50, 1), number(row.tick_us_p99, 1),

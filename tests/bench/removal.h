@@ -1,8 +1,8 @@
-/// The verb `removal`: whether the cut obeys push, tissue and burr in the same measure, whatever the voxel, the tick and the
+/// The verb `removal`: whether the cut obeys push, tissue and bur in the same measure, whatever the voxel, the tick and the
 /// direction, read off the surface that is left. What --measure names:
-/// speed: drilling speed over voxel, tick, direction, tissue, alpha and burr: all pairs, or --full the whole product for
-/// one burr and voxel; depth: through three materials, as the paper's figure 15; hand: the same with a hand's push; mixed: half in one tissue, half in another; density: eq. (6);
-/// shape, volume, order: what known strokes leave, with a burr of every shape in the catalogue (--full: with every burr), in
+/// speed: drilling speed over voxel, tick, direction, tissue, alpha and bur: all pairs, or --full the whole product for
+/// one bur and voxel; depth: through three materials, as the paper's figure 15; hand: the same with a hand's push; mixed: half in one tissue, half in another; density: eq. (6);
+/// shape, volume, order: what known strokes leave, with a bur of every shape in the catalogue (--full: with every bur), in
 /// parts and other ticks; slide, ridge: cutting while sliding; tick: cost.
 #pragma once
 
@@ -36,19 +36,19 @@ struct Direction {
 const std::vector<Direction>& directions();
 std::vector<std::string> direction_names();
 
-/// Burrs whose speed is measured: 0.5, 1.0 and 2.3 mm round ones, led tip first, and a fissure of 1.0 mm, tip first and
+/// Burs whose speed is measured: 0.5, 1.0 and 2.3 mm round ones, led tip first, and a fissure of 1.0 mm, tip first and
 /// sideways.
 std::vector<Cutter> removal_cutters();
 
-/// The burrs whose shape and volume are looked at: the round ones of `speed`, and of every other shape in the catalogue
+/// The burs whose shape and volume are looked at: the round ones of `speed`, and of every other shape in the catalogue
 /// one of middling size; or all of the catalogue. Their names hold the shape's key.
 std::vector<Cutter> shape_cutters(bool every);
 
-/// A ball of every diameter that the catalogue has round burrs of, smallest first: the ridge is kept under each.
+/// A ball of every diameter that the catalogue has round burs of, smallest first: the ridge is kept under each.
 std::vector<Cutter> ridge_cutters();
 
 inline constexpr double kPaperVoxelMm = 10.0 / 128;
-inline constexpr double kLargestBurrMm = 2.3;
+inline constexpr double kLargestBurMm = 2.3;
 
 /// A run in one material all over, at one push.
 DrillRun run_in(Method method, const Cutter& cutter, double voxel_mm, const RemovalTissue& material, double alpha);
@@ -58,9 +58,9 @@ std::vector<DrillRun> speed_runs(const Options& options, Method method);
 
 /// The paper's perforation: through 3.33 mm of each material in a cube of 10 mm, every 25 ms. No clock: the same everywhere.
 inline constexpr double kLayerMm = 10.0 / 3.0;
-inline constexpr double kDepthBurrMm = 0.5;  // "0.5 mm spherical drill bit", read as the larger of the two that it can mean
+inline constexpr double kDepthBurMm = 0.5;  // "0.5 mm spherical drill bit", read as the larger of the two that it can mean
 void add_depths(Method method, std::vector<Row>& rows);
-/// Slope of depth over time where the burr's front is in one material alone; kAbsent without samples there.
+/// Slope of depth over time where the bur's front is in one material alone; kAbsent without samples there.
 double slope_in(const std::vector<Row>& rows, std::string_view method, std::size_t layer);
 
 std::vector<Row> removal_rows(const Options& options);

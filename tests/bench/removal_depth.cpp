@@ -11,9 +11,9 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kAheadMm = 0.3;      // of the device point before the burr: always full wear
+constexpr double kAheadMm = 0.3;      // of the device point before the bur: always full wear
 constexpr double kVoxelMm = 10.0 / 128;
-constexpr double kEndMm = 9.6;        // before the burr comes out below
+constexpr double kEndMm = 9.6;        // before the bur comes out below
 constexpr double kClearMm = 0.1;      // of the front from the next material
 
 /// A cube of 10 mm, dentine over bone over enamel, its top at z = 0.
@@ -28,12 +28,12 @@ std::shared_ptr<Scene> layered_scene(Method method) {
   auto scene = std::make_shared<Scene>();
   scene->method = method;
   scene->specimen = carved::specimen(grid, reading_of(method), cube, tissue);
-  Burr burr;
-  burr.name = "bench";
-  burr.radius_mm = kDepthBurrMm;
-  burr.neck_radius_mm = burr.shank_radius_mm = 0.4 * kDepthBurrMm;
-  burr.neck_length_mm = 12.0;
-  scene->burrs = {burr};
+  Bur bur;
+  bur.name = "bench";
+  bur.radius_mm = kDepthBurMm;
+  bur.neck_radius_mm = bur.shank_radius_mm = 0.4 * kDepthBurMm;
+  bur.neck_length_mm = 12.0;
+  scene->burs = {bur};
   for (const RemovalTissue& m : kRemovalMaterials) scene->tissues[index_of(m.tissue)] = {1.0, m.speed_mm_s};
   scene->full_force_n = kFullForceN;
   scene->guard = unguarded();
@@ -46,11 +46,11 @@ void add_depths(Method method, std::vector<Row>& rows) {
   StepState state(layered_scene(method));
   const Vec3 off{0.0137, -0.0211, 0.0};  // off the grid's own lines
   const auto at = [&](double z, bool cut) { return input_at(off + Vec3(0.0, 0.0, z), cut); };
-  lead(state, step, off + Vec3(0.0, 0.0, kDepthBurrMm + 0.5), 0.05);
-  lead(state, step, off + Vec3(0.0, 0.0, kDepthBurrMm - 0.1), 0.02);
+  lead(state, step, off + Vec3(0.0, 0.0, kDepthBurMm + 0.5), 0.05);
+  lead(state, step, off + Vec3(0.0, 0.0, kDepthBurMm - 0.1), 0.02);
   StepOutput out = state.last();
   const auto each = static_cast<int>(kSampleS * 1000.0 + 0.5);
-  double depth = kDepthBurrMm - out.proxy_mm.z;
+  double depth = kDepthBurMm - out.proxy_mm.z;
   for (int k = 0; depth < kEndMm && k < 40000; ++k) {
     if (k % each == 0) {
       Row& row = rows.emplace_back();
@@ -59,13 +59,13 @@ void add_depths(Method method, std::vector<Row>& rows) {
       const auto layer = static_cast<std::size_t>(std::clamp(depth / kLayerMm, 0.0, 2.999));
       row.tissue = kRemovalTissues[layer];
       row.target_mm_s = kRemovalMaterials[layer].speed_mm_s;
-      row.burr_radius_mm = kDepthBurrMm;
+      row.bur_radius_mm = kDepthBurMm;
       row.voxel_mm = kVoxelMm;
       row.time_s = k * 1e-3;
       row.depth_mm = depth;
     }
     out = step(state, at(out.proxy_mm.z - kAheadMm, true));
-    depth = kDepthBurrMm - out.proxy_mm.z;
+    depth = kDepthBurMm - out.proxy_mm.z;
   }
 }
 
@@ -74,7 +74,7 @@ double slope_in(const std::vector<Row>& rows, std::string_view method, std::size
   double n = 0.0, t = 0.0, d = 0.0, tt = 0.0, td = 0.0;
   for (const Row& row : rows) {
     // The front is a half ball: it is in one material from where the ball's middle enters it.
-    if (row.measure != "depth" || row.method != method || row.depth_mm < top + kDepthBurrMm + kClearMm ||
+    if (row.measure != "depth" || row.method != method || row.depth_mm < top + kDepthBurMm + kClearMm ||
         row.depth_mm > top + kLayerMm - kClearMm)
       continue;
     n += 1.0;

@@ -13,6 +13,7 @@
 #include "tests/bench/motions.h"
 #include "tests/bench/rows.h"
 #include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -20,21 +21,21 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kHandAsideMm = 0.01;    // of a hand's tremor across
-constexpr double kStandOffMm = 0.2;      // of the burr before the face, where a run begins
+constexpr double kStandOffMm = 0.2;      // of the bur before the face, where a run begins
 constexpr double kApproachMm = 0.02;     // a tick
 constexpr double kPaddingVoxels = 4.0;   // empty, on every side of the grid
-constexpr double kAroundVoxels = 4.0;    // tissue beyond what the burr reaches, and
+constexpr double kAroundVoxels = 4.0;    // tissue beyond what the bur reaches, and
 constexpr double kAroundMm = 0.2;
-constexpr double kSideShare = 0.9;       // of the radius that a burr goes in sideways, at most: the neck stays outside
+constexpr double kSideShare = 0.9;       // of the radius that a bur goes in sideways, at most: the neck stays outside
 constexpr int kLeastLayers = 10;         // voxels that a stroke through voxels goes, at least
 
 /// From the pivot to the furthest point of the head towards `direction`.
-double furthest(const Burr& burr, Vec3 axis, Vec3 direction) {
-  if (burr.head.ball()) return burr.radius_mm;
+double furthest(const Bur& bur, Vec3 axis, Vec3 direction) {
+  if (bur.head.ball()) return bur.radius_mm;
   const double t = glm::dot(direction, axis);
   const Vec3 off = direction - axis * t;
   const OnHalf d{t, std::sqrt(glm::dot(off, off))};
-  const OnHalf p = burr.head.support(d, {0.0, 0.0});
+  const OnHalf p = bur.head.support(d, {0.0, 0.0});
   return p.t * d.t + p.rho * d.rho;
 }
 
@@ -66,7 +67,7 @@ double surface_on_line(const Volume& volume, Vec3 from, Vec3 in, double reach) {
   return 0.5 * (in_cut + in_tissue);
 }
 
-/// How far the burr's line is free of voxels, from `from` on: where the first voxel that is there begins.
+/// How far the bur's line is free of voxels, from `from` on: where the first voxel that is there begins.
 double voxels_on_line(const Volume& volume, double from, Vec3 in) {
   const Grid& grid = volume.grid();
   const double part = 0.02 * grid.voxel_mm;
@@ -78,7 +79,7 @@ double voxels_on_line(const Volume& volume, double from, Vec3 in) {
   }
 }
 
-/// Depth at which the burr has taken so much.
+/// Depth at which the bur has taken so much.
 double depth_of(const Cutter& cutter, double mm3, double about) {
   double low = 0.5 * about, high = 1.5 * about;
   for (int i = 0; i < 60; ++i) {
@@ -108,23 +109,23 @@ Cutter round_cutter(double diameter_mm) {
   Cutter out;
   std::string digits = std::to_string(diameter_mm);
   out.name = "round " + digits.substr(0, digits.find('.') + 2);
-  out.burr.name = out.name;
-  out.burr.radius_mm = 0.5 * diameter_mm;
-  out.burr.neck_radius_mm = 0.4 * out.burr.radius_mm;
-  out.burr.neck_length_mm = 4.0 + out.burr.radius_mm;
-  out.burr.shank_radius_mm = out.burr.neck_radius_mm;
-  out.burr.shank_length_mm = 4.0;
+  out.bur.name = out.name;
+  out.bur.radius_mm = 0.5 * diameter_mm;
+  out.bur.neck_radius_mm = 0.4 * out.bur.radius_mm;
+  out.bur.neck_length_mm = 4.0 + out.bur.radius_mm;
+  out.bur.shank_radius_mm = out.bur.neck_radius_mm;
+  out.bur.shank_length_mm = 4.0;
   return out;
 }
 
 Cutter fissure_cutter(double diameter_mm, bool sideways) {
   Cutter out = round_cutter(diameter_mm);
-  const double r = out.burr.radius_mm;
+  const double r = out.bur.radius_mm;
   out.name = "fissure" + out.name.substr(out.name.find(' ')) + (sideways ? " side" : " end");
-  out.burr.name = out.name;
-  out.burr.head = flat_head(r, r, kFissureMm).value_or(Profile{});
+  out.bur.name = out.name;
+  out.bur.head = flat_head(r, r, kFissureMm).value_or(Profile{});
   // So thin that it stays over the face while the flank goes in.
-  if (sideways) out.burr.neck_radius_mm = out.burr.shank_radius_mm = kThinNeckMm;
+  if (sideways) out.bur.neck_radius_mm = out.bur.shank_radius_mm = kThinNeckMm;
   out.sideways = sideways;
   out.flank_mm = kFissureMm;
   return out;
@@ -132,9 +133,9 @@ Cutter fissure_cutter(double diameter_mm, bool sideways) {
 
 std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
   const double stroke = run.stroke_mm;
-  const double reach = head_reach(run.cutter.burr);
+  const double reach = head_reach(run.cutter.bur);
   const double around = std::sqrt(reach * reach + stroke * stroke) + kAroundVoxels * run.voxel_mm + kAroundMm;
-  // Seen from the face, the burr ends `furthest` before its pivot: the middle of what it reaches lies on the face.
+  // Seen from the face, the bur ends `furthest` before its pivot: the middle of what it reaches lies on the face.
   const Vec3 in = run.direction;
   const int n = 2 * static_cast<int>(std::ceil(around / run.voxel_mm + kBandVoxels + kPaddingVoxels)) + 1;
   // Off the grid's own planes by parts of a voxel.
@@ -143,7 +144,7 @@ std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
   scene->method = run.method;
   scene->specimen = carved::specimen(
       grid, reading_of(run.method), [&](Vec3 p) { return half_ball(p, in, Vec3(0.0), around); }, run.tissue);
-  scene->burrs = {run.cutter.burr};
+  scene->burs = {run.cutter.bur};
   scene->tool_axis = axis_of(run);
   for (std::size_t t = 0; t < kTissueCodes; ++t) scene->tissues[t] = {1.0, run.speed_mm_s[t]};
   scene->full_force_n = kFullForceN;
@@ -153,7 +154,7 @@ std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
 }
 
 double taken_mm3(const Cutter& cutter, double depth_mm) {
-  const double r = cutter.burr.radius_mm, h = depth_mm;
+  const double r = cutter.bur.radius_mm, h = depth_mm;
   if (cutter.flank_mm == 0.0) return h < r ? kPi * h * h * (r - h / 3.0) : kPi * r * r * (2.0 / 3.0 * r + (h - r));
   if (!cutter.sideways) return kPi * r * r * h;
   return cutter.flank_mm * (r * r * std::acos(1.0 - h / r) - (r - h) * std::sqrt(h * (2.0 * r - h)));
@@ -164,7 +165,7 @@ double front_of_voxels_mm_s(const DrillRun& run) {
   const Specimen& specimen = *scene->specimen;
   const Grid& grid = specimen.grid();
   const Vec3 in = run.direction, u = across(in), w = glm::cross(in, u);
-  const double r = run.cutter.burr.radius_mm;
+  const double r = run.cutter.bur.radius_mm;
   // The front seen along the way: a disc, each part of which goes the same way through the tissue.
   constexpr int kAcross = 200, kPlaces = 50;
   double way_mm = 0.0, time_s = 0.0;
@@ -191,10 +192,10 @@ DrillSpeed drill(const DrillRun& asked_run) {
   DrillRun run = asked_run;
   const bool filled = reading_of(run.method) == Reading::filled;
   if (filled) run.stroke_mm = std::max(run.stroke_mm, kLeastLayers * run.voxel_mm);
-  if (run.cutter.sideways) run.stroke_mm = std::min(run.stroke_mm, kSideShare * run.cutter.burr.radius_mm);
+  if (run.cutter.sideways) run.stroke_mm = std::min(run.stroke_mm, kSideShare * run.cutter.bur.radius_mm);
   const Vec3 in = run.direction;
   const Vec3 axis = axis_of(run);
-  const double most = furthest(run.cutter.burr, axis, in);
+  const double most = furthest(run.cutter.bur, axis, in);
   const double dt_s = run.tick_ms * 1e-3;
   const auto tick_us = static_cast<std::uint32_t>(run.tick_ms * 1000.0 + 0.5);
   StepState state(drill_scene(run));
@@ -216,7 +217,7 @@ DrillSpeed drill(const DrillRun& asked_run) {
   const double whole_speed = run.target_mm_s / run.alpha;
   const Vec3 aside = across(in);
   double pushed = 0.0;  // of a hand: the sum of alpha
-  const auto where = [&] { return glm::dot(out.proxy_mm, in) + most; };  // of the burr's foremost point
+  const auto where = [&] { return glm::dot(out.proxy_mm, in) + most; };  // of the bur's foremost point
   Left first{};
   // Through voxels the surface goes in strides: from the first after the run-in to the last.
   struct Stride {

@@ -1,4 +1,4 @@
-/// A burr led into a face of a small block of tissue: the device point is held ahead of it so that the wear coefficient
+/// A bur led into a face of a small block of tissue: the device point is held ahead of it so that the wear coefficient
 /// stays the same, and how fast it goes is read off the surface that is left.
 #pragma once
 
@@ -8,13 +8,14 @@
 #include <string>
 
 #include "engine/step/step.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
-/// A burr and the way it is led: along its axis, tip first, or across it.
+/// A bur and the way it is led: along its axis, tip first, or across it.
 struct Cutter {
   std::string name;      // "round 1.0", with the diameter that a person knows it by
-  Burr burr;
+  Bur bur;
   bool sideways = false;
   double flank_mm = 0.0;  // of a straight fissure: the head's length; 0: a ball
 };
@@ -50,17 +51,17 @@ struct DrillRun {
 
 /// What it came to; kAbsent where there is nothing to read.
 struct DrillSpeed {
-  double by_volume_mm_s;   // of what is gone (cut_volume), as the depth of a burr that takes so much
-  double by_deepest_mm_s;  // of the deepest place of the surface, on the burr's own line
-  double by_pose_mm_s;     // of the burr itself
-  double volume_error_percent;  // of the volume lost in the whole stroke against the exact swept burr's, at the depth reached
+  double by_volume_mm_s;   // of what is gone (cut_volume), as the depth of a bur that takes so much
+  double by_deepest_mm_s;  // of the deepest place of the surface, on the bur's own line
+  double by_pose_mm_s;     // of the bur itself
+  double volume_error_percent;  // of the volume lost in the whole stroke against the exact swept bur's, at the depth reached
   double target_mm_s;      // the run's, or what a hand's push came to
   std::int64_t ticks;
 };
 
 /// The block that a run is drilled in: half a ball of tissue with its flat face across `direction`, through the origin.
 std::shared_ptr<Scene> drill_scene(const DrillRun& run);
-/// What the burr takes from behind the face when it has gone `depth_mm` into it; closed form. Pre: sideways, at most its
+/// What the bur takes from behind the face when it has gone `depth_mm` into it; closed form. Pre: sideways, at most its
 /// radius deep.
 double taken_mm3(const Cutter& cutter, double depth_mm);
 

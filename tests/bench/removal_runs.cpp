@@ -1,4 +1,4 @@
-// What is run: the burrs, the ways and which of them together.
+// What is run: the burs, the ways and which of them together.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -6,10 +6,11 @@
 #include <map>
 #include <set>
 
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/removal.h"
 #include "tests/bench/removal_pairs.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -18,7 +19,7 @@ namespace {
 const std::vector<double> kVoxelsMm = {0.04, kPaperVoxelMm, 0.1, 0.2};
 const std::vector<double> kTicksMs = {0.25, 1.0, 4.0};
 const std::vector<double> kAlphas = {0.1, 0.25, 0.5, 1.0};
-constexpr double kFullVoxelMm = 0.1, kFullBurrMm = 1.0;
+constexpr double kFullVoxelMm = 0.1, kFullBurMm = 1.0;
 
 }  // namespace
 
@@ -59,14 +60,14 @@ std::vector<std::string> direction_names() {
 }
 
 std::vector<Cutter> removal_cutters() {
-  return {round_cutter(0.5), round_cutter(1.0), round_cutter(kLargestBurrMm), fissure_cutter(1.0, false),
+  return {round_cutter(0.5), round_cutter(1.0), round_cutter(kLargestBurMm), fissure_cutter(1.0, false),
           fissure_cutter(1.0, true)};
 }
 
 std::vector<Cutter> ridge_cutters() {
   std::set<double> diameters;
-  for (const CatalogueBurr& entry : burr_catalogue())
-    if (entry.burr.head.ball()) diameters.insert(2.0 * entry.burr.radius_mm);
+  for (const CatalogueBur& entry : bur_catalogue())
+    if (entry.bur.head.ball()) diameters.insert(2.0 * entry.bur.radius_mm);
   std::vector<Cutter> out;
   for (const double diameter : diameters) out.push_back(round_cutter(diameter));
   return out;
@@ -76,16 +77,16 @@ std::vector<Cutter> shape_cutters(bool every) {
   std::vector<Cutter> out;
   if (!every)
     for (const Cutter& cutter : removal_cutters())
-      if (cutter.burr.head.ball()) out.push_back(cutter);
-  std::map<std::string_view, std::vector<const CatalogueBurr*>> by_shape;
-  for (const CatalogueBurr& entry : burr_catalogue())
-    if (every || !entry.burr.head.ball()) by_shape[entry.shape].push_back(&entry);
+      if (cutter.bur.head.ball()) out.push_back(cutter);
+  std::map<std::string_view, std::vector<const CatalogueBur*>> by_shape;
+  for (const CatalogueBur& entry : bur_catalogue())
+    if (every || !entry.bur.head.ball()) by_shape[entry.shape].push_back(&entry);
   for (const auto& [shape, entries] : by_shape)
     for (std::size_t i = every ? 0 : entries.size() / 2; i < entries.size(); ++i) {
-      Burr burr = entries[i]->burr;
+      Bur bur = entries[i]->bur;
       // Leaning, the neck of a ball would touch the mouth.
-      if (burr.head.ball()) burr.neck_radius_mm = burr.shank_radius_mm = kThinNeckMm;
-      out.push_back({fmt::format("{} {} {:.1f}", burr.name, shape, 2.0 * burr.radius_mm), burr});
+      if (bur.head.ball()) bur.neck_radius_mm = bur.shank_radius_mm = kThinNeckMm;
+      out.push_back({fmt::format("{} {} {:.1f}", bur.name, shape, 2.0 * bur.radius_mm), bur});
       if (!every) break;
     }
   return out;
@@ -94,12 +95,12 @@ std::vector<Cutter> shape_cutters(bool every) {
 std::vector<DrillRun> speed_runs(const Options& options, Method method) {
   const std::vector<double> voxels = chosen(options.voxels_mm, options.full ? std::vector{kFullVoxelMm} : kVoxelsMm);
   const std::vector<double> ticks = chosen(options.ticks_ms, kTicksMs), alphas = chosen(options.alphas, kAlphas);
-  std::vector<Cutter> cutters = options.full ? std::vector{round_cutter(kFullBurrMm)} : removal_cutters();
-  // The paper's burr is a ball.
-  if (reading_of(method) == Reading::filled) std::erase_if(cutters, [](const Cutter& c) { return !c.burr.head.ball(); });
-  if (!options.burr_radii_mm.empty()) {
+  std::vector<Cutter> cutters = options.full ? std::vector{round_cutter(kFullBurMm)} : removal_cutters();
+  // The paper's bur is a ball.
+  if (reading_of(method) == Reading::filled) std::erase_if(cutters, [](const Cutter& c) { return !c.bur.head.ball(); });
+  if (!options.bur_radii_mm.empty()) {
     cutters.clear();
-    for (const double radius : options.burr_radii_mm) cutters.push_back(round_cutter(2.0 * radius));
+    for (const double radius : options.bur_radii_mm) cutters.push_back(round_cutter(2.0 * radius));
   }
   std::vector<Direction> ways;
   for (const Direction& d : directions())

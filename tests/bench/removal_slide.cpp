@@ -10,6 +10,7 @@
 #include "tests/bench/random.h"
 #include "tests/bench/removal_ways.h"
 #include "tests/bench/tick_times.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -25,18 +26,18 @@ constexpr double kRidgeWearMmS = 1e-3;
 constexpr int kRestTicks = 100;
 constexpr int kSkip = 3;              // every so many ticks the exact excess is looked for
 
-/// Where the burr has been, as far as removal goes; found by place.
+/// Where the bur has been, as far as removal goes; found by place.
 class Way3 {
  public:
   Way3(double radius, double face_mm, Vec3 up) : radius_(radius), face_(face_mm), up_(up) {}
   void add(Vec3 a, Vec3 b) { segments_.push_back({a, b}); }
-  /// Turns to what can matter within a burr of y.
+  /// Turns to what can matter within a bur of y.
   void gather(Vec3 y) {
     near_.clear();
     for (const Segment& s : segments_)
       if (distance(s, y) < 2.0 * radius_ + 0.01) near_.push_back(s);
   }
-  /// How far a place lies in what was tissue: from the face and from all that the burr swept. Negative outside.
+  /// How far a place lies in what was tissue: from the face and from all that the bur swept. Negative outside.
   double depth(Vec3 x) const {
     double d = face_ - glm::dot(x, up_);
     for (const Segment& s : near_) {
@@ -102,7 +103,7 @@ double recession(Way3& way, Vec3 y, double radius, Vec3 up) {
 }  // namespace
 
 SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, double speed_mm_s, double tick_ms, std::uint64_t seed) {
-  const double radius = cutter.burr.radius_mm;
+  const double radius = cutter.bur.radius_mm;
   auto scene = soft_scene(cutter, Method::surface, voxel_mm, Way::straight);
   constexpr double kWearMmS = 1.0;
   for (TissueFeel& feel : scene->tissues) feel = {1.0, kWearMmS};
@@ -158,13 +159,13 @@ SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, double speed_mm
 }
 
 RidgeKept ridge_between(const Cutter& cutter, double voxel_mm, double speed_mm_s) {
-  const double r = cutter.burr.radius_mm;
+  const double r = cutter.bur.radius_mm;
   const Frame f = Frame::of(kWayUp, {1.0, 0.51, 0.0}, Vec3(0.0));
-  const double apart = 0.6 * r, pivot = 0.6 * r;  // of each groove from the ridge; of the burr above the face
+  const double apart = 0.6 * r, pivot = 0.6 * r;  // of each groove from the ridge; of the bur above the face
   const double ridge = pivot - 0.8 * r;
   Cutter fine = round_cutter(r);  // half as wide
   auto soft = soft_scene(cutter, Method::surface, voxel_mm, Way::straight);
-  soft->burrs.push_back(fine.burr);
+  soft->burs.push_back(fine.bur);
   StepState state(soft);
   const double each = speed_mm_s * 1e-3, half = 1.2;
   for (const double side : {-1.0, 1.0}) {
@@ -180,17 +181,17 @@ RidgeKept ridge_between(const Cutter& cutter, double voxel_mm, double speed_mm_s
   // the edges about it have been made out, some a tick.
   const auto felt = [&](StepState& over) {
     double most = 0.0;
-    const double radius = fine.burr.radius_mm;
+    const double radius = fine.bur.radius_mm;
     for (int i = 0; i < 9; ++i) {
       const double y = -0.8 + 0.2 * i + 0.037;
       const auto way = [&](double x) {
         StepInput input = input_at(f.to_world({x, y, ridge + radius - 0.1}));
-        input.burr = 1;
+        input.bur = 1;
         return step(over, input).proxy_mm;
       };
       const auto to = [&](Vec3 p) {
         StepInput input = input_at(f.to_world(p));
-        input.burr = 1;
+        input.bur = 1;
         step(over, input);
       };
       for (double z = 2.0; z > 0.0; z -= 0.05) to({-0.5 * apart, y, ridge + radius - 0.1 + z});
@@ -237,7 +238,7 @@ CutCost cost_of_cutting(const Cutter& cutter, Method method, double voxel_mm, do
   do {
     StepState state(scene);
     const Vec3 in = run.direction, side{1.0, 0.0, 0.0};
-    const double r = cutter.burr.radius_mm;
+    const double r = cutter.bur.radius_mm;
     lead(state, step, -in * (r + 0.2), 0.05);
     lead(state, step, -in * (r - kAheadMm), 0.02);
     StepOutput out = state.last();

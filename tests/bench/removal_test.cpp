@@ -10,12 +10,13 @@
 #include <set>
 
 #include "engine/tool/swept.h"
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "tests/bench/chart.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/program.h"
 #include "tests/bench/removal_pairs.h"
 #include "tests/bench/removal_ways.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 namespace {
@@ -53,13 +54,13 @@ TEST(AllPairs, are_in_the_runs_of_every_two_factors) {
   EXPECT_EQ(all_pairs(levels), all_pairs(levels));
 }
 
-TEST(RemovalRuns, hold_every_burr_in_every_direction_and_the_full_product_of_one) {
+TEST(RemovalRuns, hold_every_bur_in_every_direction_and_the_full_product_of_one) {
   Options options;
   std::set<std::pair<std::string, double>> seen;
   for (const DrillRun& run : speed_runs(options, Method::surface))
     seen.emplace(run.cutter.name, run.direction.x + 10.0 * run.direction.y + 100.0 * run.direction.z);
   EXPECT_EQ(seen.size(), removal_cutters().size() * 26);
-  EXPECT_EQ(speed_runs(options, Method::occupancy).size(), 26u * 4) << "three burrs, four voxel sizes";
+  EXPECT_EQ(speed_runs(options, Method::occupancy).size(), 26u * 4) << "three burs, four voxel sizes";
   options.full = true;
   EXPECT_EQ(speed_runs(options, Method::surface).size(), 3u * 26 * 3 * 4);
 }
@@ -78,7 +79,7 @@ TEST(RemovalSpeed, of_the_surface_method_is_the_tissues_by_volume_and_by_depth) 
   }
 }
 
-TEST(RemovalSpeed, of_a_fissure_burr_is_the_tissues_tip_first_and_sideways) {
+TEST(RemovalSpeed, of_a_fissure_bur_is_the_tissues_tip_first_and_sideways) {
   for (const bool sideways : {false, true}) {
     DrillRun run = run_of(1.0, 0.1, 1.0, sideways ? "+x-y" : "-z", 1.0, 1.2);
     run.cutter = fissure_cutter(1.0, sideways);
@@ -138,7 +139,7 @@ TEST(RemovalSpeed, over_two_tissues_is_the_harmonic_mean_of_the_voxels_that_it_m
   }
 }
 
-TEST(RemovalShape, is_the_swept_burr_of_known_strokes) {
+TEST(RemovalShape, is_the_swept_bur_of_known_strokes) {
   const Cutter cutter = round_cutter(1.0);
   for (const Way way : {Way::straight, Way::curved}) {
     const ShapeLeft left = lead_along(cutter, 10.0 / 128, way, points_of(way, cutter, 50.0, 1.0), 1.0, 1);
@@ -148,7 +149,7 @@ TEST(RemovalShape, is_the_swept_burr_of_known_strokes) {
   }
 }
 
-TEST(RemovalShape, of_a_wide_burr_led_fast_is_the_swept_burr) {
+TEST(RemovalShape, of_a_wide_bur_led_fast_is_the_swept_bur) {
   // Some thousands of points lie near it: were they what a tick may look at, it would stay 0.4 mm behind.
   const Cutter cutter = round_cutter(2.3);
   const ShapeLeft left =
@@ -158,10 +159,10 @@ TEST(RemovalShape, of_a_wide_burr_led_fast_is_the_swept_burr) {
   EXPECT_LT(left.most_um, 10.0);
 }
 
-TEST(RemovalShape, of_a_hole_that_an_acute_rim_leaves_is_the_swept_burr) {
+TEST(RemovalShape, of_a_hole_that_an_acute_rim_leaves_is_the_swept_bur) {
   // By the head's own depth the wall stood 3.2 um too near and 1.3 % of the volume was missing; now 0.03 um, 0.38 %, of
   // which most is at the edges.
-  const Cutter cutter{"35", catalogue_burr("35")->burr};
+  const Cutter cutter{"35", catalogue_bur("35")->bur};
   const auto points = points_of(Way::drilled, cutter, 50.0, 1.0);
   const ShapeLeft left = lead_along(cutter, 10.0 / 128, Way::drilled, points, 1.0, 1);
   EXPECT_GT(left.points, 200);
@@ -170,7 +171,7 @@ TEST(RemovalShape, of_a_hole_that_an_acute_rim_leaves_is_the_swept_burr) {
   EXPECT_NEAR(left.removed_mm3 / taken_on_mm3(cutter, Way::drilled, points), 1.0, 0.005);
 }
 
-TEST(RemovalShape, of_a_burr_that_is_no_ball_is_the_swept_burr_upright_or_leaning) {
+TEST(RemovalShape, of_a_bur_that_is_no_ball_is_the_swept_bur_upright_or_leaning) {
   struct Stroke {
     const char* number;
     Way way;
@@ -178,7 +179,7 @@ TEST(RemovalShape, of_a_burr_that_is_no_ball_is_the_swept_burr_upright_or_leanin
   // Measured: mean 0.03 to 0.15 um, at most 4.6; volume within 0.1 %.
   // The long taper lies near thousands of points: a tick that may not look at all of them cuts nothing (-1.7 % volume).
   for (const Stroke& stroke : {Stroke{"330", Way::curved}, {"57", Way::drilled}, {"329", Way::tilted}, {"847-016", Way::straight}}) {
-    const Cutter cutter{stroke.number, catalogue_burr(stroke.number)->burr};
+    const Cutter cutter{stroke.number, catalogue_bur(stroke.number)->bur};
     const auto points = points_of(stroke.way, cutter, 50.0, 1.0);
     const ShapeLeft left = lead_along(cutter, 10.0 / 128, stroke.way, points, 1.0, 1);
     EXPECT_GT(left.points, 500) << stroke.number;
@@ -189,10 +190,10 @@ TEST(RemovalShape, of_a_burr_that_is_no_ball_is_the_swept_burr_upright_or_leanin
   }
 }
 
-TEST(RemovalShape, is_no_deeper_than_a_leaning_neck_lets_the_burr_go_at_any_speed) {
+TEST(RemovalShape, is_no_deeper_than_a_leaning_neck_lets_the_bur_go_at_any_speed) {
   // Round "2" leans by 33 degrees; towards its way's end the neck, 0.3 mm wide, comes to the mouth. A neck to which the
   // head's own past gave room went 15 um in at 1 mm/s, where it comes nearer by 0.3 um a tick, and at 200 mm/s.
-  const Cutter cutter{"2", catalogue_burr("2")->burr};
+  const Cutter cutter{"2", catalogue_bur("2")->bur};
   for (const double speed : {1.0, 50.0, 200.0}) {
     StepState state(soft_scene(cutter, Method::surface, 10.0 / 128, Way::tilted));
     const auto points = points_of(Way::tilted, cutter, speed, 1.0);
@@ -204,7 +205,7 @@ TEST(RemovalShape, is_no_deeper_than_a_leaning_neck_lets_the_burr_go_at_any_spee
   }
 }
 
-TEST(RemovalShape, is_seen_to_be_wrong_where_the_burr_was_not_the_one_that_is_meant) {
+TEST(RemovalShape, is_seen_to_be_wrong_where_the_bur_was_not_the_one_that_is_meant) {
   // A hundredth of a millimetre wider: the walls stand off by half of that, and 2 % of the volume are missing.
   Cutter cutter = round_cutter(1.0), wider = round_cutter(1.02);
   const auto points = points_of(Way::straight, cutter, 50.0, 1.0);
@@ -213,12 +214,12 @@ TEST(RemovalShape, is_seen_to_be_wrong_where_the_burr_was_not_the_one_that_is_me
   EXPECT_NEAR(left.removed_mm3 / taken_on_mm3(cutter, Way::straight, points), 1.0, 0.005);
 }
 
-TEST(RemovalShape, is_looked_at_with_a_burr_of_every_shape_or_with_all_of_them) {
+TEST(RemovalShape, is_looked_at_with_a_bur_of_every_shape_or_with_all_of_them) {
   const auto named = [](const std::vector<Cutter>& cutters, std::string_view shape) {
     return std::ranges::count_if(cutters, [&](const Cutter& c) { return c.name.find(shape) != std::string::npos; });
   };
-  for (const std::string_view shape : burr_shapes()) EXPECT_GE(named(shape_cutters(false), shape), 1) << shape;
-  EXPECT_EQ(shape_cutters(true).size(), burr_catalogue().size());
+  for (const std::string_view shape : bur_shapes()) EXPECT_GE(named(shape_cutters(false), shape), 1) << shape;
+  EXPECT_EQ(shape_cutters(true).size(), bur_catalogue().size());
 }
 
 TEST(RemovalOrder, halves_and_other_ticks_leave_the_same_volume) {
@@ -235,12 +236,12 @@ TEST(RemovalSlide, takes_little_more_than_wear_allows) {
   const SlideExcess excess = slide_cutting(round_cutter(2.3), 0.1, 50.0, 1.0, 1);
   EXPECT_GT(excess.depth_um, 1.0) << "it cut";
   EXPECT_LT(excess.p99_um, 1.0);  // measured 0.48
-  // The worst of five seeds, 0.70 where contact alone said how deep the burr stood; 0.24 now.
+  // The worst of five seeds, 0.70 where contact alone said how deep the bur stood; 0.24 now.
   EXPECT_LT(slide_cutting(round_cutter(0.5), 10.0 / 128, 50.0, 1.0, 3).most_um, 0.5);
 }
 
 TEST(RemovalRidge, keeps_its_edge_under_forty_cutting_passes) {
-  // The field rounds it by up to a third of a voxel, and a burr that went by it shaved 33 um; an exact ball, led straight
+  // The field rounds it by up to a third of a voxel, and a bur that went by it shaved 33 um; an exact ball, led straight
   // from place to place, shaves 1.9 of 1.0 mm at 50 mm/s. Measured 1.0 to 1.1 before, and no more after; where every nanometre
   // of wear entered in its own tick 19.9, 18.1, 1.6, 19.3 and 30.3.
   struct Passes {
@@ -253,18 +254,18 @@ TEST(RemovalRidge, keeps_its_edge_under_forty_cutting_passes) {
   }
 }
 
-TEST(RemovalRidge, is_felt_with_its_edge_where_the_burr_is_small_and_voxels_are_fine) {
-  // 8.3 before: felt while the edges about the burr were still being made out.
+TEST(RemovalRidge, is_felt_with_its_edge_where_the_bur_is_small_and_voxels_are_fine) {
+  // 8.3 before: felt while the edges about the bur were still being made out.
   EXPECT_LT(ridge_between(round_cutter(0.5), 0.04, 50.0).felt_um, 5.0);  // measured 1.2
 }
 
-TEST(RemovalRidge, is_looked_at_with_every_round_burr_of_the_catalogue) {
+TEST(RemovalRidge, is_looked_at_with_every_round_bur_of_the_catalogue) {
   std::set<double> looked_at;
-  for (const Cutter& cutter : ridge_cutters()) looked_at.insert(cutter.burr.radius_mm);
+  for (const Cutter& cutter : ridge_cutters()) looked_at.insert(cutter.bur.radius_mm);
   EXPECT_EQ(looked_at.size(), ridge_cutters().size());
-  for (const CatalogueBurr& entry : burr_catalogue())
-    if (entry.burr.head.ball()) {
-      EXPECT_TRUE(looked_at.contains(entry.burr.radius_mm)) << entry.burr.name;
+  for (const CatalogueBur& entry : bur_catalogue())
+    if (entry.bur.head.ball()) {
+      EXPECT_TRUE(looked_at.contains(entry.bur.radius_mm)) << entry.bur.name;
     }
   EXPECT_GE(looked_at.size(), 7u);
 }

@@ -8,23 +8,24 @@
 #include "engine/volume/surface_cells.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
-#include "tests/bench/swept_burr.h"
+#include "tests/bench/swept_bur.h"
 #include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
 namespace {
 
 constexpr double kHalfMm = 2.6;          // of a ball's block, across; half as deep
-constexpr double kRoundMm = 0.6;         // of tissue about another burr's way
+constexpr double kRoundMm = 0.6;         // of tissue about another bur's way
 constexpr double kEdgeVoxels = 3.0;      // nearer to the face than this a cell sees the mouth's edge
 constexpr double kWayMm = 2.4;
 constexpr double kAsideMm = 0.2;         // of an oblique way, a millimetre
 constexpr double kTurnMm = 1.2;          // radius of a curved one
 constexpr double kSidewaysMm = 1.5;
-constexpr double kBeginMm = 0.02;        // of the burr behind the face, where a way begins
+constexpr double kBeginMm = 0.02;        // of the bur behind the face, where a way begins
 constexpr double kBelow = 0.5;           // radii of a ball's pivot behind the face, where it ends
-constexpr double kFallMm = 0.5;          // that a way goes down with another burr
+constexpr double kFallMm = 0.5;          // that a way goes down with another bur
 constexpr double kInMm = 0.05;           // a tick, on the way in along the axis
 constexpr double kEdgeCosine = 0.9;      // normals a voxel and a half apart that differ by more: an edge lies between
 constexpr double kOnSkinVoxels = 0.05;
@@ -38,25 +39,25 @@ Vec3 way_axis(Way way) {
   return way == Way::tilted ? unit(f.direction({0.3, 0.45, 0.84})) : f.z;
 }
 
-/// How a burr goes in, by its head and axis: lengths along the face's normal.
+/// How a bur goes in, by its head and axis: lengths along the face's normal.
 struct Depths {
   double low = 0.0;   // of the head's lowest place below the pivot
   double sunk = 0.0;  // of that place behind the face, at the way's end
   double fall = 0.0;  // of which the way itself goes down
 };
 Depths depths_of(const Cutter& cutter, Way way) {
-  const Burr& burr = cutter.burr;
-  if (burr.head.ball()) {
-    const double sunk = (1.0 + kBelow) * burr.radius_mm;
-    return {burr.radius_mm, sunk, upright(way) ? 0.0 : sunk - kBeginMm};
+  const Bur& bur = cutter.bur;
+  if (bur.head.ball()) {
+    const double sunk = (1.0 + kBelow) * bur.radius_mm;
+    return {bur.radius_mm, sunk, upright(way) ? 0.0 : sunk - kBeginMm};
   }
   const Frame f = way_frame();
   const Vec3 axis = way_axis(way);
-  const double low = -glm::dot(head_furthest(burr, axis, -f.z), f.z);
+  const double low = -glm::dot(head_furthest(bur, axis, -f.z), f.z);
   // The lowest place of the head's upper end: it stays out, and with it the neck.
   const double cosine = glm::dot(axis, f.z);
-  const double rim = burr.head.piece(burr.head.size() - 1).from.rho;
-  const double top = burr.head.high() * cosine - rim * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double rim = bur.head.piece(bur.head.size() - 1).from.rho;
+  const double top = bur.head.high() * cosine - rim * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const double sunk = std::min(low + top - kHeadOutMm, kDeepestMm);
   return {low, sunk, upright(way) ? 0.0 : std::min(kFallMm, 0.5 * sunk)};
 }
@@ -76,11 +77,11 @@ Vec3 place_on(Way way, double s, const Depths& depths) {
   return f.to_world({along - 1.2, kAsideMm * (along - 1.0), z});
 }
 
-/// Device points, a millisecond apart, that lead a burr to just before where its way begins; the first is clear of the face.
-/// None is there twice: a burr that stands still presses on nothing, and its stroke is over.
+/// Device points, a millisecond apart, that lead a bur to just before where its way begins; the first is clear of the face.
+/// None is there twice: a bur that stands still presses on nothing, and its stroke is over.
 std::vector<Vec3> way_in(const Cutter& cutter, Way way, Vec3 to) {
   const Vec3 axis = way_axis(way);
-  if (cutter.burr.head.ball() && !upright(way)) return {to + way_frame().z * (2.0 * kBeginMm)};
+  if (cutter.bur.head.ball() && !upright(way)) return {to + way_frame().z * (2.0 * kBeginMm)};
   const Depths depths = depths_of(cutter, way);
   const double deep = (depths.sunk - depths.fall) / glm::dot(axis, way_frame().z) + 2.0 * kBeginMm;
   const int ticks = static_cast<int>(deep / kInMm) + 1;
@@ -124,14 +125,14 @@ std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double vo
   // In the face's own axes, behind it.
   Vec3 low(-kHalfMm), high(kHalfMm, kHalfMm, 0.0);
   Grid grid;
-  if (cutter.burr.head.ball()) {
+  if (cutter.bur.head.ball()) {
     const int n = 2 * static_cast<int>(std::ceil(1.25 * kHalfMm / voxel_mm)) + 9;
     grid = {IVec3(n, n, (n * 3) / 4), voxel_mm,
             Vec3(-0.5 * (n - 1) * voxel_mm, -0.5 * (n - 1) * voxel_mm, -0.55 * (n - 1) * voxel_mm)};
   } else {
     low = Vec3(1e300);
     high = Vec3(-1e300);
-    const double reach = head_reach(cutter.burr) + kRoundMm, across = cutter.burr.radius_mm + kRoundMm;
+    const double reach = head_reach(cutter.bur) + kRoundMm, across = cutter.bur.radius_mm + kRoundMm;
     for (const Vec3& p : places_of(cutter, way, points_of(way, cutter, 50.0, 1.0))) {
       // An upright head is as wide as it is; a leaning one reaches out by its length.
       const Vec3 about(way == Way::tilted ? Vec3(reach) : Vec3(across));
@@ -157,7 +158,7 @@ std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double vo
   auto scene = std::make_shared<Scene>();
   scene->method = method;
   scene->specimen = carved::specimen(grid, reading_of(method), distance, [](Vec3) { return Tissue::dentine; });
-  scene->burrs = {cutter.burr};
+  scene->burs = {cutter.bur};
   scene->tool_axis = way_axis(way);
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1e5};
   scene->full_force_n = 1e-9;
@@ -177,7 +178,7 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
     clear = false;
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // At a half's end the button is up for a tick, where the burr stands.
+    // At a half's end the button is up for a tick, where the bur stands.
     if (i > 0 && i % part == 0) step(state, input_at(points[i - 1], false));
     StepInput input = input_at(points[i], true);
     input.elapsed_us = tick_us;
@@ -188,7 +189,7 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
   ShapeLeft out;
   const Volume& volume = state.volume();
   out.removed_mm3 = removed_solid(volume).total_mm3();
-  const SweptBurr swept(cutter.burr, state.scene().tool_axis, places_of(cutter, way, points));
+  const SweptBur swept(cutter.bur, state.scene().tool_axis, places_of(cutter, way, points));
   double sum = 0.0;
   for (const std::int32_t brick : volume.cut_bricks()) {
     const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
@@ -198,7 +199,7 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
       if (f.to_local(p.point_mm).z > -kEdgeVoxels * voxel_mm) continue;
       Vec3 normal(0.0);
       const double d = swept.distance_mm(p.point_mm, normal);
-      if (!cutter.burr.head.ball()) {
+      if (!cutter.bur.head.ball()) {
         bool edge = false;
         for (int k = 0; k < 6 && !edge; ++k) {
           Vec3 beside = p.point_mm, other(0.0);
@@ -225,8 +226,8 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
 
 double taken_on_mm3(const Cutter& cutter, Way way, const std::vector<Vec3>& points) {
   if (upright(way))
-    return upright_mm3(cutter.burr, depths_of(cutter, way).sunk, length_of(way));
-  return SweptBurr(cutter.burr, way_axis(way), places_of(cutter, way, points)).volume_mm3(way_frame());
+    return upright_mm3(cutter.bur, depths_of(cutter, way).sunk, length_of(way));
+  return SweptBur(cutter.bur, way_axis(way), places_of(cutter, way, points)).volume_mm3(way_frame());
 }
 
 }  // namespace cusp::bench

@@ -10,15 +10,15 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kAbove = 0.05;  // mm: where a press starts, above its spot
-constexpr double kHome = 14.0;   // mm from the middle: no burr of 3 mm touches the 10 mm box there
-constexpr double kSphereMm = 4.0, kCylinderMm = 2.0, kPitOverBurr = 1.2, kWallMm = 0.2;
+constexpr double kHome = 14.0;   // mm from the middle: no bur of 3 mm touches the 10 mm box there
+constexpr double kSphereMm = 4.0, kCylinderMm = 2.0, kPitOverBur = 1.2, kWallMm = 0.2;
 
 /// Truth of a shape whose clearance has one foot: given by two functions of the shape.
 template <class S>
 class OneSheet : public Truth {
  public:
   explicit OneSheet(const S& shape) : shape_(shape) {}
-  double clearance_mm(Vec3 centre) const override { return shape_.distance_mm(centre) - shape_.burr_radius_mm(); }
+  double clearance_mm(Vec3 centre) const override { return shape_.distance_mm(centre) - shape_.bur_radius_mm(); }
 
  protected:
   Vec3 place(Vec3 centre) override { return shape_.proxy(centre); }
@@ -56,28 +56,28 @@ Leg straight(Vec3 a, Vec3 b) {
 /// A flat tissue face z <= 0 of the frame; the wall is one 0.2 mm thick, felt from above.
 class Flat : public RoundShape {
  public:
-  Flat(std::string name, double burr_radius_mm, double thickness_mm)
-      : RoundShape(std::move(name), burr_radius_mm), thickness_(thickness_mm) {}
+  Flat(std::string name, double bur_radius_mm, double thickness_mm)
+      : RoundShape(std::move(name), bur_radius_mm), thickness_(thickness_mm) {}
   double distance_mm(Vec3 p) const override {
     const double z = frame_.to_local(p).z;
     return thickness_ > 0.0 ? std::fabs(z + thickness_ / 2.0) - thickness_ / 2.0 : z;
   }
   double thinnest_mm() const override { return thickness_; }
-  /// Never through the wall: the sheet above it is the one that the burr comes from.
+  /// Never through the wall: the sheet above it is the one that the bur comes from.
   Vec3 proxy(Vec3 q) const {
-    const double under = burr_radius_mm() - frame_.to_local(q).z;
+    const double under = bur_radius_mm() - frame_.to_local(q).z;
     return under > 0.0 ? q + frame_.z * under : q;
   }
   std::unique_ptr<Truth> truth() const override { return std::make_unique<OneSheet<Flat>>(*this); }
   Spot spot(Random& random) const override {
     Vec3 c = in_disc(random, kDisc);
-    c.z = burr_radius_mm();
+    c.z = bur_radius_mm();
     return {frame_.to_world(c), frame_.z};
   }
   Leg leg(Random& random, const Vec3* from) const override {
     const auto aim = [&] {
       Vec3 c = in_disc(random, kDisc);
-      c.z = burr_radius_mm() - kDepthMm;
+      c.z = bur_radius_mm() - kDepthMm;
       return frame_.to_world(c);
     };
     const Vec3 a = from ? *from : aim();
@@ -93,22 +93,22 @@ class Flat : public RoundShape {
 /// A flat face, enamel on one side of a plane across it and dentine on the other. Ways lead to and fro over the joint.
 class Joint : public Flat {
  public:
-  explicit Joint(double burr_radius_mm) : Flat("joint", burr_radius_mm, 0.0) {}
+  explicit Joint(double bur_radius_mm) : Flat("joint", bur_radius_mm, 0.0) {}
   Tissue tissue(Vec3 p) const override { return frame_.to_local(p).x < 0.0 ? Tissue::enamel : Tissue::dentine; }
   Leg leg(Random& random, const Vec3* from) const override {
     const auto aim = [&](double side) {
-      return frame_.to_world({side * random.between(0.3, 1.5), random.between(-1.5, 1.5), burr_radius_mm() - kDepthMm});
+      return frame_.to_world({side * random.between(0.3, 1.5), random.between(-1.5, 1.5), bur_radius_mm() - kDepthMm});
     };
     const Vec3 a = from ? *from : aim(-1.0);
     return straight(a, aim(frame_.to_local(a).x < 0.0 ? 1.0 : -1.0));
   }
 };
 
-/// Ball of 4 mm; the burr keeps to the 55 degrees about the frame's z. Or its inside, a pit of 1.2 burr radii.
+/// Ball of 4 mm; the bur keeps to the 55 degrees about the frame's z. Or its inside, a pit of 1.2 bur radii.
 class Ball : public RoundShape {
  public:
-  Ball(std::string name, double burr_radius_mm, double radius_mm, bool pit)
-      : RoundShape(std::move(name), burr_radius_mm), ball_(radius_mm), pit_(pit) {}
+  Ball(std::string name, double bur_radius_mm, double radius_mm, bool pit)
+      : RoundShape(std::move(name), bur_radius_mm), ball_(radius_mm), pit_(pit) {}
   std::string key() const override { return pit_ ? name() + std::to_string(ball_) : name(); }
   double distance_mm(Vec3 world) const override {
     const Vec3 p = frame_.to_local(world);
@@ -125,7 +125,7 @@ class Ball : public RoundShape {
   }
   double half_mm() const override { return pit_ ? 0.0 : ball_ + 0.1; }
   double least_radius_mm() const override { return ball_; }
-  /// In the pit the burr stays below the middle's height, where the offset surface is a sphere of 0.2 radii.
+  /// In the pit the bur stays below the middle's height, where the offset surface is a sphere of 0.2 radii.
   Vec3 proxy(Vec3 q) const {
     const Vec3 d = q - frame_.origin;
     const double far = length(d);
@@ -156,7 +156,7 @@ class Ball : public RoundShape {
   }
 
  private:
-  double offset() const { return pit_ ? ball_ - burr_radius_mm() : ball_ + burr_radius_mm(); }
+  double offset() const { return pit_ ? ball_ - bur_radius_mm() : ball_ + bur_radius_mm(); }
   /// A direction within 55 degrees of the frame's z, evenly; downwards for the pit.
   Vec3 somewhere(Random& random) const {
     const double z = random.between(0.5736, 1.0);
@@ -168,10 +168,10 @@ class Ball : public RoundShape {
   bool pit_;
 };
 
-/// Cylinder of 2 mm along the frame's x; the burr keeps to 50 degrees about z and 2.4 mm along.
+/// Cylinder of 2 mm along the frame's x; the bur keeps to 50 degrees about z and 2.4 mm along.
 class Cylinder : public RoundShape {
  public:
-  explicit Cylinder(double burr_radius_mm) : RoundShape("cylinder", burr_radius_mm) {}
+  explicit Cylinder(double bur_radius_mm) : RoundShape("cylinder", bur_radius_mm) {}
   double distance_mm(Vec3 world) const override {
     const Vec3 p = frame_.to_local(world);
     return std::sqrt(p.y * p.y + p.z * p.z) - kCylinderMm;
@@ -180,18 +180,18 @@ class Cylinder : public RoundShape {
   Vec3 proxy(Vec3 q) const {
     const Vec3 p = frame_.to_local(q);
     const double far = std::sqrt(p.y * p.y + p.z * p.z);
-    const double reach = kCylinderMm + burr_radius_mm();
+    const double reach = kCylinderMm + bur_radius_mm();
     if (far >= reach) return q;
     return frame_.to_world({p.x, p.y * reach / far, p.z * reach / far});
   }
   std::unique_ptr<Truth> truth() const override { return std::make_unique<OneSheet<Cylinder>>(*this); }
   Spot spot(Random& random) const override {
     const double x = random.between(-kAlong, kAlong), phi = random.between(-kAround, kAround);
-    return {at(x, phi, kCylinderMm + burr_radius_mm()), frame_.direction({0.0, std::sin(phi), std::cos(phi)})};
+    return {at(x, phi, kCylinderMm + bur_radius_mm()), frame_.direction({0.0, std::sin(phi), std::cos(phi)})};
   }
   /// A helix: a straight line on the unrolled cylinder.
   Leg leg(Random& random, const Vec3* from) const override {
-    const double reach = kCylinderMm + burr_radius_mm() - kDepthMm;
+    const double reach = kCylinderMm + bur_radius_mm() - kDepthMm;
     double x0 = random.between(-kAlong, kAlong), phi0 = random.between(-kAround, kAround);
     if (from) {
       const Vec3 p = frame_.to_local(*from);
@@ -207,7 +207,7 @@ class Cylinder : public RoundShape {
   }
   Vec3 before(Vec3 first) const override {
     const Vec3 p = frame_.to_local(first);
-    return at(p.x, std::atan2(p.y, p.z), kCylinderMm + burr_radius_mm() + kAbove);
+    return at(p.x, std::atan2(p.y, p.z), kCylinderMm + bur_radius_mm() + kAbove);
   }
 
  private:
@@ -221,7 +221,7 @@ class Cylinder : public RoundShape {
 /// middle along the diagonal, which is the frame's z.
 class Corner : public RoundShape {
  public:
-  explicit Corner(double burr_radius_mm) : RoundShape("corner", burr_radius_mm) {
+  explicit Corner(double bur_radius_mm) : RoundShape("corner", bur_radius_mm) {
     const Vec3 u = unit(Vec3(1.0)), v = unit(Vec3(1.0, -1.0, 0.0));
     const Frame body = Frame::of(u, v, Vec3(0.0));
     // The octant's axes, turned so that its diagonal is the frame's z.
@@ -240,7 +240,7 @@ class Corner : public RoundShape {
   }
   Vec3 proxy(Vec3 q) const {
     const Vec3 p = walls_.to_local(q);
-    const double r = burr_radius_mm();
+    const double r = bur_radius_mm();
     if (p.x >= r && p.y >= r && p.z >= r) return q;
     return walls_.to_world(glm::max(p, Vec3(r)));
   }
@@ -249,7 +249,7 @@ class Corner : public RoundShape {
   Spot spot(Random& random) const override {
     const int walls = 1 + static_cast<int>(random.between(0.0, 3.0));
     const int first = static_cast<int>(random.between(0.0, 3.0));
-    Vec3 c(burr_radius_mm()), n(0.0);
+    Vec3 c(bur_radius_mm()), n(0.0);
     for (int i = 0; i < 3; ++i) {
       const int axis = (first + i) % 3;
       if (i < walls) {
@@ -267,7 +267,7 @@ class Corner : public RoundShape {
       const int must = static_cast<int>(random.between(0.0, 3.0));
       for (int i = 0; i < 3; ++i)
         c[i] =
-            burr_radius_mm() + (i == must || random.between(0.0, 1.0) < 0.4 ? -kDepthMm : random.between(0.05, kSide));
+            bur_radius_mm() + (i == must || random.between(0.0, 1.0) < 0.4 ? -kDepthMm : random.between(0.05, kSide));
       return walls_.to_world(c);
     };
     const Vec3 a = from ? *from : aim();
@@ -289,7 +289,7 @@ std::unique_ptr<Shape> make_round_shape(std::string_view name, double r) {
   if (name == "joint") return std::make_unique<Joint>(r);
   if (name == "wall") return std::make_unique<Flat>("wall", r, kWallMm);
   if (name == "sphere") return std::make_unique<Ball>("sphere", r, kSphereMm, false);
-  if (name == "pit") return std::make_unique<Ball>("pit", r, kPitOverBurr * r, true);
+  if (name == "pit") return std::make_unique<Ball>("pit", r, kPitOverBur * r, true);
   if (name == "cylinder") return std::make_unique<Cylinder>(r);
   if (name == "corner") return std::make_unique<Corner>(r);
   return nullptr;

@@ -212,7 +212,7 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
     out << std::left << std::setw(16) << row.method << std::setw(17) << shape << std::setw(7)
         << (row.task.empty() ? row.motion : row.task) << std::right;
     number(row.speed_mm_s, 6, 0);
-    number(row.burr_radius_mm, 6, 2);
+    number(row.bur_radius_mm, 6, 2);
     number(row.voxel_mm, 7, 3);
     number(row.samples < 0 ? kAbsent : static_cast<double>(row.samples), 8, 0);
     number(row.angle_deg_mean, 9, 4);

@@ -1,4 +1,4 @@
-/// What a measurement came to: one flat row for each method, shape, motion, burr and voxel size, as JSON and CSV.
+/// What a measurement came to: one flat row for each method, shape, motion, bur and voxel size, as JSON and CSV.
 #pragma once
 
 #include <cmath>
@@ -32,9 +32,9 @@ struct Row {
   std::string motion;              // press, slide
   std::string task;                // rate: displacement, exploration, perforation
   std::string measure;             // removal: speed, hand, mixed, density, depth, shape, volume, order, slide, ridge, tick
-  std::string burr;                // removal: its name, with the diameter
+  std::string bur;                // removal: its name, with the diameter
   std::string tissue;              // removal
-  std::string direction;           // removal: +x-y, or the way that the burr is led
+  std::string direction;           // removal: +x-y, or the way that the bur is led
   double tick_ms = kAbsent;        // removal: length of a tick
   double alpha = kAbsent;          // removal: wear coefficient of eq. (4)
   double target_mm_s = kAbsent;    // removal: what the speed should be, and what it is on the surface that is left
@@ -44,17 +44,17 @@ struct Row {
   double volume_mm_s = kAbsent;
   double density = kAbsent;        // removal: D of eq. (6)
   double time_s = kAbsent;         // removal: of a moment of the paper's perforation, and
-  double depth_mm = kAbsent;       // how deep the burr's tip is by then
+  double depth_mm = kAbsent;       // how deep the bur's tip is by then
   double removed_mm3 = kAbsent;    // removal
-  double exact_mm3 = kAbsent;      // removal: what the exact burr takes on the same way
-  double deviation_um_mean = kAbsent;  // removal: of the surface that is left from the swept burr's
+  double exact_mm3 = kAbsent;      // removal: what the exact bur takes on the same way
+  double deviation_um_mean = kAbsent;  // removal: of the surface that is left from the swept bur's
   double deviation_um_max = kAbsent;
   std::string place;               // removal: of deviation_um_max, mm: x along the way, z out of the face
   double excess_um_p99 = kAbsent;  // removal: how much further the surface went back in a tick than wear allows
   double excess_um_max = kAbsent;
   double ridge_um = kAbsent;       // removal: how far an edge between cuts stands below the exact one
   double speed_mm_s = kAbsent;
-  double burr_radius_mm = kAbsent;
+  double bur_radius_mm = kAbsent;
   double voxel_mm = kAbsent;
   std::int64_t seed = -1;
   bool unresolved = false;          // a feature thinner than 2.5 voxels, or a radius below 3: outside every goal
@@ -63,7 +63,7 @@ struct Row {
   double angle_deg_mean = kAbsent;  // between the method's force and the exact one
   double angle_deg_p95 = kAbsent;
   double angle_deg_max = kAbsent;
-  double depth_um_mean = kAbsent;  // |exact signed clearance| of the burr at the method's proxy
+  double depth_um_mean = kAbsent;  // |exact signed clearance| of the bur at the method's proxy
   double depth_um_p95 = kAbsent;
   double depth_um_max = kAbsent;
   double lag_um_mean = kAbsent;  // channel: how much further behind the device, along the axis, than the exact proxy
@@ -99,8 +99,8 @@ struct Row {
   double force_step_mn = kAbsent;   // the largest
   double force_step_p99_mn = kAbsent;
   double guard_step_mn = kAbsent;
-  double penetration_um = kAbsent;   // deepest the burr stood in tissue at the method's proxy, exactly
-  std::int64_t passed_through = -1;  // runs in which the burr's pivot got into the tissue, or behind it
+  double penetration_um = kAbsent;   // deepest the bur stood in tissue at the method's proxy, exactly
+  std::int64_t passed_through = -1;  // runs in which the bur's pivot got into the tissue, or behind it
   std::int64_t stuck = -1;           // times
   double stuck_ms = kAbsent;         // the longest
   double vibration_mn = kAbsent;     // the three tasks: peak to peak of the force above 20 Hz, the exact one's off
@@ -142,7 +142,7 @@ void for_each_field(R& row, Visit&& visit) {
   visit("motion", row.motion);
   visit("task", row.task);
   visit("measure", row.measure);
-  visit("burr", row.burr);
+  visit("bur", row.bur);
   visit("tissue", row.tissue);
   visit("direction", row.direction);
   visit("tick_ms", row.tick_ms);
@@ -164,7 +164,7 @@ void for_each_field(R& row, Visit&& visit) {
   visit("excess_um_max", row.excess_um_max);
   visit("ridge_um", row.ridge_um);
   visit("speed_mm_s", row.speed_mm_s);
-  visit("burr_radius_mm", row.burr_radius_mm);
+  visit("bur_radius_mm", row.bur_radius_mm);
   visit("voxel_mm", row.voxel_mm);
   visit("seed", row.seed);
   visit("unresolved", row.unresolved);

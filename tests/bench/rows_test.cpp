@@ -19,7 +19,7 @@ Report some() {
   row.variant = "oblique";
   row.motion = "slide";
   row.speed_mm_s = 50.0;
-  row.burr_radius_mm = 0.25;
+  row.bur_radius_mm = 0.25;
   row.voxel_mm = 0.078125;
   row.seed = 1;
   row.samples = 1234;
@@ -101,7 +101,7 @@ TEST(Program, answers_wrong_usage_with_2_and_help_with_0) {
 
 TEST(Program, fails_with_1_when_its_file_cannot_be_written) {
   EXPECT_EQ(run_program({"accuracy", "--shape", "face", "--method", "surface", "--motion", "press", "--voxel-mm", "0.2",
-                         "--burr-radius-mm", "0.5", "--budget-s", "0.001", "--json", "/nowhere/rows.json"}),
+                         "--bur-radius-mm", "0.5", "--budget-s", "0.001", "--json", "/nowhere/rows.json"}),
             kFailed);
 }
 

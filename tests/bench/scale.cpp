@@ -18,9 +18,9 @@ namespace cusp::bench {
 namespace {
 
 constexpr int kEdges[] = {128, 256, 512, 1024};
-constexpr double kBurrMm = 0.5;
+constexpr double kBurMm = 0.5;
 constexpr double kSameWayMm = 4.0;
-constexpr double kFromEdgeMm = 1.0;         // of the block, so that the burr stays on its top
+constexpr double kFromEdgeMm = 1.0;         // of the block, so that the bur stays on its top
 constexpr std::size_t kTrackTicks = 16384;  // 0.8 m of way
 
 double box_distance(Vec3 p, double half) {
@@ -32,7 +32,7 @@ std::shared_ptr<const Scene> block_scene(int edge, Method method, double voxel_m
   auto scene = std::make_shared<Scene>();
   scene->method = method;
   scene->specimen = solid_block(edge, voxel_mm, reading_of(method));
-  scene->burrs = {Burr{"bench", radius_mm, 0.4 * radius_mm, 4.0 + radius_mm, 0.4 * radius_mm, 4.0}};
+  scene->burs = {Bur{"bench", radius_mm, 0.4 * radius_mm, 4.0 + radius_mm, 0.4 * radius_mm, 4.0}};
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1.0};
   scene->guard.jump_mm = 1e6;
   return scene;
@@ -76,9 +76,9 @@ std::shared_ptr<const Specimen> solid_block(int edge_voxels, double voxel_mm, Re
   });
 }
 
-std::vector<StepInput> block_inputs(double top_mm, double burr_radius_mm, double half_way_mm, double speed_mm_s,
+std::vector<StepInput> block_inputs(double top_mm, double bur_radius_mm, double half_way_mm, double speed_mm_s,
                                     std::uint64_t seed, std::size_t ticks) {
-  const double z = top_mm + burr_radius_mm - kDepthMm;
+  const double z = top_mm + bur_radius_mm - kDepthMm;
   Random random(seed);
   const auto place = [&] {
     const double x = random.between(-half_way_mm, half_way_mm);
@@ -104,7 +104,7 @@ std::vector<StepInput> block_inputs(double top_mm, double burr_radius_mm, double
 std::vector<Row> scale_rows(const Options& options) {
   std::vector<Row> rows;
   for (const double voxel : chosen(options.voxels_mm, {kRateVoxelMm}))
-    for (const double radius : chosen(options.burr_radii_mm, {kBurrMm}))
+    for (const double radius : chosen(options.bur_radii_mm, {kBurMm}))
       for (const Method method : {Method::surface, Method::occupancy}) {
         if (!asked(options.methods, key_of(method))) continue;
         std::vector<StepState> states;
@@ -136,7 +136,7 @@ std::vector<Row> scale_rows(const Options& options) {
               row.motion = "slide";
               row.task = "exploration";
               row.speed_mm_s = speed;
-              row.burr_radius_mm = radius;
+              row.bur_radius_mm = radius;
               row.voxel_mm = voxel;
               row.seed = static_cast<std::int64_t>(options.seed);
               lanes[i].pace.fill(row);

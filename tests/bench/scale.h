@@ -1,5 +1,5 @@
 /// The verb `scale`: what a tick and a scene cost as the volume grows at the same voxel size: solid blocks of 128^3 to
-/// 1024^3 voxels of 10/128 mm, a burr of 0.5 mm sliding at 50 mm/s 0.3 mm below the offset surface of the top.
+/// 1024^3 voxels of 10/128 mm, a bur of 0.5 mm sliding at 50 mm/s 0.3 mm below the offset surface of the top.
 #pragma once
 
 #include <memory>
@@ -8,6 +8,7 @@
 #include "engine/step/step.h"
 #include "tests/bench/options.h"
 #include "tests/bench/rows.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -18,7 +19,7 @@ std::shared_ptr<const Specimen> solid_block(int edge_voxels, double voxel_mm, Re
 double solid_block_half_mm(int edge_voxels, double voxel_mm);
 
 /// Device points over the top of a block: straight lines to random places within half_way_mm of its middle.
-std::vector<StepInput> block_inputs(double top_mm, double burr_radius_mm, double half_way_mm, double speed_mm_s,
+std::vector<StepInput> block_inputs(double top_mm, double bur_radius_mm, double half_way_mm, double speed_mm_s,
                                     std::uint64_t seed, std::size_t ticks);
 
 /// Variants: "same-way" goes over the same 8 mm of every block, "whole-top" over all of each block's top. The sizes

@@ -55,11 +55,11 @@ constexpr std::size_t kKept = 6;
 
 }  // namespace
 
-std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm, std::string_view variant) {
-  if (auto shape = make_round_shape(name, burr_radius_mm)) return shape;
-  if (auto shape = make_profile_shape(name, burr_radius_mm)) return shape;
-  if (name == "cut") return make_cut(burr_radius_mm, variant == "crossing");
-  if (name == "islet") return make_islet(burr_radius_mm);
+std::unique_ptr<Shape> make_shape(std::string_view name, double bur_radius_mm, std::string_view variant) {
+  if (auto shape = make_round_shape(name, bur_radius_mm)) return shape;
+  if (auto shape = make_profile_shape(name, bur_radius_mm)) return shape;
+  if (name == "cut") return make_cut(bur_radius_mm, variant == "crossing");
+  if (name == "islet") return make_islet(bur_radius_mm);
   return nullptr;
 }
 
@@ -79,16 +79,16 @@ std::shared_ptr<Scene> scene_of(const Shape& shape, Method method, double voxel_
   auto scene = std::make_shared<Scene>();
   scene->method = method;
   scene->specimen = specimen_of(shape, voxel_mm, reading_of(method));
-  for (const double radius : {shape.burr_radius_mm(), shape.cutter_radius_mm()}) {
+  for (const double radius : {shape.bur_radius_mm(), shape.cutter_radius_mm()}) {
     if (radius <= 0.0) continue;
-    Burr burr;
-    burr.name = "bench";
-    burr.radius_mm = radius;
-    burr.neck_radius_mm = 0.4 * radius;
-    burr.neck_length_mm = 4.0 + radius;
-    burr.shank_radius_mm = burr.neck_radius_mm;
-    burr.shank_length_mm = 4.0;
-    scene->burrs.push_back(burr);
+    Bur bur;
+    bur.name = "bench";
+    bur.radius_mm = radius;
+    bur.neck_radius_mm = 0.4 * radius;
+    bur.neck_length_mm = 4.0 + radius;
+    bur.shank_radius_mm = bur.neck_radius_mm;
+    bur.shank_length_mm = 4.0;
+    scene->burs.push_back(bur);
   }
   scene->tool_axis = shape.tool_axis();
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1.0};

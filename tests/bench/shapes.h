@@ -1,5 +1,5 @@
 /// The specimens that methods are measured on. Each is known in closed form, stands obliquely to the grid and off its
-/// planes, and knows where a burr goes on it. Specimen frame, mm.
+/// planes, and knows where a bur goes on it. Specimen frame, mm.
 ///
 /// Grid: 128^3 voxels in 10 mm at a voxel of 10/128 mm; at any other size as many as 10 mm need, more where a shape
 /// with its band and four empty voxels on every side would not fit. The shape ends where the padding begins.
@@ -13,12 +13,13 @@
 #include "engine/step/step.h"
 #include "tests/bench/random.h"
 #include "tests/bench/truth.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
 inline constexpr double kDepthMm = 0.3;  // of the device point below the offset surface
 
-/// Where a press begins: a centre of the burr that touches, and the way out there.
+/// Where a press begins: a centre of the bur that touches, and the way out there.
 struct Spot {
   Vec3 centre{0.0};
   Vec3 normal{0.0};
@@ -32,11 +33,11 @@ struct Leg {
 
 class Shape {
  public:
-  Shape(std::string name, double burr_radius_mm) : name_(std::move(name)), radius_(burr_radius_mm) {}
+  Shape(std::string name, double bur_radius_mm) : name_(std::move(name)), radius_(bur_radius_mm) {}
   virtual ~Shape() = default;
 
   const std::string& name() const { return name_; }
-  double burr_radius_mm() const { return radius_; }
+  double bur_radius_mm() const { return radius_; }
   /// Of a cut: single, crossing; of a channel: straight, oblique, slot; else empty.
   virtual std::string variant() const { return {}; }
   /// Two shapes with the same key have the same tissue before any cut.
@@ -64,7 +65,7 @@ class Shape {
   /// A centre far above everything; from it, straight lines lead to just above every spot.
   virtual Vec3 home() const = 0;
 
-  /// Burr that cuts (cut, channel), as a second one in Scene::burrs; 0: none.
+  /// Bur that cuts (cut, channel), as a second one in Scene::burs; 0: none.
   virtual double cutter_radius_mm() const { return 0.0; }
   /// Does to a fresh state what has been done to the specimen. False: the volume had no room.
   virtual bool prepare(StepState&) const { return true; }
@@ -86,12 +87,12 @@ class Shape {
 
 /// nullptr for another name, and for channel, whose holes channel.h makes. variant: of a cut, single unless it says
 /// crossing.
-std::unique_ptr<Shape> make_shape(std::string_view name, double burr_radius_mm, std::string_view variant = {});
+std::unique_ptr<Shape> make_shape(std::string_view name, double bur_radius_mm, std::string_view variant = {});
 
 /// The specimen of a shape, built at first use; a few are kept.
 std::shared_ptr<const Specimen> specimen_of(const Shape& shape, double voxel_mm, Reading reading);
 
-/// A scene with the shape's specimen: K 1 N/mm everywhere, friction off, a guard that stays out of the way; the burr
+/// A scene with the shape's specimen: K 1 N/mm everywhere, friction off, a guard that stays out of the way; the bur
 /// with a neck and a shank of 0.4 of its radius, along the shape's axis.
 std::shared_ptr<Scene> scene_of(const Shape& shape, Method method, double voxel_mm);
 

@@ -139,13 +139,13 @@ void print(const std::vector<Row>& rows) {
 /// What the picture of damping shows: the surface proxy on a face, without a guard and without delay.
 void sweep_damping(CaseRun what, const Options& options, std::vector<Row>& rows) {
   if (!asked(options.cases, "face") || !asked(options.methods, key_of(Method::surface)) ||
-      !asked(options.guards, "off") || !options.voxels_mm.empty() || !options.burr_radii_mm.empty())
+      !asked(options.guards, "off") || !options.voxels_mm.empty() || !options.bur_radii_mm.empty())
     return;
   what.key = "face";
   what.method = Method::surface;
   what.guard = false;
   what.voxel_mm = kVoxelMm;
-  what.burr_radius_mm = 0.25;
+  what.bur_radius_mm = 0.25;
   for (const double damping : {0.5, 2.0, 5.0})
     for (const double friction : {0.0, 0.1})
       for (const std::string_view grip : {"none", "soft", "firm"}) {
@@ -201,9 +201,9 @@ std::vector<Row> measured_rows(const Options& options) {
   };
   const std::vector<std::string_view> soft{"soft"}, every{"none", "soft", "firm"}, led{"scripted"};
   for (const CaseName& name : kPressCases)
-    // Hundreds of points about the burr in its pit; one burr for the rest.
-    for (const double radius : chosen(options.burr_radii_mm, {name.key == "pit" ? 0.5 : 0.25})) {
-      what.burr_radius_mm = radius;
+    // Hundreds of points about the bur in its pit; one bur for the rest.
+    for (const double radius : chosen(options.bur_radii_mm, {name.key == "pit" ? 0.5 : 0.25})) {
+      what.bur_radius_mm = radius;
       each(name.key, settings_of(options.grips.empty() && !options.full ? soft : every, options), voxels_of(name.key, options),
            press_row);
     }
@@ -212,8 +212,8 @@ std::vector<Row> measured_rows(const Options& options) {
     return rows;
   }
   if (options.grips.empty() && !asks_for_a_device(options)) sweep_damping(what, options, rows);
-  for (const double radius : chosen(options.burr_radii_mm, {0.25})) {
-    what.burr_radius_mm = radius;
+  for (const double radius : chosen(options.bur_radii_mm, {0.25})) {
+    what.bur_radius_mm = radius;
     what.budget_s = kWayShare * options.budget_s;
     const auto way = [&options](CaseRun one) {
       // Ten thousand approaches at the usual budget.
@@ -225,7 +225,7 @@ std::vector<Row> measured_rows(const Options& options) {
     for (const CaseName& name : kFaultCases)
       each(name.key, settings_of(led, options), voxels_of(name.key, options), run_case);
   }
-  what.burr_radius_mm = 0.5;
+  what.bur_radius_mm = 0.5;
   for (const CaseName& name : kTaskCases) each(name.key, settings_of(led, options), {kVoxelMm}, run_case);
   return rows;
 }

@@ -34,7 +34,7 @@ inline constexpr std::array<CaseName, 11> kWayCases = {{{"thin-wall", "thin wall
                                                         {"voxel-size", "voxels 0.2 to 0.04"},
                                                         {"late-ticks", "ticks late to 50 ms"},
                                                         {"grip-weight", "weight of the grip"}}};
-/// What a device or a session does wrong while the burr is in contact.
+/// What a device or a session does wrong while the bur is in contact.
 inline constexpr std::array<CaseName, 8> kFaultCases = {{{"frozen", "frozen"},
                                                          {"jump", "jumps 20 mm"},
                                                          {"nan", "not a number"},
@@ -42,7 +42,7 @@ inline constexpr std::array<CaseName, 8> kFaultCases = {{{"frozen", "frozen"},
                                                          {"out-of-range", "out of range"},
                                                          {"device-gone", "device vanishes"},
                                                          {"specimen-exchange", "specimen exchanged"},
-                                                         {"burr-exchange", "burr exchanged"}}};
+                                                         {"bur-exchange", "bur exchanged"}}};
 /// The paper's three.
 inline constexpr std::array<CaseName, 3> kTaskCases = {
     {{"displacement", "displacement"}, {"exploration", "exploration"}, {"perforation", "perforation"}}};
@@ -56,7 +56,7 @@ struct CaseRun {
   bool guard = true;
   Setting setting;
   double voxel_mm = 10.0 / 128;
-  double burr_radius_mm = 0.25;
+  double bur_radius_mm = 0.25;
   double budget_s = 1.0;  // of the core's time: no further run is begun after it; one always is
   std::int64_t most_runs = kMostRuns;
   std::uint64_t seed = 1;

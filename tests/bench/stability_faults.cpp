@@ -1,4 +1,4 @@
-// What goes wrong at the device or in the session while the burr presses on a face; and the paper's three tasks, whose
+// What goes wrong at the device or in the session while the bur presses on a face; and the paper's three tasks, whose
 // force is looked through for vibration.
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr int kSettleMs = 50, kFaultMs = 60, kLatchedMs = 150, kBackMs = 500;
 constexpr double kSlideMm = 0.02;  // a tick, all the while
 constexpr double kBackShare = 0.95;
 constexpr double kJumpMm = 20.0;
-constexpr double kLargerBurr = 1.5;
+constexpr double kLargerBur = 1.5;
 
 Vec3 somewhere(Random& random) {
   const double z = random.between(-1.0, 1.0), phi = random.between(0.0, 6.283185307179586);
@@ -116,17 +116,17 @@ Times one_fault(const CaseRun& what, const Shape& face, const std::shared_ptr<co
   return out;
 }
 
-/// The specimen is exchanged for one with a thin wall in the same place, or the burr for a larger one.
+/// The specimen is exchanged for one with a thin wall in the same place, or the bur for a larger one.
 void one_exchange(const CaseRun& what, const Shape& face, const std::shared_ptr<const Scene>& scene, std::uint64_t seed,
                   Tally& tally) {
   Random random(seed);
   const Spot spot = face.spot(random);
   const Vec3 touch = spot.centre + spot.normal * 0.05;
   const Vec3 aside = unit(glm::cross(spot.normal, somewhere(random)));
-  const bool burr = what.key == "burr-exchange";
+  const bool bur = what.key == "bur-exchange";
   const int in = static_cast<int>((0.05 + kDepthMm) / 0.05), exchange = in + kSettleMs;
   const std::unique_ptr<Shape> other =
-      burr ? make_shape("face", kLargerBurr * what.burr_radius_mm) : make_shape("wall", what.burr_radius_mm);
+      bur ? make_shape("face", kLargerBur * what.bur_radius_mm) : make_shape("wall", what.bur_radius_mm);
   Pair pair(face, scene);
   pair.bring(touch);
   Pair fresh(*other, stability_scene(*other, what.method, what.voxel_mm, what.guard));
@@ -137,14 +137,14 @@ void one_exchange(const CaseRun& what, const Shape& face, const std::shared_ptr<
     StepInput input = input_at(at);
     if (ms == exchange) {
       tally.interrupt();
-      if (burr) {
-        pair.replace(other->truth(), other->burr_radius_mm());
+      if (bur) {
+        pair.replace(other->truth(), other->bur_radius_mm());
       } else {
         fresh.truth().start(input.position_mm());
         now = &fresh;
       }
     }
-    if (burr && ms >= exchange) input.burr = 1;
+    if (bur && ms >= exchange) input.bur = 1;
     now->tick(now->rearmed(input), tally);
   }
   tally.end();
@@ -167,14 +167,14 @@ class BlockTop : public Truth {
 }  // namespace
 
 Row run_fault(const CaseRun& what) {
-  const std::unique_ptr<Shape> face = make_shape("face", what.burr_radius_mm);
+  const std::unique_ptr<Shape> face = make_shape("face", what.bur_radius_mm);
   const auto scene = stability_scene(*face, what.method, what.voxel_mm, what.guard);
-  const bool exchange = what.key == "specimen-exchange" || what.key == "burr-exchange";
-  if (what.key == "burr-exchange") {
-    Burr larger = scene->burrs.front();
-    larger.radius_mm *= kLargerBurr;
+  const bool exchange = what.key == "specimen-exchange" || what.key == "bur-exchange";
+  if (what.key == "bur-exchange") {
+    Bur larger = scene->burs.front();
+    larger.radius_mm *= kLargerBur;
     larger.neck_length_mm += larger.radius_mm;
-    scene->burrs.push_back(larger);
+    scene->burs.push_back(larger);
   }
   Tally tally;
   Times worst;
@@ -205,7 +205,7 @@ Row run_fault(const CaseRun& what) {
 }
 
 Row run_task(const CaseRun& what) {
-  const double top = solid_block_half_mm(128, 10.0 / 128), r = what.burr_radius_mm;
+  const double top = solid_block_half_mm(128, 10.0 / 128), r = what.bur_radius_mm;
   auto scene = task_scene(what.method);
   if (!what.guard) scene->guard = unguarded();
   StepState state(scene);
@@ -225,7 +225,7 @@ Row run_task(const CaseRun& what) {
     const StepInput input = input_at(hand_at(t, top, r), t > kFreeS + kExploreS);
     const StepOutput out = step(state, input);
     const Exact pose = exact.follow(input.position_mm());
-    // A burr that drills has no exact proxy here: the way it goes has nothing above 3 Hz of its own.
+    // A bur that drills has no exact proxy here: the way it goes has nothing above 3 Hz of its own.
     const Vec3 force = pose.contact && !drills ? kStabilityNPerMm * (pose.pose_mm - out.device_mm) : Vec3(0.0);
     beyond.push_back(out.force_n - force);
     if (t > from && !drills) tally.add(out, pose, force, exact.clearance_mm(out.proxy_mm), r, 0.1);

@@ -16,8 +16,8 @@ constexpr double kAboveMm = 0.25;  // where the way down begins
 constexpr double kReadyMm = 0.02;  // a tick, on the last bit of the way there
 constexpr double kLostMm = 10.0;   // off the touch, besides the press's own depth: the device has left the place
 constexpr double kRestMm = 1e-12;  // rounding in a solver that starts where it ended
-// A proxy further off is elsewhere. Across the push: a burr that has slipped off an edge. Along it: a pivot that
-// overlaps in a groove stands two burr radii too deep, which is its fault but not elsewhere.
+// A proxy further off is elsewhere. Across the push: a bur that has slipped off an edge. Along it: a pivot that
+// overlaps in a groove stands two bur radii too deep, which is its fault but not elsewhere.
 constexpr double kAsideMm = 0.5, kThroughMm = 1.5;
 constexpr int kRampTicks = 300;  // longer than GuardSettings::ramp_in_ms
 constexpr int kMostApproachTicks = 200;
@@ -33,7 +33,7 @@ StepInput rearmed(Vec3 device) {
 }  // namespace
 
 struct PressBench::Inner {
-  explicit Inner(const KMaxCase& w) : what(w), place(PressPlace::make(w.place, w.burr_radius_mm)) {
+  explicit Inner(const KMaxCase& w) : what(w), place(PressPlace::make(w.place, w.bur_radius_mm)) {
     exact = place->truth();
   }
 

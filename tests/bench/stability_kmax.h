@@ -26,6 +26,7 @@
 #include "engine/lab/measures.h"
 #include "engine/step/step.h"
 #include "tests/bench/stability_places.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -38,7 +39,7 @@ struct KMaxCase {
   std::string place = "face";
   std::optional<Method> method;  // nullopt: the exact proxy
   bool guard = false;            // off: the hand gets the method's own force
-  double burr_radius_mm = 0.5;
+  double bur_radius_mm = 0.5;
   double voxel_mm = 10.0 / 128;
   lab::DeviceSettings device;
   lab::TransportSettings transport;  // its seed is the run's
@@ -71,7 +72,7 @@ class PressBench {
   PressBench(const PressBench&) = delete;
   PressBench& operator=(const PressBench&) = delete;
 
-  /// Another device, transport, grip or guard. Place, method, burr and voxel stay as they were made.
+  /// Another device, transport, grip or guard. Place, method, bur and voxel stay as they were made.
   void use(const KMaxCase& what);
   /// early: a run that has already failed ends there. compare: follow the exact proxy too, for what is "of a method".
   PressRun run(double k_n_per_mm, std::uint64_t seed, bool early = false, bool compare = false);
@@ -86,7 +87,7 @@ struct KMax {
   bool beyond = false;                                                 // nothing failed up to the grid's end
   lab::Steadiness::Verdict reason = lab::Steadiness::Verdict::steady;  // of the first stiffness that fails
   double cycle_um = 0.0, cycle_hz = 0.0;                               // there
-  bool left = false;                                                   // there, the burr left the place
+  bool left = false;                                                   // there, the bur left the place
   std::uint64_t seed = 0;                                              // that fails there
   int runs = 0;                                                        // how many it took
 };

@@ -6,6 +6,7 @@
 #include "engine/contact/surface_contact.h"
 #include "tests/bench/cut_shape.h"
 #include "tests/bench/frame.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -23,7 +24,7 @@ class ShapePlace : public PressPlace {
   std::unique_ptr<Truth> truth() const override { return shape_->truth(); }
 
  protected:
-  double r() const { return shape_->burr_radius_mm(); }
+  double r() const { return shape_->bur_radius_mm(); }
   Frame frame_ = oblique_frame();
 
  private:
@@ -76,7 +77,7 @@ class GroovePlace : public ShapePlace {
   }
 };
 
-/// The half space z <= 0 of the frame without a ball 2 % wider than the burr about its origin.
+/// The half space z <= 0 of the frame without a ball 2 % wider than the bur about its origin.
 class FittingPit : public Shape {
  public:
   explicit FittingPit(double r) : Shape("fitting-pit", r), ball_(1.02 * r) {}
@@ -100,7 +101,7 @@ class FittingPit : public Shape {
   Vec3 before(Vec3) const override { return frame_.origin; }
   std::unique_ptr<Truth> truth() const override;
 
-  double play() const { return ball_ - burr_radius_mm(); }
+  double play() const { return ball_ - bur_radius_mm(); }
   const Frame& frame() const { return frame_; }
 
  private:
@@ -138,7 +139,7 @@ class InBowl : public Truth {
   double bowl_, ball_;
 };
 
-std::unique_ptr<Truth> FittingPit::truth() const { return std::make_unique<InBowl>(frame_, ball_, burr_radius_mm()); }
+std::unique_ptr<Truth> FittingPit::truth() const { return std::make_unique<InBowl>(frame_, ball_, bur_radius_mm()); }
 
 /// A ball in a hole of its own width, deep below its mouth: its centre may be within `play` of a segment that begins at
 /// the bottom and leads out.
@@ -182,7 +183,7 @@ class PitPlace : public PressPlace {
 class ChannelPlace : public PressPlace {
  public:
   explicit ChannelPlace(double r) {
-    // The first oblique hole that is deep enough for the burr to stand wholly below its mouth's middle.
+    // The first oblique hole that is deep enough for the bur to stand wholly below its mouth's middle.
     for (std::uint64_t seed = 1;; ++seed) {
       hole_ = std::make_unique<Hole>(r, HoleKind::oblique, seed, SurfaceContact::kClearanceMm);
       if (glm::dot(frame_.z, frame_.origin - hole_->bottom()) >= kDeepRadii * r) break;

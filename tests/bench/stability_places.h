@@ -1,4 +1,4 @@
-/// Where stiffness is swept to its limit: six kinds of place on which a burr can be pressed and stays, with the exact
+/// Where stiffness is swept to its limit: six kinds of place on which a bur can be pressed and stays, with the exact
 /// proxy of each.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace cusp::bench {
 ///            degrees. On the edge itself no press is steady for any method: what holds it there is a ridge.
 ///   corner   of three walls, along their diagonal and up to 11 degrees off it
 ///   groove   of 60 degrees, on both walls
-///   pit      a bowl 2 % wider than the burr: the burr lies in it with hundreds of points about it
-///   channel  the burr's own: at the bottom of the hole that it has cut, and against its wall
+///   pit      a bowl 2 % wider than the bur: the bur lies in it with hundreds of points about it
+///   channel  the bur's own: at the bottom of the hole that it has cut, and against its wall
 inline constexpr std::string_view kPressNames[] = {"face", "edge", "corner", "groove", "pit", "channel"};
 
 /// Where one presses, by seed.
@@ -24,14 +24,14 @@ struct Press {
   Vec3 touch{0.0};                // the exact proxy while pressed
   Vec3 approach{0.0};             // unit, on the way there
   Vec3 into{0.0};                 // unit, of the push
-  Vec3 free_a{0.0}, free_b{0.0};  // unit directions in which nothing holds the burr; zero: none
+  Vec3 free_a{0.0}, free_b{0.0};  // unit directions in which nothing holds the bur; zero: none
 };
 
 /// A shape with its places.
 class PressPlace {
  public:
   /// nullptr for another name.
-  static std::unique_ptr<PressPlace> make(std::string_view name, double burr_radius_mm);
+  static std::unique_ptr<PressPlace> make(std::string_view name, double bur_radius_mm);
   virtual ~PressPlace() = default;
   virtual const Shape& shape() const = 0;
   virtual Press press(std::uint64_t seed) const = 0;

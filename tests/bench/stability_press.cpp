@@ -19,7 +19,7 @@ KMaxCase k_max_case(const CaseRun& what) {
   KMaxCase out;
   out.place = what.key;
   out.guard = what.guard;
-  out.burr_radius_mm = what.burr_radius_mm;
+  out.bur_radius_mm = what.bur_radius_mm;
   out.voxel_mm = what.voxel_mm;
   out.device = what.setting.device();
   out.transport = what.setting.transport(what.seed);
@@ -34,7 +34,7 @@ const KMax& exact_k_max(const CaseRun& what, double out_mm = 0.0, bool every = f
   using Key = std::tuple<std::string, double, double, double, double, double, std::string, std::uint64_t, double, bool>;
   static std::map<Key, KMax> known;
   const Setting& s = what.setting;
-  const Key key{std::string(what.key), what.burr_radius_mm, s.mass_kg, s.damping_ns_per_m, s.friction_n, s.delay_ms,
+  const Key key{std::string(what.key), what.bur_radius_mm, s.mass_kg, s.damping_ns_per_m, s.friction_n, s.delay_ms,
                 std::string(s.grip),   what.seed,           out_mm,    every};
   auto found = known.find(key);
   if (found == known.end()) {
@@ -107,7 +107,7 @@ Row press_row(const CaseRun& what) {
       row.force_step_mn = std::max(row.force_step_mn, run.force_step_mn);
       row.guard_step_mn = std::max(row.guard_step_mn, run.guard_step_mn);
       row.penetration_um = std::max(row.penetration_um, run.penetration_um);
-      row.passed_through += run.off_um > 1000.0 * what.burr_radius_mm ? 1 : 0;
+      row.passed_through += run.off_um > 1000.0 * what.bur_radius_mm ? 1 : 0;
       row.stuck += stuck_for_ms(run.stuck_ms) > 0 ? 1 : 0;
       row.stuck_ms = std::max(row.stuck_ms, static_cast<double>(stuck_for_ms(run.stuck_ms)));
     }

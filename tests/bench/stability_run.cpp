@@ -102,7 +102,7 @@ void Tally::begin() {
   run_late_mj_ = 0.0;
 }
 
-void Tally::add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double burr_radius_mm,
+void Tally::add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double bur_radius_mm,
                 double near_mm) {
   ++ticks_;
   const bool apart = !(length(out.proxy_mm - exact.pose_mm) <= near_mm);
@@ -115,7 +115,7 @@ void Tally::add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double 
   }
   penetration_.add(clearance_mm);
   gave(out);
-  if (!(clearance_mm > -burr_radius_mm)) through_ = true;
+  if (!(clearance_mm > -bur_radius_mm)) through_ = true;
 }
 
 void Tally::interrupt() {
@@ -216,7 +216,7 @@ void Tally::fill(Row& row) {
 }
 
 Pair::Pair(const Shape& shape, std::shared_ptr<const Scene> scene)
-    : shape_(shape), state_(std::move(scene)), truth_(shape.truth()), radius_mm_(shape.burr_radius_mm()) {
+    : shape_(shape), state_(std::move(scene)), truth_(shape.truth()), radius_mm_(shape.bur_radius_mm()) {
   shape.prepare(state_);
 }
 
@@ -232,10 +232,10 @@ void Pair::bring(Vec3 centre) {
   truth_->start(input_at(centre).position_mm());
 }
 
-void Pair::replace(std::unique_ptr<Truth> truth, double burr_radius_mm) {
+void Pair::replace(std::unique_ptr<Truth> truth, double bur_radius_mm) {
   truth->start(truth_->exact().pose_mm);
   truth_ = std::move(truth);
-  radius_mm_ = burr_radius_mm;
+  radius_mm_ = bur_radius_mm;
 }
 
 StepInput Pair::rearmed(StepInput input) {

@@ -13,6 +13,7 @@
 #include "tests/bench/motions.h"
 #include "tests/bench/rows.h"
 #include "tests/bench/shapes.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -44,13 +45,13 @@ class Tally {
  public:
   /// A run begins.
   void begin();
-  /// A tick. exact_n: force of the exact proxy. clearance_mm: exact, of the burr at the method's proxy. vanished: the
+  /// A tick. exact_n: force of the exact proxy. clearance_mm: exact, of the bur at the method's proxy. vanished: the
   /// exact minimum ceased to be in it. near_mm: as far as this from the exact proxy the method stands with it.
   ///
   /// Where an exact minimum vanishes, both go on to another face, and the method may do so a little sooner or later:
   /// the ticks in which they stand apart for that (kSooner before, kLater after at most) are a first contact, no force
   /// step.
-  void add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double burr_radius_mm,
+  void add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double bur_radius_mm,
            double near_mm);
   static constexpr int kSooner = 50, kLater = 100;
   /// Of a tick that add() was not told of: what the hand got.
@@ -104,12 +105,12 @@ class Pair {
 
   StepState& state() { return state_; }
   Truth& truth() { return *truth_; }
-  double burr_radius_mm() const { return radius_mm_; }
+  double bur_radius_mm() const { return radius_mm_; }
 
   /// Both stand at an admissible centre, clear of everything, with the guard's ramp behind them.
   void bring(Vec3 centre);
   /// Another exact proxy, which starts where the one before stood (a cut, an exchange).
-  void replace(std::unique_ptr<Truth> truth, double burr_radius_mm);
+  void replace(std::unique_ptr<Truth> truth, double bur_radius_mm);
   /// The input, with a re-arm where a fault has lasted for kRearmTicks.
   StepInput rearmed(StepInput input);
   /// A step, and a move of the exact proxy, into the tally. Where the exact minimum vanishes, the ticks until the

@@ -50,8 +50,8 @@ TEST(ThinWall, lets_the_penalty_through_for_it_has_no_memory_of_the_side_it_came
   EXPECT_GT(row.passed_through, 10) << "the penalty no longer falls through: what has changed?";
 }
 
-TEST(Pivot, alone_lets_the_burr_into_the_tissue_by_its_radius) {
-  // The paper's literal reading: a voxel is free when the pivot is. The burr of 0.25 mm sinks in by as much.
+TEST(Pivot, alone_lets_the_bur_into_the_tissue_by_its_radius) {
+  // The paper's literal reading: a voxel is free when the pivot is. The bur of 0.25 mm sinks in by as much.
   const Row pivot = run_case(case_of("voxel-size", Method::occupancy_pivot, false, 1));
   EXPECT_GT(pivot.penetration_um, 200.0) << "the pivot-only proxy no longer overlaps: what has changed?";
   const Row whole = run_case(case_of("voxel-size", Method::occupancy, false, 1));
@@ -64,7 +64,7 @@ TEST(Delay, of_3_ms_makes_an_unguarded_loop_ring_that_the_guard_keeps_still) {
   KMaxCase what;
   what.place = "face";
   what.method = Method::surface;
-  what.burr_radius_mm = 0.25;
+  what.bur_radius_mm = 0.25;
   what.device = setting.device();
   what.transport = setting.transport(1);
   what.grip = setting.hand();
@@ -96,8 +96,8 @@ TEST(Faults, are_seen_when_there_is_no_guard_so_the_case_can_fail) {
   EXPECT_GT(jump.force_max_n, 5.0);
 }
 
-TEST(Exchange, of_specimen_or_burr_in_contact_does_not_kick) {
-  for (const std::string_view key : {"specimen-exchange", "burr-exchange"}) {
+TEST(Exchange, of_specimen_or_bur_in_contact_does_not_kick) {
+  for (const std::string_view key : {"specimen-exchange", "bur-exchange"}) {
     const Row row = run_case(case_of(key, Method::surface, true, 1));
     EXPECT_EQ(breaks_of(row), std::vector<Breaks>{}) << key;
     EXPECT_LT(row.guard_step_mn, 50.0) << key;  // the ramp: 0.3 N over 200 ms
@@ -125,7 +125,7 @@ TEST(LateTicks, feed_no_more_than_force_times_the_hand_s_travel_in_them_besides_
   EXPECT_LE(row.energy_left_mj, row.energy_exact_mj + kMostFedMj);
 }
 
-TEST(Fragment, cut_loose_under_the_burr_goes_within_100_ms) {
+TEST(Fragment, cut_loose_under_the_bur_goes_within_100_ms) {
   // Its last brick is gone 32 ticks after it was named. Measured: 32, 32 and 16 ms.
   for (const Method method : {Method::surface, Method::occupancy, Method::gradient}) {
     const Row row = run_case(case_of("fragment", method, true, 2));
@@ -154,7 +154,7 @@ TEST(Tasks, of_the_paper_leave_no_vibration_in_the_surface_proxy_s_force) {
   for (const CaseName& task : kTaskCases) {
     const Row row = run_case([&] {
       CaseRun out = case_of(task.key, Method::surface, true, 1);
-      out.burr_radius_mm = 0.5;
+      out.bur_radius_mm = 0.5;
       return out;
     }());
     EXPECT_LT(row.vibration_mn, kMostVibrationMn) << task.key;  // measured: 0, 0.00004, 1.4

@@ -1,4 +1,4 @@
-// Cases in which a burr goes its way: led by script, or by a hand in the laboratory's loop.
+// Cases in which a bur goes its way: led by script, or by a hand in the laboratory's loop.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +9,7 @@
 #include "tests/bench/motions.h"
 #include "tests/bench/pin.h"
 #include "tests/bench/stability_cases.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -50,7 +51,7 @@ void two_tissues(Scene& scene) { scene.tissues[index_of(Tissue::enamel)].stiffne
 void two_tissues(Pair& pair, const Shape& shape, double voxel_mm) {
   pair.stiffness = [&shape, voxel_mm, axis = shape.tool_axis()](const Exact& exact, const StepOutput& out) {
     const Frame frame = oblique_frame();
-    const Vec3 touch = exact.pose_mm - axis * shape.burr_radius_mm();
+    const Vec3 touch = exact.pose_mm - axis * shape.bur_radius_mm();
     const double x = frame.to_local(touch).x;
     if (std::fabs(x) < 1.8 * voxel_mm && out.stiffness_n_per_mm > 0.0) return out.stiffness_n_per_mm;
     return x < 0.0 ? kEnamelNPerMm : kStabilityNPerMm;
@@ -89,7 +90,7 @@ void handled(Pair& pair, const Shape& shape, const Setting& setting, std::uint64
   for (int ms = 0; ms <= kHandMs - kInMs; ++ms) {
     const Vec3 at = slide.next();
     if (ms == 0) before = shape.before(at);
-    // Into the tissue; on a ball towards its middle, lest the hand pulls the burr round to the other side.
+    // Into the tissue; on a ball towards its middle, lest the hand pulls the bur round to the other side.
     const Vec3 in = shape.name() == "sphere" ? unit(at - shape.before(at)) : -shape.tool_axis();
     way.push_back(at + in * deeper);
   }
@@ -119,14 +120,14 @@ Row row_of(const CaseRun& what) {
   row.case_name = what.key;
   row.guard = what.guard ? "on" : "off";
   name_setting(row, what.setting);
-  row.burr_radius_mm = what.burr_radius_mm;
+  row.bur_radius_mm = what.bur_radius_mm;
   row.voxel_mm = what.voxel_mm;
   row.seed = static_cast<std::int64_t>(what.seed);
   return row;
 }
 
 Row run_way(const CaseRun& what) {
-  const std::unique_ptr<Shape> shape = make_shape(shape_of(what.key), what.burr_radius_mm);
+  const std::unique_ptr<Shape> shape = make_shape(shape_of(what.key), what.bur_radius_mm);
   auto scene = stability_scene(*shape, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
   const bool tissues = what.key == "tissues", late = what.key == "late-ticks";
   if (tissues) two_tissues(*scene);
@@ -149,13 +150,13 @@ Row run_way(const CaseRun& what) {
 }
 
 Row run_thin_wall(const CaseRun& what) {
-  const std::unique_ptr<Shape> wall = make_shape("wall", what.burr_radius_mm);
+  const std::unique_ptr<Shape> wall = make_shape("wall", what.bur_radius_mm);
   const Frame frame = oblique_frame();
   constexpr double kDiscMm = 1.2, kAboveMm = 1.0, kBeyondMm = 1.0, kAsideMm = 2.1, kAsideBeforeMm = 3.0;
   constexpr double kSteepest = 1.0, kFlattest = 0.17;    // cosines: straight down, and 80 degrees from that
   constexpr double kSlowestMm = 0.05, kFastestMm = 1.0;  // a tick
   constexpr int kRestTicks = 5;
-  const double r = what.burr_radius_mm;
+  const double r = what.bur_radius_mm;
   Pair pair(*wall, stability_scene(*wall, what.method, what.voxel_mm, what.guard));
   pair.behind = [&frame](Vec3 proxy) { return frame.to_local(proxy).z < 0.0; };
   Tally tally;
@@ -171,7 +172,7 @@ Row run_thin_wall(const CaseRun& what) {
     const Vec3 aim(rho * std::cos(side), rho * std::sin(side), 0.0);
     const double before = std::min((r + kAboveMm) / cosine, kAsideBeforeMm / std::max(sine, 1e-9));
     const double beyond = std::min(kBeyondMm / cosine, kAsideMm / std::max(sine, 1e-9));
-    // Flat ways would begin below where the burr is clear of the wall.
+    // Flat ways would begin below where the bur is clear of the wall.
     const Vec3 lifted(0.0, 0.0, std::max(0.0, r + 0.1 - cosine * before));
     const Vec3 from = frame.to_world(aim - way * before + lifted), to = frame.to_world(aim + way * beyond);
     lead(pair.state(), step, from, kFastestMm);
@@ -210,7 +211,7 @@ constexpr int kGoneMs = 600, kLedGoneMs = 150, kLedMs = 500;  // a face gives wa
 /// How a device point is led: `down` mm below where it began, by the millisecond.
 using Led = std::function<StepOutput(int ms, double down)>;
 
-/// A burr leans on a face that gives way: a hand, or the device point led as `led` has it.
+/// A bur leans on a face that gives way: a hand, or the device point led as `led` has it.
 Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::function<void(Pair&)>& gives_way,
                    const std::function<void(const Led&)>& led) {
   const auto scene = stability_scene(shape, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
@@ -254,11 +255,11 @@ Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::fu
 }  // namespace
 
 Row run_vanishing(const CaseRun& what) {
-  const Pitfall shape(what.burr_radius_mm);
+  const Pitfall shape(what.bur_radius_mm);
   constexpr double kLedMm = 0.005;  // a tick, on downwards
   const auto gives_way = [&shape](Pair& pair) {
     if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the pitfall");
-    pair.replace(shape.truth_after(), shape.burr_radius_mm());
+    pair.replace(shape.truth_after(), shape.bur_radius_mm());
   };
   return run_giving_way(what, shape, gives_way, [](const Led& to) {
     for (int ms = 1; ms <= kLedMs; ++ms) to(ms, kLedMm * std::max(0, ms - kLedGoneMs));
@@ -266,14 +267,14 @@ Row run_vanishing(const CaseRun& what) {
 }
 
 Row run_fragment(const CaseRun& what) {
-  const LoosePlate shape(what.burr_radius_mm);
+  const LoosePlate shape(what.bur_radius_mm);
   double off_ms = 0.0;
   const auto cuts_loose = [&shape](Pair& pair) {
     if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the cut");
     const auto names = find_loose_pieces(pair.state().volume(), pair.state().volume().cut_bricks());
     if (names.empty()) throw std::runtime_error("the plate is not loose");
     pair.name_piece(names.front());
-    pair.replace(shape.truth_after(), shape.burr_radius_mm());
+    pair.replace(shape.truth_after(), shape.bur_radius_mm());
   };
   Row row = run_giving_way(what, shape, cuts_loose, [&off_ms](const Led& to) {
     int last = kLedGoneMs;  // with a force
@@ -286,7 +287,7 @@ Row run_fragment(const CaseRun& what) {
 }
 
 Row run_start_inside(const CaseRun& what) {
-  const std::unique_ptr<Shape> face = make_shape("face", what.burr_radius_mm);
+  const std::unique_ptr<Shape> face = make_shape("face", what.bur_radius_mm);
   const auto scene = stability_scene(*face, what.method, what.voxel_mm, what.guard);
   constexpr int kStayMs = 300, kMoveMs = 250, kOutMs = 100;
   constexpr double kLeastMm = 0.1, kMostMm = 3.0, kAgainMm = 0.3;
@@ -314,7 +315,7 @@ Row run_start_inside(const CaseRun& what) {
 }
 
 Row run_weight(const CaseRun& what) {
-  const std::unique_ptr<Shape> corner = make_shape("corner", what.burr_radius_mm);
+  const std::unique_ptr<Shape> corner = make_shape("corner", what.bur_radius_mm);
   const auto scene = stability_scene(*corner, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
   Setting setting = what.setting;
   setting.weighs = true;

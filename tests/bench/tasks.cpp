@@ -132,7 +132,7 @@ Vec3 hand_at(double t, double top_mm, double radius_mm) {
             rest + 0.2 - (0.2 + deep) * std::min(1.0, 8.0 * u)};
   }
   const double u = (t - kFreeS - kExploreS) / kDrillS;
-  // A little ahead of what the burr can wear, and leaning to one side and the other.
+  // A little ahead of what the bur can wear, and leaning to one side and the other.
   return {0.25 * std::sin(2.0 * kTurn * u), 0.15 * std::sin(3.0 * kTurn * u),
           rest - 0.3 * std::min(1.0, 8.0 * u) - kDrillS * u};
 }
@@ -141,8 +141,8 @@ std::shared_ptr<Scene> task_scene(Method method) {
   auto scene = std::make_shared<Scene>();
   scene->method = method;
   scene->specimen = solid_block(128, kRateVoxelMm, reading_of(method));
-  const double r = kPaperBurrMm;
-  scene->burrs = {Burr{"bench", r, 0.4 * r, 4.0 + r, 0.4 * r, 4.0}};
+  const double r = kPaperBurMm;
+  scene->burs = {Bur{"bench", r, 0.4 * r, 4.0 + r, 0.4 * r, 4.0}};
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1.0};
   scene->full_force_n = 0.25;
   return scene;
@@ -151,7 +151,7 @@ std::shared_ptr<Scene> task_scene(Method method) {
 PaceReport record_pace() {
   const Report here = empty_report();
   PaceReport out{here.commit, here.machine, {}};
-  const std::unique_ptr<Shape> face = make_shape("face", kPaperBurrMm);
+  const std::unique_ptr<Shape> face = make_shape("face", kPaperBurMm);
   for (const std::string_view task : {"displacement", "exploration", "perforation"}) {
     std::vector<Task> runs;
     for (const Method method : kShown) runs.emplace_back(method, *face, task);
@@ -176,7 +176,7 @@ MotionReport record_motion() {
   const double top = solid_block_half_mm(128, kRateVoxelMm);
   for (const Method method : kShown) {
     StepState state(task_scene(method));
-    const double r = kPaperBurrMm;
+    const double r = kPaperBurMm;
     const Vec3 begin = hand_at(0.0, top, r);
     lead(state, step, begin, 0.05);
     const int ticks = static_cast<int>((kFreeS + kExploreS + kDrillS) * 1000.0);

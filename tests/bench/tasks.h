@@ -8,6 +8,7 @@
 #include "engine/step/step.h"
 #include "tests/bench/options.h"
 #include "tests/bench/rows.h"
+#include "tests/modules.h"
 
 namespace cusp::bench {
 
@@ -38,7 +39,7 @@ struct MotionReport {
 };
 
 /// The paper's "0.5 mm spherical drill bit", read as the larger of the two that it can mean.
-inline constexpr double kPaperBurrMm = 0.5;
+inline constexpr double kPaperBurMm = 0.5;
 
 /// The device point of a hand that moves freely, strokes the top of a block and drills into it, by the time in s.
 /// Smooth sines; a task has its seconds.
@@ -49,7 +50,7 @@ std::shared_ptr<Scene> task_scene(Method method);
 
 /// Surface and occupancy proxy on the face, 128^3 voxels in 10 mm; the two take turns sample by sample.
 PaceReport record_pace();
-/// In a block of K = 1 N/mm that a burr goes through at 1 mm/s. No clock: the same on every machine.
+/// In a block of K = 1 N/mm that a bur goes through at 1 mm/s. No clock: the same on every machine.
 MotionReport record_motion();
 
 std::string to_csv(const PaceReport& report);

@@ -1,4 +1,4 @@
-/// The exact proxy of a ball burr on one shape: the local minimum of the distance to the device point over admissible
+/// The exact proxy of a ball bur on one shape: the local minimum of the distance to the device point over admissible
 /// centres, reached by moving the device point straight from its last place, in closed form. Specimen frame, mm.
 #pragma once
 
@@ -18,7 +18,7 @@ class Truth {
 
   virtual ~Truth() = default;
 
-  /// Signed clearance of the burr's ball: distance from its surface to the tissue, negative inside. Cuts are met with
+  /// Signed clearance of the bur's ball: distance from its surface to the tissue, negative inside. Cuts are met with
   /// the surface proxy's own clearance (SurfaceContact::kClearanceMm) where the shape has any.
   virtual double clearance_mm(Vec3 centre) const = 0;
 

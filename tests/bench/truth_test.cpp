@@ -89,7 +89,7 @@ TEST_P(TruthOf, touches_the_tissue_and_pushes_along_the_clearances_gradient) {
     angle = std::max(angle, std::atan2(length(glm::cross(push, g)), glm::dot(push, g)) * 57.29578);
   });
   EXPECT_GE(held, 100);
-  // Closed forms to rounding, 4e-12. A carved block's burr in its own hole: 64 directions stand for a circle of 1 um.
+  // Closed forms to rounding, 4e-12. A carved block's bur in its own hole: 64 directions stand for a circle of 1 um.
   EXPECT_LE(depth, bound(0.02));                    // measured 0.006 um in a hole across a slot, 0.0012 in the other
   if (GetParam().name.starts_with("hole")) return;  // held by a ring of points: no single gradient
   EXPECT_GE(smooth, 50);
@@ -204,7 +204,7 @@ TEST(Truth, of_a_press_starts_at_the_spot_and_stays_at_the_nearest_point_of_a_sm
 }
 
 TEST(Truth, leaves_the_upper_face_of_an_edge_only_where_its_minimum_ends) {
-  // A burr of 0.25 mm, device point 0.05 mm below the top: over the edge the top's nearest point ceases to be one.
+  // A bur of 0.25 mm, device point 0.05 mm below the top: over the edge the top's nearest point ceases to be one.
   const auto shape = make_shape("edge", 0.25);
   int vanished = 0;
   along(*shape, 2000, 50.0, [&](Vec3, const Exact& exact, const Truth&) { vanished += exact.vanished ? 1 : 0; });
@@ -216,7 +216,7 @@ TEST(Truth, leaves_the_upper_face_of_an_edge_only_where_its_minimum_ends) {
   EXPECT_EQ(rolled, 0);
 }
 
-TEST(Truth, of_a_burr_in_its_own_hole_leaves_it_the_clearance_and_no_more) {
+TEST(Truth, of_a_bur_in_its_own_hole_leaves_it_the_clearance_and_no_more) {
   const Hole hole(0.25, HoleKind::straight, 4, 0.001);
   const auto truth = hole.truth();
   truth->start(hole.bottom());

@@ -26,7 +26,7 @@ std::vector<Breaks> breaks_of(const Row& row) {
   const double left = std::isnan(row.energy_left_mj) ? row.energy_mj - late : row.energy_left_mj;
   is(Breaks::feeds, left > row.energy_exact_mj + kMostFedMj);
   const bool fault = std::ranges::any_of(kFaultCases, [&row](const CaseName& c) { return c.key == row.case_name; });
-  const bool exchange = row.case_name == "specimen-exchange" || row.case_name == "burr-exchange";
+  const bool exchange = row.case_name == "specimen-exchange" || row.case_name == "bur-exchange";
   is(Breaks::stays_on,
      fault && !exchange && !(row.zero_ms <= (row.case_name == "frozen" ? kMostFrozenMs : kMostZeroMs)));
   is(Breaks::stays_on, row.case_name == "fragment" && row.grip == "scripted" && !(row.zero_ms <= kMostLooseMs));

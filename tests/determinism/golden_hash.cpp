@@ -5,8 +5,9 @@
 
 #include "engine/step/step.h"
 #include "engine/volume/hash.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// Triangle wave in integers: -amplitude to amplitude over `period` ticks.
@@ -32,7 +33,7 @@ std::shared_ptr<const Scene> scene_of(Method method) {
   auto scene = std::make_shared<Scene>();
   scene->specimen = Specimen::build(volume, reading_of(method));
   scene->method = method;
-  scene->burrs = {Burr{"1", 0.4, 0.24, 4.0, 0.8, 12.0}, Burr{"1/4", 0.25, 0.15, 4.0, 0.8, 12.0}};
+  scene->burs = {Bur{"1", 0.4, 0.24, 4.0, 0.8, 12.0}, Bur{"1/4", 0.25, 0.15, 4.0, 0.8, 12.0}};
   scene->tissues[index_of(Tissue::enamel)] = {2.0, 1.5};
   scene->tissues[index_of(Tissue::dentine)] = {1.0, 3.0};
   scene->friction = true;
@@ -49,7 +50,7 @@ std::uint64_t run(Method method, bool cut) {
     input.z = 21000 - 4 * k;
     if (input.z < 14000) input.z = 14000 + wave(k, 400, 1500);
     input.buttons = cut && k % 500 > 60 ? StepInput::kCut : std::uint16_t{0};
-    input.burr = k < 1500 ? 0 : 1;
+    input.bur = k < 1500 ? 0 : 1;
     const StepOutput out = step(state, input);
     for (int i = 0; i < 3; ++i) {
       hash.add_double(out.proxy_mm[i]);
@@ -68,4 +69,4 @@ TEST(GoldenHash, drilling_with_the_penalty) { EXPECT_EQ(run(Method::penalty, tru
 TEST(GoldenHash, drilling_with_the_gradient_proxy) { EXPECT_EQ(run(Method::gradient, true), 13792923424485015234ull); }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 inline thread_local bool armed = false;
 inline thread_local int allocations = 0;
@@ -16,10 +16,10 @@ inline void* counted(std::size_t bytes) {
   throw std::bad_alloc();
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test
 
-void* operator new(std::size_t bytes) { return cusp::testing::counted(bytes); }
-void* operator new[](std::size_t bytes) { return cusp::testing::counted(bytes); }
+void* operator new(std::size_t bytes) { return cusp::test::counted(bytes); }
+void* operator new[](std::size_t bytes) { return cusp::test::counted(bytes); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

@@ -1,4 +1,5 @@
 #include "device/scripted/csv_port.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -52,11 +53,11 @@ TEST(CsvTrace, ReadsTheStepsOwnIntegers) {
   EXPECT_EQ(sample.buttons, 1);
 }
 
-TEST(CsvTrace, TakesABurrColumnAndNoHeader) {
+TEST(CsvTrace, TakesABurColumnAndNoHeader) {
   const auto rows = parse_trace("1000,0,0,0,0,0,0,32767,0,0,3\n1000,1,0,0,0,0,0,32767,0,0,4");
   ASSERT_TRUE(rows);
   ASSERT_EQ(rows->size(), 2u);
-  EXPECT_EQ(rows->at(1).burr, 4);
+  EXPECT_EQ(rows->at(1).bur, 4);
 }
 
 TEST(CsvTrace, RefusesBrokenRowsWithLineAndColumn) {
@@ -101,7 +102,7 @@ TEST(CsvTrace, WritingAndReadingIsTheIdentity) {
       row.qw = 0;
       row.buttons = static_cast<std::uint16_t>(random());
       row.pedal = static_cast<std::uint16_t>(random());
-      row.burr = round % 2 == 0 ? 0 : static_cast<std::uint16_t>(random());
+      row.bur = round % 2 == 0 ? 0 : static_cast<std::uint16_t>(random());
     }
     const auto again = parse_trace(write_trace(rows));
     ASSERT_TRUE(again);
@@ -194,4 +195,4 @@ TEST(CsvPort, MarksOfTheRecorderBecomeItsStatusAgain) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -7,12 +7,13 @@
 #include <random>
 
 #include "tests/device/toy_tissue.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::Plane;
-using testing::ToyTissue;
+using test::Plane;
+using test::ToyTissue;
 
 constexpr double kTick = 0.001;
 
@@ -164,7 +165,7 @@ TEST(PointerMotion, ItFollowsTissueThatGivesWayAtAConstantPush) {
   EXPECT_NEAR(bench.felt.proxy_mm.z, -2.4, 1e-9);
 }
 
-TEST(PointerMotion, HarderTissueUnderTheBurrDoesNotKickTheHand) {
+TEST(PointerMotion, HarderTissueUnderTheBurDoesNotKickTheHand) {
   Bench bench(Vec3(0, 0, 1));
   bench.tissue.stiffness_n_per_mm = 1;
   bench.hand.set_push(1);
@@ -231,4 +232,4 @@ TEST(PointerMotion, ThePushGoesAlongTheApproachThatTheViewGives) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

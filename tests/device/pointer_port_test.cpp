@@ -9,14 +9,15 @@
 #include "device/catalogue.h"
 #include "tests/device/counted_new.h"
 #include "tests/device/toy_tissue.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using testing::allocations;
-using testing::armed;
-using testing::ToyTissue;
+using test::allocations;
+using test::armed;
+using test::ToyTissue;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -95,7 +96,7 @@ TEST(PointerPort, DrillsWithTheKeysAlone) {
   port.hand().nudge(1, 0);
   port.hand().set_push(1.5);
   port.hand().set_cut(true);
-  port.hand().set_burr(2);
+  port.hand().set_bur(2);
   Sample sample;
   for (int i = 0; i < 3000; ++i) {
     sample = port.wait(paced.next());
@@ -105,7 +106,7 @@ TEST(PointerPort, DrillsWithTheKeysAlone) {
   }
   EXPECT_EQ(sample.status, Sample::Status::fresh);
   EXPECT_EQ(sample.buttons, 1);
-  EXPECT_EQ(sample.burr, 2);
+  EXPECT_EQ(sample.bur, 2);
   EXPECT_NEAR(sample.position_mm.x, 1, 1e-6);
   // About 0.2 s through the air at 10 mm/s, then 1 mm/s.
   EXPECT_LT(tissue.planes[0].point_mm.z, -2.7);
@@ -202,4 +203,4 @@ TEST(PointerPort, hands_the_turned_handpiece_on) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

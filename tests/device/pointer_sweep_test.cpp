@@ -1,5 +1,5 @@
 // A pointer that sweeps, holds still and lets go, over tissue that gives way under its push: what is cut, and how fast
-// the burr is out again.
+// the bur is out again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "device/pointer/pointer_motion.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kTick = 0.001;
@@ -130,4 +131,4 @@ TEST(PointerMotion, LettingGoTakesItOutOfADeepHoleAtOnceWhateverThePointerPullsA
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

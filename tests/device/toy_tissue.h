@@ -6,7 +6,7 @@
 
 #include "engine/base/haptic_port.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 /// Tissue lies where dot(normal, p - point) < 0.
 struct Plane {
@@ -34,4 +34,4 @@ class ToyTissue {
   }
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -22,13 +22,14 @@
 
 #include "scenarios/import/child_process.h"
 #include "scenarios/import/worker.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/image_files.h"
 #include "tests/scenarios/import/packed_dicom.h"
 
 namespace {
 
 using namespace cusp;
-using namespace cusp::testing;
+using namespace cusp::test;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPromisedS = 10.0;

@@ -10,6 +10,7 @@
 #include "scenarios/import/metaimage.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/nrrd_image.h"
+#include "tests/modules.h"
 
 namespace cusp::fuzz {
 namespace {

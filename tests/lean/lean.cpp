@@ -7,6 +7,7 @@
 #include <new>
 
 #include "tests/engine/loop/block_scene.h"
+#include "tests/modules.h"
 
 namespace {
 
@@ -28,7 +29,7 @@ void operator delete[](void* at) noexcept { std::free(at); }
 void operator delete(void* at, std::size_t) noexcept { std::free(at); }
 void operator delete[](void* at, std::size_t) noexcept { std::free(at); }
 
-namespace cusp {
+namespace cusp::test {
 
 __attribute__((noinline)) double run_ticks(StepState& state, const std::vector<StepInput>& inputs) {
   double sum = 0.0;
@@ -36,10 +37,10 @@ __attribute__((noinline)) double run_ticks(StepState& state, const std::vector<S
   return sum;
 }
 
-}  // namespace cusp
+}  // namespace cusp::test
 
 int main(int argc, char** argv) {
-  using namespace cusp;
+  using namespace cusp::test;
   const Method method = argc > 1 && !std::strcmp(argv[1], "occupancy") ? Method::occupancy : Method::surface;
   const std::size_t ticks = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 3000;
   auto scene = std::const_pointer_cast<Scene>(test::block_scene(method));

@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 ticks=3000
 instructions() {
-  valgrind --tool=callgrind --callgrind-out-file="$work/out" --toggle-collect='cusp::run_ticks*' "$@" 2>"$work/log" >"$work/said"
+  valgrind --tool=callgrind --callgrind-out-file="$work/out" --toggle-collect='cusp::test::run_ticks*' "$@" 2>"$work/log" >"$work/said"
   sed -n 's/^summary: *\([0-9]*\).*/\1/p' "$work/out"
 }
 program() { find "$build" -name "$1" -type f -perm -u+x | head -1; }

@@ -10,6 +10,7 @@
 #include "engine/mirror/mirror.h"
 #include "engine/tool/heads.h"
 #include "tests/engine/loop/block_scene.h"
+#include "tests/modules.h"
 
 namespace {
 
@@ -65,7 +66,7 @@ int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
 
 }  // extern "C"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct Counts {
@@ -97,9 +98,9 @@ class EveryMethod : public testing::TestWithParam<Method> {};
 
 TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
   auto scene = std::make_shared<Scene>(*test::block_scene(GetParam()));
-  Burr fissure = scene->burrs[0];
+  Bur fissure = scene->burs[0];
   fissure.head = flat_head(fissure.radius_mm, fissure.radius_mm, 2.0).value();
-  scene->burrs.push_back(fissure);
+  scene->burs.push_back(fissure);
   HandOver hand_over(16'384);
   Ticker ticker(StepState(scene), hand_over);
   std::vector<Sample> samples;
@@ -110,8 +111,8 @@ TEST_P(EveryMethod, TenThousandTicksInContactAndCuttingTakeNoHeapAndNoLock) {
     // Every command that a tick may meet is among them.
     if (i == 4000) ticker.pause();
     if (i == 4010) ticker.resume();
-    if (i == 6000) ticker.change_burr(1);
-    if (i == 8000) ticker.change_burr(2);
+    if (i == 6000) ticker.change_bur(1);
+    if (i == 8000) ticker.change_bur(2);
     const Feedback feedback = ticker.tick(samples[i], 1000);
     contact += feedback.in_contact ? 1 : 0;
     cutting += hand_over.latest.read().output.cutting ? 1 : 0;
@@ -154,4 +155,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          });
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

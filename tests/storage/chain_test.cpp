@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "storage/password.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(Hashes, blake2b_256_of_abc_is_what_other_implementations_say) {
@@ -80,4 +81,4 @@ TEST(Passwords, a_pin_is_six_digits) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -4,13 +4,14 @@
 #include <random>
 
 #include "storage/trace_codec.h"
+#include "tests/modules.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::code_of;
-using testing::must;
+using test::code_of;
+using test::must;
 
 /// Any value of any field, the extremes often.
 template <class T>
@@ -36,7 +37,7 @@ StepInput any_input(std::mt19937_64& random) {
   in.qw = any<std::int16_t>(random);
   in.buttons = any<std::uint16_t>(random);
   in.pedal = any<std::uint16_t>(random);
-  in.burr = any<std::uint16_t>(random);
+  in.bur = any<std::uint16_t>(random);
   in.loose = any<std::uint16_t>(random);
   in.elapsed_us = any<std::uint32_t>(random);
   return in;
@@ -133,4 +134,4 @@ TEST(Packing, bytes_come_back_and_a_changed_content_is_refused) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

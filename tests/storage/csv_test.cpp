@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/modules.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 TEST(CsvCells, text_is_quoted_as_rfc_4180_asks) {
   EXPECT_EQ(csv_text("plain"), "plain");
@@ -84,4 +84,4 @@ TEST(CsvExport, a_student_exports_nothing) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

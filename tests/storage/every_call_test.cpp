@@ -9,11 +9,10 @@
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 /// Who and what the file holds before each operation.
 struct Rows {
@@ -248,4 +247,4 @@ TEST_F(EveryCall, of_what_writes_about_sessions_may_fail_and_nothing_committed_i
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

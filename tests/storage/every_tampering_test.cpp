@@ -10,10 +10,9 @@
 #include "tests/storage/harmless.h"
 #include "tests/storage/tamperings.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 constexpr int kTamperings = 200;
 
@@ -112,4 +111,4 @@ TEST_F(EveryTamperingTest, a_school_that_nobody_touched_is_whole) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

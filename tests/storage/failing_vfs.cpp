@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-namespace cusp::testing {
+namespace cusp::test {
 namespace {
 
 Failing failing = Failing::nothing;
@@ -148,4 +148,4 @@ void fail_from(Failing how, int n) {
 
 int operations_seen() { return seen; }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

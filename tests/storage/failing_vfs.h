@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 enum class Failing {
   nothing,      // only counts
@@ -24,4 +24,4 @@ void fail_from(Failing how, int n);
 /// Calls seen since fail_from(): writes, truncates and syncs; with any_call those of every kind.
 int operations_seen();
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -4,11 +4,10 @@
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 void copy_database(const fs::path& from, const fs::path& to) {
   for (const char* part : {"", "-wal", "-shm", ".key"}) {
@@ -146,4 +145,4 @@ TEST_F(FailuresTest, a_file_that_another_holds_is_busy_and_nothing_is_lost) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

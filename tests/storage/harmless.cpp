@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 std::span<const Harmless> harmless_tamperings() noexcept {
   static constexpr std::string_view draft =
@@ -32,4 +32,4 @@ std::span<const Harmless> harmless_tamperings() noexcept {
   return list;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 struct Harmless {
   std::string_view table, kind, column;  // column: "" = every one
@@ -12,4 +12,4 @@ struct Harmless {
 };
 std::span<const Harmless> harmless_tamperings() noexcept;
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

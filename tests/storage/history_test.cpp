@@ -2,10 +2,9 @@
 
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 class HistoryTest : public ::testing::Test {
  protected:
@@ -184,4 +183,4 @@ TEST_F(HistoryTest, a_thousand_sessions_are_listed) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

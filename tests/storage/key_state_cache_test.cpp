@@ -7,13 +7,13 @@
 #include <fstream>
 #include <random>
 
+#include "tests/modules.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 class KeyStatesTest : public ::testing::Test {
  protected:
@@ -170,4 +170,4 @@ TEST_F(KeyStatesTest, where_no_folder_can_be_made_it_fails_and_reads_as_empty) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

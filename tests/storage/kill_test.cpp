@@ -8,11 +8,10 @@
 
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 /// In a process of its own: records seconds until it is killed, telling each one that it holds as stored.
 [[noreturn]] void record(const fs::path& file, int tell) {
@@ -75,4 +74,4 @@ TEST(Killing, at_any_moment_leaves_every_second_that_was_told_as_stored) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

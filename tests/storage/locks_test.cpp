@@ -9,11 +9,10 @@
 
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 using Access = DatabaseOptions::Access;
 
 /// Locks that this process holds on the file, as the kernel lists them.
@@ -164,4 +163,4 @@ TEST(Verify, FindsNothingWhileAnotherProgramRecords) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -4,13 +4,13 @@
 #include <sstream>
 
 #include "storage/sqlite/migrate.h"
+#include "tests/modules.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 std::string text_of(const fs::path& file) {
   std::ifstream in(file);
@@ -96,4 +96,4 @@ TEST(Migrations, a_file_of_schema_1_opens_and_holds_what_it_held) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -4,14 +4,14 @@
 #include <fstream>
 
 #include "storage/sqlite/migrate.h"
+#include "tests/modules.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 using Access = DatabaseOptions::Access;
 
 std::string content_of(const fs::path& file) {
@@ -258,4 +258,4 @@ TEST(Clocks, a_time_is_written_as_iso_8601) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -2,10 +2,9 @@
 
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 class PeopleTest : public ::testing::Test {
  protected:
@@ -231,4 +230,4 @@ TEST_F(PeopleTest, cohorts_hold_students) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -11,13 +11,13 @@
 #include <functional>
 #include <sstream>
 
+#include "tests/modules.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 /// The words between the colons.
 std::vector<std::string> words_of(const std::string& text) {
@@ -182,4 +182,4 @@ TEST(Processes, a_session_of_another_station_is_not_marked) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

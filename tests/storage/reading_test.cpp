@@ -9,11 +9,10 @@
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 using Access = DatabaseOptions::Access;
 
 std::string content_of(const fs::path& file) {
@@ -178,4 +177,4 @@ TEST_F(ReadingTest, a_file_that_cannot_be_read_at_all_is_told_and_not_taken_for_
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

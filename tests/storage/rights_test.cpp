@@ -1,11 +1,12 @@
 #include "storage/rights.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(Rights, a_student_sees_only_what_is_the_students_own) {
@@ -50,4 +51,4 @@ TEST(Rights, roles_have_keys_that_read_back) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

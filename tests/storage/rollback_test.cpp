@@ -5,13 +5,13 @@
 #include <sstream>
 
 #include "storage/rollback_counter.h"
+#include "tests/modules.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 class RollbackTest : public ::testing::Test {
  protected:
@@ -197,4 +197,4 @@ TEST_F(RollbackTest, no_name_and_no_number_enters_the_log) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,8 +5,9 @@
 #include "storage/chain_writer.h"
 #include "storage/repositories/session_state.h"
 #include "storage/trace_codec.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 namespace fs = std::filesystem;
 
@@ -146,4 +147,4 @@ SessionId complete_session(Store& store, const Account& student, const ScenarioV
   return id;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -10,8 +10,9 @@
 
 #include "storage/store.h"
 #include "storage/verify.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 /// Gone when it leaves scope.
 class Folder {
@@ -70,4 +71,4 @@ StorageError code_of(const Stored<T>& result) {
   return result.error().code;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -2,10 +2,9 @@
 
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 class ScenariosTest : public ::testing::Test {
  protected:
@@ -122,4 +121,4 @@ TEST_F(ScenariosTest, assignments_reach_the_cohorts_students) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

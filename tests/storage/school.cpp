@@ -1,6 +1,6 @@
 #include "tests/storage/school.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 namespace fs = std::filesystem;
 
@@ -71,4 +71,4 @@ void School::keep_as(const std::string& name, Store& store) {
   copy_school(folder_ / "a.db", folder_ / name);
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -7,7 +7,7 @@
 
 #include "tests/storage/sample.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 /// Database, key and counter; no log. What stood at `to` goes.
 void copy_school(const std::filesystem::path& from, const std::filesystem::path& to);
@@ -30,4 +30,4 @@ class School {
   Folder folder_;
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

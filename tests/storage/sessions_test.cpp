@@ -4,10 +4,9 @@
 
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 class SessionsTest : public ::testing::Test {
  protected:
@@ -27,7 +26,7 @@ TEST_F(SessionsTest, the_header_comes_back_to_the_bit) {
   wanted.header.guard.slew_n_per_ms = 1.0 / 3.0;
   wanted.header.calibration = "2026-11-20 ä";
   wanted.header.specimen_hash = UINT64_MAX;
-  wanted.header.scene = "{\"burrs\":[1.0]}";
+  wanted.header.scene = "{\"burs\":[1.0]}";
   const Session session = must(store->sessions.start(student.actor(), wanted));
   EXPECT_EQ(session.header.device.max_force_n, 0.1 + 0.2);
   EXPECT_EQ(session.header.device.rotation_axes, 3);
@@ -35,7 +34,7 @@ TEST_F(SessionsTest, the_header_comes_back_to_the_bit) {
   EXPECT_EQ(session.header.guard.slew_n_per_ms, 1.0 / 3.0);
   EXPECT_EQ(session.header.calibration, "2026-11-20 ä");
   EXPECT_EQ(session.header.specimen_hash, UINT64_MAX);
-  EXPECT_EQ(session.header.scene, "{\"burrs\":[1.0]}");
+  EXPECT_EQ(session.header.scene, "{\"burs\":[1.0]}");
   EXPECT_EQ(session.header.engine_version, kEngineVersion);
   EXPECT_EQ(session.version_hash, version.content_hash);
   EXPECT_EQ(session.started_utc_us, kNow);
@@ -220,4 +219,4 @@ TEST_F(SessionsTest, a_comment_stands_beside_the_session_and_not_in_its_chain) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

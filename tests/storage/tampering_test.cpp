@@ -6,13 +6,13 @@
 #include <variant>
 
 #include "storage/session_tables.h"
+#include "tests/modules.h"
 #include "tests/storage/sample.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace cusp::testing;
 
 struct Text {
   std::vector<std::byte> bytes;
@@ -312,4 +312,4 @@ TEST_F(TamperingTest, every_session_that_any_table_mentions_is_verified) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,8 +6,9 @@
 
 #include "storage/session_tables.h"
 #include "storage/trace_codec.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -315,4 +316,4 @@ Tampering Tamperer::tamper(const Act& act) {
   }
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -9,7 +9,7 @@
 
 #include "tests/storage/school.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 struct Tampering {
   std::string table, kind, column{};
@@ -52,4 +52,4 @@ class Tamperer {
   std::function<void()> after_closing_;  // what is done to files
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -7,6 +7,7 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 
 namespace cusp::test {
 namespace {

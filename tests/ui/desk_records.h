@@ -7,6 +7,7 @@
 
 #include "scenarios/grading/grade.h"
 #include "storage/store.h"
+#include "tests/modules.h"
 
 namespace cusp::test {
 

@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QTemporaryDir>
 
-#include "ui/app/language.h"
+#include "ui/text/language.h"
 #include "ui/widgets/theme.h"
 
 int main(int argc, char** argv) {
@@ -16,8 +16,8 @@ int main(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   qputenv("LC_ALL", "C.UTF-8");
   QApplication app(argc, argv);
-  cusp::install_language(app, QStringLiteral("en"));
-  cusp::apply_theme(app, cusp::ColourScheme::light, 100);
+  cusp::ui::install_language(app, QStringLiteral("en"));
+  cusp::ui::apply_theme(app, cusp::ui::ColourScheme::light, 100);
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

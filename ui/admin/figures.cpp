@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kZ95 = 1.959963984540054;  // normal quantile of 0.975
@@ -76,4 +76,4 @@ std::vector<LearningPoint> learning_of(std::span<const HistoryRow> rows) {
   return points;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "storage/repositories/history.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Interval {
   double low = 0, high = 0;
@@ -40,4 +41,4 @@ struct LearningPoint {
 };
 std::vector<LearningPoint> learning_of(std::span<const HistoryRow> rows);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,9 +1,9 @@
 #include "ui/admin/people_model.h"
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 void PeopleModel::set_people(std::vector<Account> people) {
   all_ = std::move(people);
@@ -67,4 +67,4 @@ QVariant PeopleModel::headerData(int section, Qt::Orientation orientation, int r
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "storage/repositories/people.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class PeopleModel : public QAbstractTableModel {
   Q_OBJECT
@@ -29,4 +30,4 @@ class PeopleModel : public QAbstractTableModel {
   QString search_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

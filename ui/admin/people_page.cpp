@@ -11,7 +11,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 PeoplePage::PeoplePage(Store& store, const Actor& actor, const Ports& ports, QWidget* parent)
     : QWidget(parent), store_(store), actor_(actor), ports_(ports), model_(new PeopleModel(this)) {
@@ -221,4 +221,4 @@ void PeoplePage::switch_account() {
              });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,14 +5,15 @@
 #include <QWidget>
 
 #include "storage/store.h"
-#include "ui/app/ports.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
+#include "ui/widgets/ports.h"
 
 class QComboBox;
 class QLineEdit;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class Card;
@@ -53,4 +54,4 @@ class PeoplePage : public QWidget {
   std::optional<Account> edited_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

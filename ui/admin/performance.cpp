@@ -17,16 +17,17 @@
 
 #include "storage/export/csv.h"
 #include "ui/admin/figures.h"
-#include "ui/app/language.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
 #include "ui/student/course.h"
+#include "ui/text/language.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kStackBelow = 1000;       // px at 100 %, of the page
@@ -329,4 +330,4 @@ void Performance::resizeEvent(QResizeEvent* event) {
   if (charts_) charts_->setDirection(width() < px(kStackBelow) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

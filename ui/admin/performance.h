@@ -4,7 +4,8 @@
 #include <QWidget>
 
 #include "storage/store.h"
-#include "ui/app/ports.h"
+#include "ui/modules.h"
+#include "ui/widgets/ports.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -15,7 +16,7 @@ class QSortFilterProxyModel;
 class QStackedWidget;
 class QTimer;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class Chart;
@@ -41,7 +42,7 @@ class Performance : public QWidget {
   void export_csv();
 
  Q_SIGNALS:
-  void report_wanted(const cusp::SessionId& session);
+  void report_wanted(const SessionId& session);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -67,4 +68,4 @@ class Performance : public QWidget {
   QBoxLayout* charts_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

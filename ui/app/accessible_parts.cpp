@@ -12,7 +12,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 class PressedButton final : public QAccessibleWidget {
@@ -85,4 +85,4 @@ QAccessibleInterface* make_part(const QString&, QObject* object) {
 
 void install_accessible_parts() { QAccessible::installFactory(make_part); }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,9 +7,9 @@
 /// - A button that is painted by hand is a widget without a name for what it does: it cannot be pressed at all.
 #pragma once
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Call once, after the application object and before the first window.
 void install_accessible_parts();
 
-}  // namespace cusp
+}  // namespace cusp::ui

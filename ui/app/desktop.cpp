@@ -13,27 +13,28 @@
 #include "ui/admin/performance.h"
 #include "ui/app/go_anywhere.h"
 #include "ui/app/help_page.h"
-#include "ui/app/language.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/shell.h"
-#include "ui/app/device_settings.h"
 #include "ui/device/device_page.h"
-#include "ui/device/falcon_words.h"
+#include "ui/device/falcon_text.h"
 #include "ui/device/space_mouse_turner.h"
-#include "ui/drill/tooth_view.h"
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_page.h"
+#include "ui/modules.h"
+#include "ui/settings/device_settings.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/briefing.h"
 #include "ui/student/exercises_page.h"
 #include "ui/student/own_history.h"
 #include "ui/student/picture_shelf.h"
 #include "ui/student/start_page.h"
+#include "ui/text/language.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr QSize kLeast{1024, 640}, kUsual{1280, 800};   // px
@@ -320,4 +321,4 @@ void Desktop::closeEvent(QCloseEvent* event) {
   QMainWindow::closeEvent(event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,19 +9,21 @@
 #include <optional>
 
 #include "storage/store.h"
-#include "ui/app/ports.h"
-#include "ui/app/sentences.h"
-#include "ui/app/settings.h"
+#include "ui/modules.h"
 #include "ui/session/exercise_run.h"
+#include "ui/settings/settings.h"
 #include "ui/student/exercises.h"
+#include "ui/text/sentences.h"
+#include "ui/widgets/ports.h"
 
 class QStackedWidget;
 
-namespace cusp {
-
-namespace hid {
+namespace cusp::device::hid {
 class HidStation;
 }
+
+namespace cusp::ui {
+
 class DrillScreen;
 struct DrillText;
 struct EditorStart;
@@ -120,4 +122,4 @@ class Desktop : public QMainWindow {
   hid::HidStation* hid_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,12 +6,13 @@
 #include "device/hid/hid_station.h"
 #include "scenarios/format/read.h"
 #include "ui/app/desktop.h"
-#include "ui/app/device_settings.h"
-#include "ui/device/falcon_words.h"
+#include "ui/device/falcon_text.h"
 #include "ui/device/space_mouse_turner.h"
 #include "ui/drill/drill_screen.h"
+#include "ui/modules.h"
+#include "ui/settings/device_settings.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 DrillScreen* Desktop::open_drilling(const RunPlan& plan, const DrillText& text) {
   auto* screen = new DrillScreen(nullptr, ports_);
@@ -79,4 +80,4 @@ void Desktop::show_drilling(const Exercise& exercise, RunPlan plan, const QStrin
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

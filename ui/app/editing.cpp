@@ -5,7 +5,7 @@
 #include "ui/editor/editor_page.h"
 #include "ui/instructor/import_page.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 void Desktop::edit(const EditorStart& start) {
   auto* editor = new EditorPage(*store_, account_->actor(), ports_, start);
@@ -36,4 +36,4 @@ void Desktop::try_out(const RunPlan& plan, const QString& title) {
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

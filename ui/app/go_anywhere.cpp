@@ -8,7 +8,7 @@
 
 #include "ui/widgets/icon.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 GoAnywhere::GoAnywhere(QVector<Destination> places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
   setAttribute(Qt::WA_DeleteOnClose);
@@ -60,4 +60,4 @@ bool GoAnywhere::eventFilter(QObject* watched, QEvent* event) {
   return QDialog::eventFilter(watched, event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,7 +8,7 @@
 class QLineEdit;
 class QListWidget;
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Destination {
   QString name, kind, icon;
@@ -32,4 +32,4 @@ class GoAnywhere : public QDialog {
   QListWidget* list_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

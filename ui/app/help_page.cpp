@@ -6,7 +6,7 @@
 
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 void add_keys(Card* card, const QVector<std::pair<QStringList, QString>>& keys) {
@@ -41,7 +41,7 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
   auto* go = new Card(tr("A go, from start to report"));
   for (const QString& line :
        {tr("1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points."),
-        tr("2. Slide the burr over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at "
+        tr("2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at "
            "the right shows the push, the bar at the left the depth."),
         tr("3. Hold Space or the left button to cut. The target is the solid line, the leeway round it the dashed one."),
         tr("4. Finish ends the go and grades it. The report says what was measured, how well it is known, and what to do "
@@ -66,12 +66,12 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
   everywhere->body()->addStretch();
   row->addWidget(everywhere, 1);
   auto* drilling = new Card(tr("Keys while drilling"));
-  add_keys(drilling, {{{u"←"_qs, u"→"_qs, u"↑"_qs, u"↓"_qs}, tr("slide the burr")},
+  add_keys(drilling, {{{u"←"_qs, u"→"_qs, u"↑"_qs, u"↓"_qs}, tr("slide the bur")},
                       {{u"Page Up"_qs, u"Page Down"_qs}, tr("push less, push more")},
                       {{u"Ctrl"_qs, u"↑"_qs}, tr("turn the handpiece, where the exercise lets it; Home: back")},
                       {{u"Space"_qs}, tr("cut while held")},
                       {{u"1"_qs, u"…"_qs, u"5"_qs}, tr("views of the tooth")},
-                      {{u"["_qs, u"]"_qs}, tr("burr before, burr after")},
+                      {{u"["_qs, u"]"_qs}, tr("bur before, bur after")},
                       {{u"P"_qs}, tr("pause and go on")},
                       {{u"W"_qs}, tr("coolant on and off, where the exercise has it")},
                       {{u"M"_qs}, tr("drilling sound on and off, likewise")},
@@ -94,4 +94,4 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
   body->addStretch();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-namespace cusp {
+namespace cusp::ui {
 
 class HelpPage : public QWidget {
   Q_OBJECT
@@ -12,4 +12,4 @@ class HelpPage : public QWidget {
   explicit HelpPage(QWidget* parent = nullptr);
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

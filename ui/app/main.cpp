@@ -7,17 +7,17 @@
 #include "device/hid/transport_hidapi.h"
 #include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
-#include "ui/app/language.h"
-#include "ui/app/settings.h"
 #include "ui/cli/verbs.h"
 #include "ui/device/hid_settings.h"
+#include "ui/settings/settings.h"
+#include "ui/text/language.h"
 #include "ui/widgets/theme.h"
 
 int main(int argc, char** argv) {
-  if (cusp::is_verb(argc, argv)) return cusp::run_verb(argc, argv);
+  if (cusp::ui::is_verb(argc, argv)) return cusp::ui::run_verb(argc, argv);
 
   QApplication app(argc, argv);
-  cusp::install_accessible_parts();
+  cusp::ui::install_accessible_parts();
   QCoreApplication::setApplicationName(QStringLiteral("Cusp"));
   QGuiApplication::setDesktopFileName(QStringLiteral("cusp"));
   QCommandLineParser line;
@@ -25,13 +25,13 @@ int main(int argc, char** argv) {
   line.addOption(database);
   line.process(app);
 
-  cusp::Settings settings;
-  cusp::install_language(app, settings.language());
-  cusp::apply_theme(app, settings.scheme(), settings.scale_percent());
-  const cusp::HidSettings kept;
-  cusp::hid::HidStation hid(cusp::hid::make_hidapi_bus, kept.pedal(), kept.space_mouse());
+  cusp::ui::Settings settings;
+  cusp::ui::install_language(app, settings.language());
+  cusp::ui::apply_theme(app, settings.scheme(), settings.scale_percent());
+  const cusp::ui::HidSettings kept;
+  cusp::device::hid::HidStation hid(cusp::device::hid::make_hidapi_bus, kept.pedal(), kept.space_mouse());
   hid.start();
-  cusp::Desktop desktop(settings, cusp::Ports::of_the_system(), cusp::database_path(line.value(database)));
+  cusp::ui::Desktop desktop(settings, cusp::ui::Ports::of_the_system(), cusp::ui::database_path(line.value(database)));
   desktop.use_hid(hid);
   desktop.start();
   desktop.show();

@@ -3,12 +3,12 @@
 #include <QBoxLayout>
 
 #include "ui/app/desktop.h"
-#include "ui/app/incident_words.h"
 #include "ui/signin/sign_in.h"
+#include "ui/text/incident_text.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// A disk that takes nothing more can still be read.
@@ -65,4 +65,4 @@ std::optional<Told> Desktop::why_reading_only() const {
   return reading_only_ ? std::optional(tell_reading_only(*reading_only_, database_)) : std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,10 +4,10 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 PasswordDialog::PasswordDialog(Store& store, const Account& account, QWidget* parent)
     : QDialog(parent), store_(store), account_(account) {
@@ -59,4 +59,4 @@ void PasswordDialog::submit() {
   band_->show_message(Band::Kind::bad, told.what, told.more);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,10 +4,11 @@
 #include <QDialog>
 
 #include "storage/store.h"
+#include "ui/modules.h"
 
 class QLineEdit;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 
@@ -25,4 +26,4 @@ class PasswordDialog : public QDialog {
   QLineEdit *old_, *fresh_, *again_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

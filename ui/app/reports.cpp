@@ -10,7 +10,7 @@
 #include "ui/session/replay.h"
 #include "ui/widgets/busy.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// What the background came to: a result or a failure in words.
@@ -87,4 +87,4 @@ void Desktop::show_result(std::shared_ptr<const RunResult> result, std::optional
   push(report);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

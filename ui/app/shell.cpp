@@ -12,11 +12,11 @@
 #include <QSysInfo>
 #include <QToolButton>
 
-#include "ui/app/language.h"
-#include "ui/app/sentences.h"
+#include "ui/text/language.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kTopBar = 48, kSidebar = 200;  // px at 100 %
@@ -210,4 +210,4 @@ void Shell::next_pane() {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

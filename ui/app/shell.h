@@ -7,13 +7,14 @@
 #include <functional>
 
 #include "storage/repositories/people.h"
+#include "ui/modules.h"
 
 class QButtonGroup;
 class QLabel;
 class QStackedWidget;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 struct Told;
@@ -64,4 +65,4 @@ class Shell : public QWidget {
   QStackedWidget* pages_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,8 +6,9 @@
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 void AccountOption::add_to(CLI::App& verb) {
   verb.add_option("--as", number,
@@ -92,4 +93,4 @@ std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, 
   return account;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

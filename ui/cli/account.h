@@ -8,9 +8,10 @@
 #include <string>
 
 #include "storage/store.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct AccountOption {
   std::string number;  // empty: the student "demo"
@@ -24,4 +25,4 @@ std::expected<std::unique_ptr<Store>, Told> open_records(const std::filesystem::
 /// accounts yet and `may_make`.
 std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, bool may_make);
 
-}  // namespace cusp
+}  // namespace cusp::ui

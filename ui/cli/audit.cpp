@@ -10,15 +10,16 @@
 #include "scenarios/audit/audit_json.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
-#include "ui/app/audit_words.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 #include "ui/session/audit_run.h"
+#include "ui/text/audit_text.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -134,4 +135,4 @@ void add_audit(CLI::App& program, Job& job) {
   verb->callback([&job, o] { job = [o] { return audit_verb(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

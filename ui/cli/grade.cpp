@@ -11,9 +11,10 @@
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 #include "ui/session/replay.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -116,4 +117,4 @@ void add_grade(CLI::App& program, Job& job) {
   verb->callback([&job, o] { job = [o] { return grade_verb(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,8 +10,9 @@
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -246,4 +247,4 @@ void add_history(CLI::App& program, Job& job) {
   verify_all->callback([&job, o] { job = [o] { return verify(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

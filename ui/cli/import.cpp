@@ -13,13 +13,14 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
-#include "ui/app/import_words.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
+#include "ui/text/import_text.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -383,4 +384,4 @@ void add_import(CLI::App& program, Job& job) {
   verb->callback([&job, o] { job = [o] { return import_verb(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,8 +4,9 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/library/library.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 std::expected<LoadedScenario, Told> load_scenario(const std::string& what) {
   const bool built_in = !builtin_scenario_text(what).empty();
@@ -24,4 +25,4 @@ std::expected<LoadedScenario, Told> load_scenario(const std::string& what) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

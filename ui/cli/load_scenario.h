@@ -6,9 +6,10 @@
 #include <string>
 
 #include "scenarios/format/scenario.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct LoadedScenario {
   Scenario scenario;
@@ -19,4 +20,4 @@ struct LoadedScenario {
 /// `cusp validate`.
 std::expected<LoadedScenario, Told> load_scenario(const std::string& what);
 
-}  // namespace cusp
+}  // namespace cusp::ui

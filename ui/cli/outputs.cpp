@@ -6,7 +6,7 @@
 
 #include "ui/cli/words.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ std::optional<Told> refuse_outputs(const std::vector<fs::path>& outputs, const f
   return std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

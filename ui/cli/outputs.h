@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// The database whose file `file` is, or whose log, key, counter or lock file. Told by its key's file beside it; `database`
 /// is the one that the verb itself opens, and need not be there yet. Opens nothing.
@@ -18,4 +18,4 @@ std::optional<std::filesystem::path> records_of(const std::filesystem::path& fil
 std::optional<Told> refuse_outputs(const std::vector<std::filesystem::path>& outputs,
                                    const std::filesystem::path& database = {});
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,10 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "device/scripted/csv_port.h"
-#include "scenarios/hands/faults.h"
-#include "scenarios/hands/hand_port.h"
 #include "scenarios/library/library.h"
-#include "ui/app/device_settings.h"
+#include "scenarios/operators/faults.h"
+#include "scenarios/operators/hand_port.h"
 #include "ui/cli/account.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
@@ -16,10 +15,12 @@
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 #include "ui/session/play_through.h"
 #include "ui/session/scene_builder.h"
+#include "ui/settings/device_settings.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -163,4 +164,4 @@ void add_play(CLI::App& program, Job& job) {
   verb->callback([&job, o] { job = [o] { return play(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

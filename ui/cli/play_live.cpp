@@ -9,10 +9,11 @@
 #include <thread>
 
 #include "engine/step/step.h"
-#include "scenarios/hands/faults.h"
+#include "scenarios/operators/faults.h"
 #include "scenarios/shapes/outline.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -62,7 +63,7 @@ class HandsInTurn {
     const Sample sample = hands_[now_].next(felt_, dt);
     at_mm_ = sample.position_mm;
     if ((sample.buttons & StepInput::kCoolant) != 0) coolant_.store(true, std::memory_order_relaxed);
-    return {at_mm_, (sample.buttons & 1) != 0, sample.burr};
+    return {at_mm_, (sample.buttons & 1) != 0, sample.bur};
   }
   double clock_s() const noexcept { return clock_s_; }
   bool done() const noexcept { return done_.load(std::memory_order_acquire); }
@@ -204,4 +205,4 @@ Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOpt
   return result;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

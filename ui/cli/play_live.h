@@ -10,7 +10,7 @@
 #include "ui/session/exercise_run.h"
 #include "ui/session/run_device.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct LiveOptions {
   std::string script;          // of the emulated Falcon's hand; begun anew while there is time
@@ -38,4 +38,4 @@ bool can_play_live(const DeviceChoice& choice) noexcept;
 Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOptions& options,
                          const std::function<bool()>& stop, LiveFigures& figures);
 
-}  // namespace cusp
+}  // namespace cusp::ui

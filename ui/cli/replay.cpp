@@ -1,5 +1,6 @@
 // cusp replay [--verify | --at SECONDS] DB SESSION
 
+#include "ui/modules.h"
 #include "ui/session/replay.h"
 
 #include <csignal>
@@ -12,7 +13,7 @@
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -151,4 +152,4 @@ void add_replay(CLI::App& program, Job& job) {
   verb->callback([&job, o] { job = [o] { return replay(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,10 +6,11 @@
 #include "scenarios/grading/report_json.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 #include "ui/report/report_data.h"
 #include "ui/report/report_pdf.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -33,7 +34,7 @@ std::string report_text(const RunResult& result, Store& store, const Account& st
   head.scenario_id = result.scenario.id.text();
   head.scenario_version = result.scenario.version;
   if (const auto session = store.sessions.find(result.session)) {
-    head.scenario_hash = hex(session->version_hash);
+    head.scenario_hash = storage::hex(session->version_hash);
     if (const auto version = store.scenarios.version(session->version)) head.scenario_version = version->number;
   }
   head.student = student.number;
@@ -86,4 +87,4 @@ std::expected<void, Told> write_report_files(const std::filesystem::path& folder
   return {};
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

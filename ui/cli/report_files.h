@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "storage/store.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
 #include "ui/session/exercise_run.h"
+#include "ui/text/sentences.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// The text of report.json: fields of design.md, words in the installed language.
 std::string report_text(const RunResult& result, Store& store, const Account& student);
@@ -25,4 +26,4 @@ std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& 
 std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,
                                              const Account& student);
 
-}  // namespace cusp
+}  // namespace cusp::ui

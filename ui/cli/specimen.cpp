@@ -15,8 +15,9 @@
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -99,4 +100,4 @@ void add_specimen(CLI::App& program, Job& job) {
   verb->callback([&job, o] { job = [o] { return specimen_verb(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

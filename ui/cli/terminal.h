@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace cusp {
+namespace cusp::ui {
 
 /// One line of stdin; when that is a terminal, asked for on stderr and not shown while it is typed.
 std::string read_secret(const std::string& prompt);
@@ -13,4 +13,4 @@ void show_progress(double share);
 /// Empties that line.
 void end_progress();
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 
 #include "ui/cli/terminal.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 std::string read_secret(const std::string& prompt) {
   termios before{};
@@ -34,4 +34,4 @@ void end_progress() {
   if (isatty(STDERR_FILENO) == 1) std::fputs("\r\033[K", stderr);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,8 +12,9 @@
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -94,4 +95,4 @@ void add_validate(CLI::App& program, Job& job) {
   verb->callback([&job, o] { job = [o] { return validate_verb(*o); }; });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,7 +7,7 @@
 #include "engine/base/ids.h"
 #include "ui/cli/words.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 std::string plain(const QString& text) {
   QString out;
@@ -79,4 +79,4 @@ bool writable_folder(const std::filesystem::path& folder) {
   return written;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

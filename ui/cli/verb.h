@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Exit statuses of every verb.
 inline constexpr int kDone = 0, kFailed = 1, kWrongUsage = 2;
@@ -55,4 +55,4 @@ bool write_whole(const std::filesystem::path& file, const std::string& bytes);
 /// Makes the folder at need; false when nothing can be written there.
 bool writable_folder(const std::filesystem::path& folder);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,12 +9,13 @@
 #ifdef CUSP_HAS_IMPORT
 #include "scenarios/import/worker.h"
 #endif
-#include "ui/app/language.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"
+#include "ui/modules.h"
 #include "ui/session/build_info.h"
+#include "ui/text/language.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -78,4 +79,4 @@ int run_verb(int argc, char** argv) {
   return run(argc, argv);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace cusp {
+namespace cusp::ui {
 
 /// True when the first argument names a verb, --help or --version: then main() returns run_verb() and opens no window.
 bool is_verb(int argc, char** argv);
@@ -12,4 +12,4 @@ bool is_verb(int argc, char** argv);
 /// offscreen QGuiApplication of its own for the PDF.
 int run_verb(int argc, char** argv);
 
-}  // namespace cusp
+}  // namespace cusp::ui

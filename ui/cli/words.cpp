@@ -3,9 +3,10 @@
 #include <optional>
 
 #include "storage/clock.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -39,10 +40,10 @@ QString reason(const Finding& f) {
   if (c == "target_outside") return CliWords::tr("the target lies outside the specimen");
   if (c == "voxel_mismatch") return CliWords::tr("the volume’s voxels are not of the size that is stated");
   if (c == "feature_thin") return CliWords::tr("a feature is thinner than 2.5 voxels and cannot be judged");
-  if (c == "burr_small") return CliWords::tr("a burr’s radius is below 3 voxels");
-  if (c == "neck_wider_than_ball") return CliWords::tr("a burr’s neck is wider than its ball");
-  if (c == "burr_wider_than_target") return CliWords::tr("no burr fits into the target");
-  if (c == "corner_below_burr") return CliWords::tr("the target’s corners are sharper than the smallest burr");
+  if (c == "bur_small") return CliWords::tr("a bur’s radius is below 3 voxels");
+  if (c == "neck_wider_than_ball") return CliWords::tr("a bur’s neck is wider than its ball");
+  if (c == "bur_wider_than_target") return CliWords::tr("no bur fits into the target");
+  if (c == "corner_below_bur") return CliWords::tr("the target’s corners are sharper than the smallest bur");
   if (c == "leeway_below_voxel") return CliWords::tr("the leeway is thinner than a voxel");
   if (c == "point_off_floor") return CliWords::tr("points of the path do not lie on the floor");
   if (c == "target_scores_less") return CliWords::tr("a go that meets the target loses points");
@@ -122,4 +123,4 @@ QString proof_text(const ReplayProof& proof) {
   return {};
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

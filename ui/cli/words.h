@@ -1,4 +1,4 @@
-/// Sentences that only the verbs say; what other rooms' codes mean stands in ui/app/sentences.h.
+/// Sentences that only the verbs say; what other rooms' codes mean stands in ui/text/sentences.h.
 #pragma once
 
 #include <QCoreApplication>
@@ -6,12 +6,13 @@
 #include <string>
 
 #include "scenarios/format/validate.h"
+#include "ui/modules.h"
 #include "ui/session/replay.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct CliWords {
-  Q_DECLARE_TR_FUNCTIONS(cusp::Cli)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Cli)
 };
 /// Descriptions of options are given to CLI11 as text.
 inline std::string help(const QString& text) { return text.toStdString(); }
@@ -23,4 +24,4 @@ QString finding_text(const Finding& finding);
 /// Why a proof does not hold.
 QString proof_text(const ReplayProof& proof);
 
-}  // namespace cusp
+}  // namespace cusp::ui

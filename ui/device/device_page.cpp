@@ -12,17 +12,18 @@
 
 #include "device/falcon/permissions.h"
 #include "device/hid/hid_station.h"
-#include "ui/app/device_settings.h"
 #include "ui/device/falcon_panel.h"
-#include "ui/device/falcon_words.h"
+#include "ui/device/falcon_text.h"
 #include "ui/device/inverse_panel.h"
 #include "ui/device/pedal_panel.h"
 #include "ui/device/rights_row.h"
 #include "ui/device/space_mouse_panel.h"
+#include "ui/modules.h"
+#include "ui/settings/device_settings.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kLookMs = 200;      // what was found is there already: no wait
@@ -246,4 +247,4 @@ void DevicePage::name_firmware() {
                           });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,15 +7,16 @@
 #include <memory>
 
 #include "device/catalogue.h"
-#include "ui/app/ports.h"
-#include "ui/app/settings.h"
+#include "ui/modules.h"
 #include "ui/session/background_watch.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/ports.h"
 
-namespace cusp {
-
-namespace hid {
+namespace cusp::device::hid {
 class HidStation;
 }
+
+namespace cusp::ui {
 
 class DevicePage : public QWidget {
   Q_OBJECT
@@ -54,4 +55,4 @@ class DevicePage : public QWidget {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

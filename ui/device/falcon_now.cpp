@@ -12,7 +12,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kSlowAnswers = 950.0;
@@ -85,4 +85,4 @@ void FalconNow::show_bench(const BenchView& v) {
     buttons_[i]->set(names[i], (v.falcon.session.buttons & kButtons[i]) != 0 ? Chip::Kind::accent : Chip::Kind::plain);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,7 +10,7 @@
 
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Chip;
 
@@ -30,4 +30,4 @@ class FalconNow : public QWidget {
   std::array<Chip*, 4> buttons_{};
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -14,18 +14,19 @@
 #include "device/falcon/self_test.h"
 #include "device/falcon/weighing.h"
 #include "ui/device/falcon_now.h"
-#include "ui/device/falcon_words.h"
+#include "ui/device/falcon_text.h"
 #include "ui/device/homing_view.h"
 #include "ui/device/panel_card.h"
 #include "ui/device/rights_row.h"
 #include "ui/device/self_test_report.h"
 #include "ui/device/trim_form.h"
+#include "ui/modules.h"
 #include "ui/session/device_bench.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kLookMs = 50;
@@ -141,7 +142,7 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   tests->body()->addWidget(in.save, 0, Qt::AlignLeft);
   column->addWidget(tests);
 
-  in.trim_card = new Card(tr("How the grip leads the burr"), {}, this);
+  in.trim_card = new Card(tr("How the grip leads the bur"), {}, this);
   in.trim = new TrimForm(in.trim_card);
   in.trim_card->body()->addWidget(in.trim);
   connect(in.trim, &TrimForm::changed, this, [this](const FalconTrim& trim) {
@@ -375,4 +376,4 @@ void FalconPanel::save_report() {
                      });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,10 +6,10 @@
 #include <QWidget>
 #include <memory>
 
-#include "ui/app/device_settings.h"
-#include "ui/app/ports.h"
+#include "ui/settings/device_settings.h"
+#include "ui/widgets/ports.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class FalconPanel : public QWidget {
   Q_OBJECT
@@ -47,4 +47,4 @@ class FalconPanel : public QWidget {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

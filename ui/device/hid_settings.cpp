@@ -1,8 +1,8 @@
 #include "ui/device/hid_settings.h"
 
-#include "ui/app/settings.h"
+#include "ui/settings/settings.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 HidSettings::HidSettings(const QString& file)
     : store_(file.isEmpty() ? Settings::usual_file() : file, QSettings::IniFormat) {}
@@ -20,4 +20,4 @@ void HidSettings::set_space_mouse(const hid::SpaceMouseSettings& settings) {
   store_.setValue("hid/space_mouse", QString::fromStdString(hid::to_text(settings)));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

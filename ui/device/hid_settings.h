@@ -4,8 +4,9 @@
 #include <QSettings>
 
 #include "device/hid/settings_text.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class HidSettings {
  public:
@@ -21,4 +22,4 @@ class HidSettings {
   QSettings store_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

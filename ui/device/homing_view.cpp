@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/device/falcon_words.h"
+#include "ui/device/falcon_text.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kWide = 300, kHigh = 150;  // px at 100 %
@@ -120,4 +120,4 @@ void HomingView::show_falcon(const FalconView& view) {
 
 QString HomingView::text() const { return phase_->text() + u' ' + sentence_->text(); }
 
-}  // namespace cusp
+}  // namespace cusp::ui

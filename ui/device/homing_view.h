@@ -5,10 +5,11 @@
 #include <QWidget>
 
 #include "device/falcon/falcon_port.h"
+#include "ui/modules.h"
 
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class HomingView : public QWidget {
   Q_OBJECT
@@ -24,4 +25,4 @@ class HomingView : public QWidget {
   QLabel *phase_, *sentence_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -14,10 +14,10 @@
 #include <numbers>
 #include <optional>
 
-#include "ui/app/device_settings.h"
-#include "ui/app/settings.h"
 #include "ui/device/panel_card.h"
 #include "ui/session/errand.h"
+#include "ui/settings/device_settings.h"
+#include "ui/settings/settings.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
@@ -25,7 +25,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kLookMs = 100;
@@ -270,7 +270,7 @@ void InversePanel::look() {
       if (s.reading.a) down << QStringLiteral("A");
       if (s.reading.b) down << QStringLiteral("B");
       if (s.reading.c) down << QStringLiteral("C");
-      in.handle->setText(!s.has_orientation ? tr("None: the burr keeps its axis")
+      in.handle->setText(!s.has_orientation ? tr("None: the bur keeps its axis")
                          : down.isEmpty()   ? tr("Tells how it is turned")
                                             : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
       break;
@@ -298,4 +298,4 @@ void InversePanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,8 +8,9 @@
 #include <memory>
 
 #include "device/inverse/inverse_port.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class Settings;
 
@@ -45,4 +46,4 @@ class InversePanel : public QWidget {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,7 +7,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 PanelCard panel_card(QWidget& panel, const QString& title) {
   auto* outer = new QVBoxLayout(&panel);
@@ -31,4 +31,4 @@ QVBoxLayout* make_column(QWidget* part, int gap_px) {
   return column;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@ class QString;
 class QVBoxLayout;
 class QWidget;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Chip;
 
@@ -22,4 +22,4 @@ PanelCard panel_card(QWidget& panel, const QString& title);
 /// A part of a panel: its rows one under the other, `gap_px` apart at 100 %, with no margin of its own.
 QVBoxLayout* make_column(QWidget* part, int gap_px);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,8 +6,9 @@
 #include <memory>
 
 #include "device/hid/pedal_reader.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class Settings;
 
@@ -38,4 +39,4 @@ class PedalPanel : public QWidget {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,7 +4,7 @@
 
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -62,4 +62,4 @@ QString hid_name(const hid::HidDevice& device) {
                      .arg(device.product, 4, 16, QLatin1Char('0')));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,8 +5,9 @@
 
 #include "device/hid/hid_bus.h"
 #include "device/hid/pedal.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// "Pedal 2", "Right brake", "Key F13".
 QString control_name(const hid::Control& control);
@@ -14,4 +15,4 @@ QString control_name(hid::ControlId id, hid::ControlKind kind);
 /// The maker's name, or its numbers where it has none.
 QString hid_name(const hid::HidDevice& device);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,7 +12,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 RightsRow::RightsRow(QWidget* parent) : QWidget(parent) {
   QVBoxLayout* column = make_column(this, 4);
@@ -45,4 +45,4 @@ void RightsRow::set_command(const QString& command) {
   setVisible(!command.isEmpty());
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 class QLabel;
 class QLineEdit;
 
-namespace cusp {
+namespace cusp::ui {
 
 class RightsRow : public QWidget {
   Q_OBJECT
@@ -20,4 +20,4 @@ class RightsRow : public QWidget {
   QLineEdit* line_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

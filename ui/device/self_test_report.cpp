@@ -3,8 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/step/stiffness_rule.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kUsualVoxelMm = 0.1;  // of no matter for a banded scene
@@ -71,4 +72,4 @@ QByteArray self_test_report(const ReportedDevice& device, const falcon::SelfTest
   return QByteArray::fromStdString(json.dump(2) + '\n');
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,11 +5,12 @@
 #include <QDateTime>
 #include <string>
 
-#include "device/falcon/self_test.h"
 #include "device/falcon/profile.h"
+#include "device/falcon/self_test.h"
+#include "ui/modules.h"
 #include "ui/session/device_bench.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct ReportedDevice {
   std::string kind, name;      // "falcon", "FT000001"
@@ -28,4 +29,4 @@ struct AllowedStiffness {
 };
 AllowedStiffness allowed_stiffness(const FalconProfile& profile);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -14,11 +14,12 @@
 #include <cmath>
 
 #include "device/hid/permissions.h"
-#include "ui/app/settings.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/panel_card.h"
 #include "ui/device/pedal_words.h"
 #include "ui/device/rights_row.h"
+#include "ui/modules.h"
+#include "ui/settings/settings.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
@@ -26,7 +27,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kLookMs = 100;
@@ -238,4 +239,4 @@ void SpaceMousePanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,8 +6,9 @@
 #include <memory>
 
 #include "device/hid/space_mouse_reader.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class Settings;
 
@@ -38,4 +39,4 @@ class SpaceMousePanel : public QWidget {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

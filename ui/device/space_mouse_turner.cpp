@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/drill/tooth_view.h"
+#include "ui/view/tooth_view.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -72,4 +72,4 @@ void SpaceMouseTurner::look() {
   view_.set_camera(led(view_.camera(), told.motion, reader_.settings().speed, dt_s));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

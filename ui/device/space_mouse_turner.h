@@ -7,9 +7,10 @@
 #include <optional>
 
 #include "device/hid/space_mouse_reader.h"
+#include "ui/modules.h"
 #include "ui/render/camera.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class ToothView;
 
@@ -39,4 +40,4 @@ class SpaceMouseTurner : public QObject {
   std::uint32_t buttons_ = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -19,7 +19,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kMmPerM = 1000.0;
@@ -66,9 +66,9 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
   QVBoxLayout* column = make_column(this, 12);
   auto* live = new QHBoxLayout;
   live->setSpacing(px(12));
-  live->addWidget(make_label(tr("Burr, from where a go begins"), TextRole::body, false, "text2"));
+  live->addWidget(make_label(tr("Bur, from where a go begins"), TextRole::body, false, "text2"));
   in.place = make_label(QStringLiteral("–"), TextRole::body, true);
-  in.place->setAccessibleDescription(tr("Burr, from where a go begins"));
+  in.place->setAccessibleDescription(tr("Bur, from where a go begins"));
   live->addWidget(in.place);
   in.held = new Chip(tr("held by the clutch"), Chip::Kind::accent);
   in.held->hide();
@@ -114,10 +114,10 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
   rest->addWidget(labelled(tr("Force: asked over felt"), in.gain), 1);
   in.clutch = new QComboBox;
   in.clutch->addItem(tr("Top button"));
-  in.clutch->addItem(tr("Left button, which then changes no burr"));
-  in.clutch->addItem(tr("Right button, which then changes no burr"));
+  in.clutch->addItem(tr("Left button, which then changes no bur"));
+  in.clutch->addItem(tr("Right button, which then changes no bur"));
   in.clutch->addItem(tr("None"));
-  rest->addWidget(labelled(tr("Clutch: the grip moves, the burr stays"), in.clutch), 2);
+  rest->addWidget(labelled(tr("Clutch: the grip moves, the bur stays"), in.clutch), 2);
   column->addLayout(rest);
 
   QLabel* note = make_label(tr("Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the "
@@ -236,4 +236,4 @@ void TrimForm::show_grip(const FalconView& view, bool homed) {
   in.held->setVisible(held);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,5 +1,5 @@
-/// How the grip of one Falcon leads the burr, and how strong it is: where it stands when a go begins, how much of the
-/// hand's way the burr goes, which button is the clutch, and the force's correction. Every change can be taken back; what
+/// How the grip of one Falcon leads the bur, and how strong it is: where it stands when a go begins, how much of the
+/// hand's way the bur goes, which button is the clutch, and the force's correction. Every change can be taken back; what
 /// it does is shown live under the hand. Thread: GUI.
 #pragma once
 
@@ -7,8 +7,9 @@
 #include <memory>
 
 #include "device/falcon/profile.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// The part of a profile that people set by hand.
 struct FalconTrim {
@@ -31,7 +32,7 @@ class TrimForm : public QWidget {
   /// Of another device: the steps that could be taken back are of the one before, and go.
   void set_trim(const FalconTrim& trim);
   const FalconTrim& trim() const;
-  /// Where the grip is now, and where these numbers put the burr. `homed`: its place can be trusted.
+  /// Where the grip is now, and where these numbers put the bur. `homed`: its place can be trusted.
   void show_grip(const FalconView& view, bool homed);
 
  public Q_SLOTS:
@@ -50,4 +51,4 @@ class TrimForm : public QWidget {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

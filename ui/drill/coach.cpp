@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kThinMm = 0.5;          // dentine over the pulp that is worth a word
@@ -18,7 +18,7 @@ bool stands_still(const LiveView& live) noexcept {
   return live.phase == LoopPhase::paused || live.phase == LoopPhase::held || live.device == Sample::Status::gone;
 }
 
-CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double burr_radius_mm) {
+CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double bur_radius_mm) {
   if (shape.empty() || stands_still(live)) return {Coach::quiet, 0};
   double removed = 0;
   for (const double mm3 : live.removed_mm3) removed += mm3;
@@ -26,9 +26,9 @@ CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& le
   if (removed < kFirstMm3) return {Coach::begin, 0};
   if (live.output.contact && live.over_pulp_mm && *live.over_pulp_mm < kThinMm) return {Coach::over_pulp, *live.over_pulp_mm};
   const double floor_depth = shape.top_mm() - shape.floor_mm();
-  const double left = floor_depth - live.burr_depth_mm;
+  const double left = floor_depth - live.bur_depth_mm;
   const Vec3 at = live.output.proxy_mm;
-  const double beside = shape.outline_mm({at.x, at.y}) + burr_radius_mm;  // of the burr's side beyond the wall
+  const double beside = shape.outline_mm({at.x, at.y}) + bur_radius_mm;  // of the bur's side beyond the wall
   if (live.output.contact && beside > leeway.side_mm) return {Coach::outside, beside};
   if (live.output.contact && left < -kReachedMm) return {Coach::too_deep, -left};
   if (live.target_removed_percent >= kAlmostAllPercent) return {Coach::finish, 0};
@@ -57,4 +57,4 @@ bool worth_saying(const CoachLine& spoken, const CoachLine& line) noexcept {
   return line.what != spoken.what || std::abs(line.mm - spoken.mm) >= kWorthSayingMm - kWritingMm;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

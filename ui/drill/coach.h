@@ -5,16 +5,17 @@
 #include <cstdint>
 
 #include "scenarios/shapes/outline.h"
+#include "ui/modules.h"
 #include "ui/session/observer.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class Coach : std::uint8_t {
   begin,         // nothing was cut yet
   pulp_open,
   over_pulp,     // mm: so little dentine is left
   too_deep,      // mm: below the floor
-  outside,       // the burr is outside the outline while cutting
+  outside,       // the bur is outside the outline while cutting
   deeper,        // mm: so much is left to the floor
   sideways,      // the floor is reached here
   finish,        // hardly anything is left
@@ -44,7 +45,7 @@ inline constexpr double kWorthSayingMm = 0.2;
 /// off and the handpiece stands.
 bool stands_still(const LiveView& live) noexcept;
 
-/// Says only what holds now: of a place that the bur has left it says nothing. `burr_radius_mm`: of the burr in use.
-CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double burr_radius_mm);
+/// Says only what holds now: of a place that the bur has left it says nothing. `bur_radius_mm`: of the bur in use.
+CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double bur_radius_mm);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "scenarios/teeth/landmarks.h"
+#include "ui/modules.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 Compass::Compass(const ToothView& view, QWidget* parent) : QWidget(parent), view_(view) {
   setFixedSize(px(62), px(62));
@@ -51,4 +52,4 @@ void Compass::paintEvent(QPaintEvent*) {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

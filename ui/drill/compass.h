@@ -5,9 +5,9 @@
 #include <QWidget>
 #include <array>
 
-#include "ui/drill/tooth_view.h"
+#include "ui/view/tooth_view.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class Compass : public QWidget {
   Q_OBJECT
@@ -32,4 +32,4 @@ class Compass : public QWidget {
   int fdi_ = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

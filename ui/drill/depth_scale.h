@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Below the tolerance zone this much is still read off the scale, mm: about what a bur gets too deep in a moment.
 inline constexpr double kBelowTargetMm = 1.0;
@@ -19,4 +19,4 @@ inline double depth_scale_mm(double required_mm, double leeway_mm, std::optional
   return std::ceil(2 * wanted - 1e-9) / 2;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

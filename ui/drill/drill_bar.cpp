@@ -4,13 +4,13 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 DrillBar::DrillBar(QWidget* parent) : QFrame(parent) {
   set_kind(this, "bar_top");
@@ -95,4 +95,4 @@ void DrillBar::enable_leave(bool on) { leave_->setEnabled(on); }
 
 void DrillBar::enable_finish(bool on) { finish_->setEnabled(on); }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,11 +5,12 @@
 
 #include "engine/base/haptic_port.h"
 #include "engine/loop/realtime.h"
+#include "ui/modules.h"
 
 class QLabel;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class DrillBar : public QFrame {
   Q_OBJECT
@@ -41,4 +42,4 @@ class DrillBar : public QFrame {
   bool told_grant_ = false, stopped_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr std::chrono::milliseconds kSectionEvery{200};
@@ -36,7 +36,7 @@ DrillFeed::Clock::time_point DrillFeed::time_of(std::uint64_t elapsed_us) {
 
 void DrillFeed::on_tick(const StepInput&, const StepState& after) {
   const Clock::time_point when = time_of(after.last().elapsed_us);
-  // A cutting tick need not change a voxel: the burr's way is carved in pieces. Only those that did count.
+  // A cutting tick need not change a voxel: the bur's way is carved in pieces. Only those that did count.
   const std::uint64_t now = revisions(after.volume());
   const std::optional<std::uint64_t> before = std::exchange(revisions_, now);
   if (before && now != *before) changes_.push_back(when);
@@ -52,8 +52,8 @@ SectionImage DrillFeed::draw(const StepState& state, const SectionWish& wish, Ve
   settings.mm_per_px = wish.mm_per_px;
   look_.put_into(settings);
   settings.scenery = scenery_;
-  if (wish.with_burr) {
-    settings.burr = scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)];
+  if (wish.with_bur) {
+    settings.bur = scene.burs[std::min<std::size_t>(out.bur, scene.burs.size() - 1)];
     settings.pivot_mm = out.proxy_mm;
     settings.axis = out.axis;
   }
@@ -76,15 +76,15 @@ void DrillFeed::on_state(const StepState& state, const StateNews& news) {
     if (std::exchange(wishes_changed_, false)) section_stale_ = true;
   }
   const Clock::time_point now = Clock::now();
-  const bool moved = glm::length(state.last().proxy_mm - section_burr_) > 0.02;
+  const bool moved = glm::length(state.last().proxy_mm - section_bur_) > 0.02;
   // Running behind, the section waits: the ticks come first.
   if ((panel || lid) && (section_stale_ || moved) && now - section_at_ >= kSectionEvery && news.behind_ticks < 100) {
     section_at_ = now;
-    section_burr_ = state.last().proxy_mm;
-    const Vec3 through_mm = lid_place_.follow(section_burr_);
+    section_bur_ = state.last().proxy_mm;
+    const Vec3 through_mm = lid_place_.follow(section_bur_);
     section_stale_ = false;
     std::optional<SectionImage> panel_image, lid_image;
-    if (panel) panel_image = draw(state, *panel, section_burr_);
+    if (panel) panel_image = draw(state, *panel, section_bur_);
     if (lid) lid_image = draw(state, *lid, through_mm);
     const std::lock_guard lock(mutex_);
     if (panel_image) panel_ = std::move(panel_image);
@@ -109,4 +109,4 @@ std::optional<SectionImage> DrillFeed::take_lid() {
   return std::exchange(lid_, std::nullopt);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,13 +8,13 @@
 #include <mutex>
 #include <optional>
 
+#include "ui/drill/section_place.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/section.h"
-#include "ui/drill/section_place.h"
 #include "ui/render/target_look.h"
 #include "ui/session/observer.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Which section the window wants; the panel's plane goes through the bur, the lid's stands as SectionPlace says.
 struct SectionWish {
@@ -22,7 +22,7 @@ struct SectionWish {
   int width = 271, height = 202;
   double mm_per_px = 0.045;
   Vec3 shift_mm{0.0};   // of the picture's middle from there
-  bool with_burr = true;
+  bool with_bur = true;
 };
 
 class DrillFeed : public Observer {
@@ -64,7 +64,7 @@ class DrillFeed : public Observer {
   std::optional<Clock::duration> least_lead_, least_before_;  // wall clock less session clock: this half second, the last
   Clock::time_point lead_since_{};
   Clock::time_point section_at_{};
-  Vec3 section_burr_{1e9};
+  Vec3 section_bur_{1e9};
   bool section_stale_ = true;
 
   std::mutex mutex_;  // guards what follows; held for a copy or a move
@@ -73,4 +73,4 @@ class DrillFeed : public Observer {
   bool wishes_changed_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,25 +10,25 @@
 #include <algorithm>
 #include <thread>
 
-#include "ui/drill/burr_tray.h"
+#include "ui/drill/bur_tray.h"
 #include "ui/drill/drill_bar.h"
 #include "ui/drill/drill_stage.h"
-#include "ui/drill/frame_stats.h"
 #include "ui/drill/go_opening.h"
 #include "ui/drill/go_sound.h"
 #include "ui/drill/handpiece_panel.h"
 #include "ui/drill/homing_card.h"
 #include "ui/drill/pointer_input.h"
 #include "ui/drill/score_panel.h"
-#include "ui/drill/tooth_view.h"
+#include "ui/view/frame_stats.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
-constexpr int kLookMs = 33;           // burr and clock
+constexpr int kLookMs = 33;           // bur and clock
 constexpr int kTextEvery = 3;         // looks between two of texts and gauges, about ten a second
 constexpr std::chrono::milliseconds kFollow{30};
 constexpr double kUsualShare = 0.53;  // of full force: 0.8 N where that is 1.5, about what a handpiece is led with
@@ -42,7 +42,7 @@ struct DrillScreen::Inner {
   DrillBar* bar;
   DrillStage* stage;
   ScorePanel* panel;
-  BurrTray* tray;
+  BurTray* tray;
   Busy* busy;
   QTimer look_timer;
   GoSound* sound;
@@ -88,10 +88,10 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
             if (inner_->go) inner_->go->feed->want_sections(panel, lid);
           });
   left->addWidget(in.stage, 1);
-  in.tray = new BurrTray(this);
-  connect(in.tray, &BurrTray::burr_chosen, this, [this](int index) {
-    if (inner_->go && inner_->go->run) inner_->go->run->change_burr(static_cast<std::size_t>(index));
-    if (inner_->go && inner_->go->device.hand) inner_->go->device.hand->set_burr(static_cast<std::uint16_t>(index));
+  in.tray = new BurTray(this);
+  connect(in.tray, &BurTray::bur_chosen, this, [this](int index) {
+    if (inner_->go && inner_->go->run) inner_->go->run->change_bur(static_cast<std::size_t>(index));
+    if (inner_->go && inner_->go->device.hand) inner_->go->device.hand->set_bur(static_cast<std::uint16_t>(index));
   });
   left->addWidget(in.tray);
   middle->addLayout(left, 1);
@@ -146,7 +146,7 @@ DrillScreen::~DrillScreen() {
   QCoreApplication::removePostedEvents(this, QEvent::MetaCall);
   inner_->look_timer.stop();
   // The view outlives the go by a moment: nothing may be asked of it any more.
-  inner_->stage->view()->set_burr_source({});
+  inner_->stage->view()->set_bur_source({});
   inner_->stage->view()->set_stats(nullptr);
   inner_->input.reset();
   if (inner_->go) inner_->go->run.reset();
@@ -165,7 +165,7 @@ void DrillScreen::enable_controls(bool on) {
 void DrillScreen::begin(RunPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port) {
   Inner& in = *inner_;
   in.bar->set_exercise(text.title, text.aside);
-  in.tray->set_burrs(plan.scenario.instruments);
+  in.tray->set_burs(plan.scenario.instruments);
   in.working = true;
   in.busy->start(tr("Getting the tooth ready"), false);
   in.opening = std::make_unique<GoOpening>(
@@ -212,13 +212,13 @@ void DrillScreen::opened(std::shared_ptr<OpenedGo> opened, const std::optional<R
   view->set_feed(go.patches);
   view->set_scenery(go.scenery);
   view->set_lines(go.lines);
-  view->set_burr_source([this, view]() -> std::optional<BurrPose> {
-    if (!running() || inner_->working) return view->scene().burr;
+  view->set_bur_source([this, view]() -> std::optional<BurPose> {
+    if (!running() || inner_->working) return view->scene().bur;
     const Scene& scene = *inner_->go->run->scene();
     const LiveView live = inner_->go->run->view();
     const StepOutput& out = live.output;
-    const Burr& burr = scene.burrs[std::min<std::size_t>(out.burr, scene.burrs.size() - 1)];
-    return BurrPose{burr, out.proxy_mm, out.tick > 0 ? out.axis : scene.tool_axis, out.cutting && !stands_still(live)};
+    const Bur& bur = scene.burs[std::min<std::size_t>(out.bur, scene.burs.size() - 1)];
+    return BurPose{bur, out.proxy_mm, out.tick > 0 ? out.axis : scene.tool_axis, out.cutting && !stands_still(live)};
   });
   if (go.device.hand) {
     // An emulated Falcon has three axes: it cannot turn the handpiece.
@@ -240,13 +240,13 @@ void DrillScreen::look() {
   if (!running() || in.working) return;
   in.live = in.go->run->view();
   in.sound->follow(in.live, *in.go->run->scene());
-  in.stage->view()->follow_burr(kFollow);
+  in.stage->view()->follow_bur(kFollow);
   if (auto image = in.go->feed->take_panel()) in.panel->section()->show_image(*image);
   if (auto image = in.go->feed->take_lid()) in.stage->show_cutaway(std::move(*image));
   if (in.looks++ % kTextEvery != 0) return;
   in.bar->set_seconds(in.live.seconds);
   in.panel->show_values(in.live);
-  in.tray->choose(in.live.output.burr);
+  in.tray->choose(in.live.output.bur);
   in.bar->show_grant(in.live.grant);
   in.stage->show_values(in.live, in.go->device.falcon != nullptr ? &in.go->device.falcon->view() : nullptr);
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
@@ -319,7 +319,7 @@ void DrillScreen::graded(const std::shared_ptr<Run<RunResult>>& result) {
     return;
   }
   in.over = true;
-  in.stage->view()->set_burr_source({});
+  in.stage->view()->set_bur_source({});
   in.go->run.reset();
   if (*result) {
     Q_EMIT finished(std::make_shared<const RunResult>(std::move(**result)));
@@ -349,7 +349,7 @@ void DrillScreen::ask_leave() {
     inner.sound->stop();
     inner.stats.write_where_asked();
     inner.over = true;
-    inner.stage->view()->set_burr_source({});
+    inner.stage->view()->set_bur_source({});
     inner.go->run->abandon();
     inner.go->run.reset();
     Q_EMIT self->left();
@@ -396,4 +396,4 @@ bool DrillScreen::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "engine/base/haptic_port.h"
-#include "ui/app/ports.h"
 #include "ui/session/exercise_run.h"
 #include "ui/session/run_device.h"
+#include "ui/widgets/ports.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct DrillText {
   QString title;    // of the exercise, in the user's language
@@ -70,4 +70,4 @@ class DrillScreen : public QWidget {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -11,16 +11,16 @@
 #include <array>
 #include <cmath>
 
-#include "ui/app/sentences.h"
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr std::array<PresetView, 4> kTurns = {PresetView::working, PresetView::buccal, PresetView::distal,
@@ -165,7 +165,7 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   look_ = look;
   pulp_depth_mm_ = pulp_depth_mm;
   leeway_ = scenario.leeway;
-  burrs_ = scenario.instruments;
+  burs_ = scenario.instruments;
   by_mouse_ = by_mouse;
   is_tooth_ = is_tooth;
   wide_ = glm::length(glm::dvec2(bounds.high - bounds.low)) > kLidMm;
@@ -223,7 +223,7 @@ void DrillStage::want_sections() {
     wish.width = static_cast<int>((wide_ ? kWideLidMm : kLidMm) / kLidMmPerPx);
     wish.mm_per_px = kLidMmPerPx;
     wish.shift_mm = Vec3(0.0, 0.0, -6.0);
-    wish.with_burr = false;
+    wish.with_bur = false;
     lid = wish;
   }
   Q_EMIT sections_wanted(panel, lid);
@@ -270,7 +270,7 @@ void DrillStage::sign_coach(CoachTone tone) {
 void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   live_ = live;
   const double radius =
-      burrs_.empty() ? 0.0 : burrs_[std::min<std::size_t>(live.output.burr, burrs_.size() - 1)].radius_mm;
+      burs_.empty() ? 0.0 : burs_[std::min<std::size_t>(live.output.bur, burs_.size() - 1)].radius_mm;
   show_depth(live, radius);
   push_->set_value(live.output.contact && !stands_still(live) ? live.push_n : 0.0);
   Stop stop = Stop::none;
@@ -290,14 +290,14 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   if (look_) show_coach(coach(live, look_->shape(), leeway_, radius));
 }
 
-void DrillStage::show_depth(const LiveView& live, double burr_radius_mm) {
+void DrillStage::show_depth(const LiveView& live, double bur_radius_mm) {
   // Beside the tooth a bur is below the plane too, and in nothing.
   const Vec3 at = live.output.proxy_mm;
   const bool over_target = !look_ || look_->empty() ||
-                           look_->shape().outline_mm({at.x, at.y}) < burr_radius_mm + leeway_.side_mm;
-  const bool known = live.device != Sample::Status::gone && (live.output.contact || over_target) && live.burr_depth_mm >= 0;
-  if (known && live.burr_depth_mm > depth_->most()) scale_depth(live.burr_depth_mm);
-  depth_->set_value(known ? std::optional(live.burr_depth_mm) : std::nullopt);
+                           look_->shape().outline_mm({at.x, at.y}) < bur_radius_mm + leeway_.side_mm;
+  const bool known = live.device != Sample::Status::gone && (live.output.contact || over_target) && live.bur_depth_mm >= 0;
+  if (known && live.bur_depth_mm > depth_->most()) scale_depth(live.bur_depth_mm);
+  depth_->set_value(known ? std::optional(live.bur_depth_mm) : std::nullopt);
 }
 
 void DrillStage::show_coach(CoachLine line) {
@@ -385,4 +385,4 @@ void DrillStage::resizeEvent(QResizeEvent* event) {
   place_all();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

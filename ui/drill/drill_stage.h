@@ -12,14 +12,15 @@
 #include "ui/drill/coach.h"
 #include "ui/drill/drill_feed.h"
 #include "ui/drill/stop_card.h"
-#include "ui/drill/tooth_view.h"
+#include "ui/modules.h"
 #include "ui/session/observer.h"
+#include "ui/view/tooth_view.h"
 
 class QFrame;
 class QLabel;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Compass;
 class Gauge;
@@ -65,7 +66,7 @@ class DrillStage : public QWidget {
   void want_sections();
   double required_depth_mm() const;
   void scale_depth(double seen_mm);
-  void show_depth(const LiveView& live, double burr_radius_mm);
+  void show_depth(const LiveView& live, double bur_radius_mm);
   void show_coach(CoachLine line);
   QString coach_text(const CoachLine& line) const;
   void sign_coach(CoachTone tone);
@@ -81,7 +82,7 @@ class DrillStage : public QWidget {
   QWidget* centre_ = nullptr;
   std::optional<TargetLook> look_;
   Leeway leeway_;
-  std::vector<Burr> burrs_;
+  std::vector<Bur> burs_;
   LiveView live_;
   CoachLine said_, spoken_;  // shown; last told to a screen reader
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
@@ -90,4 +91,4 @@ class DrillStage : public QWidget {
   std::optional<double> pulp_depth_mm_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,13 +8,13 @@
 #include "ui/session/errand.h"
 #include "ui/session/scene_builder.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kStartAboveMm = 1.5;
 
-/// Place above the target where the burr begins, clear of all tissue.
-Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Burr& burr) {
+/// Place above the target where the bur begins, clear of all tissue.
+Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Bur& bur) {
   const Grid& grid = specimen.grid();
   const Vec3 top = grid.centre_mm(grid.size);
   Vec3 at = 0.5 * (grid.origin_mm + top);
@@ -22,7 +22,7 @@ Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Burr& b
     at.x = 0.5 * (look.shape().low().x + look.shape().high().x);
     at.y = 0.5 * (look.shape().low().y + look.shape().high().y);
   }
-  at.z = top.z + burr.radius_mm + kStartAboveMm;
+  at.z = top.z + bur.radius_mm + kStartAboveMm;
   return at;
 }
 
@@ -101,7 +101,7 @@ void GoOpening::open(Order order, const Answer& answer) {
     go->device.port = std::move(order.port);
   } else {
     const Vec3 start =
-        start_place(**specimen, *go->look, plan.scenario.instruments.empty() ? Burr() : plan.scenario.instruments[0]);
+        start_place(**specimen, *go->look, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
     auto device = make_run_device(order.choice, start, plan.scenario.instruments.size());
     if (!device) return answer(nullptr, std::move(run_fail(RunError::device, device.error()).error()));
     go->device = std::move(*device);
@@ -121,4 +121,4 @@ void GoOpening::open(Order order, const Answer& answer) {
   answer(std::move(go), std::nullopt);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -13,7 +13,7 @@
 #include "ui/session/exercise_run.h"
 #include "ui/session/run_device.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// What the window gets.
 struct OpenedGo {
@@ -65,4 +65,4 @@ class GoOpening {
   std::thread thread_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,11 +1,12 @@
 #include "ui/drill/go_sound.h"
 
 #include "scenarios/format/keys.h"
-#include "ui/app/settings.h"
 #include "ui/drill/handpiece_panel.h"
+#include "ui/modules.h"
+#include "ui/settings/settings.h"
 #include "ui/sound/drill_sound.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 GoSound::GoSound(HandpiecePanel& panel, QObject* parent) : QObject(parent), panel_(panel), sound_(new DrillSound(this)) {
   connect(&panel_, &HandpiecePanel::volume_changed, this, [this](int percent) {
@@ -34,4 +35,4 @@ void GoSound::follow(const LiveView& live, const Scene& scene) {
 
 void GoSound::stop() { sound_->stop(); }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,9 +5,10 @@
 #include <QObject>
 
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 #include "ui/session/observer.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class DrillSound;
 class HandpiecePanel;
@@ -32,4 +33,4 @@ class GoSound : public QObject {
   Settings* settings_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,13 +12,14 @@
 #include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
 #include "ui/drill/coach.h"
+#include "ui/modules.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kLookShare = 0.6;      // of the criterion: from here on the bar warns
@@ -139,7 +140,7 @@ void HandpiecePanel::show_values(const LiveView& live) {
     const bool stands = stands_still(live);
     const bool stalled = !stands && out.has(PhenomenonSign::stalled);
     const double rpm = stands ? 0.0 : std::round(static_cast<double>(out.spindle_rpm) / kShownRpm) * kShownRpm;
-    //: Turns of the burr in a minute.
+    //: Turns of the bur in a minute.
     QLocale grouped;
     grouped.setNumberOptions(grouped.numberOptions() & ~QLocale::OmitGroupSeparator);
     set_text(speed_, stalled ? tr("stalled, push less") : tr("%1 rpm").arg(format_number(rpm, 0, grouped)));
@@ -169,4 +170,4 @@ QString HandpiecePanel::spoken() const {
   return parts.join(u' ');
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

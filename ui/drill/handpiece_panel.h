@@ -5,6 +5,7 @@
 #include <QFrame>
 
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 #include "ui/session/observer.h"
 
 class QLabel;
@@ -12,7 +13,7 @@ class QPushButton;
 class QSlider;
 class QToolButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Bar;
 
@@ -50,4 +51,4 @@ class HandpiecePanel : public QFrame {
   bool spindle_ = false, reckons_heat_ = false, sounds_ = false, over_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

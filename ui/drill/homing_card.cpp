@@ -5,7 +5,7 @@
 #include "ui/device/homing_view.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 constexpr int kWidth = 420;  // px at 100 %
@@ -26,4 +26,4 @@ void HomingCard::show_falcon(const FalconView& view) {
   raise();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "device/falcon/falcon_port.h"
+#include "ui/modules.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class HomingView;
 
@@ -20,4 +21,4 @@ class HomingCard : public Card {
   HomingView* homing_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

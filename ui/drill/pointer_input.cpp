@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::ui {
 
 PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, double usual_push_n, QObject* parent)
     : QObject(parent), view_(view), hand_(hand), axis_(tool_axis), push_n_(usual_push_n) {
@@ -175,4 +175,4 @@ void PointerInput::set_enabled(bool on) {
   enabled_ = on;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// Mouse and keys to the pointer device: the burr follows the mouse over the tooth, the left button or Space drills,
+/// Mouse and keys to the pointer device: the bur follows the mouse over the tooth, the left button or Space drills,
 /// the wheel and Page Up and Down say how hard. Thread: GUI.
 #pragma once
 
@@ -8,15 +8,16 @@
 #include <QTimer>
 
 #include "device/pointer/pointer_hand.h"
-#include "ui/drill/tooth_view.h"
+#include "ui/modules.h"
+#include "ui/view/tooth_view.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class PointerInput : public QObject {
   Q_OBJECT
 
  public:
-  /// `hand` outlives this. `tool_axis`: unit, from the burr to the shank.
+  /// `hand` outlives this. `tool_axis`: unit, from the bur to the shank.
   PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, double usual_push_n, QObject* parent);
 
   /// True when the key is one of drilling's and was taken.
@@ -61,4 +62,4 @@ class PointerInput : public QObject {
   QElapsedTimer since_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

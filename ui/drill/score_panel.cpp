@@ -9,14 +9,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/app/sentences.h"
 #include "ui/drill/handpiece_panel.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 Bar::Role role_of(Tissue tissue) {
@@ -69,7 +69,7 @@ QLabel* make_value() {
 }  // namespace
 
 SectionView::SectionView(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Section at the burr"));
+  setAccessibleName(tr("Section at the bur"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -156,7 +156,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   scroll->setWidget(body_);
   whole->addWidget(scroll, 1);
 
-  QFrame* part = add_part(tr("Section at the burr"), &section_aside_);
+  QFrame* part = add_part(tr("Section at the bur"), &section_aside_);
   section_ = new SectionView(part);
   part->layout()->addWidget(section_);
 
@@ -296,4 +296,4 @@ void ScorePanel::show_values(const LiveView& live) {
   set_ink(recording_, ink == Ink::bad ? "bad" : ink == Ink::look ? "look" : "text2");
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// Right of the tooth: the section at the burr, progress against the target, what was removed by tissue, the device, and
+/// Right of the tooth: the section at the bur, progress against the target, what was removed by tissue, the device, and
 /// whether the record is safe. Shows what it is given; decides nothing. Thread: GUI.
 #pragma once
 
@@ -8,6 +8,7 @@
 
 #include "engine/base/haptic_port.h"
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 #include "ui/render/section.h"
 #include "ui/session/observer.h"
 #include "ui/widgets/gauge.h"
@@ -15,7 +16,7 @@
 class QLabel;
 class QGridLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class HandpiecePanel;
 
@@ -72,4 +73,4 @@ class ScorePanel : public QFrame {
   bool recording_known_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

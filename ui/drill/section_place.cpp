@@ -1,6 +1,6 @@
 #include "ui/drill/section_place.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 SectionPlace::SectionPlace(const TargetLook& look, const Box& specimen) : near_(specimen) {
   double top_mm = specimen.high.z;
@@ -21,4 +21,4 @@ Vec3 SectionPlace::follow(Vec3 pivot_mm) noexcept {
   return last_mm_;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

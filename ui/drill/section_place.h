@@ -6,7 +6,7 @@
 #include "engine/base/vec.h"
 #include "ui/render/target_look.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class SectionPlace {
  public:
@@ -22,4 +22,4 @@ class SectionPlace {
   Vec3 last_mm_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

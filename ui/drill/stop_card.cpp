@@ -11,7 +11,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 StopCard::StopCard(QWidget* parent) : QFrame(parent) {
   set_kind(this, "card");
@@ -97,4 +97,4 @@ void StopCard::fit_width(int width) {
   resize(width, std::max(layout()->heightForWidth(width), sizeHint().height()));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

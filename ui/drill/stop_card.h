@@ -5,11 +5,12 @@
 
 #include "device/falcon/falcon_port.h"
 #include "engine/step/step.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class HomingView;
 
@@ -40,4 +41,4 @@ class StopCard : public QFrame {
   Stop stop_ = Stop::none;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,7 +4,7 @@
 #include <QPointer>
 #include <QThreadPool>
 
-namespace cusp {
+namespace cusp::ui {
 
 AuditJob::AuditJob(QObject* parent) : QObject(parent) {}
 
@@ -50,4 +50,4 @@ void AuditJob::start(const Scenario& scenario, const AuditSettings& settings, co
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

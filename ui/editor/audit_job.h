@@ -7,8 +7,9 @@
 #include <string>
 
 #include "scenarios/audit/audit.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class AuditJob : public QObject {
   Q_OBJECT
@@ -25,8 +26,8 @@ class AuditJob : public QObject {
 
  Q_SIGNALS:
   void progressed(double share);
-  void done(const std::shared_ptr<const cusp::AuditReport>& report);
-  void failed(const cusp::AuditFailure& failure);
+  void done(const std::shared_ptr<const AuditReport>& report);
+  void failed(const AuditFailure& failure);
 
  private:
   struct Run {
@@ -35,4 +36,4 @@ class AuditJob : public QObject {
   std::shared_ptr<Run> run_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

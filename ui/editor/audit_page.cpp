@@ -6,13 +6,13 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "ui/app/audit_words.h"
+#include "ui/text/audit_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kSide = 16;  // px at 100 %, as the other forms
@@ -203,4 +203,4 @@ void AuditPage::show_report() {
   table_place_->addWidget(table_);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

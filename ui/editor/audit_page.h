@@ -13,7 +13,7 @@ class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Busy;
 
@@ -48,4 +48,4 @@ class AuditPage : public QWidget {
   QVBoxLayout *table_place_, *busy_place_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

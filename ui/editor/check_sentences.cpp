@@ -5,14 +5,15 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/format/ranges.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 struct Words {
-  Q_DECLARE_TR_FUNCTIONS(cusp::Checks)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Checks)
 };
 
 QString mm(double value) { return format({value, {}, QStringLiteral("mm"), 2}); }
@@ -104,7 +105,7 @@ QString check_sentence(const Finding& f) {
   const QString& c = QString::fromStdString(f.code);
   if (c == u"out_of_range" && f.args.contains("least")) return range_sentence(f, value, arg("least"), arg("most"));
   if (const QString found = exercise_sentence(f, value, limit); !found.isEmpty()) return found;
-  if (c == u"no_instrument") return Words::tr("There is no burr to work with. Add one.");
+  if (c == u"no_instrument") return Words::tr("There is no bur to work with. Add one.");
   if (c == u"no_target" || c == u"empty_target") return Words::tr("There is no target to cut.");
   if (c == u"path_count" || c == u"point_count") return Words::tr("The target’s points do not fit its shape.");
   if (c == u"no_criteria") return Words::tr("Nothing is graded yet. Add a criterion.");
@@ -128,20 +129,20 @@ QString check_sentence(const Finding& f) {
   if (c == u"feature_thin") {
     return Words::tr("%1 is too thin to be judged at this fineness; from %2 it can.").arg(mm(value), mm(limit));
   }
-  if (c == u"burr_small") {
-    return Words::tr("Burr %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.")
+  if (c == u"bur_small") {
+    return Words::tr("Bur %1 is too small for this fineness: its diameter is %2, from %3 it cuts truly.")
         .arg(name, mm(2 * value), mm(2 * limit));
   }
   if (c == u"head_short") {
-    return Words::tr("The head of burr %1 is too short for this fineness: %2 long, from %3 it cuts truly.")
+    return Words::tr("The head of bur %1 is too short for this fineness: %2 long, from %3 it cuts truly.")
         .arg(name, mm(value), mm(limit));
   }
-  if (c == u"neck_wider_than_ball") return Words::tr("The neck of burr %1 is wider than its head.").arg(name);
-  if (c == u"burr_wider_than_target") {
-    return Words::tr("No burr fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
+  if (c == u"neck_wider_than_ball") return Words::tr("The neck of bur %1 is wider than its head.").arg(name);
+  if (c == u"bur_wider_than_target") {
+    return Words::tr("No bur fits: the smallest is %1 wide, the target %2.").arg(mm(value), mm(limit));
   }
-  if (c == u"corner_below_burr") {
-    return Words::tr("The corner radius %1 is sharper than the smallest burr leaves it (%2).").arg(mm(value), mm(limit));
+  if (c == u"corner_below_bur") {
+    return Words::tr("The corner radius %1 is sharper than the smallest bur leaves it (%2).").arg(mm(value), mm(limit));
   }
   if (c == u"leeway_below_voxel") {
     return Words::tr("The leeway of %1 is finer than the tooth is known (%2).").arg(mm(value), mm(limit));
@@ -178,11 +179,11 @@ QString check_sentence(const Finding& f) {
 EditorPlace place_of(const Finding& f) {
   const std::string& p = f.path;
   if (p.starts_with("/title") || p.starts_with("/briefing")) return EditorPlace::title;
-  if (p.starts_with("/instruments")) return EditorPlace::burrs;
+  if (p.starts_with("/instruments")) return EditorPlace::burs;
   if (p.starts_with("/rubric")) return EditorPlace::points;
   if (p.starts_with("/phenomena")) return EditorPlace::tissues;
   if (p.starts_with("/specimen") || p.starts_with("/tissues") || p.starts_with("/protected")) return EditorPlace::tooth;
   return EditorPlace::shape;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

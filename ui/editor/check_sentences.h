@@ -4,13 +4,14 @@
 #include <QString>
 
 #include "scenarios/format/validate.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
-enum class EditorPlace { title, tooth, shape, points, burrs, tissues };
+enum class EditorPlace { title, tooth, shape, points, burs, tissues };
 
 /// "The target reaches out of the tooth: its edge lies at 12.3 mm, the tooth ends at 11.0 mm."
 QString check_sentence(const Finding& finding);
 EditorPlace place_of(const Finding& finding);
 
-}  // namespace cusp
+}  // namespace cusp::ui

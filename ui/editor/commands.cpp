@@ -1,6 +1,6 @@
 #include "ui/editor/commands.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 ScenarioEdit::ScenarioEdit(Scenario& held, Scenario after, const QString& text, QString field, int gesture,
                            std::function<void()> changed)
@@ -30,4 +30,4 @@ bool ScenarioEdit::mergeWith(const QUndoCommand* next) {
   return true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

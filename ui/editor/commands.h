@@ -6,8 +6,9 @@
 #include <functional>
 
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class ScenarioEdit : public QUndoCommand {
  public:
@@ -33,4 +34,4 @@ class ScenarioEdit : public QUndoCommand {
   std::function<void()> changed_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,10 +4,10 @@
 #include <QRegion>
 #include <cmath>
 
-#include "ui/drill/tooth_view.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 DepthArrow::DepthArrow(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -42,4 +42,4 @@ void DepthArrow::paintEvent(QPaintEvent*) {
   p.fillPath(path_, ToothColours::get().casing);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 #include <QPointF>
 #include <QWidget>
 
-namespace cusp {
+namespace cusp::ui {
 
 class DepthArrow : public QWidget {
  public:
@@ -21,4 +21,4 @@ class DepthArrow : public QWidget {
   QPainterPath path_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,8 +7,9 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "ui/editor/commands.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kNewSegmentMm = 1.0;  // a branch as long as a fissure's arm, where no step tells a length
@@ -49,7 +50,7 @@ bool finite(const Scenario& s) {
       all = all && std::isfinite(v);
     }
   }
-  for (const Burr& b : s.instruments) {
+  for (const Bur& b : s.instruments) {
     for (const double v : {b.radius_mm, b.neck_radius_mm, b.neck_length_mm, b.shank_radius_mm, b.shank_length_mm}) {
       all = all && std::isfinite(v);
     }
@@ -314,22 +315,22 @@ bool EditorModel::set_critical(const std::string& event, bool on) {
   });
 }
 
-bool EditorModel::add_burr(const Burr& burr) {
+bool EditorModel::add_bur(const Bur& bur) {
   end_gesture();
-  return edit(tr("Add a burr"), u"burrs"_qs, [&](Scenario& s) { s.instruments.push_back(burr); });
+  return edit(tr("Add a bur"), u"burs"_qs, [&](Scenario& s) { s.instruments.push_back(bur); });
 }
 
-bool EditorModel::remove_burr(std::size_t index) {
+bool EditorModel::remove_bur(std::size_t index) {
   if (index >= scenario_.instruments.size()) return false;
   end_gesture();
-  return edit(tr("Remove a burr"), u"burrs"_qs, [&](Scenario& s) {
+  return edit(tr("Remove a bur"), u"burs"_qs, [&](Scenario& s) {
     s.instruments.erase(s.instruments.begin() + static_cast<std::ptrdiff_t>(index));
   });
 }
 
-bool EditorModel::set_burr_radius_mm(std::size_t index, double mm) {
+bool EditorModel::set_bur_radius_mm(std::size_t index, double mm) {
   if (index >= scenario_.instruments.size() || !scenario_.instruments[index].head.ball()) return false;
-  return edit(tr("Burr"), u"burr/%1"_qs.arg(index), [&](Scenario& s) { s.instruments[index].radius_mm = mm; });
+  return edit(tr("Bur"), u"bur/%1"_qs.arg(index), [&](Scenario& s) { s.instruments[index].radius_mm = mm; });
 }
 
 bool EditorModel::set_time_limit_s(double seconds) {
@@ -365,4 +366,4 @@ bool EditorModel::set_phenomenon(const std::string& key, bool on) {
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

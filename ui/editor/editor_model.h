@@ -13,8 +13,9 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/format/validate.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// What the editor began from. Versions are immutable: what is published from here is the next one.
 struct EditorStart {
@@ -66,9 +67,9 @@ class EditorModel : public QObject {
   bool set_bands(std::size_t index, const Bands& bands);
   bool set_pass(double points);
   bool set_critical(const std::string& event, bool on);
-  bool add_burr(const Burr& burr);
-  bool remove_burr(std::size_t index);
-  bool set_burr_radius_mm(std::size_t index, double mm);
+  bool add_bur(const Bur& bur);
+  bool remove_bur(std::size_t index);
+  bool set_bur_radius_mm(std::size_t index, double mm);
   bool set_time_limit_s(double seconds);
   bool set_tissue_figures(std::size_t index, double stiffness_n_per_mm, double speed_mm_s);
   /// A key of kPhenomenonKeys; "" for none. Without a handpiece vibration and sound go too.
@@ -132,4 +133,4 @@ class EditorModel : public QObject {
 /// Puts every point on the floor.
 void settle_on_floor(Target& target);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,8 +5,9 @@
 #include "scenarios/shapes/outline.h"
 #include "ui/editor/commands.h"
 #include "ui/editor/editor_model.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 bool pulp_rule(const Scenario& s) {
@@ -79,4 +80,4 @@ void EditorModel::check_pulp() {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,9 +6,10 @@
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_grower.h"
+#include "ui/modules.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// What was meant stays what is meant: a field that its shape does not use stands at its default.
@@ -72,4 +73,4 @@ bool EditorModel::set_tooth(const SpecimenSource& source, const QString& field) 
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

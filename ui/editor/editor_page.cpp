@@ -11,9 +11,6 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "ui/app/language.h"
-#include "ui/app/sentences.h"
-#include "ui/drill/tooth_view.h"
 #include "ui/editor/check_sentences.h"
 #include "ui/editor/editor_page_parts.h"
 #include "ui/editor/editor_records.h"
@@ -21,13 +18,16 @@
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/target_view.h"
 #include "ui/editor/words_form.h"
+#include "ui/text/language.h"
+#include "ui/text/sentences.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kAutosaveMs = 1500;
@@ -216,7 +216,7 @@ void EditorPage::show_first_check() {
     case EditorPlace::tooth: show_tooth_form(true); return;
     case EditorPlace::shape: tabs_->setCurrentIndex(kShapeTab); break;
     case EditorPlace::points: tabs_->setCurrentIndex(kPointsTab); break;
-    case EditorPlace::burrs: tabs_->setCurrentIndex(kBurrsTab); break;
+    case EditorPlace::burs: tabs_->setCurrentIndex(kBursTab); break;
     case EditorPlace::tissues: tabs_->setCurrentIndex(kTissuesTab); break;
   }
   tabs_->setFocus();
@@ -260,4 +260,4 @@ void EditorPage::try_out() {
   Q_EMIT try_out_wanted(plan, local(model_->scenario().title));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,10 +7,11 @@
 #include <memory>
 
 #include "storage/store.h"
-#include "ui/app/ports.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_grower.h"
+#include "ui/modules.h"
 #include "ui/session/exercise_run.h"
+#include "ui/widgets/ports.h"
 
 class QAbstractButton;
 class QButtonGroup;
@@ -22,7 +23,7 @@ class QTabWidget;
 class QToolButton;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class Busy;
@@ -52,10 +53,10 @@ class EditorPage : public QWidget {
 
  Q_SIGNALS:
   void back_wanted();
-  void try_out_wanted(const cusp::RunPlan& plan, const QString& title);
-  void published(const cusp::ScenarioVersion& version);
+  void try_out_wanted(const RunPlan& plan, const QString& title);
+  void published(const ScenarioVersion& version);
   /// The draft goes on as this new exercise; the one that was opened is another window's.
-  void copied(const cusp::EditorStart& copy);
+  void copied(const EditorStart& copy);
   /// The tooth is there and shown.
   void ready();
 
@@ -103,4 +104,4 @@ class EditorPage : public QWidget {
   QVBoxLayout* contents_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,15 +6,16 @@
 #include <QPushButton>
 
 #include "scenarios/format/read.h"
-#include "ui/app/language.h"
-#include "ui/app/sentences.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/words_form.h"
+#include "ui/modules.h"
+#include "ui/text/language.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 Band* EditorPage::make_clash() {
   clash_ = new Band;
@@ -133,4 +134,4 @@ void EditorPage::publish_now() {
   Q_EMIT published(*version);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -11,7 +11,7 @@
 #include <QToolButton>
 
 #include "ui/editor/audit_page.h"
-#include "ui/editor/burrs_form.h"
+#include "ui/editor/burs_form.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_page_parts.h"
 #include "ui/editor/points_form.h"
@@ -24,7 +24,7 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kTopBar = 48, kLeft = 248, kRight = 368, kChecks = 80;  // px at 100 %
@@ -170,7 +170,7 @@ QWidget* EditorPage::make_right() {
   tabs_->tabBar()->setProperty("tight", true);  // six words in 368 px
   tabs_->addTab(scrolling(new ShapeForm(*model_)), tr("Shape"));
   tabs_->addTab(scrolling(new PointsForm(*model_)), tr("Points"));
-  tabs_->addTab(scrolling(new BurrsForm(*model_)), tr("Burrs"));
+  tabs_->addTab(scrolling(new BursForm(*model_)), tr("Burs"));
   tabs_->addTab(scrolling(new TissuesForm(*model_)), tr("Tissues"));
   tabs_->addTab(scrolling(new WordsForm(*model_)), tr("Words"));
   tabs_->addTab(scrolling(new AuditPage(*model_, [](const std::string& folder) { return audit_runner(folder); })), tr("Audit"));
@@ -211,4 +211,4 @@ QWidget* EditorPage::make_checks() {
   return bar;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "ui/app/language.h"
+#include "ui/text/language.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Of the tabs at the right.
-enum EditorTab { kShapeTab, kPointsTab, kBurrsTab, kTissuesTab, kWordsTab, kAuditTab };
+enum EditorTab { kShapeTab, kPointsTab, kBursTab, kTissuesTab, kWordsTab, kAuditTab };
 
 struct ShapeChoice {
   const char* key;
@@ -19,4 +19,4 @@ inline constexpr ShapeChoice kShapes[] = {{"outline", "fissures"}, {"channel", "
 /// Code of the language whose title stands at the top.
 inline std::string screen_language() { return current_language() == u"de" ? "de" : "en"; }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,8 +7,9 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +156,4 @@ Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& m
   return version;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,9 +5,10 @@
 
 #include "storage/store.h"
 #include "ui/editor/editor_model.h"
+#include "ui/modules.h"
 #include "ui/student/exercises.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Where an exercise's own volume lies while it is a draft: a folder for each exercise, beside the database.
 std::filesystem::path drafts_folder(const std::filesystem::path& database, ScenarioId scenario);
@@ -38,4 +39,4 @@ Stored<int> next_version(Store& store, const EditorModel& model);
 /// as `kept` of keep_draft; another window's draft stays.
 Stored<ScenarioVersion> publish(Store& store, const Actor& actor, EditorModel& model, std::optional<std::string>& draft);
 
-}  // namespace cusp
+}  // namespace cusp::ui

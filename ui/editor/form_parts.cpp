@@ -8,7 +8,7 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 NumberBox::NumberBox(EditorModel& model, const QString& name, const QString& unit, double least, double most,
                      double step, int decimals, std::function<bool(double)> take) {
@@ -73,4 +73,4 @@ void add_section(QBoxLayout* column, const QString& title, QLabel** aside) {
   column->addLayout(row);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,7 +8,7 @@
 class QBoxLayout;
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class EditorModel;
 
@@ -35,4 +35,4 @@ QLabel* add_row(QBoxLayout* column, const QString& label, QWidget* field);
 /// A section's title with quiet text at the right.
 void add_section(QBoxLayout* column, const QString& title, QLabel** aside = nullptr);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/drill/tooth_view.h"
 #include "ui/editor/target_view.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kBody = 14, kWhole = 22;                // px: a handle, and the room of its focus ring
@@ -180,4 +180,4 @@ void HandleKnob::focusOutEvent(QFocusEvent* event) {
   fit_mask();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -13,12 +13,13 @@
 #include "engine/removal/heat.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/library/library.h"
-#include "ui/app/sentences.h"
 #include "ui/editor/form_parts.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kOpenEnd = 1000;  // beyond what a go can reach in any unit
@@ -209,4 +210,4 @@ void PointsForm::follow_model() {
   add_->setEnabled(metric_->count() > 0);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

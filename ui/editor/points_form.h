@@ -12,7 +12,7 @@ class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class NumberBox;
 
@@ -49,4 +49,4 @@ class PointsForm : public QWidget {
 /// asks for the metric, bands that take no points.
 Bands first_bands(const std::string& metric, const Target& target);
 
-}  // namespace cusp
+}  // namespace cusp::ui

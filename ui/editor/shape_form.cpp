@@ -11,7 +11,7 @@
 #include "ui/editor/form_parts.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 // Leeway of three levels of block exercises, beginner to exam, mm.
@@ -186,4 +186,4 @@ void ShapeForm::show_point() {
   remove_->setEnabled(t.paths.size() > 1 || t.paths.front().size() > 2);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,7 +9,7 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class NumberBox;
 class Segments;
@@ -36,4 +36,4 @@ class ShapeForm : public QWidget {
 /// "Channel", "Fissure outline", "Box".
 QString shape_name(const std::string& shape);
 
-}  // namespace cusp
+}  // namespace cusp::ui

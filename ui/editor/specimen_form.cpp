@@ -12,14 +12,15 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/teeth/tooth.h"
-#include "ui/app/sentences.h"
 #include "ui/editor/form_parts.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/tooth_form.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kMostSeed = 999999;  // six digits are enough teeth, and can be told over the phone
@@ -216,4 +217,4 @@ void SpecimenForm::pick() {
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

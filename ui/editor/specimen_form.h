@@ -4,14 +4,14 @@
 
 #include <QWidget>
 
-#include "ui/app/ports.h"
 #include "ui/editor/editor_model.h"
+#include "ui/widgets/ports.h"
 
 class QComboBox;
 class QLabel;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class NumberBox;
@@ -49,4 +49,4 @@ class SpecimenForm : public QWidget {
 /// "36, lower left", "Practice block", "tooth.nrrd".
 QString specimen_name(const SpecimenSource& source);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,8 +8,9 @@
 #include "scenarios/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "scenarios/tissues/tissue_facts.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kPreviewMm = 0.25, kPreviewedBelowMm = 0.2;  // an eighth of the voxels, or less
@@ -146,4 +147,4 @@ std::optional<double> height_at(const Specimen& specimen, double x_mm, double y_
   return std::nullopt;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

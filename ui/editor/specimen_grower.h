@@ -12,8 +12,9 @@
 #include "scenarios/format/scenario.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/import_error.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct GrownSpecimen {
   SpecimenSource source;
@@ -38,9 +39,9 @@ class SpecimenGrower : public QObject {
  Q_SIGNALS:
   void progressed(double share);
   /// A fine tooth as coarse voxels, to be looked at while it grows.
-  void previewed(std::shared_ptr<const cusp::GrownSpecimen> specimen);
-  void grown(std::shared_ptr<const cusp::GrownSpecimen> specimen);
-  void failed(cusp::ImportFailure failure);
+  void previewed(std::shared_ptr<const GrownSpecimen> specimen);
+  void grown(std::shared_ptr<const GrownSpecimen> specimen);
+  void failed(ImportFailure failure);
 
  private:
   struct Job {
@@ -57,4 +58,4 @@ std::vector<ScenarioTissue> usual_tissues(const std::vector<Tissue>& tissues);
 /// Highest solid place under x, y; nullopt beside the specimen.
 std::optional<double> height_at(const Specimen& specimen, double x_mm, double y_mm);
 
-}  // namespace cusp
+}  // namespace cusp::ui

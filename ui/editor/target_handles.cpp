@@ -5,7 +5,7 @@
 
 #include "ui/editor/editor_model.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 double rounded(double mm) { return std::round(mm / kHandleStepMm) * kHandleStepMm; }
@@ -94,4 +94,4 @@ Target moved(const Target& target, const TargetHandle& handle, Vec3 to) {
   return t;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct TargetHandle {
   enum class Kind { point, width, size_x, size_y, depth };
@@ -27,4 +28,4 @@ std::vector<TargetHandle> handles_of(const Target& target);
 /// Pre: the handle is one of handles_of(target).
 Target moved(const Target& target, const TargetHandle& handle, Vec3 to_mm);
 
-}  // namespace cusp
+}  // namespace cusp::ui

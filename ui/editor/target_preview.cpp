@@ -4,12 +4,13 @@
 #include <array>
 
 #include "scenarios/shapes/outline.h"
+#include "ui/modules.h"
 #include "ui/render/target_look.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
-/// Takes the target's inside away: the cut field is the distance to the target's wall, as a burr that met it would
+/// Takes the target's inside away: the cut field is the distance to the target's wall, as a bur that met it would
 /// leave it.
 void carve_target(Volume& volume, const TargetShape& shape) {
   const Grid& grid = volume.grid();
@@ -64,4 +65,4 @@ TargetPreview make_preview(const PreviewWish& wish) {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,10 +7,11 @@
 
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 #include "ui/render/overlay_line.h"
 #include "ui/render/patch_feed.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct PreviewWish {
   std::shared_ptr<const Volume> whole;
@@ -28,4 +29,4 @@ struct TargetPreview {
 std::vector<OverlayLine> preview_lines(const PreviewWish& wish);
 TargetPreview make_preview(const PreviewWish& wish);
 
-}  // namespace cusp
+}  // namespace cusp::ui

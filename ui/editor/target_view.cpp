@@ -11,14 +11,14 @@
 #include <array>
 #include <cmath>
 
-#include "ui/drill/tooth_view.h"
 #include "ui/editor/depth_arrow.h"
 #include "ui/editor/target_preview.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kFirstPitch = 1.2;                  // radians: from above, yet the floor's depth is seen
@@ -353,4 +353,4 @@ void TargetView::resizeEvent(QResizeEvent* event) {
   place_all();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

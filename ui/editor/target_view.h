@@ -16,7 +16,7 @@
 class QFrame;
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class DepthArrow;
 class HandleKnob;
@@ -95,4 +95,4 @@ class HandleKnob : public QWidget {
   bool dragging_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,11 +10,12 @@
 
 #include "scenarios/format/keys.h"
 #include "scenarios/tissues/tissue_facts.h"
-#include "ui/app/sentences.h"
 #include "ui/editor/form_parts.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Keys of the list, in its order; the first is none.
@@ -58,7 +59,7 @@ TissuesForm::TissuesForm(EditorModel& model, QWidget* parent) : QWidget(parent),
     connect(out, &QCheckBox::toggled, this, [this, key](bool on) { model_.set_phenomenon(key, on); });
     return out;
   };
-  vibration_ = box(tr("Burr vibrates in the hand"), "vibration");
+  vibration_ = box(tr("Bur vibrates in the hand"), "vibration");
   sound_ = box(tr("Drilling sound"), "sound");
   heat_ = box(tr("Coolant and heat"), "heat");
   friction_ = box(tr("Friction"), "friction");
@@ -140,4 +141,4 @@ void TissuesForm::follow_model() {
   sound_->setEnabled(handpiece > 0);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -11,7 +11,7 @@ class QComboBox;
 class QLabel;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class NumberBox;
 
@@ -40,4 +40,4 @@ class TissuesForm : public QWidget {
 /// Where a figure comes from, in words: set here, the usual one with its source, or the usual one that nobody verified.
 QString figure_note(double value, double usual, const std::string& source, bool verified);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,10 +12,11 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/teeth/caries.h"
 #include "ui/editor/form_parts.h"
+#include "ui/modules.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr std::size_t kMostLesions = 4;  // more than a tooth that is still drilled has
@@ -252,4 +253,4 @@ void ToothForm::follow_model() {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

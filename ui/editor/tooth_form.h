@@ -13,7 +13,7 @@ class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class NumberBox;
 
@@ -50,4 +50,4 @@ class ToothForm : public QWidget {
 /// The sites of a tooth's decay that still stand when it becomes another tooth.
 void keep_possible_lesions(SpecimenSource& source);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,7 +8,7 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr const char* kLanguages[] = {"en", "de"};
@@ -74,4 +74,4 @@ void WordsForm::follow_model() {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

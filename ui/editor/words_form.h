@@ -8,7 +8,7 @@
 class QLineEdit;
 class QPlainTextEdit;
 
-namespace cusp {
+namespace cusp::ui {
 
 class WordsForm : public QWidget {
   Q_OBJECT
@@ -30,4 +30,4 @@ LocalText title_of_copy(const LocalText& title);
 
 void show_text(QLineEdit& edit, const LocalText& texts, const std::string& language);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,8 +7,9 @@
 #include "ui/editor/editor_records.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/instructor/import_page.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const std::string& name,
                                                const std::filesystem::path& database) {
@@ -46,4 +47,4 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
   return start;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -11,16 +11,16 @@
 #include <array>
 #include <cmath>
 
-#include "ui/app/import_words.h"
-#include "ui/app/sentences.h"
 #include "ui/instructor/slice_view.h"
 #include "ui/render/colours.h"
+#include "ui/text/import_text.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr std::array kTissues = {Tissue::enamel, Tissue::carious_enamel, Tissue::dentine, Tissue::carious_dentine,
@@ -315,4 +315,4 @@ void VolumeForm::show_tissues() {
   Q_EMIT changed();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

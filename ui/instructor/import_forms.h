@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "scenarios/import/import.h"
+#include "ui/modules.h"
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class NumberField;
 class SliceView;
@@ -87,4 +88,4 @@ class VolumeForm : public QWidget {
   SliceView* view_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

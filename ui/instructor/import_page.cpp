@@ -15,16 +15,17 @@
 #include <cmath>
 
 #include "scenarios/import/worker.h"
-#include "ui/app/import_words.h"
-#include "ui/app/sentences.h"
 #include "ui/instructor/import_forms.h"
 #include "ui/instructor/import_preview.h"
 #include "ui/instructor/import_size.h"
+#include "ui/modules.h"
+#include "ui/text/import_text.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// One of the import's own answers, told on the window's thread while the page is still there.
@@ -368,4 +369,4 @@ void ImportPage::keep() {
   Q_EMIT edit_wanted(*start);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

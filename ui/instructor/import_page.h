@@ -12,14 +12,15 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/import/import.h"
-#include "ui/app/ports.h"
 #include "ui/editor/editor_model.h"
+#include "ui/modules.h"
+#include "ui/widgets/ports.h"
 
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class Busy;
@@ -51,7 +52,7 @@ class ImportPage : public QWidget {
  Q_SIGNALS:
   void back_wanted();
   /// The volume is kept; a new exercise on it is ready to be edited.
-  void edit_wanted(const cusp::EditorStart& start);
+  void edit_wanted(const EditorStart& start);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -93,4 +94,4 @@ class ImportPage : public QWidget {
 Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const std::string& name,
                                                const std::filesystem::path& database);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -14,15 +14,16 @@
 #include "engine/volume/cut_volume.h"
 #include "engine/volume/volume.h"
 #include "scenarios/import/quarter_turn.h"
-#include "ui/app/import_words.h"
-#include "ui/app/sentences.h"
-#include "ui/drill/tooth_view.h"
+#include "ui/modules.h"
 #include "ui/render/patch_feed.h"
+#include "ui/text/import_text.h"
+#include "ui/text/sentences.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kPitch = 0.45;        // radians: the front is seen, and enough of the chewing surface
@@ -176,4 +177,4 @@ void ImportPreview::turn(int axis, int quarters) {
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -11,10 +11,11 @@
 #include "engine/volume/specimen.h"
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/import/remarks.h"
+#include "ui/modules.h"
 
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class PatchFeed;
 class ToothView;
@@ -57,4 +58,4 @@ class ImportPreview : public QWidget {
   QLabel *facts_, *warnings_, *notes_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,13 +9,14 @@
 
 #include "scenarios/import/import.h"
 #include "scenarios/import/size_question.h"
-#include "ui/app/import_words.h"
+#include "ui/modules.h"
+#include "ui/text/import_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kDefaultVoxelMm = 0.1;
@@ -155,4 +156,4 @@ void ImportSize::answer(double factor) {
   Q_EMIT changed();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

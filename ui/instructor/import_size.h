@@ -6,12 +6,13 @@
 #include <optional>
 
 #include "scenarios/import/up_axis.h"
+#include "ui/modules.h"
 
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class NumberField;
 
@@ -54,4 +55,4 @@ class ImportSize : public QWidget {
   QHBoxLayout* answers_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

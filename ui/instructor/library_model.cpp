@@ -3,13 +3,14 @@
 #include <QDateTime>
 
 #include "scenarios/format/read.h"
-#include "ui/app/sentences.h"
 #include "ui/editor/specimen_form.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 Stored<Library> load_library(Store& store, const Actor& actor) {
   auto list = load_exercises(store);
@@ -91,4 +92,4 @@ QVariant LibraryModel::headerData(int section, Qt::Orientation orientation, int 
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

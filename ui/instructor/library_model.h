@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "storage/store.h"
+#include "ui/modules.h"
 #include "ui/student/exercises.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct LibraryRow {
   std::optional<Exercise> exercise;  // nullopt: a draft that was never published
@@ -42,4 +43,4 @@ class LibraryModel : public QAbstractTableModel {
   std::vector<LibraryRow> rows_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,13 +4,14 @@
 #include <QPushButton>
 
 #include "scenarios/library/library.h"
-#include "ui/app/sentences.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/words_form.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr const char* kBlankExercise = "channel-1";  // a new exercise begins on the plain block
@@ -143,4 +144,4 @@ void LibraryPage::begin_as_copy(const Exercise& pattern, const LocalText& title)
   Q_EMIT edit_wanted(*start);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

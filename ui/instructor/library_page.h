@@ -5,11 +5,12 @@
 #include <filesystem>
 
 #include "storage/store.h"
-#include "ui/app/ports.h"
 #include "ui/editor/editor_model.h"
 #include "ui/instructor/library_model.h"
+#include "ui/modules.h"
+#include "ui/widgets/ports.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class Table;
@@ -32,7 +33,7 @@ class LibraryPage : public QWidget {
   void discard_draft();
 
  Q_SIGNALS:
-  void edit_wanted(const cusp::EditorStart& start);
+  void edit_wanted(const EditorStart& start);
   void import_wanted();
 
  private:
@@ -51,4 +52,4 @@ class LibraryPage : public QWidget {
   class QPushButton* discard_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

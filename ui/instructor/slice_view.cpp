@@ -12,7 +12,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kPictureEdge = 260;
@@ -140,4 +140,4 @@ QImage SliceView::picture() const {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

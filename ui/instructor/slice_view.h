@@ -7,12 +7,13 @@
 
 #include "engine/volume/tissue.h"
 #include "scenarios/import/import.h"
+#include "ui/modules.h"
 
 class QImage;
 class QLabel;
 class QSlider;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Segments;
 
@@ -46,4 +47,4 @@ class SliceView : public QWidget {
   QLabel* where_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,7 +1,8 @@
 // A build without the importers (CUSP_IMPORT off) has the page, and says of every file that it cannot be read here.
 #include "scenarios/import/worker.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 std::unexpected<ImportFailure> absent(const std::filesystem::path& file) { return fail(ImportError::not_started, file.filename().string()); }
@@ -24,4 +25,4 @@ Result<VoxelVolume, ImportFailure> import_image_in_child(const ImageImport& what
   return absent(what.path);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

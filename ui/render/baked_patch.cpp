@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Directions over the half sphere about +z, weighted as a matt surface receives light: two rings and the pole.
@@ -146,4 +146,4 @@ BakedPatch bake_patch(const Volume& volume, const Patch& patch, const std::funct
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,16 +7,17 @@
 #include <vector>
 
 #include "engine/mirror/surface_patches.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct PackedVertex {
   float position_mm[3];
   std::int16_t normal[4];  // unit in 1/32767; the fourth is unused
   std::uint8_t tissue;
-  std::uint8_t cut;        // 255 where a burr left the surface, else 0
+  std::uint8_t cut;        // 255 where a bur left the surface, else 0
   std::uint8_t ambient;    // light that reaches the place from around, 0 to 255
-  std::uint8_t beyond;     // 255 where a burr went further than the leeway allows, else 0
+  std::uint8_t beyond;     // 255 where a bur went further than the leeway allows, else 0
   float value;             // mm from the target: above 0 cut too far, below 0 left standing
 };
 static_assert(sizeof(PackedVertex) == 28);
@@ -41,7 +42,7 @@ struct Deviation {
   float mm = 0.0f;      // above 0 cut too far, below 0 left standing, 0 where nothing was to be done
   bool beyond = false;  // cut further than the leeway allows
 };
-/// `cut` tells whether a burr left the surface there.
+/// `cut` tells whether a bur left the surface there.
 using DeviationAt = std::function<Deviation(Vec3 mm, bool cut)>;
 
 /// Packs a patch. Of the triangles under its neighbours those stay that reach a brick for which `is_fine` is true (empty:
@@ -52,4 +53,4 @@ BakedPatch bake_patch(const Volume& volume, const Patch& patch, const std::funct
 /// Light from around that reaches a surface place, 0 to 1: short rays through the volume, soft at the surface.
 float ambient_at(const Volume& volume, Vec3 at_mm, Vec3 normal) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 // A long lens, as an intra-oral camera: little distortion at the cusps.
 constexpr double kFieldOfView = 28.0 * std::numbers::pi / 180.0;  // upright
@@ -109,4 +109,4 @@ std::optional<glm::dvec2> Camera::project(Vec3 mm, double width_px, double heigh
   return glm::dvec2((x + 1) / 2 * width_px, (1 - y) / 2 * height_px);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,7 +7,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Ray {
   Vec3 from_mm{0.0};
@@ -70,4 +70,4 @@ class Camera {
   bool mirrored_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

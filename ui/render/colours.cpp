@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "scenarios/tissues/tissue_facts.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 std::array<Colour, kTissueCodes> tissue_colours() noexcept {
   std::array<Colour, kTissueCodes> out{};
@@ -25,4 +26,4 @@ Colour difference_colour(float mm) noexcept {
              (size - kDifferenceHalfMm) / (kDifferenceEndMm - kDifferenceHalfMm));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,8 +7,9 @@
 
 #include "engine/base/vec.h"
 #include "engine/volume/tissue.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// sRGB, 0 to 1.
 struct Colour {
@@ -41,4 +42,4 @@ inline constexpr float kDifferenceQuietMm = 0.1f;  // within it: on target
 /// Difference colour of a deviation in mm (for legends; the tooth pass does the same on the tooth).
 Colour difference_colour(float mm) noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace cusp {
+namespace cusp::ui {
 
 class EglContext {
  public:
@@ -33,4 +33,4 @@ class EglContext {
   int width_ = 0, height_ = 0;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

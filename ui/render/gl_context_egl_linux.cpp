@@ -8,7 +8,7 @@
 
 #include "ui/render/gl_context_egl.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// EGL gives every caller the same display, and eglTerminate() ends it for all of them: a picture that is done on one
@@ -127,4 +127,4 @@ std::vector<std::uint8_t> EglContext::read_rgba() const {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,7 +4,7 @@
 
 #include "ui/render/shaders.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 const char* text_of(const std::string& name) {
@@ -75,4 +75,4 @@ GLint GlProgram::place(const char* name) {
   return it->second;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,7 +10,7 @@
 #include "engine/base/vec.h"
 #include "ui/render/colours.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class GlProgram {
  public:
@@ -53,4 +53,4 @@ struct FrameView {
   float line_scale = 1.0f;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr GLint kSpareVertices = 16, kSpareIndices = 96;  // room to grow while a cut makes a patch rougher
@@ -171,4 +171,4 @@ MeshBuffers::Drawn MeshBuffers::draw(const glm::mat4& clip_from_world, Vec3f eye
   return drawn;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,7 +10,7 @@
 
 #include "ui/render/baked_patch.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class MeshBuffers {
  public:
@@ -58,4 +58,4 @@ class MeshBuffers {
   std::vector<GLint> bases_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

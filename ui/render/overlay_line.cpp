@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "engine/mirror/surface_patches.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Where the field crosses an edge of the mesh: the same place from both triangles, known by its quantised position.
@@ -150,4 +151,4 @@ std::vector<OverlayLine> target_lines(const Volume& uncut, const std::function<d
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "engine/volume/volume.h"
+#include "ui/modules.h"
 #include "ui/render/baked_patch.h"
 #include "ui/render/colours.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct LineStyle {
   Colour colour = kTargetLine;
@@ -39,4 +40,4 @@ std::vector<OverlayLine> contour_lines(std::span<const BakedPatch* const> patche
 std::vector<OverlayLine> target_lines(const Volume& uncut, const std::function<double(Vec3 mm)>& sideways_mm,
                                       double leeway_mm);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 struct LineVertex {
@@ -84,4 +84,4 @@ void OverlayPass::draw(const FrameView& view) {
   glDisable(GL_BLEND);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

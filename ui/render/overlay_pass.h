@@ -7,7 +7,7 @@
 #include "ui/render/gl_program.h"
 #include "ui/render/overlay_line.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class OverlayPass {
  public:
@@ -27,4 +27,4 @@ class OverlayPass {
   std::vector<Range> ranges_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

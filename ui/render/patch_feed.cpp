@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Voxels about a patch that its points read: a cell's point looks a few voxels beyond the cell.
@@ -162,4 +162,4 @@ bool PatchFeed::empty() const {
   return waiting_.empty();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -11,7 +11,7 @@
 
 #include "ui/render/baked_patch.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Box in the specimen frame, mm.
 struct Box {
@@ -20,7 +20,7 @@ struct Box {
 };
 
 struct FeedSettings {
-  /// Inside it patches are fine; outside coarse where the surface is smooth and until a burr comes. An empty box
+  /// Inside it patches are fine; outside coarse where the surface is smooth and until a bur comes. An empty box
   /// (low == high): all fine.
   Box region;
   DeviationAt deviation;
@@ -61,11 +61,11 @@ class PatchFeed {
   void put(BakedPatch patch, bool live);
 
   FeedSettings settings_;
-  std::vector<std::uint8_t> level_;               // [brick] fine in the region, where a burr was, and where it is rough
+  std::vector<std::uint8_t> level_;               // [brick] fine in the region, where a bur was, and where it is rough
   std::vector<std::vector<std::uint16_t>> seen_;  // [brick] cut values at the last build, for the extent of a change
   mutable std::mutex mutex_;                      // guards waiting_; held for a move of a patch, never by the loop
   std::map<int, Waiting> waiting_;                // [brick]
   TickTimes changes_;                             // not yet shown; told when the last live patch has gone out
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Distance at which a ray enters a box, or nothing.
@@ -96,4 +96,4 @@ std::size_t PatchStore::triangles() const noexcept {
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,7 +8,7 @@
 #include "ui/render/camera.h"
 #include "ui/render/patch_feed.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct PickedPoint {
   Vec3 at_mm{0.0};
@@ -37,4 +37,4 @@ class PatchStore {
   std::unordered_map<int, BakedPatch> patches_;  // [brick]
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

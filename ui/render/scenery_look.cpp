@@ -7,8 +7,9 @@
 #include <mutex>
 
 #include "scenarios/specimens.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr float kPieceMm = 4.0f;  // on a side: a side of a crown, so that the far one can be skipped
@@ -104,4 +105,4 @@ std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, Toot
   return kept;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

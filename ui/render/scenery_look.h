@@ -8,9 +8,10 @@
 #include "scenarios/format/scenario.h"
 #include "scenarios/teeth/scenery.h"
 #include "scenarios/teeth/tooth.h"
+#include "ui/modules.h"
 #include "ui/render/patch_feed.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class SceneryLook {
  public:
@@ -35,4 +36,4 @@ class SceneryLook {
 /// the last one asked for is kept, so that drilling, report and picture share it. Null, too, once *cancel is true before it has grown.
 std::shared_ptr<const SceneryLook> scenery_of(const SpecimenSource& source, ToothCancel cancel = nullptr);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 struct Segment {
@@ -126,4 +126,4 @@ std::vector<SceneryPixel> scenery_in_section(const SceneryLook& scenery, const S
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "engine/volume/tissue.h"
+#include "ui/modules.h"
 #include "ui/render/scenery_look.h"
 #include "ui/render/section.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// What a pixel of a section shows of the scenery.
 struct SceneryPixel {
@@ -20,4 +21,4 @@ struct SceneryPixel {
 inline constexpr double kSkinMm = 0.9;
 std::vector<SceneryPixel> scenery_in_section(const SceneryLook& scenery, const SectionSettings& settings);
 
-}  // namespace cusp
+}  // namespace cusp::ui

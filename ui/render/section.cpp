@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "engine/tool/swept.h"
+#include "ui/modules.h"
 #include "ui/render/scenery_section.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 std::uint32_t packed(Colour c) {
@@ -98,16 +99,16 @@ class PlaneField {
   std::vector<float> values_;
 };
 
-/// How far a place lies within the burr, mm; above 0 outside.
-double burr_distance(const Burr& burr, Vec3 from_pivot, Vec3 axis) {
+/// How far a place lies within the bur, mm; above 0 outside.
+double bur_distance(const Bur& bur, Vec3 from_pivot, Vec3 axis) {
   const double along = glm::dot(from_pivot, axis);
   const double across = glm::length(from_pivot - along * axis);
-  double d = head_distance(burr, axis, from_pivot);
+  double d = head_distance(bur, axis, from_pivot);
   const auto rod = [&](double low, double high, double radius) {
     return std::max({across - radius, low - along, along - high});
   };
-  d = std::min(d, rod(0, burr.neck_length_mm, burr.neck_radius_mm));
-  return std::min(d, rod(burr.neck_length_mm, burr.neck_length_mm + burr.shank_length_mm, burr.shank_radius_mm));
+  d = std::min(d, rod(0, bur.neck_length_mm, bur.neck_radius_mm));
+  return std::min(d, rod(bur.neck_length_mm, bur.neck_length_mm + bur.shank_length_mm, bur.shank_radius_mm));
 }
 
 float line(double distance_px, double half_width_px) {
@@ -161,8 +162,8 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) >= kHalf) {
         c = over(c, kTargetLine, 0.10f);  // what was taken away as it should be
       }
-      if (settings.burr) {
-        const double b_px = burr_distance(*settings.burr, at - settings.pivot_mm, settings.axis) * px_per_mm;
+      if (settings.bur) {
+        const double b_px = bur_distance(*settings.bur, at - settings.pivot_mm, settings.axis) * px_per_mm;
         if (b_px < 1.0) {
           c = over(c, settings.metal, static_cast<float>(std::clamp(0.5 - b_px, 0.0, 1.0)));
           c = over(c, settings.edge, line(b_px, 0.5));
@@ -178,4 +179,4 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// A flat cut through specimen, target and burr, as a picture: the section panel, and the lid of the cutaway.
+/// A flat cut through specimen, target and bur, as a picture: the section panel, and the lid of the cutaway.
 /// Thread: the volume's owner; the image is a plain value.
 #pragma once
 
@@ -8,11 +8,12 @@
 #include <optional>
 #include <vector>
 
-#include "engine/tool/burr.h"
+#include "engine/tool/bur.h"
 #include "engine/volume/volume.h"
+#include "ui/modules.h"
 #include "ui/render/colours.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class SceneryLook;
 
@@ -40,7 +41,7 @@ struct SectionSettings {
   std::function<double(Vec3 mm)> target;
   std::function<double(Vec3 mm)> leeway;
   std::shared_ptr<const SceneryLook> scenery;  // drawn where the specimen never had tissue; null: none
-  std::optional<Burr> burr;
+  std::optional<Bur> bur;
   Vec3 pivot_mm{0.0};
   Vec3 axis{0.0, 0.0, 1.0};
   Colour edge = kTargetCasing;      // line round the tissue
@@ -50,4 +51,4 @@ struct SectionSettings {
 /// Transparent where nothing is.
 SectionImage draw_section(const Volume& volume, const SectionSettings& settings);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace cusp {
+namespace cusp::ui {
 
 struct ShaderText {
   std::string_view name;  // file name, "tooth.vert.glsl"
@@ -13,4 +13,4 @@ struct ShaderText {
 
 std::span<const ShaderText> shader_texts() noexcept;
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,7 +12,7 @@
 
 #include "ui/render/gl_context_egl.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Half the size, four pixels into one: the edges come out smooth without multisampling.
@@ -137,4 +137,4 @@ Result<void, PictureFailure> write_tooth_png(const std::string& path, const Volu
   return write_png(path, *picture);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

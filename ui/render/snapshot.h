@@ -9,7 +9,7 @@
 #include "engine/base/result.h"
 #include "ui/render/tooth_picture.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class PictureError : std::uint8_t {
   no_opengl,     // no context, or an older one than 3.3; detail: which call failed
@@ -46,4 +46,4 @@ Result<void, PictureFailure> write_png(const std::string& path, const Picture& p
 Result<void, PictureFailure> write_tooth_png(const std::string& path, const Volume& volume,
                                              const PictureRequest& request);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "scenarios/shapes/leeway.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
-constexpr double kRegionMarginMm = 0.4;  // what a burr reaches beyond it becomes fine anyway
+constexpr double kRegionMarginMm = 0.4;  // what a bur reaches beyond it becomes fine anyway
 }
 
 TargetLook::TargetLook(const Target& target, const Leeway& leeway)
@@ -56,4 +57,4 @@ void TargetLook::put_into(SectionSettings& section) const {
   };
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,12 +6,13 @@
 
 #include "scenarios/format/scenario.h"
 #include "scenarios/shapes/outline.h"
+#include "ui/modules.h"
 #include "ui/render/baked_patch.h"
 #include "ui/render/overlay_line.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/section.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class TargetLook {
  public:
@@ -36,4 +37,4 @@ class TargetLook {
   Leeway leeway_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

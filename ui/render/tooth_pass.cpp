@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace cusp {
+namespace cusp::ui {
 
 MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, const Scene3d& scene,
                                    glm::vec4 clip_plane) {
@@ -26,16 +26,16 @@ MeshBuffers::Drawn ToothPass::draw(MeshBuffers& mesh, const FrameView& view, con
   std::array<glm::vec3, 5> map;
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = linear(kDifference[i]);
   program.set_array("map_colour", map.data(), static_cast<int>(map.size()));
-  glm::vec4 burr(0.0f);
+  glm::vec4 bur(0.0f);
   glm::vec3 axis(0.0f, 0.0f, 1.0f);
-  if (scene.burr) {
-    burr = glm::vec4(glm::vec3(scene.burr->pivot_mm), static_cast<float>(scene.burr->burr.radius_mm));
-    axis = glm::vec3(scene.burr->axis);
+  if (scene.bur) {
+    bur = glm::vec4(glm::vec3(scene.bur->pivot_mm), static_cast<float>(scene.bur->bur.radius_mm));
+    axis = glm::vec3(scene.bur->axis);
   }
   program.set("lamp", view.lamp);
-  program.set("burr", burr);
-  program.set("burr_axis", axis);
+  program.set("bur", bur);
+  program.set("bur_axis", axis);
   return mesh.draw(view.clip_from_world, view.eye, clip_plane);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

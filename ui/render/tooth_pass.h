@@ -8,7 +8,7 @@
 #include "ui/render/mesh_buffers.h"
 #include "ui/render/tooth_picture.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class ToothPass {
  public:
@@ -22,4 +22,4 @@ class ToothPass {
   GlProgram by_tissue_, by_deviation_;  // two programs: a branch costs software OpenGL both of its sides
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-#include "ui/render/burr_pass.h"
+#include "ui/render/bur_pass.h"
 #include "ui/render/gl_program.h"
 #include "ui/render/mesh_buffers.h"
 #include "ui/render/overlay_pass.h"
 #include "ui/render/tooth_pass.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
-// Everything lies within it of the camera's centre: a tooth is 25 mm long, a burr with its shank 20.
+// Everything lies within it of the camera's centre: a tooth is 25 mm long, a bur with its shank 20.
 constexpr double kReachMm = 60.0;
 
 /// Background, and the lid of a cutaway: one quad each, too small for files of their own.
@@ -80,7 +80,7 @@ struct ToothPicture::Inner {
   Box scenery_bounds;
   ToothPass tooth;
   OverlayPass overlay;
-  BurrPass burr;
+  BurPass bur;
   FlatPasses flat;
 };
 
@@ -95,7 +95,7 @@ std::unique_ptr<ToothPicture> ToothPicture::create(std::string* why) {
     std::unique_ptr<ToothPicture> out(new ToothPicture);
     out->inner_ = std::make_unique<Inner>();
     Inner& in = *out->inner_;
-    if (in.tooth.create(reason) && in.overlay.create(reason) && in.burr.create(reason) && in.flat.create(reason))
+    if (in.tooth.create(reason) && in.overlay.create(reason) && in.bur.create(reason) && in.flat.create(reason))
       return out;
   }
   if (why != nullptr) *why = reason;
@@ -163,11 +163,11 @@ DrawStats ToothPicture::draw(const Scene3d& scene, int width_px, int height_px) 
     in.flat.lid(view);
     glEnable(GL_CULL_FACE);
   }
-  if (scene.burr) in.burr.draw(view, *scene.burr);
+  if (scene.bur) in.bur.draw(view, *scene.bur);
   if (scene.show_target && !scene.cutaway) in.overlay.draw(view);
   glBindVertexArray(0);
   glUseProgram(0);
   return {drawn.triangles, drawn.bricks};
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

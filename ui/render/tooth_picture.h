@@ -1,4 +1,4 @@
-/// The whole 3D view: background, tooth, target lines, cutaway and burr, drawn into the framebuffer that is bound in
+/// The whole 3D view: background, tooth, target lines, cutaway and bur, drawn into the framebuffer that is bound in
 /// the current OpenGL 3.3 core context. No window, no Qt. Thread: the one that holds the context; needs it current from
 /// create() to destruction.
 #pragma once
@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/tool/burr.h"
+#include "engine/tool/bur.h"
+#include "ui/modules.h"
 #include "ui/render/camera.h"
 #include "ui/render/colours.h"
 #include "ui/render/overlay_line.h"
@@ -16,15 +17,15 @@
 #include "ui/render/scenery_look.h"
 #include "ui/render/section.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class Colouring : std::uint8_t {
   tissue,     // as a tooth looks; a cut beyond the leeway is hatched
   deviation,  // difference map of the report
 };
 
-struct BurrPose {
-  Burr burr;
+struct BurPose {
+  Bur bur;
   Vec3 pivot_mm{0.0};
   Vec3 axis{0.0, 0.0, 1.0};  // unit, from ball to shank
   bool turning = false;
@@ -36,7 +37,7 @@ struct Scene3d {
   Colour background_middle = colour_of(0xCDD4DC), background_edge = colour_of(0xAFB8C3);  // the theme's "view"
   Colouring colouring = Colouring::tissue;
   bool show_target = true;                // tint of what is still to be removed, the lines, hatching of what went too far
-  std::optional<BurrPose> burr;
+  std::optional<BurPose> bur;
   std::optional<SectionPlane> cutaway;    // what lies on the plane's front side is taken away
   float line_scale = 1.0f;                // device pixels a pixel, for the widths of lines
 };
@@ -70,4 +71,4 @@ class ToothPicture {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,11 +6,12 @@
 #include <algorithm>
 
 #include "scenarios/grading/maxima.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kRow = 23;  // px at 100 %
@@ -94,4 +95,4 @@ void AgainstBefore::paintEvent(QPaintEvent*) {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

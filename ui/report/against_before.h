@@ -5,8 +5,9 @@
 #include <QWidget>
 
 #include "scenarios/grading/grade.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class AgainstBefore : public QWidget {
   Q_OBJECT
@@ -33,4 +34,4 @@ class AgainstBefore : public QWidget {
   QVector<Row> rows_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

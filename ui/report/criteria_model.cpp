@@ -1,9 +1,9 @@
 #include "ui/report/criteria_model.h"
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 CriteriaModel::CriteriaModel(const Grade& grade, const Rubric& rubric, QObject* parent)
     : QAbstractTableModel(parent), grade_(grade), points_(scaled_points(grade)), rubric_(rubric) {}
@@ -109,4 +109,4 @@ QVariant CriteriaModel::headerData(int section, Qt::Orientation orientation, int
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

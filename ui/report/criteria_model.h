@@ -5,10 +5,11 @@
 
 #include "scenarios/grading/grade.h"
 #include "scenarios/grading/maxima.h"
+#include "ui/modules.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class CriteriaModel : public QAbstractTableModel {
   Q_OBJECT
@@ -36,4 +37,4 @@ class CriteriaModel : public QAbstractTableModel {
   bool compact_ = false;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

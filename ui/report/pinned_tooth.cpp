@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/drill/tooth_view.h"
 #include "ui/render/target_look.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Ring round the pinned place; lets the mouse through.
@@ -228,4 +228,4 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

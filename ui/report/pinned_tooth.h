@@ -9,12 +9,13 @@
 
 #include "engine/volume/volume.h"
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 #include "ui/render/scenery_look.h"
 #include "ui/report/place_view.h"
 
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class PinLeader;
 class ToothView;
@@ -65,4 +66,4 @@ class DeviationLegend : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

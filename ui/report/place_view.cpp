@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kTurns = 16;  // views about the tooth's axis
@@ -44,4 +44,4 @@ Camera look_at_place(const Camera& now, const Meshes& meshes, Vec3 place_mm) {
   return best;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 #include "ui/render/camera.h"
 #include "ui/render/patch_store.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Meshes that may hide a place: the tooth itself, and what stands about it. None is null.
 using Meshes = std::vector<const PatchStore*>;
@@ -19,4 +19,4 @@ bool seen_from(const Camera& camera, const Meshes& meshes, Vec3 place_mm);
 /// none shows it, the view from above. The first mesh is the tooth. Tries some hundred rays: about 10 ms for a molar.
 Camera look_at_place(const Camera& now, const Meshes& meshes, Vec3 place_mm);
 
-}  // namespace cusp
+}  // namespace cusp::ui

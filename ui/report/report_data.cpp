@@ -3,17 +3,18 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "ui/app/burr_words.h"
 #include "scenarios/grading/grader.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
 #include "ui/render/target_look.h"
+#include "ui/text/bur_text.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 struct Words {
-  Q_DECLARE_TR_FUNCTIONS(cusp::Report)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
 };
 
 constexpr double kCrownMm = 4.0;  // below the specimen's top: about what of a molar is cut
@@ -43,10 +44,10 @@ ReportData gather_report(const RunResult& result, Store* store, const Actor* rea
     data.go = details->row.go;
   }
   if (const auto chunks = store->traces.chunks(result.session)) {
-    BurrUse use;
+    BurUse use;
     for (const ChunkInfo& chunk : *chunks)
       if (const auto inputs = store->traces.inputs(result.session, chunk.number)) use.add(*inputs);
-    data.burrs = use.spans();
+    data.burs = use.spans();
   }
   if (!data.peak_push_n) {
     if (const auto seconds = store->metrics.over_time(result.session); seconds && !seconds->empty()) {
@@ -100,15 +101,15 @@ QString circumstances_text(const ReportData& data) {
   return parts.join(u" · "_qs);
 }
 
-QStringList burrs_used_text(const ReportData& data) {
+QStringList burs_used_text(const ReportData& data) {
   constexpr int kMostSpans = 4;  // of a line; a go with more changes says so
   QStringList lines;
-  const std::vector<Burr>& burrs = data.result.scenario.instruments;
-  for (std::size_t i = 0; i < burrs.size(); ++i) {
+  const std::vector<Bur>& burs = data.result.scenario.instruments;
+  for (std::size_t i = 0; i < burs.size(); ++i) {
     QStringList spans;
     int more = 0;
-    for (const BurrSpan& span : data.burrs) {
-      if (span.burr != i) continue;
+    for (const BurSpan& span : data.burs) {
+      if (span.bur != i) continue;
       if (spans.size() == kMostSpans) {
         ++more;
         continue;
@@ -119,8 +120,8 @@ QStringList burrs_used_text(const ReportData& data) {
     }
     if (spans.isEmpty()) continue;
     if (more > 0) spans += Words::tr("and %n more", nullptr, more);
-    //: A burr, and when it was used.
-    lines += Words::tr("Burr %1: %2").arg(burr_text(burrs[i]), spans.join(Words::tr(", ")));
+    //: A bur, and when it was used.
+    lines += Words::tr("Bur %1: %2").arg(bur_text(burs[i]), spans.join(Words::tr(", ")));
   }
   return lines;
 }
@@ -154,4 +155,4 @@ QString picture_failure_text(const PictureFailure& failure) {
   return Words::tr("The tooth could not be drawn (%1).").arg(cause);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

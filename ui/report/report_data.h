@@ -11,12 +11,13 @@
 
 #include "scenarios/grading/maxima.h"
 #include "storage/store.h"
-#include "ui/app/critical_events.h"
+#include "ui/modules.h"
 #include "ui/render/snapshot.h"
-#include "ui/session/burr_use.h"
+#include "ui/session/bur_use.h"
 #include "ui/session/exercise_run.h"
+#include "ui/text/critical_events.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct ReportData {
   RunResult result;
@@ -26,7 +27,7 @@ struct ReportData {
   SessionKind kind = SessionKind::try_it;
   int go = 0;                     // 0 = nothing was kept
   std::optional<double> peak_push_n;
-  std::vector<BurrSpan> burrs;    // what was in the handpiece when; empty when nothing was kept
+  std::vector<BurSpan> burs;    // what was in the handpiece when; empty when nothing was kept
   std::vector<CriticalEvent> critical;  // of the grade, the opened pulp first
   std::optional<Grade> before;    // the best go before, of the same exercise and device class
   QDateTime before_when;
@@ -51,8 +52,8 @@ QString occasion_text(const ReportData& data);
 /// "7:38 min · peak push 2.1 N · Mouse and keys".
 QString circumstances_text(const ReportData& data);
 
-/// "Burr 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", a line for each burr that was used; empty when nothing was kept.
-QStringList burrs_used_text(const ReportData& data);
+/// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", a line for each bur that was used; empty when nothing was kept.
+QStringList burs_used_text(const ReportData& data);
 
 /// The tooth coloured by deviation, and where on it the asked places are; none: hidden.
 struct ToothDrawing {
@@ -65,4 +66,4 @@ DrawnTooth draw_report_tooth(const RunResult& result, int side_px, const std::ve
 /// "The tooth could not be drawn: OpenGL 3.3 did not start (eglMakeCurrent 0x3002)."
 QString picture_failure_text(const PictureFailure& failure);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,17 +9,17 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "ui/app/sentences.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_pdf.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kToothWidth = 600;     // px at 100 %, of a window of 1280
@@ -190,7 +190,7 @@ QWidget* ReportPage::make_score() {
   QLabel* circumstances = make_label(circumstances_text(data_), TextRole::caption, false, "text2");
   circumstances->setWordWrap(true);
   text->addWidget(circumstances);
-  for (const QString& used : burrs_used_text(data_)) {
+  for (const QString& used : burs_used_text(data_)) {
     QLabel* label = make_label(used, TextRole::caption, false, "text2");
     label->setWordWrap(true);
     text->addWidget(label);
@@ -351,4 +351,4 @@ void ReportPage::print() {
   dialog->open();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

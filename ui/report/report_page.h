@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "ui/app/ports.h"
 #include "ui/report/report_data.h"
+#include "ui/widgets/ports.h"
 
 class QBoxLayout;
 class QLabel;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class CriteriaModel;
@@ -63,4 +63,4 @@ class ReportPage : public QWidget {
   QBoxLayout *halves_, *below_;  // tooth and words; what to do and what was before
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,18 +10,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/app/sentences.h"
 #include "ui/report/criteria_model.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 struct Words {
-  Q_DECLARE_TR_FUNCTIONS(cusp::Report)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
 };
 
 // Pixels of the screen at 100 %; `unit` of the paper to each.
@@ -97,7 +97,7 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
               right, w - width, 12, true, g.passed ? t.good : t.bad);
   paper.skip(2);
   paper.write(circumstances_text(d), right, w - width, 11, false, t.text2);
-  for (const QString& used : burrs_used_text(d)) paper.write(used, right, w - width, 11, false, t.text2);
+  for (const QString& used : burs_used_text(d)) paper.write(used, right, w - width, 11, false, t.text2);
   paper.skip(14);
   for (const CriticalEvent& event : d.critical) {
     paper.write(Words::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), x, w, 12, true, t.bad);
@@ -351,4 +351,4 @@ Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, con
   return {};
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,7 +10,7 @@
 
 class QPainter;
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class PdfError : std::uint8_t { cannot_write };
 using PdfFailure = Failure<PdfError>;
@@ -29,4 +29,4 @@ Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, con
 /// Onto any paper: `page` in the painter's units, `unit` of them to a pixel of the screen.
 void paint_report(QPainter& painter, const QRectF& page, double unit, const ReportData& data, const DrawnTooth& tooth);
 
-}  // namespace cusp
+}  // namespace cusp::ui

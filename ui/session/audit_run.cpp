@@ -10,14 +10,15 @@
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/loose_pieces.h"
 #include "scenarios/grading/grader.h"
-#include "scenarios/hands/faults.h"
-#include "scenarios/hands/hand_port.h"
 #include "scenarios/metrics/measure.h"
+#include "scenarios/operators/faults.h"
+#include "scenarios/operators/hand_port.h"
 #include "scenarios/specimens.h"
+#include "ui/modules.h"
 #include "ui/session/cpu_meter.h"
 #include "ui/session/scene_builder.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 // Costs: what an expert does first, in ticks of 1 ms, in blocks that the models take in turn.
@@ -105,7 +106,7 @@ class Led final : public HapticPort {
     sample.position_mm = input.position_mm();
     sample.orientation = {input.qw / 32767.0, input.qx / 32767.0, input.qy / 32767.0, input.qz / 32767.0};
     sample.buttons = input.buttons;
-    sample.burr = input.burr;
+    sample.bur = input.bur;
     return sample;
   }
   void write(const Feedback&) noexcept override {}
@@ -379,4 +380,4 @@ AuditRunner audit_runner(std::filesystem::path folder) {
   };
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

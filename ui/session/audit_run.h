@@ -5,8 +5,9 @@
 #include <filesystem>
 
 #include "scenarios/audit/hands.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// For one exercise at a time, one thread at a time; `folder`: where a volume that it names lies.
 [[nodiscard]] AuditRunner audit_runner(std::filesystem::path folder);
@@ -14,4 +15,4 @@ namespace cusp {
 /// How the goes are played; the costs are measured in ticks of 1 ms.
 inline constexpr std::uint32_t kAuditTickUs = 8000;
 
-}  // namespace cusp
+}  // namespace cusp::ui

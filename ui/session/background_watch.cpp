@@ -6,7 +6,7 @@
 
 #include "ui/session/errand.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Between the two threads; the looking one keeps it alive.
@@ -64,4 +64,4 @@ std::unique_ptr<DeviceWatch> watch_in_background(std::function<std::unique_ptr<D
   return std::make_unique<BackgroundWatch>(std::move(make), every);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

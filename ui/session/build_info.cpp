@@ -1,7 +1,7 @@
 #include "ui/session/build_info.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 std::string build_info() { return "cusp " CUSP_VERSION; }
 
-}  // namespace cusp
+}  // namespace cusp::ui

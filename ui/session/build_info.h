@@ -3,8 +3,8 @@
 
 #include <string>
 
-namespace cusp {
+namespace cusp::ui {
 
 std::string build_info();
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace cusp {
+namespace cusp::ui {
 
 /// CPU time of the calling thread, in seconds.
 double thread_cpu_s() noexcept;
@@ -26,4 +26,4 @@ class InstructionCounter {
   int file_ = -1;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-namespace cusp {
+namespace cusp::ui {
 
 double thread_cpu_s() noexcept {
   timespec now{};
@@ -39,4 +39,4 @@ std::optional<std::uint64_t> InstructionCounter::read() const noexcept {
   return count;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,8 +10,9 @@
 #include "device/falcon/transport_libusb.h"
 #include "engine/base/fp_guard.h"
 #include "engine/base/triple_buffer.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -65,7 +66,7 @@ DeviceBench::DeviceBench(const DeviceChoice& choice, const falcon::EmulatedBodyS
   Inner& in = *inner_;
   FalconSettings settings = settings_for(choice.profile);
   settings.workspace = {.scale = 1.0};  // a trial knows the device's own frame
-  settings.buttons = {.cut = 0, .clutch = 0, .next_burr = 0, .previous_burr = 0};
+  settings.buttons = {.cut = 0, .clutch = 0, .next_bur = 0, .previous_bur = 0};
   settings.home_in_open = true;
   std::unique_ptr<falcon::FalconLink> link;
   if (choice.kind == "emulated-falcon") {
@@ -218,4 +219,4 @@ void DeviceBench::set_leds(std::uint8_t leds) noexcept {
   if (inner_->port) inner_->port->set_leds(leds);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,9 +9,10 @@
 #include "device/falcon/emulated_body.h"
 #include "device/falcon/trial.h"
 #include "engine/loop/realtime.h"
+#include "ui/modules.h"
 #include "ui/session/run_device.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class BenchPhase : std::uint8_t {
   opening,   // looking for it, loading, or homing: falcon.session tells which
@@ -64,4 +65,4 @@ class DeviceBench {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Errand::Job {
   std::thread thread;
@@ -108,4 +108,4 @@ bool Errand::over() const noexcept { return !job_ || job_->over.load(std::memory
 
 void wait_for_dropped_errands() { dropped().wait_for_all(); }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-namespace cusp {
+namespace cusp::ui {
 
 class Errand {
  public:
@@ -28,4 +28,4 @@ class Errand {
 /// Until every errand that was dropped is over. Not for the window's thread.
 void wait_for_dropped_errands();
 
-}  // namespace cusp
+}  // namespace cusp::ui

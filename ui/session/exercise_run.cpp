@@ -6,10 +6,11 @@
 #include "device/hid/pedalled_port.h"
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/loose_pieces.h"
+#include "ui/modules.h"
 #include "ui/session/run_follower.h"
 #include "ui/session/run_setup.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 // Of session time. A frame takes some 30 ms under software OpenGL: what it shows is then a third of one old at most.
@@ -97,8 +98,8 @@ void ExerciseRun::resume() {
   inner_->loop->resume();
 }
 
-void ExerciseRun::change_burr(std::size_t index) {
-  if (index < inner_->setup.scene->burrs.size()) inner_->loop->change_burr(static_cast<std::uint16_t>(index));
+void ExerciseRun::change_bur(std::size_t index) {
+  if (index < inner_->setup.scene->burs.size()) inner_->loop->change_bur(static_cast<std::uint16_t>(index));
 }
 
 void ExerciseRun::set_coolant(bool on) { inner_->loop->set_coolant(on); }
@@ -172,9 +173,9 @@ LiveView ExerciseRun::view() const {
   view.over_pulp_mm = scores.remaining_over_pulp_mm;
   view.pulp_exposed = scores.removed_mm3[index_of(Tissue::pulp)] > 0;
   view.peak_push_n = followed.peak_push_n;
-  const auto& burrs = run.setup.scene->burrs;
-  const Burr& burr = burrs[std::min<std::size_t>(latest.output.burr, burrs.size() - 1)];
-  view.burr_depth_mm = run.setup.reference->shape().top_mm() - (latest.output.proxy_mm.z - burr.radius_mm);
+  const auto& burs = run.setup.scene->burs;
+  const Bur& bur = burs[std::min<std::size_t>(latest.output.bur, burs.size() - 1)];
+  view.bur_depth_mm = run.setup.reference->shape().top_mm() - (latest.output.proxy_mm.z - bur.radius_mm);
 
   if (run.recorder) {
     view.recording = run.recorder->state();
@@ -201,4 +202,4 @@ const std::shared_ptr<const Reference>& ExerciseRun::reference() const { return 
 DeviceLimits ExerciseRun::device() const { return inner_->setup.device; }
 double ExerciseRun::stiffness_share() const { return inner_->setup.stiffness_share; }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -17,10 +17,11 @@
 #include "scenarios/grading/grade.h"
 #include "scenarios/metrics/reference.h"
 #include "storage/repositories/sessions.h"
+#include "ui/modules.h"
 #include "ui/session/observer.h"
 #include "ui/session/run_error.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Who and what.
 struct RunPlan {
@@ -69,7 +70,7 @@ class ExerciseRun {
   /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in.
   void resume();
   /// Index into the scenario's instruments.
-  void change_burr(std::size_t index);
+  void change_bur(std::size_t index);
   /// For exercises that reckon heat; off at the start. It is part of the record.
   void set_coolant(bool on);
 
@@ -97,4 +98,4 @@ class ExerciseRun {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -13,8 +13,9 @@
 #include "engine/mirror/mirror.h"
 #include "engine/volume/tissue.h"
 #include "storage/error.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Called on the mirror's thread about every 10 ms of session time with the state and the bricks that changed: the place
 /// to rebuild surface patches from (state.volume() is consistent for the length of the call). on_tick may stay as it is.
@@ -29,7 +30,7 @@ enum class RecordingState : std::uint8_t {
 
 /// One copy of everything that panels and gauges show, about 40 times a second. Plain values.
 struct LiveView {
-  // The loop's newest tick (burr, force); read it at frame rate.
+  // The loop's newest tick (bur, force); read it at frame rate.
   StepOutput output;
   Quat orientation{1.0, 0.0, 0.0, 0.0};
   LoopPhase phase = LoopPhase::ready;
@@ -46,7 +47,7 @@ struct LiveView {
   double over_beyond_mm3 = 0;           // cut beyond the leeway
   std::array<double, kTissueCodes> removed_mm3{};
   double depth_mm = 0;                  // deepest cut below the target's reference plane
-  double burr_depth_mm = 0;             // tip of the burr below the same plane now; negative above it
+  double bur_depth_mm = 0;             // tip of the bur below the same plane now; negative above it
   std::optional<double> over_pulp_mm;   // least dentine left between the cut and the pulp; nullopt: no pulp within reach
   bool pulp_exposed = false;
   double peak_push_n = 0;
@@ -60,4 +61,4 @@ struct LiveView {
   double ticks_per_s = 0;               // over the last second
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

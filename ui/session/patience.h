@@ -6,8 +6,9 @@
 #include <thread>
 
 #include "storage/error.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Patience {
   std::chrono::milliseconds pause{500};  // between two tries; a busy file has its own time-out (5 s) besides
@@ -28,4 +29,4 @@ auto write_patiently(const Patience& patience, Write&& write) {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

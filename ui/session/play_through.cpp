@@ -5,10 +5,11 @@
 
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/loose_pieces.h"
+#include "ui/modules.h"
 #include "ui/session/run_follower.h"
 #include "ui/session/run_setup.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& settings) {
   if (auto opened = port.open(); !opened) return run_fail(RunError::device, opened.error());
@@ -75,4 +76,4 @@ Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& 
   return conclude(plan, setup, store.get(), mirror.state(), follower.process(), end);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

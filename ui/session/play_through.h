@@ -7,7 +7,7 @@
 
 #include "ui/session/exercise_run.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct PlaySettings {
   std::function<std::uint32_t()> elapsed_us;            // length of the next tick; empty: 1 ms each
@@ -18,4 +18,4 @@ struct PlaySettings {
 /// Runs until the port has no more samples. Writes each second as it is played: what was played before a crash is there.
 Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& settings = {});
 
-}  // namespace cusp
+}  // namespace cusp::ui

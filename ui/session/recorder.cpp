@@ -1,8 +1,9 @@
 #include "ui/session/recorder.h"
 
 #include "engine/loop/realtime.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 Recorder::Recorder(std::unique_ptr<Store> store, SessionId session, Writing writing, const Patience& patience)
     : store_(std::move(store)), session_(session), writing_(writing), patience_(patience) {
@@ -130,4 +131,4 @@ std::unique_ptr<Store> Recorder::take_store() {
   return std::move(store_);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

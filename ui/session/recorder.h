@@ -11,10 +11,11 @@
 #include <thread>
 
 #include "storage/store.h"
+#include "ui/modules.h"
 #include "ui/session/observer.h"
 #include "ui/session/patience.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Of session time between two key states: a jump in a replay is then at most 5,000 ticks.
 inline constexpr std::uint64_t kKeyStateUs = 5'000'000;
@@ -75,4 +76,4 @@ class Recorder {
   std::thread thread_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

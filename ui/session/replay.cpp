@@ -5,11 +5,12 @@
 #include "scenarios/format/read.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
+#include "ui/modules.h"
 #include "ui/session/run_setup.h"
 #include "ui/session/scene_builder.h"
 #include "ui/session/specimen_blob.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -134,4 +135,4 @@ Run<RunResult> open_result(Store& store, SessionId id, bool keep) {
   return result;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

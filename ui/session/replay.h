@@ -11,9 +11,10 @@
 #include "scenarios/metrics/process.h"
 #include "storage/store.h"
 #include "storage/verify.h"
+#include "ui/modules.h"
 #include "ui/session/exercise_run.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// A stored session with everything that its replay needs.
 struct OpenedSession {
@@ -122,4 +123,4 @@ struct ReplayProof {
 };
 Run<ReplayProof> prove_session(Store& store, SessionId id);
 
-}  // namespace cusp
+}  // namespace cusp::ui

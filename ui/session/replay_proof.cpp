@@ -3,10 +3,11 @@
 
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
+#include "ui/modules.h"
 #include "ui/session/replay.h"
 #include "ui/session/run_setup.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -110,4 +111,4 @@ Run<ReplayProof> prove_session(Store& store, SessionId id) {
   return proof;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

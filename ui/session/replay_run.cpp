@@ -4,7 +4,7 @@
 #include "ui/session/recorder.h"
 #include "ui/session/replay.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 constexpr std::uint64_t kWatchTicks = 250;
@@ -159,4 +159,4 @@ void Replay::show(bool first) {
   shown_ = true;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

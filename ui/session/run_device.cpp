@@ -5,8 +5,9 @@
 #include "device/catalogue.h"
 #include "device/falcon/transport_libusb.h"
 #include "device/pointer/pointer_port.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -15,7 +16,7 @@ EmulatedHand mouse_hand(std::shared_ptr<PointerHand> hand, Vec3 start_mm) {
   auto motion = std::make_shared<PointerMotion>(start_mm);
   return [hand = std::move(hand), motion = std::move(motion)](const Feedback& felt, double dt_s) noexcept {
     const PointerWish& wish = hand->latest();
-    return EmulatedHandPose{motion->advance(wish, felt, dt_s), wish.cut, wish.burr};
+    return EmulatedHandPose{motion->advance(wish, felt, dt_s), wish.cut, wish.bur};
   };
 }
 
@@ -34,7 +35,7 @@ Result<falcon::FirmwareImage, PortFailure> read_firmware(const FirmwareChoice& c
   return std::move(*image);
 }
 
-Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burrs,
+Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burs,
                                                EmulatedHand hand) {
   const DeviceKind* kind = device_kind(choice.kind);
   if (kind == nullptr) return fail(PortError::not_found, choice.kind);
@@ -44,7 +45,7 @@ Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 
     auto link = falcon::make_usb_link(choice.name);
     if (!link) return std::unexpected(link.error());
     FalconSettings settings =
-        settings_for(choice.profile, start_mm, static_cast<std::uint16_t>(std::clamp<std::size_t>(burrs, 1, 0xFFFF)));
+        settings_for(choice.profile, start_mm, static_cast<std::uint16_t>(std::clamp<std::size_t>(burs, 1, 0xFFFF)));
     settings.home_in_open = true;
     auto port = std::make_unique<FalconPort>(std::move(*link), settings);
     if (!choice.firmware.file.empty()) {
@@ -57,7 +58,7 @@ Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 
   } else if (choice.kind == "inverse3") {
     InverseSettings settings = choice.inverse;
     settings.origin_mm = start_mm;
-    settings.burrs = static_cast<std::uint16_t>(std::clamp<std::size_t>(burrs, 1, 0xFFFF));
+    settings.burs = static_cast<std::uint16_t>(std::clamp<std::size_t>(burs, 1, 0xFFFF));
     auto port = make_inverse_port(settings);
     out.inverse = port.get();
     out.port = std::move(port);
@@ -77,4 +78,4 @@ Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,8 +12,9 @@
 #include "device/inverse/inverse_port.h"
 #include "device/pointer/pointer_hand.h"
 #include "engine/base/haptic_port.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// A file that the user named: the maker's licence does not allow Cusp to ship one.
 struct FirmwareChoice {
@@ -27,7 +28,7 @@ struct DeviceChoice {
   std::string name;              // which of several Falcons; empty: the first
   FirmwareChoice firmware;
   FalconProfile profile;         // of that Falcon
-  InverseSettings inverse{};     // of the Inverse3; place and burrs are the go's
+  InverseSettings inverse{};     // of the Inverse3; place and burs are the go's
 };
 
 /// A port for one go, and what a screen may look at meanwhile. Its parts live as long as the port.
@@ -42,13 +43,13 @@ struct RunDevice {
 };
 
 /// Makes the port; nothing is opened yet. The middle of the device's travel lies at `start_mm`, its buttons go through
-/// `burrs` instruments. A Falcon's open() ends when it is homed. `hand`: leads the emulated Falcon instead of the mouse.
+/// `burs` instruments. A Falcon's open() ends when it is homed. `hand`: leads the emulated Falcon instead of the mouse.
 /// Fails with bad_file: "needs_file" for a kind that plays a file, "changed" where the firmware file is not the one that
 /// was named, else its ImageError's key; not_found for an unknown kind; io where libusb does not start.
-Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burrs,
+Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burs,
                                                EmulatedHand hand = {});
 
 /// Reads the file that was named, and checks that it is still the same. Fails as make_run_device().
 Result<falcon::FirmwareImage, PortFailure> read_firmware(const FirmwareChoice& choice);
 
-}  // namespace cusp
+}  // namespace cusp::ui

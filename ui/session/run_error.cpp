@@ -1,6 +1,6 @@
 #include "ui/session/run_error.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 std::string_view key_of(RunError code) noexcept {
   switch (code) {
@@ -20,4 +20,4 @@ std::string_view key_of(RunError code) noexcept {
   return "storage";
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,8 +12,9 @@
 #include "scenarios/format/format_error.h"
 #include "scenarios/import/import_error.h"
 #include "storage/error.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class RunError : std::uint8_t {
   specimen,           // the scenario's volume cannot be made or read; cause: ImportError
@@ -53,4 +54,4 @@ std::unexpected<RunFailure> run_fail(RunError code, const Failure<Code>& below) 
   return std::unexpected(RunFailure{code, below.where, below.detail, below.code});
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 constexpr std::uint64_t kSecondUs = 1'000'000;
@@ -31,8 +31,8 @@ void RunFollower::on_tick(const StepInput& input, const StepState& after) {
   const StepOutput& output = after.last();
   process_.add(output);
   if (output.cutting) {
-    const Burr& burr = after.scene().burrs[output.burr];
-    deepest_mm_ = std::max(deepest_mm_, reference_->shape().top_mm() - (output.proxy_mm.z - burr.radius_mm));
+    const Bur& bur = after.scene().burs[output.bur];
+    deepest_mm_ = std::max(deepest_mm_, reference_->shape().top_mm() - (output.proxy_mm.z - bur.radius_mm));
   }
   if (!recorder_) return;
   const double push = glm::length(output.force_raw_n);
@@ -93,7 +93,7 @@ void RunFollower::update_scores(const StepState& state) {
     for (std::size_t t = 0; t < kTissueCodes; ++t) gone_total_[t] += gone[t] - before[t];
     before = gone;
   }
-  live_.update(volume, changed_, state.last(), state.scene().burrs[state.last().burr]);
+  live_.update(volume, changed_, state.last(), state.scene().burs[state.last().bur]);
 }
 
 std::vector<RemovedTissue> RunFollower::removed() const {
@@ -127,4 +127,4 @@ FollowedView RunFollower::view() const {
   return view_;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -12,9 +12,10 @@
 #include "engine/mirror/mirror.h"
 #include "scenarios/metrics/live.h"
 #include "scenarios/metrics/process.h"
+#include "ui/modules.h"
 #include "ui/session/recorder.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// The mirror's part of LiveView.
 struct FollowedView {
@@ -66,4 +67,4 @@ class RunFollower final : public MirrorObserver {
   FollowedView view_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,13 +9,14 @@
 #include "scenarios/format/write.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
+#include "ui/modules.h"
 #include "ui/session/build_info.h"
 #include "ui/session/patience.h"
 #include "ui/session/replay.h"
 #include "ui/session/scene_builder.h"
 #include "ui/session/specimen_blob.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -209,4 +210,4 @@ Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store
   return result;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

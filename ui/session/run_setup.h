@@ -7,9 +7,10 @@
 #include "engine/step/step.h"
 #include "scenarios/metrics/process.h"
 #include "storage/store.h"
+#include "ui/modules.h"
 #include "ui/session/exercise_run.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct RunSetup {
   DeviceLimits device;
@@ -43,4 +44,4 @@ Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store
 /// Of the rubric's canonical JSON, as stored beside a grade.
 Hash256 rubric_hash(const Rubric& rubric);
 
-}  // namespace cusp
+}  // namespace cusp::ui

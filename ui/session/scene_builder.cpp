@@ -6,8 +6,9 @@
 #include "engine/step/passivity.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/specimens.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -107,7 +108,7 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   }
   if (!(scenario.device.full_force_n > 0.0)) return run_fail(RunError::scene, "/device/full_force_n");
   scene->specimen = std::move(specimen);
-  scene->burrs = scenario.instruments;
+  scene->burs = scenario.instruments;
   const SineCosine tilt = sine_cosine(scenario.tool_tilt_deg);
   scene->tool_axis = {0.0, tilt.sine, tilt.cosine};
   scene->tilt_cosine = sine_cosine(scenario.tool_turn_deg).cosine;
@@ -118,4 +119,4 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   return scene;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,12 +5,13 @@
 #include <filesystem>
 #include <memory>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "engine/step/stiffness_rule.h"
 #include "scenarios/format/scenario.h"
+#include "ui/modules.h"
 #include "ui/session/run_error.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// The scenario's voxels in the reading of its method. Up to seconds. `folder`: where a volume that it names lies.
 /// stop: told from another thread, it ends early and fails (specimen); may be null.
@@ -35,4 +36,4 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
                                               const DeviceLimits& device, const GuardSettings& guard,
                                               double stiffness_share);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-namespace cusp {
+namespace cusp::ui {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::optional<VoxelVolume> specimen_from_bytes(std::span<const std::byte> bytes)
   return out;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "engine/volume/voxel_volume.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 std::vector<std::byte> specimen_bytes(const VoxelVolume& volume);
 /// nullopt when the bytes are not a whole specimen. Sizes are checked before memory is taken.
 std::optional<VoxelVolume> specimen_from_bytes(std::span<const std::byte> bytes);
 
-}  // namespace cusp
+}  // namespace cusp::ui

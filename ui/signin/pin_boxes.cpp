@@ -9,7 +9,7 @@
 
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 PinBoxes::PinBoxes(QWidget* parent) : QWidget(parent) {
   setLayoutDirection(Qt::LeftToRight);
@@ -97,4 +97,4 @@ bool PinBoxes::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

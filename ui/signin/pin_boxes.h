@@ -6,7 +6,7 @@
 
 class QLineEdit;
 
-namespace cusp {
+namespace cusp::ui {
 
 class PinBoxes : public QWidget {
   Q_OBJECT
@@ -31,4 +31,4 @@ class PinBoxes : public QWidget {
   QVector<QLineEdit*> boxes_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

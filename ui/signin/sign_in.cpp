@@ -11,12 +11,12 @@
 #include <QSysInfo>
 #include <QToolButton>
 
-#include "ui/app/language.h"
 #include "ui/signin/pin_boxes.h"
+#include "ui/text/language.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kFormWidth = 320;    // px at 100 %
@@ -395,4 +395,4 @@ void SignIn::resizeEvent(QResizeEvent* event) {
   picture_->setPixmap(QPixmap::fromImage(scaled));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

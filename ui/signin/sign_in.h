@@ -6,13 +6,14 @@
 #include <QWidget>
 
 #include "storage/store.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/sentences.h"
 
 class QLabel;
 class QLineEdit;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Band;
 class PinBoxes;
@@ -38,7 +39,7 @@ class SignIn : public QWidget {
   QString message() const;
 
  Q_SIGNALS:
-  void signed_in(const cusp::Account& account);
+  void signed_in(const Account& account);
   void try_it();
   void try_again();
   void language_chosen(const QString& code);
@@ -70,4 +71,4 @@ class SignIn : public QWidget {
   QImage image_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

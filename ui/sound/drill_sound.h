@@ -7,7 +7,7 @@
 
 #include "ui/sound/drill_synth.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class DrillSound : public QObject {
   Q_OBJECT
@@ -33,4 +33,4 @@ class DrillSound : public QObject {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

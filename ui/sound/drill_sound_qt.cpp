@@ -9,7 +9,7 @@
 #include "engine/base/triple_buffer.h"
 #include "ui/sound/drill_sound.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kBufferMs = 100;  // a frame under software OpenGL takes 30
@@ -100,4 +100,4 @@ void DrillSound::set_muted(bool muted) {
   inner_->apply();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,7 +1,7 @@
 // Built where Qt Multimedia is not installed: nothing to hear, and it says so.
 #include "ui/sound/drill_sound.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct DrillSound::Inner {};
 
@@ -14,4 +14,4 @@ void DrillSound::follow(const DrillHeard&) {}
 void DrillSound::set_volume(int) {}
 void DrillSound::set_muted(bool) {}
 
-}  // namespace cusp
+}  // namespace cusp::ui

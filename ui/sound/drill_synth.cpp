@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/removal/spindle.h"
 #include "scenarios/tissues/tissue_facts.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr double kTau = 6.283185307179586;
@@ -79,4 +81,4 @@ void DrillSynth::render(std::span<float> out) noexcept {
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

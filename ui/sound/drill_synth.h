@@ -6,8 +6,9 @@
 #include <span>
 
 #include "engine/step/step.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// What there is to hear. Plain values; safe to copy between threads.
 struct DrillHeard {
@@ -40,4 +41,4 @@ class DrillSynth {
   std::uint32_t noise_ = 0x9e3779b9u;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,23 +7,24 @@
 #include <QPushButton>
 
 #include "scenarios/grading/maxima.h"
-#include "ui/app/burr_words.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
+#include "ui/text/bur_text.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
 #include <QStandardItemModel>
 
-namespace cusp {
+namespace cusp::ui {
 
-QString burrs_text(const Scenario& scenario) {
+QString burs_text(const Scenario& scenario) {
   QStringList parts;
-  for (const Burr& burr : scenario.instruments) {
-    // A line breaks between burrs, not within one.
-    parts += burr_text(burr).replace(u' ', QChar::Nbsp);
+  for (const Bur& bur : scenario.instruments) {
+    // A line breaks between burs, not within one.
+    parts += bur_text(bur).replace(u' ', QChar::Nbsp);
   }
-  //: Between the burrs of a list, each of which has commas of its own.
+  //: Between the burs of a list, each of which has commas of its own.
   return parts.join(Briefing::tr("; "));
 }
 
@@ -102,7 +103,7 @@ Briefing::Briefing(const Exercise& exercise, PictureShelf& pictures, const std::
     label->setWordWrap(true);
     facts->addWidget(label, line++, 1);
   };
-  fact(tr("Burrs"), burrs_text(s));
+  fact(tr("Burs"), burs_text(s));
   fact(tr("Wanted depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
   fact(tr("Leeway"), tr("%1 at the floor, %2 at the sides")
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
@@ -145,7 +146,7 @@ Briefing::Briefing(const Exercise& exercise, PictureShelf& pictures, const std::
   body->addWidget(points);
 
   auto* keys = new Card(tr("With mouse and keys"));
-  QLabel* how = make_label(tr("Move the mouse, or the arrow keys, to slide the burr over the tooth. Push with the wheel "
+  QLabel* how = make_label(tr("Move the mouse, or the arrow keys, to slide the bur over the tooth. Push with the wheel "
                               "or with Page Down, let up with Page Up. Hold Space, or the left button, to cut."),
                            TextRole::body, false, "text2");
   how->setWordWrap(true);
@@ -161,4 +162,4 @@ void Briefing::show_picture() {
   show_covering(picture_, pictures_.picture(exercise_, folder_, PictureShelf::Use::card, tokens().dark), px(8));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,7 +9,7 @@
 class QLabel;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Briefing : public QWidget {
   Q_OBJECT
@@ -20,7 +20,7 @@ class Briefing : public QWidget {
   QPushButton* start_button() const { return start_; }
 
  Q_SIGNALS:
-  void start_wanted(const cusp::Exercise& exercise);
+  void start_wanted(const Exercise& exercise);
   void back_wanted();
 
  private:
@@ -32,10 +32,10 @@ class Briefing : public QWidget {
   QPushButton* start_;
 };
 
-/// "2 (1.0 mm), 330 (0.8 mm)": the burrs that an exercise lends.
-QString burrs_text(const Scenario& scenario);
+/// "2 (1.0 mm), 330 (0.8 mm)": the burs that an exercise lends.
+QString burs_text(const Scenario& scenario);
 
 /// A label that shows a picture with round corners, filling its size.
 void show_covering(QLabel* label, const QImage& image, double radius);
 
-}  // namespace cusp
+}  // namespace cusp::ui

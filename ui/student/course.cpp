@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 QDateTime from_utc_us(std::int64_t us) { return QDateTime::fromMSecsSinceEpoch(us / 1000, Qt::UTC); }
@@ -197,4 +197,4 @@ QVariant GoesModel::headerData(int section, Qt::Orientation orientation, int rol
   }
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,7 +8,7 @@
 
 #include "ui/student/exercises.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct CourseRow {
   Exercise exercise;
@@ -72,4 +72,4 @@ class GoesModel : public QAbstractTableModel {
 QString result_text(const HistoryRow& row);
 int result_chip(const HistoryRow& row);
 
-}  // namespace cusp
+}  // namespace cusp::ui

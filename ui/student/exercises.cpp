@@ -6,8 +6,9 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/library/library.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// The cause of a write that failed, by errno.
@@ -87,4 +88,4 @@ Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exer
   return folder;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

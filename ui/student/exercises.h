@@ -8,8 +8,9 @@
 
 #include "scenarios/format/scenario.h"
 #include "storage/store.h"
+#include "ui/modules.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Exercise {
   Scenario scenario;
@@ -31,4 +32,4 @@ Stored<ExerciseList> load_exercises(Store& store);
 Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exercise,
                                               const std::filesystem::path& cache);
 
-}  // namespace cusp
+}  // namespace cusp::ui

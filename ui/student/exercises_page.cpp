@@ -8,12 +8,12 @@
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Numbers as numbers, names as the language orders them with the figures in them counted: level 2 before level 10.
@@ -113,4 +113,4 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) 
   setFocusProxy(table_);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,7 +7,7 @@
 
 class QLineEdit;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Table;
 
@@ -20,11 +20,11 @@ class ExercisesPage : public QWidget {
   QLineEdit* search() const { return search_; }
 
  Q_SIGNALS:
-  void briefing_wanted(const cusp::Exercise& exercise);
+  void briefing_wanted(const Exercise& exercise);
 
  private:
   Table* table_ = nullptr;
   QLineEdit* search_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 struct Words {
-  Q_DECLARE_TR_FUNCTIONS(cusp::HistoryCharts)
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::HistoryCharts)
 };
 
 double minutes_of(const HistoryRow& go) { return static_cast<double>(go.elapsed_us) * 1e-6 / 60.0; }
@@ -101,4 +101,4 @@ ChartData score_by_go(const std::vector<HistoryRow>& goes) {
   return d;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

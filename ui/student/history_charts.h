@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "storage/repositories/history.h"
+#include "ui/modules.h"
 #include "ui/widgets/chart.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Minutes against points, the goes joined in the order in which they were made, the newest one filled and named.
 /// `goes`: of one exercise and one device class; those without a grade are left out.
@@ -15,4 +16,4 @@ ChartData time_and_score(const std::vector<HistoryRow>& goes);
 /// Points against the number of the go.
 ChartData score_by_go(const std::vector<HistoryRow>& goes);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,11 +5,11 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/app/sentences.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// "It broke off after 1:12 min, with 8.4 mm³ cut. All of that is kept."
@@ -83,4 +83,4 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   acts->addStretch();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "storage/store.h"
+#include "ui/modules.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// What may be done with an interrupted attempt.
 enum class InterruptedWay : std::uint8_t {
@@ -32,4 +33,4 @@ class InterruptedCard : public Card {
   QPushButton* primary_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,14 +5,14 @@
 #include <QLabel>
 #include <map>
 
-#include "ui/app/sentences.h"
 #include "ui/student/history_charts.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QWidget(parent) {
   auto* outer = new QVBoxLayout(this);
@@ -95,4 +95,4 @@ void OwnHistory::show_goes() {
   table_->choose_row(0);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,7 +7,7 @@
 
 class QComboBox;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Chart;
 class Table;
@@ -21,7 +21,7 @@ class OwnHistory : public QWidget {
   QComboBox* exercise() const { return exercise_; }
 
  Q_SIGNALS:
-  void report_wanted(const cusp::SessionId& session);
+  void report_wanted(const SessionId& session);
   void exercises_wanted();
 
  private:
@@ -33,4 +33,4 @@ class OwnHistory : public QWidget {
   Chart *by_go_ = nullptr, *by_time_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include "scenarios/format/content_hash.h"
+#include "ui/modules.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/patch_store.h"
@@ -13,7 +14,7 @@
 #include "ui/session/scene_builder.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 // Drawn at twice the size and halved: smooth edges without multisampling.
@@ -96,4 +97,4 @@ QImage PictureShelf::picture(const Exercise& exercise, const std::filesystem::pa
   return {};
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

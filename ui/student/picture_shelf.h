@@ -11,7 +11,7 @@
 
 #include "ui/student/exercises.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class PictureShelf : public QObject {
   Q_OBJECT
@@ -36,4 +36,4 @@ class PictureShelf : public QObject {
   QSet<QString> asked_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

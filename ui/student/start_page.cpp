@@ -7,11 +7,12 @@
 #include <algorithm>
 
 #include "scenarios/grading/maxima.h"
-#include "ui/app/critical_events.h"
-#include "ui/app/sentences.h"
+#include "ui/modules.h"
 #include "ui/student/briefing.h"
 #include "ui/student/history_charts.h"
 #include "ui/student/interrupted_card.h"
+#include "ui/text/critical_events.h"
+#include "ui/text/sentences.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/empty_state.h"
@@ -19,7 +20,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px at 100 %, of the page
@@ -154,7 +155,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
                                                      : format_number(row.goes, 0)));
   facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
                                                                        : tr("none yet")));
-  facts->addWidget(fact(tr("Burrs"), burrs_text(s), true), 1);
+  facts->addWidget(fact(tr("Burs"), burs_text(s), true), 1);
   text->addLayout(facts);
   text->addStretch();
   auto* acts = new QHBoxLayout;
@@ -348,4 +349,4 @@ void StartPage::resizeEvent(QResizeEvent* event) {
   side_->setMaximumWidth(narrow ? QWIDGETSIZE_MAX : px(kSideWidth));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

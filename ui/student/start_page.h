@@ -12,7 +12,7 @@ class QBoxLayout;
 class QLabel;
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Card;
 class InterruptedCard;
@@ -31,12 +31,12 @@ class StartPage : public QWidget {
   Table* table() const { return table_; }
 
  Q_SIGNALS:
-  void start_wanted(const cusp::Exercise& exercise);
-  void briefing_wanted(const cusp::Exercise& exercise);
-  void report_wanted(const cusp::SessionId& session);
+  void start_wanted(const Exercise& exercise);
+  void briefing_wanted(const Exercise& exercise);
+  void report_wanted(const SessionId& session);
   void exercises_wanted();
-  void go_on_wanted(const cusp::SessionId& session);
-  void grade_wanted(const cusp::SessionId& session);
+  void go_on_wanted(const SessionId& session);
+  void grade_wanted(const SessionId& session);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -65,4 +65,4 @@ class StartPage : public QWidget {
   Table* table_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

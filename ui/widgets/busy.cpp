@@ -7,7 +7,7 @@
 
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 Busy::Busy(QWidget* parent) : QWidget(parent), timer_(new QTimer(this)) {
   auto* column = new QVBoxLayout(this);
@@ -54,4 +54,4 @@ void Busy::finish() {
   hide();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -9,7 +9,7 @@ class QLabel;
 class QPushButton;
 class QTimer;
 
-namespace cusp {
+namespace cusp::ui {
 
 class Busy : public QWidget {
   Q_OBJECT
@@ -36,4 +36,4 @@ class Busy : public QWidget {
   QPushButton* cancel_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

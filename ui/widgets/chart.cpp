@@ -16,7 +16,7 @@
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Where the plot lies and how values map onto it. Charts' x does not mirror.
@@ -334,6 +334,6 @@ void Chart::fill_table() {
   static_cast<Table*>(table_)->set_stretch_column(0);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui
 
 #include "chart.moc"

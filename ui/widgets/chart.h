@@ -11,7 +11,7 @@
 class QStackedWidget;
 class QTableView;
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Tokens;
 
@@ -74,4 +74,4 @@ class Chart : public QWidget {
   QTableView* table_;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

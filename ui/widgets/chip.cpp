@@ -4,7 +4,7 @@
 #include <QEvent>
 #include <QPainter>
 
-namespace cusp {
+namespace cusp::ui {
 
 QString chip_icon(Chip::Kind kind) {
   switch (kind) {
@@ -94,4 +94,4 @@ void Chip::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

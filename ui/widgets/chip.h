@@ -5,7 +5,7 @@
 
 #include "ui/widgets/icon.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 class Chip : public QWidget {
   Q_OBJECT
@@ -30,9 +30,9 @@ class Chip : public QWidget {
 /// Name of the icon and ink of a kind ("" for plain).
 QString chip_icon(Chip::Kind kind);
 Ink chip_ink(Chip::Kind kind);
-QColor chip_fill(Chip::Kind kind, const Tokens& tokens = cusp::tokens());
+QColor chip_fill(Chip::Kind kind, const Tokens& tokens = ui::tokens());
 QSize chip_size(const QString& text, Chip::Kind kind);
 void paint_chip(QPainter& painter, const QRect& rect, const QString& text, Chip::Kind kind, const Tokens& tokens,
                 qreal device_pixel_ratio = 1.0);
 
-}  // namespace cusp
+}  // namespace cusp::ui

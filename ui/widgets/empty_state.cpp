@@ -6,7 +6,7 @@
 
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 EmptyState::EmptyState(const QString& icon_name, const QString& title, const QString& why, const QString& act, Ink ink,
                        QWidget* parent)
@@ -36,4 +36,4 @@ EmptyState::EmptyState(const QString& icon_name, const QString& title, const QSt
   column->addStretch();
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

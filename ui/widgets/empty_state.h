@@ -7,7 +7,7 @@
 
 class QPushButton;
 
-namespace cusp {
+namespace cusp::ui {
 
 class EmptyState : public QWidget {
   Q_OBJECT
@@ -25,4 +25,4 @@ class EmptyState : public QWidget {
   QPushButton* button_ = nullptr;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr QChar kNoBreak(0x00A0);
@@ -89,4 +89,4 @@ QString format_day_time(const QDateTime& when, const QLocale& locale) {
          locale.toString(when.toLocalTime(), QStringLiteral("HH:mm"));
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -7,7 +7,7 @@
 #include <QString>
 #include <optional>
 
-namespace cusp {
+namespace cusp::ui {
 
 struct Measured {
   double value = 0;
@@ -35,4 +35,4 @@ QString format_day_time(const QDateTime& when, const QLocale& locale = {});
 /// Wraps in U+2066 … U+2069.
 QString isolate(const QString& text);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -10,7 +10,7 @@
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Name, value, least and most for a screen reader.
@@ -292,4 +292,4 @@ void Bar::paintEvent(QPaintEvent*) {
   paint_bar(painter, QRectF(0, (height() - h) / 2, width(), h), share_, colour_of(role_), tokens().sunken);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <optional>
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Upright gauge with its scale, as the depth and push of the drilling screen. The number keeps its width.
 class Gauge : public QWidget {
@@ -80,4 +80,4 @@ QColor colour_of(Bar::Role role);
 /// Paints a Bar's drawing anywhere (table cells, paper).
 void paint_bar(QPainter& painter, const QRectF& rect, double share, const QColor& fill, const QColor& track);
 
-}  // namespace cusp
+}  // namespace cusp::ui

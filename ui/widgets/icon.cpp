@@ -9,7 +9,7 @@
 #include <QSet>
 #include <QSvgRenderer>
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 /// Drawings that point along the reading direction.
@@ -76,7 +76,7 @@ QPixmap render(const QString& name, const QColor& colour, int side, qreal ratio)
 
 QPixmap TokenIconEngine::draw(int side, QIcon::Mode mode, qreal ratio) const {
   const Tokens& t = tokens();
-  const QColor colour = mode == QIcon::Disabled ? t.text3 : cusp::colour_of(ink_, t);
+  const QColor colour = mode == QIcon::Disabled ? t.text3 : ui::colour_of(ink_, t);
   return render(name_, colour, std::max(side, 1), ratio);
 }
 
@@ -113,4 +113,4 @@ QStringList icon_names() {
   return names;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

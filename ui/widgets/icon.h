@@ -8,10 +8,10 @@
 
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class Ink { text, text2, text3, accent, on_accent, good, look, bad };
-QColor colour_of(Ink ink, const Tokens& tokens = cusp::tokens());
+QColor colour_of(Ink ink, const Tokens& tokens = ui::tokens());
 
 /// `name` is the file's in ui/widgets/icons, without its ending. An unknown name is a programmer's mistake (assert).
 /// Directional drawings mirror in right-to-left.
@@ -23,4 +23,4 @@ QPixmap icon_pixmap(const QString& name, Ink ink, int size, double device_pixel_
 /// Every name there is.
 QStringList icon_names();
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -14,7 +14,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr QChar kArabicDecimal(0x066B), kTrueMinus(0x2212);
@@ -177,4 +177,4 @@ void NumberField::wheelEvent(QWheelEvent* event) {
   QDoubleSpinBox::wheelEvent(event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

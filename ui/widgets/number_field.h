@@ -8,7 +8,7 @@
 
 class QLabel;
 
-namespace cusp {
+namespace cusp::ui {
 
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
@@ -57,4 +57,4 @@ class NumberField : public QDoubleSpinBox {
 /// it; nullopt for everything else: exponents, group separators, two signs.
 std::optional<double> read_number(const QString& text);
 
-}  // namespace cusp
+}  // namespace cusp::ui

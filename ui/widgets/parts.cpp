@@ -13,7 +13,7 @@
 
 #include "ui/widgets/number_field.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 QString with_key(const QString& text, const QKeySequence& key) {
@@ -234,4 +234,4 @@ QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent) {
   return area;
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -16,7 +16,7 @@ class QPushButton;
 class QToolButton;
 class QVBoxLayout;
 
-namespace cusp {
+namespace cusp::ui {
 
 enum class ButtonKind { standard, primary, quiet, erase };
 
@@ -110,4 +110,4 @@ class PageHead : public QWidget {
 /// A page that scrolls when it is too tall: returns the body's layout through `body`.
 QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent = nullptr);
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -8,7 +8,7 @@
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr int kLeastName = 140;  // px at 100 %: two short words
@@ -185,4 +185,4 @@ void Table::keyPressEvent(QKeyEvent* event) {
   QTableView::keyPressEvent(event);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -6,7 +6,7 @@
 
 #include "ui/widgets/chip.h"
 
-namespace cusp {
+namespace cusp::ui {
 
 /// What a cell may say to the delegate besides Qt's roles.
 enum TableRole {
@@ -59,4 +59,4 @@ class Table : public QTableView {
   int stretch_column_ = -1;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

@@ -1,6 +1,7 @@
 #include "ui/widgets/theme.h"
 
 #include "scenarios/tissues/tissue_facts.h"
+#include "ui/modules.h"
 #include "ui/widgets/icon.h"
 
 #include <QAbstractSpinBox>
@@ -26,7 +27,7 @@
 
 static void load_resources() { Q_INIT_RESOURCE(cusp_widgets); }
 
-namespace cusp {
+namespace cusp::ui {
 namespace {
 
 constexpr const char* kScaleProperty = "cusp_scale_percent";
@@ -380,4 +381,4 @@ void CuspStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
   QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
 
-}  // namespace cusp
+}  // namespace cusp::ui

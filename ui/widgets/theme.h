@@ -12,7 +12,7 @@ class QLabel;
 class QPalette;
 class QWidget;
 
-namespace cusp {
+namespace cusp::ui {
 
 /// Roles, not hues: see ui/README.md for what each one means. Contrast is held by tests/ui/widgets.
 struct Tokens {
@@ -79,4 +79,4 @@ class CuspStyle : public QProxyStyle {
                      const QWidget* widget) const override;
 };
 
-}  // namespace cusp
+}  // namespace cusp::ui

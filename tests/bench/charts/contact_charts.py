@@ -24,7 +24,7 @@ def slide(table, task, method, shape, radius, voxel, field):
     for row in table.rows:
         if (row.text("method") == method and row.text("shape") == shape and row.text("motion") == "slide"
                 and row.text("task") == task and row.text("unresolved") != "true" and row.is_near("speed_mm_s", SPEED_MM_S)
-                and row.is_near("burr_radius_mm", radius) and row.is_near("voxel_mm", voxel) and row.holds(field)):
+                and row.is_near("bur_radius_mm", radius) and row.is_near("voxel_mm", voxel) and row.holds(field)):
             return row.number(field)
     return math.nan
 
@@ -109,7 +109,7 @@ def errors(accuracy, shape, field):
     """(voxel, mean error) of the surface proxy over all motions with a bur of 0.5 mm, coarse to fine."""
     by_voxel = {}
     for row in accuracy.where(method="surface", shape=shape, task=""):
-        if row.text("unresolved") != "true" and row.is_near("burr_radius_mm", 0.5) and row.holds(field):
+        if row.text("unresolved") != "true" and row.is_near("bur_radius_mm", 0.5) and row.holds(field):
             by_voxel.setdefault(row.number("voxel_mm"), []).append(row.number(field))
     return [(voxel, mean(values)) for voxel, values in sorted(by_voxel.items(), reverse=True) if sum(values) > 0]
 
@@ -172,7 +172,7 @@ def cost_against_size(rate, scale):
         for row in rate.where(method=method, task="exploration"):
             if (row.text("shape") != "channel" and row.is_near("voxel_mm", USUAL_VOXEL_MM)
                     and row.is_near("speed_mm_s", SPEED_MM_S) and row.holds("updates_per_s")):
-                ticks.setdefault(row.number("burr_radius_mm"), []).append(1e6 / row.number("updates_per_s"))
+                ticks.setdefault(row.number("bur_radius_mm"), []).append(1e6 / row.number("updates_per_s"))
         radius = [(r, mean(us)) for r, us in sorted(ticks.items())]
         if len(radius) < 2:
             raise Missing(f"rate: exploration of {method} with two burs at least")

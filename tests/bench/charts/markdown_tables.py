@@ -22,7 +22,7 @@ def methods(accuracy, rate):
         cells = [[] for _ in range(5)]
         for radius in (0.25, 0.5):
             def usual(table):
-                return [r for r in table.where(method=method) if r.is_near("burr_radius_mm", radius) and r.is_near("voxel_mm", USUAL_VOXEL_MM)]
+                return [r for r in table.where(method=method) if r.is_near("bur_radius_mm", radius) and r.is_near("voxel_mm", USUAL_VOXEL_MM)]
 
             explored = [r for r in usual(rate) if r.text("task") == "exploration" and r.text("shape") != "channel"
                         and r.is_near("speed_mm_s", SPEED_MM_S)]
@@ -106,7 +106,7 @@ def removal(table, full=None):
     if not math.isnan(along):
         of_occupancy += "; along the axes at 1 ms and full push " + percent(along)
     ridges = [r.number("ridge_um") for r in resolved(table, "ridge") if r.holds("ridge_um")]
-    shaped = {r.text("burr") for r in table.where(measure="shape")}
+    shaped = {r.text("bur") for r in table.where(measure="shape")}
     # what, goal, of which table, value of the surface proxy, how it reads, the occupancy method's
     wanted = [
         ("drilling speed, every pair of voxel, tick, direction, tissue, push and bur", "1 %", worst(resolved(table, "speed"), "error_percent"), percent, of_occupancy),
@@ -137,4 +137,4 @@ def removal(table, full=None):
 
 
 def burs(full):
-    return len({r.text("burr") for r in full.where(measure="shape")}) if full else 0
+    return len({r.text("bur") for r in full.where(measure="shape")}) if full else 0

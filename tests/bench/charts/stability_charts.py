@@ -16,7 +16,7 @@ WAYS = (("thin-wall", "thin wall, 1 m/s"), ("tissues", "enamel to dentine"), ("v
         ("late-ticks", "ticks late to 50 ms"), ("grip-weight", "weight of the grip"))
 FAULTS = (("frozen", "frozen"), ("jump", "jumps 20 mm"), ("nan", "not a number"), ("infinite", "infinite"),
           ("out-of-range", "out of range"), ("device-gone", "device vanishes"), ("specimen-exchange", "specimen exchanged"),
-          ("burr-exchange", "bur exchanged"))
+          ("bur-exchange", "bur exchanged"))
 # As tests/bench/verdict.h names what broke, in the order of harm.
 BREAKS = {"through": "falls through", "overlap": "stands in tissue by more than a voxel", "stuck": "stuck for 50 ms",
           "kicks": "kicks by more than 50 mN", "rings": "rings on", "feeds": "feeds the hand", "stays-on": "force stays on"}

@@ -14,8 +14,9 @@
 #include "device/falcon/transport_libusb.h"
 #include "device/falcon/transport_watch.h"
 #include "tests/device/falcon/images.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -97,7 +98,7 @@ bool begin(const Options& options, Contact& contact) {
   settings.workspace.scale = 1.0;
   settings.session.event_character = options.event_character;
   settings.calibration.force_gain = options.gain;
-  settings.buttons = {.cut = falcon::status::kCentre, .clutch = 0, .next_burr = 0, .previous_burr = 0};
+  settings.buttons = {.cut = falcon::status::kCentre, .clutch = 0, .next_bur = 0, .previous_bur = 0};
   std::unique_ptr<falcon::FalconLink> link;
   if (options.emulated) {
     contact.emulator = std::make_unique<falcon::Emulator>();
@@ -110,7 +111,7 @@ bool begin(const Options& options, Contact& contact) {
   contact.link = link.get();
   contact.port = std::make_unique<FalconPort>(std::move(link), settings);
   if (!options.image.empty() || options.emulated) {
-    auto image = options.emulated ? falcon::FirmwareImage::from_bytes(testing::boot_image())
+    auto image = options.emulated ? falcon::FirmwareImage::from_bytes(test::boot_image())
                                   : falcon::FirmwareImage::from_file(options.image);
     if (!image) return fmt::print(stderr, "image {} {}\n", key_of(image.error().code), image.error().where), false;
     const auto known = image->known_as();
@@ -249,10 +250,10 @@ int run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test
 
 int main(int count, char** words) {
-  cusp::Options options;
+  cusp::test::Options options;
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     const bool more = i + 1 < count;
@@ -270,5 +271,5 @@ int main(int count, char** words) {
       options.words.push_back(word);
     }
   }
-  return cusp::run(options);
+  return cusp::test::run(options);
 }

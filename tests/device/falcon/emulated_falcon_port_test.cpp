@@ -10,13 +10,14 @@
 #include "engine/loop/haptic_loop.h"
 #include "tests/device/toy_tissue.h"
 #include "tests/engine/loop/block_scene.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
 using falcon::EmulatedTime;
-using testing::ToyTissue;
+using test::ToyTissue;
 
 std::chrono::steady_clock::time_point in_2ms(EmulatedFalconPort& port) {
   return std::chrono::steady_clock::time_point(port.link().now() + 2ms);
@@ -28,7 +29,7 @@ TEST(EmulatedFalcon, a_mouse_presses_with_it) {
   EmulatedFalconPort port(
       [&](const Feedback& felt, double dt_s) {
         const PointerWish& wish = hand.latest();
-        return EmulatedHandPose{motion.advance(wish, felt, dt_s), wish.cut, wish.burr};
+        return EmulatedHandPose{motion.advance(wish, felt, dt_s), wish.cut, wish.bur};
       },
       {.cold = true, .time = EmulatedTime::stands});
   ASSERT_TRUE(port.open());
@@ -36,7 +37,7 @@ TEST(EmulatedFalcon, a_mouse_presses_with_it) {
   EXPECT_EQ(port.falcon().loaded_words(), 2048u);
   hand.set_push(1.5);
   hand.set_cut(true);
-  hand.set_burr(2);
+  hand.set_bur(2);
   ToyTissue tissue;
   double least = 9, most = 0;
   Sample sample;
@@ -54,7 +55,7 @@ TEST(EmulatedFalcon, a_mouse_presses_with_it) {
   EXPECT_NEAR(least, 1.5, 0.12);
   EXPECT_NEAR(most, 1.5, 0.12);
   EXPECT_EQ(sample.buttons, 1);
-  EXPECT_EQ(sample.burr, 2);
+  EXPECT_EQ(sample.bur, 2);
 }
 
 TEST(EmulatedFalcon, drills_a_block_in_virtual_time_without_a_late_sample) {
@@ -106,4 +107,4 @@ TEST(EmulatedFalcon, is_no_device_of_the_real_one_s_class) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

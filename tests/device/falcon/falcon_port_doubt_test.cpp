@@ -7,7 +7,7 @@
 
 #include "tests/device/falcon/port_bench.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -15,8 +15,8 @@ using falcon::EmulatorSettings;
 using falcon::LinkTime;
 using falcon::Phase;
 using falcon::Presence;
-using testing::image;
-using Bench = testing::PortBench;
+using test::image;
+using Bench = test::PortBench;
 
 TEST(FalconPort, says_why_it_does_not_open) {
   const auto error_of = [](Presence presence) {
@@ -117,7 +117,7 @@ TEST(FalconPort, a_fault_or_a_force_that_is_none_gives_no_torque) {
   EXPECT_EQ(bench.falcon.torque_words(bench.link->now()), (std::array<std::int16_t, 3>{}));
 }
 
-TEST(FalconPort, the_clutch_takes_the_force_away_and_leaves_the_burr) {
+TEST(FalconPort, the_clutch_takes_the_force_away_and_leaves_the_bur) {
   Bench bench;
   ASSERT_TRUE(bench.port->open());
   ASSERT_TRUE(bench.home());
@@ -211,4 +211,4 @@ TEST(FalconPort, waits_no_longer_than_it_was_told_whatever_happens) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

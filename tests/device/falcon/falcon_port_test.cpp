@@ -11,19 +11,20 @@
 #include "tests/device/counted_new.h"
 #include "tests/device/falcon/port_bench.h"
 #include "tests/device/toy_tissue.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
 using falcon::Emulator;
 using falcon::EmulatorSettings;
 using falcon::LinkTime;
-using testing::allocations;
-using testing::armed;
-using testing::image;
-using testing::ToyTissue;
-using Bench = testing::PortBench;
+using test::allocations;
+using test::armed;
+using test::image;
+using test::ToyTissue;
+using Bench = test::PortBench;
 
 TEST(FalconPort, uploads_on_opening_homes_by_hand_and_then_follows_the_grip) {
   Bench bench(EmulatorSettings{});
@@ -190,9 +191,9 @@ TEST(FalconPort, a_new_force_gain_holds_from_the_next_packet_on) {
   EXPECT_NEAR(pushed(), 1.5 * usual, 0.01);
 }
 
-TEST(FalconPort, buttons_cut_and_change_the_burr_once_a_press) {
+TEST(FalconPort, buttons_cut_and_change_the_bur_once_a_press) {
   FalconSettings settings;
-  settings.burrs = 3;
+  settings.burs = 3;
   Bench bench({.firmware_running = true}, settings);
   ASSERT_TRUE(bench.port->open());
   ASSERT_TRUE(bench.home());
@@ -201,10 +202,10 @@ TEST(FalconPort, buttons_cut_and_change_the_burr_once_a_press) {
     for (int i = 0; i < ticks; ++i) bench.tick();
     bench.falcon.set_buttons(0);
     for (int i = 0; i < 4; ++i) bench.tick();
-    return bench.tick().burr;
+    return bench.tick().bur;
   };
   EXPECT_EQ(press(falcon::status::kPlus, 5), 0);    // a bounce
-  EXPECT_EQ(press(falcon::status::kPlus, 300), 1);  // held: one burr on
+  EXPECT_EQ(press(falcon::status::kPlus, 300), 1);  // held: one bur on
   EXPECT_EQ(press(falcon::status::kPlus, 60), 2);
   EXPECT_EQ(press(falcon::status::kPlus, 60), 2);  // the last one
   EXPECT_EQ(press(falcon::status::kMinus, 60), 1);
@@ -231,4 +232,4 @@ TEST(FalconPort, carries_the_weight_that_was_calibrated) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

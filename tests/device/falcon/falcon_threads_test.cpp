@@ -7,8 +7,9 @@
 #include "engine/loop/haptic_loop.h"
 #include "tests/device/falcon/images.h"
 #include "tests/engine/loop/block_scene.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -35,7 +36,7 @@ TEST(FalconThreads, opening_can_be_given_up) {
   falcon::Emulator dark({.powered = false});
   FalconPort port(
       std::make_unique<falcon::EmulatedLink>(dark, falcon::EmulatedLinkSettings{.time = falcon::EmulatedTime::runs}));
-  port.give_image(*falcon::FirmwareImage::from_bytes(testing::boot_image()));
+  port.give_image(*falcon::FirmwareImage::from_bytes(test::boot_image()));
   std::thread screen([&port] {
     EXPECT_TRUE(test::eventually([&port] { return port.view().session.phase == falcon::Phase::greeting; }));
     port.cancel();
@@ -80,4 +81,4 @@ TEST(FalconThreads, another_thread_moves_the_grip_and_lights_the_colours) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

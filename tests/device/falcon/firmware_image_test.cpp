@@ -7,10 +7,10 @@
 
 #include "tests/device/falcon/images.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
-using testing::boot_image;
+using test::boot_image;
 
 ImageError error_of(std::vector<std::uint8_t> bytes) {
   const auto image = FirmwareImage::from_bytes(std::move(bytes));
@@ -88,4 +88,4 @@ TEST(FirmwareImage, reads_a_file_and_names_it_when_it_is_no_good) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

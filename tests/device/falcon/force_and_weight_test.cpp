@@ -5,10 +5,10 @@
 #include "device/falcon/weighing.h"
 #include "tests/device/falcon/trial_bench.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
-using testing::TrialBench;
+using test::TrialBench;
 
 TEST(FalconForceTest, pushes_six_ways_in_turn_to_what_was_asked_and_never_jumps) {
   ForceTest trial(2.0);
@@ -72,4 +72,4 @@ TEST(FalconWeighing, stopped_it_says_nothing) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

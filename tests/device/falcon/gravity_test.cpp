@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
 const Geometry kFalcon;
@@ -92,4 +92,4 @@ TEST(FalconGravity, refuses_what_cannot_be_told_apart) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

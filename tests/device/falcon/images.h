@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 /// Blocks of so many words each, filled from a counter so that a shifted echo shows.
 inline std::vector<std::uint8_t> boot_image(const std::vector<std::uint32_t>& block_words = {100, 1500, 900}) {
@@ -29,4 +29,4 @@ inline std::vector<std::uint8_t> boot_image(const std::vector<std::uint32_t>& bl
   return out;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -12,7 +12,7 @@
 
 #include "device/falcon/protocol.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
 constexpr double kDegree = 57.295779513082323;
@@ -274,4 +274,4 @@ TEST(FalconKinematics, the_strongest_force_is_what_was_reckoned) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 namespace {
 
@@ -300,4 +300,4 @@ void MockFalcon::discard(UMockdevIoctlClient* client, UMockdevIoctlData* argumen
   umockdev_ioctl_client_complete(client, 0, 0);
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

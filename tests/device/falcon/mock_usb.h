@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "device/falcon/emulator.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 class MockBus;
 
@@ -81,4 +82,4 @@ class MockBus {
   UMockdevTestbed* testbed_;
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

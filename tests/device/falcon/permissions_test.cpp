@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
 TEST(FalconPermissions, the_rule_is_the_one_in_the_file) {
@@ -29,4 +29,4 @@ TEST(FalconPermissions, the_copied_line_quotes_the_rule_whole) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

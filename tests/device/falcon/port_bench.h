@@ -5,8 +5,9 @@
 
 #include "device/falcon/falcon_port.h"
 #include "tests/device/falcon/rig.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 using namespace std::chrono_literals;
 using falcon::EmulatedLink;
@@ -53,4 +54,4 @@ struct PortBench {
   }
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -8,7 +8,7 @@
 
 #include "device/falcon/ftdi.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
 std::vector<std::uint8_t> bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
@@ -191,4 +191,4 @@ TEST(FalconLine, a_packet_of_status_alone_carries_nothing) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

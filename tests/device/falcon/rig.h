@@ -9,8 +9,9 @@
 #include "device/falcon/emulated_link.h"
 #include "device/falcon/session.h"
 #include "tests/device/falcon/images.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 using namespace std::chrono_literals;
 using falcon::LinkTime;
@@ -81,4 +82,4 @@ struct Rig {
   }
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -11,15 +11,16 @@
 
 #include "device/falcon/falcon_port.h"
 #include "tests/device/falcon/rough_link.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
 using falcon::LinkTime;
-using testing::RoughLink;
-using testing::Truth;
-using testing::Weather;
+using test::RoughLink;
+using test::Truth;
+using test::Weather;
 
 constexpr LinkTime kFresh = 10ms;
 constexpr LinkTime kWithin = 600ms;  // from the end of a spell to the next fresh sample; measured: see the output
@@ -285,4 +286,4 @@ TEST(FalconPort, no_line_however_rough_brings_torque_or_a_place_from_an_old_answ
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

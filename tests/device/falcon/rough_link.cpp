@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 namespace {
 
@@ -160,4 +160,4 @@ LinkEvent RoughLink::wait(LinkTime until) noexcept {
   return {.kind = LinkEvent::Kind::received, .bytes = given_};
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

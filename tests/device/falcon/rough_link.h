@@ -13,8 +13,9 @@
 #include "device/falcon/kinematics.h"
 #include "device/falcon/link.h"
 #include "device/falcon/protocol.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 /// What the line does for a while. Chances are those of one packet.
 struct Weather {
@@ -89,4 +90,4 @@ class RoughLink final : public falcon::FalconLink {
   std::uint64_t packets_ = 0;
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

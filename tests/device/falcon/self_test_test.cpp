@@ -10,11 +10,11 @@
 #include "device/falcon/self_test.h"
 #include "tests/device/falcon/trial_bench.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::TrialBench;
+using test::TrialBench;
 
 SelfTestResult measured(const EmulatedBodySettings& body, const EmulatedLinkSettings& line = {}) {
   TrialBench bench(body, line);
@@ -154,7 +154,7 @@ TEST(FalconProfile, numbers_that_no_falcon_has_are_left_out) {
   EXPECT_EQ(kept.gravity, good.gravity);
   EXPECT_EQ(kept.damping_ns_per_m, 0.8);
   EXPECT_EQ(kept.delay_ms, 1.5);
-  EXPECT_EQ(kept.burrs, 4);
+  EXPECT_EQ(kept.burs, 4);
   EXPECT_EQ(kept.workspace.origin_mm, Vec3(1, 2, 3));
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -172,16 +172,16 @@ TEST(FalconProfile, numbers_that_no_falcon_has_are_left_out) {
   EXPECT_FALSE(left.damping_ns_per_m || left.delay_ms || left.encoder_mm);
 }
 
-TEST(FalconProfile, a_clutch_takes_its_button_from_the_burrs_and_a_centre_out_of_reach_is_left_out) {
+TEST(FalconProfile, a_clutch_takes_its_button_from_the_burs_and_a_centre_out_of_reach_is_left_out) {
   FalconProfile profile;
   EXPECT_EQ(settings_for(profile).buttons.clutch, status::kForward);
   profile.clutch = status::kPlus;
   EXPECT_EQ(settings_for(profile).buttons.clutch, status::kPlus);
-  EXPECT_EQ(settings_for(profile).buttons.next_burr, 0);
-  EXPECT_EQ(settings_for(profile).buttons.previous_burr, status::kMinus);
+  EXPECT_EQ(settings_for(profile).buttons.next_bur, 0);
+  EXPECT_EQ(settings_for(profile).buttons.previous_bur, status::kMinus);
   profile.clutch = 0;
   EXPECT_EQ(settings_for(profile).buttons.clutch, 0);
-  EXPECT_EQ(settings_for(profile).buttons.next_burr, status::kPlus);
+  EXPECT_EQ(settings_for(profile).buttons.next_bur, status::kPlus);
   profile.clutch = status::kCentre;  // cuts, and nothing else
   EXPECT_EQ(settings_for(profile).buttons.clutch, status::kForward);
   profile.centre_m = Vec3(0.03, -0.03, 0.155);
@@ -193,4 +193,4 @@ TEST(FalconProfile, a_clutch_takes_its_button_from_the_burrs_and_a_centre_out_of
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

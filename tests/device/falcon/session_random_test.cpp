@@ -11,7 +11,7 @@
 #include "device/falcon/session.h"
 #include "tests/device/falcon/images.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
 using namespace std::chrono_literals;
@@ -72,7 +72,7 @@ void lead_to(Session& session, Phase phase, std::span<const std::uint8_t> image,
 TEST(FalconSession, no_stream_of_bytes_brings_force_before_homing) {
   const char* wanted = std::getenv("CUSP_RANDOM_STREAMS");
   const long streams = wanted != nullptr ? std::strtol(wanted, nullptr, 10) : 20'000;
-  const auto made = FirmwareImage::from_bytes(testing::boot_image());
+  const auto made = FirmwareImage::from_bytes(test::boot_image());
   ASSERT_TRUE(made);
   const auto image = made->bytes();
   long forced = 0, packets = 0;
@@ -152,4 +152,4 @@ TEST(FalconSession, no_stream_of_bytes_brings_force_before_homing) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

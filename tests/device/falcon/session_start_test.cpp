@@ -6,11 +6,11 @@
 
 #include "tests/device/falcon/rig.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
-using testing::image;
-using testing::Rig;
+using test::image;
+using test::Rig;
 using namespace std::chrono_literals;
 
 TEST(FalconSession, uploads_homes_and_then_gives_force) {
@@ -205,4 +205,4 @@ TEST(FalconSession, unplugged_at_any_step_it_comes_back_by_itself) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

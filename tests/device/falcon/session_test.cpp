@@ -8,11 +8,11 @@
 
 #include "tests/device/falcon/rig.h"
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
-using testing::image;
-using testing::Rig;
+using test::image;
+using test::Rig;
 using namespace std::chrono_literals;
 
 constexpr std::array<std::int16_t, 3> kNoTorque{};
@@ -283,4 +283,4 @@ TEST(FalconSession, a_bridge_set_to_pass_on_each_frame_works_alike) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

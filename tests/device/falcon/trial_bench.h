@@ -9,8 +9,9 @@
 #include "device/falcon/emulated_link.h"
 #include "device/falcon/falcon_port.h"
 #include "device/falcon/trial.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 using namespace std::chrono_literals;
 using falcon::EmulatedBody;
@@ -34,7 +35,7 @@ struct TrialBench {
   static FalconSettings driver() {
     FalconSettings out;
     out.workspace.scale = 1.0;
-    out.buttons = {.cut = status::kCentre, .clutch = 0, .next_burr = 0, .previous_burr = 0};
+    out.buttons = {.cut = status::kCentre, .clutch = 0, .next_bur = 0, .previous_bur = 0};
     return out;
   }
   explicit TrialBench(const EmulatedBodySettings& settings, const EmulatedLinkSettings& line = {})
@@ -65,4 +66,4 @@ struct TrialBench {
   }
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

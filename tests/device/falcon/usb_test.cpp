@@ -11,14 +11,15 @@
 #include "device/falcon/transport_watch.h"
 #include "tests/device/falcon/images.h"
 #include "tests/device/falcon/mock_usb.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
 using falcon::Emulator;
-using testing::MockBus;
-using testing::MockFalcon;
+using test::MockBus;
+using test::MockFalcon;
 
 MockBus& bus() {
   static MockBus made;
@@ -43,7 +44,7 @@ std::unique_ptr<FalconPort> port_to(const std::string& name) {
   settings.session.times.give_up = 20s;
   settings.session.times.probe = 100ms;
   auto port = std::make_unique<FalconPort>(std::move(*link), settings);
-  port->give_image(*falcon::FirmwareImage::from_bytes(testing::boot_image()));
+  port->give_image(*falcon::FirmwareImage::from_bytes(test::boot_image()));
   return port;
 }
 
@@ -143,7 +144,7 @@ TEST(FalconUsb, unplugged_while_loading_it_is_loaded_again) {
   auto link = falcon::make_usb_link("");
   ASSERT_TRUE(link);
   falcon::Session session;
-  session.give_image(*falcon::FirmwareImage::from_bytes(testing::boot_image()));
+  session.give_image(*falcon::FirmwareImage::from_bytes(test::boot_image()));
   const auto once = [&] {
     while (const auto ask = session.next_ask()) (*link)->start(*ask);
     const auto event = (*link)->wait(std::min((*link)->now() + 10ms, std::max(session.due(), (*link)->now())));
@@ -219,4 +220,4 @@ TEST(FalconUsb, coming_and_going_is_noticed) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

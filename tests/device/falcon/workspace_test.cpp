@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace cusp::falcon {
+namespace cusp::device::falcon {
 namespace {
 
 TEST(FalconWorkspace, turns_the_device_s_axes_into_the_specimen_s) {
@@ -32,7 +32,7 @@ TEST(FalconWorkspace, a_push_does_the_same_work_on_both_sides) {
   }
 }
 
-TEST(FalconWorkspace, the_clutch_lets_the_grip_come_back_without_the_burr) {
+TEST(FalconWorkspace, the_clutch_lets_the_grip_come_back_without_the_bur) {
   auto space = Workspace::from({});
   const Vec3 far(0.03, 0.01, 0.13), back(0, 0, 0.125), then(0.002, 0, 0.125);
   const Vec3 stood = space->specimen_mm(far);
@@ -58,4 +58,4 @@ TEST(FalconWorkspace, refuses_numbers_that_are_none) {
 }
 
 }  // namespace
-}  // namespace cusp::falcon
+}  // namespace cusp::device::falcon

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -63,4 +63,4 @@ inline Bytes words(std::uint8_t report, std::initializer_list<int> values) {
   return out;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

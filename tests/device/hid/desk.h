@@ -12,8 +12,9 @@
 
 #include "device/hid/hid_bus.h"
 #include "tests/device/hid/descriptors.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 using hid::HidBus;
 using hid::HidDevice;
@@ -94,4 +95,4 @@ inline std::function<std::unique_ptr<HidBus>()> bus_of(Desk& desk) {
   return [&desk] { return std::make_unique<DeskBus>(desk); };
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

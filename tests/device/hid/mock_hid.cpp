@@ -8,7 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 namespace {
 
@@ -149,4 +149,4 @@ gboolean MockHid::on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, MockH
   return TRUE;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -11,7 +11,7 @@
 
 #include "tests/device/hid/descriptors.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 class MockHidBus {
  public:
@@ -58,4 +58,4 @@ class MockHid {
   bool plugged_ = false, attached_ = false;
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

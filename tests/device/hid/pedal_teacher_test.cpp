@@ -4,10 +4,10 @@
 
 #include "tests/device/hid/descriptors.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 namespace {
 
-using testing::Bytes;
+using test::Bytes;
 
 struct Lesson {
   explicit Lesson(const Bytes& descriptor) : state(*parse_report_descriptor(descriptor)) {}
@@ -24,7 +24,7 @@ struct Lesson {
 };
 
 TEST(PedalTeacher, learns_the_switch_that_was_pressed) {
-  Lesson lesson(testing::vec_descriptor());
+  Lesson lesson(test::vec_descriptor());
   lesson.rest({0x00, 0x00});
   EXPECT_FALSE(lesson.teacher.found());
   lesson.press({0x04, 0x00});
@@ -35,7 +35,7 @@ TEST(PedalTeacher, learns_the_switch_that_was_pressed) {
 }
 
 TEST(PedalTeacher, learns_a_key_that_nobody_knew_before) {
-  Lesson lesson(testing::keyboard_descriptor());
+  Lesson lesson(test::keyboard_descriptor());
   lesson.rest({0, 0, 0, 0, 0, 0, 0, 0});
   lesson.press({0, 0, 0x68, 0, 0, 0, 0, 0});
   lesson.press({0, 0, 0, 0, 0, 0, 0, 0});  // let go again before the teacher was told
@@ -48,7 +48,7 @@ TEST(PedalTeacher, learns_a_key_that_nobody_knew_before) {
 }
 
 TEST(PedalTeacher, learns_the_axis_that_went_furthest_and_its_two_ends) {
-  Lesson lesson(testing::rudder_descriptor());
+  Lesson lesson(test::rudder_descriptor());
   const auto report = [](std::uint32_t rudder, std::uint32_t x, std::uint32_t y) {
     const std::uint32_t bits = rudder | x << 9 | y << 16;
     return Bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16)};
@@ -64,14 +64,14 @@ TEST(PedalTeacher, learns_the_axis_that_went_furthest_and_its_two_ends) {
 }
 
 TEST(PedalTeacher, an_axis_that_hardly_moved_was_not_meant) {
-  Lesson lesson(testing::rudder_descriptor());
+  Lesson lesson(test::rudder_descriptor());
   lesson.rest({0, 1, 64});
   lesson.press({10, 1, 70});
   EXPECT_FALSE(lesson.teacher.found());
 }
 
 TEST(PedalTeacher, an_axis_that_had_not_spoken_begins_where_it_is_first_heard_of) {
-  Lesson lesson(testing::rudder_descriptor());
+  Lesson lesson(test::rudder_descriptor());
   lesson.teacher.rest(lesson.state.controls());
   lesson.press({0, 0xFE, 127});  // all three speak for the first time, the brakes at their most
   lesson.press({0, 0xFE, 5});
@@ -82,4 +82,4 @@ TEST(PedalTeacher, an_axis_that_had_not_spoken_begins_where_it_is_first_heard_of
 }
 
 }  // namespace
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

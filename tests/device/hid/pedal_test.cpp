@@ -6,16 +6,16 @@
 
 #include "tests/device/hid/descriptors.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 namespace {
 
-using testing::Bytes;
+using test::Bytes;
 
 PedalState state_of(const Bytes& descriptor) { return PedalState(*parse_report_descriptor(descriptor)); }
 ControlId button(std::uint16_t number) { return {usage::kButtonPage, number, 0}; }
 
 TEST(Pedal, any_of_a_known_pedals_switches_drills_until_one_is_chosen) {
-  PedalState state = state_of(testing::vec_descriptor());
+  PedalState state = state_of(test::vec_descriptor());
   PedalSettings settings;
   EXPECT_EQ(reading_of(state, settings), PedalReading{});
   ASSERT_TRUE(state.take(Bytes{0x04, 0x00}));
@@ -29,7 +29,7 @@ TEST(Pedal, any_of_a_known_pedals_switches_drills_until_one_is_chosen) {
 }
 
 TEST(Pedal, a_second_switch_runs_the_coolant_and_does_not_drill) {
-  PedalState state = state_of(testing::vec_descriptor());
+  PedalState state = state_of(test::vec_descriptor());
   PedalSettings settings;
   settings.coolant = button(1);
   ASSERT_TRUE(state.take(Bytes{0x01, 0x00}));
@@ -40,7 +40,7 @@ TEST(Pedal, a_second_switch_runs_the_coolant_and_does_not_drill) {
 }
 
 TEST(Pedal, a_pedal_that_plays_keyboard_drills_with_its_key_and_with_no_other) {
-  PedalState state = state_of(testing::keyboard_descriptor());
+  PedalState state = state_of(test::keyboard_descriptor());
   PedalSettings settings;
   settings.drill = ControlId{usage::kKeyPage, 0x68, 0};  // F13
   ASSERT_TRUE(state.take(Bytes{0, 0, 0x04, 0, 0, 0, 0, 0}));  // a
@@ -82,7 +82,7 @@ TEST(Pedal, a_calibration_of_no_way_or_too_much_dead_zone_is_none) {
 }
 
 TEST(Pedal, an_axis_that_has_not_spoken_is_released_though_it_rests_at_its_most) {
-  PedalState state = state_of(testing::rudder_descriptor());
+  PedalState state = state_of(test::rudder_descriptor());
   PedalSettings settings;
   settings.drill = ControlId{usage::kDesktopPage, 0x31, 0};
   settings.calibration = *PedalCalibration::from(127, 0);  // rests at its most: an unspoken 0 would be full down
@@ -94,7 +94,7 @@ TEST(Pedal, an_axis_that_has_not_spoken_is_released_though_it_rests_at_its_most)
 }
 
 TEST(Pedal, reports_that_are_none_of_its_own_change_nothing) {
-  PedalState state = state_of(testing::signed_axis_descriptor());
+  PedalState state = state_of(test::signed_axis_descriptor());
   ASSERT_TRUE(state.take(Bytes{0x05, 0x01}));
   EXPECT_TRUE(state.any_switch());
   EXPECT_FALSE(state.take(Bytes{}));
@@ -123,4 +123,4 @@ TEST(Pedal, a_keyboard_or_a_joystick_never_drills_unasked) {
 }
 
 }  // namespace
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

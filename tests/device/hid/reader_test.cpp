@@ -12,14 +12,14 @@
 #include "tests/device/hid/desk.h"
 #include "tests/eventually.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 namespace {
 
 using namespace std::chrono_literals;
 using test::eventually;
-using testing::Bytes;
-using testing::bus_of;
-using testing::Desk;
+using test::Bytes;
+using test::bus_of;
+using test::Desk;
 
 PedalReading latest(const PedalReader& reader) { return reader.latest(std::chrono::steady_clock::now()); }
 
@@ -28,7 +28,7 @@ TEST(PedalReader, follows_a_pedal_and_unplugged_it_is_released_and_found_again) 
   PedalReader reader(bus_of(desk));
   reader.start();
   EXPECT_EQ(latest(reader), PedalReading{});
-  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
+  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
   ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
   EXPECT_EQ(reader.view().controls.size(), 3u);
   desk.say(pedal, {0x02, 0x00});
@@ -36,7 +36,7 @@ TEST(PedalReader, follows_a_pedal_and_unplugged_it_is_released_and_found_again) 
   desk.unplug(pedal);
   EXPECT_TRUE(eventually([&] { return latest(reader).pressed == 0; }));
   EXPECT_TRUE(eventually([&] { return !reader.view().connected; }));
-  pedal = desk.plug("/dev/hidraw2", 0x05f3, 0x00ff, testing::vec_descriptor());
+  pedal = desk.plug("/dev/hidraw2", 0x05f3, 0x00ff, test::vec_descriptor());
   ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
   EXPECT_EQ(latest(reader).pressed, 0);  // nothing is remembered of the time before
   desk.say(pedal, {0x01, 0x00});
@@ -45,7 +45,7 @@ TEST(PedalReader, follows_a_pedal_and_unplugged_it_is_released_and_found_again) 
 
 TEST(PedalReader, a_value_that_nobody_has_looked_after_is_released) {
   Desk desk;
-  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
+  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
   PedalReader reader(bus_of(desk));
   reader.start();
   desk.say(pedal, {0x01, 0x00});
@@ -59,7 +59,7 @@ TEST(PedalReader, a_value_that_nobody_has_looked_after_is_released) {
 
 TEST(PedalReader, one_that_may_not_be_opened_is_said_to_be_denied) {
   Desk desk;
-  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor())->denied = true;
+  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor())->denied = true;
   PedalReader reader(bus_of(desk));
   reader.start();
   EXPECT_TRUE(eventually([&] { return reader.view().denied; }));
@@ -68,7 +68,7 @@ TEST(PedalReader, one_that_may_not_be_opened_is_said_to_be_denied) {
 
 TEST(PedalReader, a_keyboard_is_offered_and_followed_only_when_chosen) {
   Desk desk;
-  auto keyboard = desk.plug("/dev/hidraw1", 0x0c45, 0x7403, testing::keyboard_descriptor());
+  auto keyboard = desk.plug("/dev/hidraw1", 0x0c45, 0x7403, test::keyboard_descriptor());
   PedalReader reader(bus_of(desk));
   reader.start();
   ASSERT_TRUE(eventually([&] { return reader.view().devices.size() == 1; }));
@@ -90,7 +90,7 @@ TEST(PedalReader, many_goings_and_comings_leave_nothing_pressed) {
   PedalReader reader(bus_of(desk));
   reader.start();
   for (int i = 0; i < 30; ++i) {
-    auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
+    auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
     reader.set_settings({});  // looks at once
     ASSERT_TRUE(eventually([&] { return reader.view().connected; }));
     for (int n = 0; n < 20; ++n) desk.say(pedal, {static_cast<std::uint8_t>(n % 2 + 1), 0x00});
@@ -103,15 +103,15 @@ TEST(PedalReader, many_goings_and_comings_leave_nothing_pressed) {
 
 TEST(SpaceMouseReader, follows_the_six_axes_of_a_receiver_and_not_its_keyboard) {
   Desk desk;
-  desk.plug("/dev/hidraw1", 0x256f, 0xc652, testing::keyboard_descriptor());
-  auto mouse = desk.plug("/dev/hidraw2", 0x256f, 0xc652, testing::space_mouse_descriptor());
+  desk.plug("/dev/hidraw1", 0x256f, 0xc652, test::keyboard_descriptor());
+  auto mouse = desk.plug("/dev/hidraw2", 0x256f, 0xc652, test::space_mouse_descriptor());
   SpaceMouseReader reader(bus_of(desk));
   reader.start();
   const auto view = [&] { return reader.view(std::chrono::steady_clock::now()); };
   ASSERT_TRUE(eventually([&] { return view().connected; }));
   EXPECT_EQ(view().device->path, "/dev/hidraw2");
   ASSERT_TRUE(eventually([&] {
-    desk.say(mouse, testing::words(1, {350, 0, 0}));
+    desk.say(mouse, test::words(1, {350, 0, 0}));
     return view().motion.move[0] > 0.9;
   }));
   desk.unplug(mouse);
@@ -204,4 +204,4 @@ TEST(HidPermissions, the_command_names_a_device_that_the_rules_do_not) {
 }
 
 }  // namespace
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

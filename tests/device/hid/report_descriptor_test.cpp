@@ -9,13 +9,13 @@
 #include "device/hid/pedal.h"
 #include "tests/device/hid/descriptors.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 namespace {
 
-using testing::Bytes;
+using test::Bytes;
 
 TEST(ReportDescriptor, three_buttons_of_a_foot_pedal_are_the_lowest_bits) {
-  const auto parsed = parse_report_descriptor(testing::vec_descriptor());
+  const auto parsed = parse_report_descriptor(test::vec_descriptor());
   ASSERT_TRUE(parsed);
   EXPECT_FALSE(parsed->numbered);
   EXPECT_EQ(parsed->bytes[0], 2);
@@ -33,7 +33,7 @@ TEST(ReportDescriptor, three_buttons_of_a_foot_pedal_are_the_lowest_bits) {
 }
 
 TEST(ReportDescriptor, a_keyboard_has_eight_switches_and_a_list_of_six_keys) {
-  const auto parsed = parse_report_descriptor(testing::keyboard_descriptor());
+  const auto parsed = parse_report_descriptor(test::keyboard_descriptor());
   ASSERT_TRUE(parsed);
   EXPECT_EQ(parsed->page, usage::kDesktopPage);
   EXPECT_EQ(parsed->usage, usage::kKeyboard);
@@ -51,7 +51,7 @@ TEST(ReportDescriptor, a_keyboard_has_eight_switches_and_a_list_of_six_keys) {
 }
 
 TEST(ReportDescriptor, axes_lie_across_bytes_and_keep_their_ranges) {
-  const auto parsed = parse_report_descriptor(testing::rudder_descriptor());
+  const auto parsed = parse_report_descriptor(test::rudder_descriptor());
   ASSERT_TRUE(parsed);
   EXPECT_EQ(parsed->bytes[0], 3);
   ASSERT_EQ(parsed->inputs.size(), 3u);
@@ -68,7 +68,7 @@ TEST(ReportDescriptor, axes_lie_across_bytes_and_keep_their_ranges) {
 }
 
 TEST(ReportDescriptor, numbered_reports_have_their_own_places_and_signs_are_kept) {
-  const auto parsed = parse_report_descriptor(testing::signed_axis_descriptor());
+  const auto parsed = parse_report_descriptor(test::signed_axis_descriptor());
   ASSERT_TRUE(parsed);
   EXPECT_TRUE(parsed->numbered);
   EXPECT_EQ(parsed->bytes[4], 2);
@@ -81,7 +81,7 @@ TEST(ReportDescriptor, numbered_reports_have_their_own_places_and_signs_are_kept
 }
 
 TEST(ReportDescriptor, values_beyond_the_range_and_short_reports_are_none) {
-  const auto parsed = parse_report_descriptor(testing::space_mouse_descriptor());
+  const auto parsed = parse_report_descriptor(test::space_mouse_descriptor());
   ASSERT_TRUE(parsed);
   EXPECT_EQ(parsed->usage, usage::kMultiAxis);
   const InputField& x = parsed->inputs[0];
@@ -109,8 +109,8 @@ TEST(ReportDescriptor, damage_is_refused_with_its_kind_and_place) {
 
 TEST(ReportDescriptor, every_cut_and_every_changed_byte_of_real_ones_is_parsed_or_refused) {
   int parsed = 0, refused = 0;
-  for (const Bytes& whole : {testing::vec_descriptor(), testing::keyboard_descriptor(), testing::rudder_descriptor(),
-                             testing::signed_axis_descriptor(), testing::space_mouse_descriptor()}) {
+  for (const Bytes& whole : {test::vec_descriptor(), test::keyboard_descriptor(), test::rudder_descriptor(),
+                             test::signed_axis_descriptor(), test::space_mouse_descriptor()}) {
     for (std::size_t cut = 0; cut < whole.size(); ++cut) {
       const auto result = parse_report_descriptor(std::span(whole).first(cut));
       ++(result ? parsed : refused);
@@ -148,8 +148,8 @@ TEST(ReportDescriptor, a_million_random_byte_strings_are_parsed_or_refused) {
   const char* asked = std::getenv("CUSP_RANDOM_SEED");
   const std::uint64_t seed = asked != nullptr ? std::strtoull(asked, nullptr, 10) : 7;
   std::mt19937_64 random(seed);
-  const Bytes real[] = {testing::vec_descriptor(), testing::keyboard_descriptor(), testing::rudder_descriptor(),
-                        testing::signed_axis_descriptor(), testing::space_mouse_descriptor()};
+  const Bytes real[] = {test::vec_descriptor(), test::keyboard_descriptor(), test::rudder_descriptor(),
+                        test::signed_axis_descriptor(), test::space_mouse_descriptor()};
   Bytes bytes, report(80);
   std::uint64_t parsed = 0, with_fields = 0, taken = 0;
   for (int i = 0; i < 1'000'000; ++i) {
@@ -189,4 +189,4 @@ TEST(ReportDescriptor, a_million_random_byte_strings_are_parsed_or_refused) {
 }
 
 }  // namespace
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

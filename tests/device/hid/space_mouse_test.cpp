@@ -6,12 +6,12 @@
 
 #include "tests/device/hid/descriptors.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::Bytes;
-using testing::words;
+using test::Bytes;
+using test::words;
 
 const SpaceMouseState::Time kNow{std::chrono::hours(1)};
 constexpr SpaceMouseSettings kPlain{.dead_zone = 0.0};
@@ -108,4 +108,4 @@ TEST(SpaceMouse, only_six_axis_devices_are_taken_for_one) {
 }
 
 }  // namespace
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

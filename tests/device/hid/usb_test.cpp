@@ -8,14 +8,14 @@
 #include "tests/device/hid/mock_hid.h"
 #include "tests/eventually.h"
 
-namespace cusp::hid {
+namespace cusp::device::hid {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::Bytes;
+using test::Bytes;
 using test::eventually;
-using testing::MockHid;
-using testing::MockHidBus;
+using test::MockHid;
+using test::MockHidBus;
 
 MockHidBus& bus() {
   static MockHidBus made;
@@ -25,8 +25,8 @@ MockHidBus& bus() {
 PedalReading latest(const PedalReader& reader) { return reader.latest(std::chrono::steady_clock::now()); }
 
 TEST(HidUsb, lists_what_is_plugged_in_with_its_descriptor) {
-  MockHid pedal(bus(), 1, 0x05f3, 0x00ff, "VEC USB Footpedal", testing::vec_descriptor());
-  MockHid mouse(bus(), 2, 0x256f, 0xc635, "SpaceMouse Compact", testing::space_mouse_descriptor());
+  MockHid pedal(bus(), 1, 0x05f3, 0x00ff, "VEC USB Footpedal", test::vec_descriptor());
+  MockHid mouse(bus(), 2, 0x256f, 0xc635, "SpaceMouse Compact", test::space_mouse_descriptor());
   pedal.plug();
   mouse.plug();
   const auto hidapi = make_hidapi_bus();
@@ -39,19 +39,19 @@ TEST(HidUsb, lists_what_is_plugged_in_with_its_descriptor) {
   EXPECT_EQ(devices[0].name, "VEC USB Footpedal");
   EXPECT_EQ(devices[0].serial, "S1");
   EXPECT_EQ(devices[0].interface_number, 0);
-  EXPECT_EQ(devices[0].descriptor, testing::vec_descriptor());
-  EXPECT_EQ(devices[1].descriptor, testing::space_mouse_descriptor());
+  EXPECT_EQ(devices[0].descriptor, test::vec_descriptor());
+  EXPECT_EQ(devices[1].descriptor, test::space_mouse_descriptor());
 }
 
 TEST(HidUsb, every_report_of_ten_thousand_arrives_whole_and_in_order) {
-  MockHid mouse(bus(), 1, 0x256f, 0xc635, "SpaceMouse Compact", testing::space_mouse_descriptor());
+  MockHid mouse(bus(), 1, 0x256f, 0xc635, "SpaceMouse Compact", test::space_mouse_descriptor());
   mouse.plug();
   const auto hidapi = make_hidapi_bus();
   ASSERT_TRUE(hidapi);
   auto reader = hidapi->open(mouse.path());
   ASSERT_TRUE(reader);
   constexpr int kReports = 10'000;
-  for (int i = 0; i < kReports; ++i) mouse.say(testing::words(1, {i % 350, -(i % 350), i % 7}));
+  for (int i = 0; i < kReports; ++i) mouse.say(test::words(1, {i % 350, -(i % 350), i % 7}));
   std::array<std::uint8_t, 64> bytes{};
   SpaceMouseState state;
   for (int i = 0; i < kReports; ++i) {
@@ -69,7 +69,7 @@ TEST(HidUsb, every_report_of_ten_thousand_arrives_whole_and_in_order) {
 }
 
 TEST(HidUsb, a_pedal_drills_and_unplugged_it_is_released_and_found_again) {
-  MockHid pedal(bus(), 1, 0x05f3, 0x00ff, "VEC USB Footpedal", testing::vec_descriptor());
+  MockHid pedal(bus(), 1, 0x05f3, 0x00ff, "VEC USB Footpedal", test::vec_descriptor());
   PedalReader reader(make_hidapi_bus);
   reader.start();
   pedal.plug();
@@ -92,7 +92,7 @@ TEST(HidUsb, a_pedal_drills_and_unplugged_it_is_released_and_found_again) {
 }
 
 TEST(HidUsb, a_rheostat_is_read_by_its_descriptor_and_calibrated) {
-  MockHid rudder(bus(), 1, 0x06a3, 0x0763, "Rudder Pedals", testing::rudder_descriptor());
+  MockHid rudder(bus(), 1, 0x06a3, 0x0763, "Rudder Pedals", test::rudder_descriptor());
   rudder.plug();
   PedalSettings settings;
   settings.vendor = 0x06a3;
@@ -110,8 +110,8 @@ TEST(HidUsb, a_rheostat_is_read_by_its_descriptor_and_calibrated) {
 }
 
 TEST(HidUsb, pedal_and_space_mouse_are_read_side_by_side) {
-  MockHid pedal(bus(), 1, 0x05f3, 0x00ff, "VEC USB Footpedal", testing::vec_descriptor());
-  MockHid mouse(bus(), 2, 0x256f, 0xc635, "SpaceMouse Compact", testing::space_mouse_descriptor());
+  MockHid pedal(bus(), 1, 0x05f3, 0x00ff, "VEC USB Footpedal", test::vec_descriptor());
+  MockHid mouse(bus(), 2, 0x256f, 0xc635, "SpaceMouse Compact", test::space_mouse_descriptor());
   pedal.plug();
   mouse.plug();
   HidStation station(make_hidapi_bus);
@@ -120,7 +120,7 @@ TEST(HidUsb, pedal_and_space_mouse_are_read_side_by_side) {
   ASSERT_TRUE(eventually([&] { return station.pedal().view().connected && view().connected; }));
   pedal.say({0x04, 0x00});
   ASSERT_TRUE(eventually([&] {
-    if (mouse.waiting() == 0) mouse.say(testing::words(2, {0, 0, -350}));
+    if (mouse.waiting() == 0) mouse.say(test::words(2, {0, 0, -350}));
     return view().motion.turn[1] > 0.99 && latest(station.pedal()).pressed == 65535;
   }));
   mouse.say({3, 0x02, 0x00});
@@ -139,4 +139,4 @@ TEST(HidUsb, a_path_that_is_not_there_is_not_found) {
 }
 
 }  // namespace
-}  // namespace cusp::hid
+}  // namespace cusp::device::hid

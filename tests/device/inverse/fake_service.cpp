@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 namespace asio = boost::asio;
 namespace websocket = boost::beast::websocket;
@@ -147,4 +147,4 @@ void FakeService::hear(const std::string& text) {
   most_force_ = std::max(most_force_, glm::length(force_));
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -12,7 +12,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 class FakeService {
  public:
@@ -51,4 +51,4 @@ class FakeService {
   std::unique_ptr<Inner> inner_;
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 namespace {
 
 constexpr const char* kFirst = R"({"inverse3":[{"device_id":"049D","config":{"handedness":"left","type":"inverse3"},
@@ -95,4 +95,4 @@ TEST(InverseFrames, a_force_is_told_as_the_service_wants_it) {
 }
 
 }  // namespace
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

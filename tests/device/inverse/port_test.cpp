@@ -8,12 +8,13 @@
 
 #include "device/inverse/service_probe.h"
 #include "tests/device/inverse/fake_service.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::FakeService;
+using test::FakeService;
 
 InverseSettings settings_for(const FakeService& service) {
   InverseSettings settings;
@@ -93,12 +94,12 @@ TEST(InversePort, a_device_turned_on_its_stand_is_turned_back) {
   EXPECT_TRUE(eventually(*port, [&](const Sample&) { return close_to(service.force_n(), {1, 0, 0}); }, {0, 1, 0}));
 }
 
-TEST(InversePort, the_handle_turns_the_burr_from_where_it_rested_and_its_buttons_count) {
+TEST(InversePort, the_handle_turns_the_bur_from_where_it_rested_and_its_buttons_count) {
   FakeService service;
   const Quat rest = glm::angleAxis(0.3, Vec3(0, 1, 0));
   service.set_handle(true, rest);
   InverseSettings settings = settings_for(service);
-  settings.burrs = 2;
+  settings.burs = 2;
   auto port = make_inverse_port(settings);
   ASSERT_TRUE(port->open());
   EXPECT_EQ(port->limits().rotation_axes, 3);
@@ -111,10 +112,10 @@ TEST(InversePort, the_handle_turns_the_burr_from_where_it_rested_and_its_buttons
     return s.buttons == 1 && s.pedal == 65535 && std::abs(glm::dot(s.orientation, turn)) > 1 - 1e-9;
   }));
   service.set_handle(true, turn * rest, false, false, true);
-  EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.burr == 1; }));
+  EXPECT_TRUE(eventually(*port, [](const Sample& s) { return s.bur == 1; }));
 }
 
-TEST(InversePort, the_clutch_holds_the_burr_and_gives_no_force) {
+TEST(InversePort, the_clutch_holds_the_bur_and_gives_no_force) {
   FakeService service;
   service.set_handle(true);
   service.set_hand({0, 0, 0.1});
@@ -203,4 +204,4 @@ TEST(InversePort, opened_again_it_begins_anew) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

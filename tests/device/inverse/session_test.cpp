@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-namespace cusp::inverse {
+namespace cusp::device::inverse {
 namespace {
 
 using namespace std::chrono_literals;
@@ -253,4 +253,4 @@ TEST(InverseSession, whatever_happens_there_is_force_in_ready_alone_and_never_to
 }
 
 }  // namespace
-}  // namespace cusp::inverse
+}  // namespace cusp::device::inverse

@@ -8,8 +8,9 @@
 
 #include "engine/contact/cells_near.h"
 #include "engine/contact/cut_memory.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr CutMemory::Sweeper kBall{0.5, CutMemory::Sweeper::kBall, Vec3(0.0)};
@@ -119,4 +120,4 @@ TEST(CellsNear, no_point_in_reach_lies_in_a_cell_that_is_left_out) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

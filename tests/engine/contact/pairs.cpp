@@ -1,4 +1,4 @@
-// Planes of faces and of edges are laid two at a time where a burr is looked at whole, one at a time elsewhere: they are
+// Planes of faces and of edges are laid two at a time where a bur is looked at whole, one at a time elsewhere: they are
 // the same to the last rounding. SurfaceContact::fits lays pairs and says whether any plane is met; push_out lays one by
 // one and moves a pose that stands deeper in a plane than its tolerance. Along one line the two change their minds a
 // tolerance apart.
@@ -12,8 +12,9 @@
 #include "engine/contact/surface_contact.h"
 #include "engine/removal/carve.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::length;
@@ -36,25 +37,25 @@ struct Bench {
   explicit Bench(const std::function<double(Vec3)>& distance_mm)
       : scene(test::scene_of(test::from_distance(5.0, kVoxelMm, distance_mm), Method::surface, kRadiusMm)) {
     // So slim a neck touches nothing that the ball does not: push_out looks at the head alone.
-    scene->burrs[0].neck_radius_mm = 0.01;
-    scene->burrs[0].shank_radius_mm = 0.02;
+    scene->burs[0].neck_radius_mm = 0.01;
+    scene->burs[0].shank_radius_mm = 0.02;
     volume = std::make_unique<Volume>(scene->specimen);
     surface = std::make_unique<SurfaceContact>(*scene, *volume, &memory);
   }
-  const Burr& burr() const { return scene->burrs[0]; }
+  const Bur& bur() const { return scene->burs[0]; }
   void cut(Vec3 a, Vec3 b) {
-    const Carved carved = carve_sweep(*volume, a, b, burr(), kUp);
+    const Carved carved = carve_sweep(*volume, a, b, bur(), kUp);
     ASSERT_FALSE(carved.overflow);
-    memory.add(a, b, sweeper_of(burr(), 0, kUp));
+    memory.add(a, b, sweeper_of(bur(), 0, kUp));
     memory.lift();
     for_changed(carved, [&](IVec3 low, IVec3 high) { surface->changed(*volume, low, high); });
   }
   /// By pairs: no plane is met.
-  bool free_by_pairs(Vec3 pose) { return surface->fits(*volume, burr(), kUp, pose); }
+  bool free_by_pairs(Vec3 pose) { return surface->fits(*volume, bur(), kUp, pose); }
   /// One by one: no plane is met by more than the tolerance.
   bool free_one_by_one(Vec3 pose, double thin_mm) {
     Vec3 out(1e9);
-    return surface->push_out(*volume, burr(), kUp, pose, thin_mm, out) && out == pose;
+    return surface->push_out(*volume, bur(), kUp, pose, thin_mm, out) && out == pose;
   }
 
   std::shared_ptr<Scene> scene;
@@ -78,7 +79,7 @@ struct Seen {
   std::vector<Vec3> touched;  // of the ball
 };
 
-/// Lets the burr down at random places until it meets something, and compares there.
+/// Lets the bur down at random places until it meets something, and compares there.
 Seen compare(Bench& bench, double half_mm, double top_mm, double thin_mm) {
   Numbers random{17};
   Seen seen;
@@ -87,7 +88,7 @@ Seen compare(Bench& bench, double half_mm, double top_mm, double thin_mm) {
     const double down = begins(above, kUp, -1.5, 0.0, 1e-9, [&](Vec3 p) { return bench.free_by_pairs(p); });
     const Vec3 met = above + kUp * down;
     Vec3 out;
-    if (!bench.surface->push_out(*bench.volume, bench.burr(), kUp, met - kUp * 1e-6, thin_mm, out)) continue;
+    if (!bench.surface->push_out(*bench.volume, bench.bur(), kUp, met - kUp * 1e-6, thin_mm, out)) continue;
     const Vec3 way = out - (met - kUp * 1e-6);
     if (length(way) < 1e-9) continue;
     const Vec3 n = way / length(way);
@@ -144,4 +145,4 @@ TEST(Pairs, of_edges_are_the_planes_of_single_edges) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,12 +1,13 @@
-// The search for the closest admissible point where it is ill conditioned: a burr that all sides hold, pushed far.
+// The search for the closest admissible point where it is ill conditioned: a bur that all sides hold, pushed far.
 #include "engine/contact/plane_search.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <span>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 double length(Vec3 v) { return std::sqrt(glm::dot(v, v)); }
@@ -27,8 +28,8 @@ Vec3 nearest_corner(Vec3 q, std::span<const Plane> planes, double tolerance_mm) 
   return best;
 }
 
-TEST(PlaneSearch, holds_a_burr_in_its_own_hole_however_far_the_hand_pushes_on) {
-  // Of the 95 planes about a burr at the bottom of its hole, a hand 19 mm deep: those that the search stumbled over.
+TEST(PlaneSearch, holds_a_bur_in_its_own_hole_however_far_the_hand_pushes_on) {
+  // Of the 95 planes about a bur at the bottom of its hole, a hand 19 mm deep: those that the search stumbled over.
   // Steps of up to 300 mm left it off three of them by 1e-6 mm, more than the tolerance: they were said to contradict
   // each other, and the tick had no force.
   const Plane planes[] = {{{-0.28539279776031773, 0.80322380624085665, 0.52285989335049332}, -0.27366870567520102, 0},
@@ -48,4 +49,4 @@ TEST(PlaneSearch, holds_a_burr_in_its_own_hole_however_far_the_hand_pushes_on) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -8,8 +8,9 @@
 
 #include "engine/volume/surface_cells.h"
 #include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 double box(Vec3 p, Vec3 middle, Vec3 half) {
@@ -242,4 +243,4 @@ TEST(Fragments, a_name_that_names_nothing_does_nothing) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

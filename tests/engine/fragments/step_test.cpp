@@ -3,11 +3,11 @@
 
 #include "engine/volume/fragments.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 /// A thin wall on a base: 0.12 mm of it, on voxels of 0.1 mm, turned so that it lies obliquely to them.
 VoxelVolume wall() {
@@ -20,7 +20,7 @@ VoxelVolume wall() {
   });
 }
 
-/// A hand that goes across the wall again and again with the burr running, and lower each time.
+/// A hand that goes across the wall again and again with the bur running, and lower each time.
 std::vector<StepInput> wearing_through() {
   std::vector<StepInput> out;
   for (int k = 0; k < 9000; ++k) {
@@ -67,7 +67,7 @@ TEST_P(EveryMethod, a_wall_worn_through_leaves_no_floating_crumb) {
   EXPECT_GT(cut, 5u) << "the wall was cut";
 }
 
-/// A cube of 0.8 mm beside the main block, on a neck that a burr goes through.
+/// A cube of 0.8 mm beside the main block, on a neck that a bur goes through.
 VoxelVolume cube_on_a_neck() {
   return from_distance(4.0, 0.1, [](Vec3 p) {
     const double main = box_distance(p - Vec3(-0.9, 0, 0), Vec3(0.7, 1.2, 1.2));
@@ -167,4 +167,4 @@ TEST_P(EveryMethod, an_overhang_that_hangs_on_stays) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -8,11 +8,11 @@
 
 #include "engine/step/state.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr double kRadiusMm = 0.3;
 constexpr double kDepthMm = 0.4;  // 0.4 N at 1 N/mm
@@ -20,7 +20,7 @@ const Vec3 kPressed{0.0, 0.0, 1.0 + kRadiusMm - kDepthMm};
 
 std::shared_ptr<Scene> ball_scene(Method method = Method::surface) {
   auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; }), method, kRadiusMm);
-  scene->burrs.push_back(Burr{"larger", 0.5, 0.3, 4.0, 0.8, 12.0});
+  scene->burs.push_back(Bur{"larger", 0.5, 0.3, 4.0, 0.8, 12.0});
   scene->guard = GuardSettings{};
   return scene;
 }
@@ -143,13 +143,13 @@ TEST(LateTick, of_up_to_50_ms_goes_on_and_earns_no_more_rise_than_one_in_time) {
   }
 }
 
-TEST(Exchange, of_the_burr_in_contact_begins_from_no_force) {
+TEST(Exchange, of_the_bur_in_contact_begins_from_no_force) {
   StepState state(ball_scene());
   press(state);
   StepInput other = input_at(kPressed);
-  other.burr = 1;
+  other.bur = 1;
   double last = length(step(state, other).force_n);
-  EXPECT_LE(last, 0.3 / 200.0 * 10.0) << "the first millisecond of the ramp, of a push that grew with the burr";
+  EXPECT_LE(last, 0.3 / 200.0 * 10.0) << "the first millisecond of the ramp, of a push that grew with the bur";
   for (int k = 0; k < 400; ++k) {
     const double now = length(step(state, other).force_n);
     EXPECT_LE(now - last, 0.3 + 1e-12);
@@ -257,4 +257,4 @@ TEST(KeyState, holds_all_of_a_guard_that_acts) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

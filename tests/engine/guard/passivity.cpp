@@ -11,8 +11,9 @@
 #include "engine/lab/closed_loop.h"
 #include "engine/lab/measures.h"
 #include "engine/step/guard.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A wall below z = 0 behind a guard.
@@ -185,4 +186,4 @@ TEST(Controller, lets_a_stiffer_tissue_be_felt_at_once) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "engine/lab/sampled_wall.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(StiffnessRule, assumes_half_a_newton_second_and_a_millisecond_of_an_unknown_device) {
@@ -77,4 +78,4 @@ TEST(StiffnessRule, answers_nonsense_with_no_stiffness_at_all) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

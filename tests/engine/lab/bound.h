@@ -3,8 +3,8 @@
 
 #include <cstdlib>
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 
 inline double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
 
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

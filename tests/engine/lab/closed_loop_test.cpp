@@ -9,7 +9,7 @@
 
 #include "tests/engine/lab/bound.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 namespace {
 
 DeviceSettings ideal(double mass_kg = 0.1, double damping = 0.0) {
@@ -223,4 +223,4 @@ TEST(ClosedLoop, what_the_held_force_gives_is_what_the_mass_gets) {
 }
 
 }  // namespace
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -8,7 +8,7 @@
 #include "engine/lab/transport.h"
 #include "tests/engine/lab/bound.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 namespace {
 
 DeviceSettings device(double mass_kg, double damping, double friction) {
@@ -177,4 +177,4 @@ TEST(Falcon, figures_are_those_of_its_published_mechanism) {
 }
 
 }  // namespace
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -1,10 +1,11 @@
 #include "engine/lab/hand_model.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(HandModel, SettlesWhereItIsWanted) {
@@ -67,4 +68,4 @@ TEST(HandModel, TremorHasTheAskedSizeAndIsTheSameForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 namespace {
 
 TEST(ContactEnergy, is_the_largest_running_sum_of_an_episode) {
@@ -188,4 +188,4 @@ TEST(Penetration, keeps_the_deepest_and_counts_what_is_no_number) {
 }
 
 }  // namespace
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

@@ -10,7 +10,7 @@
 #include "engine/lab/measures.h"
 #include "tests/engine/lab/bound.h"
 
-namespace cusp::lab {
+namespace cusp::engine::lab {
 namespace {
 
 /// True when a motion in the loop grows from its third second to its fourth.
@@ -160,4 +160,4 @@ TEST(AbbottOkamura, a_wall_within_the_bound_rests_on_an_encoder_and_one_far_abov
 }
 
 }  // namespace
-}  // namespace cusp::lab
+}  // namespace cusp::engine::lab

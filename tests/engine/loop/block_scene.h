@@ -13,6 +13,7 @@
 #include "engine/base/haptic_port.h"
 #include "engine/step/step.h"
 #include "tests/eventually.h"
+#include "tests/modules.h"
 
 namespace cusp::test {
 
@@ -35,8 +36,8 @@ inline VoxelVolume block_volume() {
   return block;
 }
 
-inline std::vector<Burr> block_burrs() {
-  Burr large, small;
+inline std::vector<Bur> block_burs() {
+  Bur large, small;
   large.name = "large";
   large.radius_mm = 0.5;
   small.name = "small";
@@ -50,7 +51,7 @@ inline std::shared_ptr<const Scene> block_scene(Method method = Method::surface)
   scene->specimen = Specimen::build(block_volume(), reading_of(method));
   scene->method = method;
   scene->tissues[index_of(Tissue::plastic)] = {1.0, 4.0};
-  scene->burrs = block_burrs();
+  scene->burs = block_burs();
   scene->guard.ramp_in_ms = 10;
   scene->guard.late_ms = 60000;  // a busy machine is no fault here; lateness is tested where the clock is in hand
   return scene;

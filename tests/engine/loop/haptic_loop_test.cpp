@@ -5,8 +5,9 @@
 #include <limits>
 
 #include "tests/engine/loop/block_scene.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DrillingPort;
@@ -159,24 +160,24 @@ TEST(Ticker, CoolantAskedForStandsInTheRecordBesideTheDevicesOwn) {
   EXPECT_TRUE(runs());
 }
 
-TEST(Ticker, TheLaterChoiceOfABurrWins) {
+TEST(Ticker, TheLaterChoiceOfABurWins) {
   HandOver hand_over(4096);
   Ticker ticker(StepState(test::block_scene()), hand_over);
-  const auto burr_after = [&](Sample sample) {
+  const auto bur_after = [&](Sample sample) {
     ticker.tick(sample, 1000);
-    return hand_over.latest.read().output.burr;
+    return hand_over.latest.read().output.bur;
   };
   Sample sample = test::drilling_sample(0);
-  EXPECT_EQ(burr_after(sample), 0);
-  ticker.change_burr(1);
-  EXPECT_EQ(burr_after(sample), 1);
-  EXPECT_EQ(burr_after(sample), 1) << "a port that goes on saying 0 does not take it back";
-  sample.burr = 1;
-  burr_after(sample);
-  sample.burr = 0;
-  EXPECT_EQ(burr_after(sample), 0) << "a port that changes its mind does";
-  ticker.change_burr(9);
-  EXPECT_EQ(burr_after(sample), 0) << "an instrument that the scene lacks is not taken";
+  EXPECT_EQ(bur_after(sample), 0);
+  ticker.change_bur(1);
+  EXPECT_EQ(bur_after(sample), 1);
+  EXPECT_EQ(bur_after(sample), 1) << "a port that goes on saying 0 does not take it back";
+  sample.bur = 1;
+  bur_after(sample);
+  sample.bur = 0;
+  EXPECT_EQ(bur_after(sample), 0) << "a port that changes its mind does";
+  ticker.change_bur(9);
+  EXPECT_EQ(bur_after(sample), 0) << "an instrument that the scene lacks is not taken";
 }
 
 TEST(HapticLoop, AtItsEndTheLastForceIsZeroAndItsRecordRebuildsIt) {
@@ -253,4 +254,4 @@ TEST(TimeHistogram, AnEmptyOneSaysZeroAndAHugeOneKeepsItsMaximum) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,6 +1,7 @@
 // What is asked for, in which order, and what is said of it. Needs no privileges: with some, the system's answers are
 // richer, and are held against what the kernel says.
 #include "engine/loop/realtime.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -8,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct Told final : RealtimeWays {
@@ -91,4 +92,4 @@ TEST(Realtime, what_is_said_is_what_the_kernel_has) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,6 +1,7 @@
 // The service's bus calls against a service in miniature, on a bus of the test's own (dbus-run-session). It gives no
 // thread anything: what is looked at is what it was asked, and what became of its answers.
 #include "engine/loop/rtkit.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -13,7 +14,7 @@
 #include <cstdlib>
 #include <thread>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct Kit {
@@ -127,7 +128,7 @@ TEST(Rtkit, is_not_there_or_there_is_no_bus) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);

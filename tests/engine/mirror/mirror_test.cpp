@@ -8,8 +8,9 @@
 #include "engine/mirror/loose_pieces.h"
 #include "engine/volume/fragments.h"
 #include "tests/engine/loop/block_scene.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DrillingPort;
@@ -201,4 +202,4 @@ TEST(LoosePieces, without_a_mirror_the_same_hand_gives_the_same_record) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,5 +1,6 @@
 // The mesh of the picture, against closed forms of a ball and against itself.
 #include "engine/mirror/surface_patches.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 #include <numbers>
 #include <set>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kVoxel = 0.1;
@@ -30,7 +31,7 @@ VoxelVolume ball(double mm, Tissue tissue = Tissue::enamel) {
   return out;
 }
 
-/// Carves a ball out of the cut field, as a burr would leave it.
+/// Carves a ball out of the cut field, as a bur would leave it.
 std::vector<int> carve(Volume& volume, Vec3 centre, double mm) {
   std::vector<int> touched;
   const Specimen& specimen = volume.specimen();
@@ -236,7 +237,7 @@ TEST(SurfacePatches, a_brick_of_air_or_of_whole_tissue_has_no_triangle) {
   EXPECT_TRUE(build_patch(volume, volume.specimen().brick_index(middle), kFinePatch).indices.empty());
 }
 
-TEST(SurfacePatches, what_a_burr_left_is_marked_as_cut_and_the_rest_is_not) {
+TEST(SurfacePatches, what_a_bur_left_is_marked_as_cut_and_the_rest_is_not) {
   Volume volume(Specimen::build(ball(1.5), Reading::banded));
   const Vec3 centre(0.0, 0.0, 1.5);
   carve(volume, centre, 0.5);
@@ -263,4 +264,4 @@ TEST(SurfacePatches, a_brick_at_the_corner_of_the_box_touches_eight_and_one_insi
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -4,8 +4,9 @@
 
 #include "engine/volume/hash.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 std::uint64_t run(Method method, Handpiece handpiece) {
@@ -52,4 +53,4 @@ TEST(GoldenHash, drilling_with_every_phenomenon_on_by_the_papers_proxy) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

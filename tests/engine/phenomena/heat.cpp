@@ -7,11 +7,12 @@
 #include <limits>
 
 #include "engine/removal/spindle.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-/// A turbine with a burr of 1 mm under the usual load.
+/// A turbine with a bur of 1 mm under the usual load.
 HeatTick usual(bool coolant, double push_n = 1.0, double dt_s = 0.001) {
   return {push_n, surface_speed_mm_s(kUnknownRpm, 0.5), coolant, dt_s};
 }
@@ -93,4 +94,4 @@ TEST(Heat, values_that_are_no_numbers_warm_nothing_and_leave_a_number) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -9,16 +9,18 @@
 
 #include "engine/lab/closed_loop.h"
 #include "engine/lab/measures.h"
+#include "engine/removal/spindle.h"
+#include "engine/removal/vibration.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr Phenomena kAll{Handpiece::turbine, true, true};
 
-/// A block of dentine 3 mm wide with its face at z = 1.5, under a burr of 0.5 mm radius; 1 N/mm, so a millimetre of
+/// A block of dentine 3 mm wide with its face at z = 1.5, under a bur of 0.5 mm radius; 1 N/mm, so a millimetre of
 /// depth is a newton of push, and full wear at 1.5 N.
 std::shared_ptr<Scene> block(const Phenomena& phenomena, Method method = Method::surface, double speed_mm_s = 0.5) {
   auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.5)); }), method, 0.5, speed_mm_s);
@@ -34,7 +36,7 @@ StepInput press(double depth_mm, std::uint16_t buttons, std::uint16_t pedal = 0,
   return input;
 }
 
-/// Pushed on with a constant force, the hand following the burr down.
+/// Pushed on with a constant force, the hand following the bur down.
 struct Drilled {
   StepOutput last;
   double advanced_mm = 0.0, most_rpm = 0.0;
@@ -82,7 +84,7 @@ TEST_P(EveryMethod, removes_at_half_the_speed_when_the_spindle_turns_at_half) {
   EXPECT_NEAR(fast / slow, 2.0, 0.04) << fast << " and " << slow << " mm";
 }
 
-TEST_P(EveryMethod, a_burr_that_stands_removes_nothing) {
+TEST_P(EveryMethod, a_bur_that_stands_removes_nothing) {
   StepState state(block({Handpiece::turbine, false, false}, GetParam()));
   const Drilled still = drill(state, 0.2, 500, 0, 0);
   EXPECT_EQ(still.advanced_mm, 0.0);
@@ -110,14 +112,14 @@ TEST(SpindleInTheStep, a_turbine_sags_under_the_push_stalls_and_recovers) {
   EXPECT_GT(eased.last.advance_mm, 0.0);
 }
 
-TEST(SpindleInTheStep, stands_still_after_a_burr_was_changed) {
+TEST(SpindleInTheStep, stands_still_after_a_bur_was_changed) {
   auto scene = block({Handpiece::turbine, false, false});
-  scene->burrs.push_back(scene->burrs.front());
+  scene->burs.push_back(scene->burs.front());
   StepState state(scene);
   for (int k = 0; k < 1000; ++k) step(state, press(-0.5, StepInput::kCut));
   ASSERT_GT(state.last().spindle_rpm, 300e3f);
   StepInput changed = press(-0.5, 0);
-  changed.burr = 1;
+  changed.bur = 1;
   EXPECT_EQ(step(state, changed).spindle_rpm, 0.0f);
 }
 
@@ -172,7 +174,7 @@ TEST(VibrationInTheStep, the_force_for_the_hand_stays_within_the_guards_limit) {
   }
 }
 
-/// A hand that holds still on the cutting burr: the most energy that it was fed, and whether it settled.
+/// A hand that holds still on the cutting bur: the most energy that it was fed, and whether it settled.
 struct Held {
   double fed_mj, moves_mm;
 };
@@ -318,4 +320,4 @@ TEST(PhenomenaInTheStep, a_key_state_with_an_impossible_speed_or_that_ends_early
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,12 +1,13 @@
 // The spindle by itself. Expected speeds are the straight line of spindle.h, reckoned here by hand.
 #include "engine/removal/spindle.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kTickS = 0.001;
@@ -55,7 +56,7 @@ TEST(Spindle, letting_the_pedal_go_ends_a_stall) {
   EXPECT_FALSE(state.stalled);
 }
 
-TEST(Spindle, a_wider_burr_stalls_a_turbine_sooner_in_proportion_to_its_radius) {
+TEST(Spindle, a_wider_bur_stalls_a_turbine_sooner_in_proportion_to_its_radius) {
   EXPECT_FALSE(after(kTurbine, 1.0, 1.2, 3.0, {}, 2.0 * kStallRadiusMm).stalled);
   EXPECT_TRUE(after(kTurbine, 1.0, 1.3, 3.0, {}, 2.0 * kStallRadiusMm).stalled);
 }
@@ -98,13 +99,13 @@ TEST(Spindle, removal_goes_in_proportion_to_the_speed) {
   EXPECT_EQ(removal_factor({}, settings_of(Handpiece::none)), 1.0) << "no spindle: the tissue's own speed";
 }
 
-TEST(Spindle, a_burr_of_one_millimetre_at_350000_a_minute_runs_18_metres_a_second_at_its_surface) {
+TEST(Spindle, a_bur_of_one_millimetre_at_350000_a_minute_runs_18_metres_a_second_at_its_surface) {
   // pi * 1 mm * 350000 / 60 s.
   EXPECT_NEAR(surface_speed_mm_s(350e3, 0.5), 18326.0, 0.5);
 }
 
-TEST(Spindle, drag_stands_across_force_and_axis_and_pushes_a_burr_that_turns_clockwise_the_other_way) {
-  // Handpiece upright, wall to the left of the burr (force to the right, +x). Seen from above it turns clockwise: at its
+TEST(Spindle, drag_stands_across_force_and_axis_and_pushes_a_bur_that_turns_clockwise_the_other_way) {
+  // Handpiece upright, wall to the left of the bur (force to the right, +x). Seen from above it turns clockwise: at its
   // left side it moves up the page (+y), so the tissue drags it down the page.
   const Vec3 drag = drag_n(Vec3(1.0, 0.0, 0.0), Vec3(0.0, 0.0, 1.0), 1.0);
   EXPECT_NEAR(drag.x, 0.0, 1e-15);
@@ -143,4 +144,4 @@ TEST(Spindle, values_that_are_no_numbers_leave_a_speed_within_its_range) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

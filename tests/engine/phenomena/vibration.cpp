@@ -1,5 +1,6 @@
 // The felt wave by itself.
 #include "engine/removal/vibration.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kTickS = 0.001;
@@ -105,4 +106,4 @@ TEST(Vibration, values_that_are_no_numbers_give_a_bounded_force) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,5 +1,5 @@
 // Every contact method under random ticks in a scene of 64^3 voxels: walks, slides, rushes, presses and teleports of
-// the device, cuts, swaps of burr, samples that are late, lost or no number. After each tick: every force finite,
+// the device, cuts, swaps of bur, samples that are late, lost or no number. After each tick: every force finite,
 // within the limit, zero while the guard is latched; nothing removed has come back; nothing that was reserved ran out.
 // A fifth as many with every phenomenon on, under a foot that presses pedal and coolant without sense.
 //
@@ -20,16 +20,15 @@
 #include "tests/engine/random/random_pieces.h"
 #include "tests/engine/step/scenes.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 using bench::Random;
 
 constexpr int kVoxels = 64;
 constexpr double kVoxelMm = 0.1;
 
-/// Tooth-like: dentine under enamel with a bay, a slot narrower than any burr, and a wall of two voxels.
+/// Tooth-like: dentine under enamel with a bay, a slot narrower than any bur, and a wall of two voxels.
 double tooth(Vec3 p) {
   double d = length(p / Vec3(1.0, 0.8, 0.9)) - 2.3;
   d = std::max(d, 0.6 - length(p - Vec3(1.2, 0.0, 1.8)));
@@ -51,8 +50,8 @@ std::shared_ptr<Scene> scene_for(Method method, double (*shape)(Vec3)) {
         if (volume.s[i] > 0) volume.tissue[i] = p.z > 0.4 ? Tissue::enamel : Tissue::dentine;
       }
   auto scene = scene_of(volume, method, 0.4);
-  scene->burrs.push_back(Burr{"small", 0.25, 0.2, 1.0, 0.8, 6.0});
-  scene->burrs.push_back(Burr{"large", 0.6, 0.3, 2.0, 0.8, 6.0});
+  scene->burs.push_back(Bur{"small", 0.25, 0.2, 1.0, 0.8, 6.0});
+  scene->burs.push_back(Bur{"large", 0.6, 0.3, 2.0, 0.8, 6.0});
   scene->tissues[index_of(Tissue::enamel)] = {2.0, 4.0};
   scene->tissues[index_of(Tissue::dentine)] = {1.0, 12.0};
   scene->full_force_n = 1.5;
@@ -89,13 +88,13 @@ class Hand {
     if (one_in(1500)) place_ = anywhere();
     if (one_in(700)) place_ += wobble * 2.5;
     if (one_in(300)) cut_ = !cut_;
-    if (one_in(500)) burr_ = static_cast<std::uint16_t>(random_.bits() % 3);
+    if (one_in(500)) bur_ = static_cast<std::uint16_t>(random_.bits() % 3);
 
     Sample sample;
     sample.status = one_in(2500) ? Sample::Status::gone : one_in(150) ? Sample::Status::late : Sample::Status::fresh;
     sample.position_mm = place_;
     sample.buttons = cut_ ? StepInput::kCut : std::uint16_t{0};
-    sample.burr = one_in(3000) ? std::uint16_t{65535} : burr_;
+    sample.bur = one_in(3000) ? std::uint16_t{65535} : bur_;
     if (one_in(3000)) sample.position_mm.y = std::numeric_limits<double>::quiet_NaN();
     if (one_in(3000)) sample.position_mm.x = -std::numeric_limits<double>::infinity();
     if (one_in(3000)) sample.position_mm.z = 1e7 * unit();
@@ -133,7 +132,7 @@ class Hand {
   Way way_ = Way::walk;
   int left_ = 0;
   bool cut_ = false;
-  std::uint16_t burr_ = 0;
+  std::uint16_t bur_ = 0;
 };
 
 /// Remembers every cut brick, and looks again at those that say that they changed. A voxel that wears says so when it
@@ -291,4 +290,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, RandomTicks,
                          });
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

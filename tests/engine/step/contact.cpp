@@ -5,11 +5,11 @@
 
 #include "engine/contact/plane_search.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
 
@@ -68,7 +68,7 @@ TEST(SurfaceProxy, slides_over_a_sphere_far_below_the_voxel_size) {
   EXPECT_EQ(worst.infeasible, 0);
 }
 
-TEST(SurfaceProxy, a_burr_outside_the_tissue_feels_no_force) {
+TEST(SurfaceProxy, a_bur_outside_the_tissue_feels_no_force) {
   const VoxelVolume volume = from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; });
   StepState state(scene_of(volume, Method::surface, 0.25));
   const StepOutput out = approach(state, {0, 0, 2.5}, {0, 0, 1.26});
@@ -81,9 +81,9 @@ TEST(SurfaceProxy, rests_in_an_inner_corner_on_three_faces) {
   // Outside of a box, turned inside out: tissue round a cubic cavity, 3 mm wide.
   const VoxelVolume volume = from_distance(5.0, 0.1, [](Vec3 p) { return -box_distance(p, Vec3(1.5, 1.5, 1.5)); });
   auto scene = scene_of(volume, Method::surface, 0.4);
-  scene->burrs[0].neck_length_mm = 0.1;
-  scene->burrs[0].shank_length_mm = 0.1;
-  scene->burrs[0].shank_radius_mm = 0.1;
+  scene->burs[0].neck_length_mm = 0.1;
+  scene->burs[0].shank_length_mm = 0.1;
+  scene->burs[0].shank_radius_mm = 0.1;
   StepState state(scene);
   StepOutput out;
   for (int i = 0; i < 200; ++i) out = step(state, input_at(Vec3(0.0)));
@@ -114,13 +114,13 @@ TEST(SurfaceProxy, beside_an_outer_edge_it_feels_the_face_alone) {
   EXPECT_LE(worst, bound(0.2));  // degrees; measured 0.1 (of the rounded field: 12)
 }
 
-TEST(SurfaceProxy, the_shank_keeps_the_burr_off_a_wall) {
+TEST(SurfaceProxy, the_shank_keeps_the_bur_off_a_wall) {
   const VoxelVolume volume = from_distance(6.0, 0.1, [](Vec3 p) { return p.x - 0.0; });
   auto scene = scene_of(volume, Method::surface, 0.25);
-  scene->burrs[0].neck_radius_mm = 0.2;
-  scene->burrs[0].neck_length_mm = 1.0;
-  scene->burrs[0].shank_radius_mm = 0.8;
-  scene->burrs[0].shank_length_mm = 1.0;
+  scene->burs[0].neck_radius_mm = 0.2;
+  scene->burs[0].neck_length_mm = 1.0;
+  scene->burs[0].shank_radius_mm = 0.8;
+  scene->burs[0].shank_length_mm = 1.0;
   StepState state(scene);
   const StepOutput out = approach(state, {2.0, 0, -1.0}, {0.1, 0, -1.0});
   EXPECT_TRUE(out.shank);
@@ -131,7 +131,7 @@ TEST(SurfaceProxy, a_wall_cannot_be_jumped_in_one_tick) {
   // 0.4 mm wall; the device point crosses it at 1 m/s.
   const VoxelVolume volume = from_distance(6.0, 0.1, [](Vec3 p) { return std::fabs(p.x) - 0.2; });
   auto scene = scene_of(volume, Method::surface, 0.25);
-  scene->burrs[0].shank_radius_mm = scene->burrs[0].neck_radius_mm;
+  scene->burs[0].shank_radius_mm = scene->burs[0].neck_radius_mm;
   StepState state(scene);
   StepOutput out = approach(state, {-1.5, 0, 0}, {-0.6, 0, 0});
   for (int i = 0; i < 30; ++i) {
@@ -144,7 +144,7 @@ TEST(OccupancyProxy, never_overlaps_tissue_with_the_tool) {
   const VoxelVolume volume = from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.0)); });
   auto scene = scene_of(volume, Method::occupancy, 0.3);
   StepState state(scene);
-  const VoxelTool tool = voxelise(scene->burrs[0], scene->tool_axis, 0.1);
+  const VoxelTool tool = voxelise(scene->burs[0], scene->tool_axis, 0.1);
   approach(state, {0.13, -0.21, 2.0}, {0.13, -0.21, 0.9});
   for (int i = 0; i < 800; ++i) {
     const StepOutput out = step(state, input_at({0.13 + 0.9 * std::sin(i * 0.01), -0.21 + 0.7 * std::cos(i * 0.013), 0.9}));
@@ -261,4 +261,4 @@ TEST(PlaneSearch, says_when_planes_contradict_each_other) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -7,11 +7,11 @@
 #include "engine/tool/heads.h"
 #include "engine/tool/swept.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr double kVoxel = 10.0 / 128;
 const Vec3 kAxis = Vec3(0.15, -0.1, 1.0) / length(Vec3(0.15, -0.1, 1.0));
@@ -34,8 +34,8 @@ const Head kHeads[] = {{"straight", 0.5, flat_head(0.5, 0.5, 4.0)},
 
 class EveryHead : public testing::TestWithParam<Head> {
  protected:
-  Burr burr() const {
-    Burr out;
+  Bur bur() const {
+    Bur out;
     out.name = GetParam().name;
     out.radius_mm = GetParam().radius;
     out.head = *GetParam().profile;
@@ -57,13 +57,13 @@ class EveryHead : public testing::TestWithParam<Head> {
     }
     auto out = scene_of(from_distance(1.0, 0.25, [](Vec3 p) { return length(p); }), Method::surface, GetParam().radius);
     out->specimen = found->second;
-    out->burrs = {burr()};
+    out->burs = {bur()};
     out->tool_axis = kAxis;
     return out;
   }
   /// From the origin on the face with this normal: where the pivot stands when the head lies `depth` deep.
   Vec3 on_face(Vec3 n, double depth) const {
-    const Vec3 down = head_furthest(burr(), kAxis, -n);
+    const Vec3 down = head_furthest(bur(), kAxis, -n);
     return n * (-glm::dot(n, down) - depth) - (down - n * glm::dot(n, down));
   }
 };
@@ -79,7 +79,7 @@ TEST_P(EveryHead, presses_on_faces_all_round_with_the_exact_normal_and_depth) {
     for (int k = 0; k < kTicks; ++k) {
       const StepOutput out = step(state, input_at(on_face(n, 0.3) + along * (0.002 * k)));
       angle += std::asin(std::min(1.0, length(glm::cross(out.force_raw_n, n)) / length(out.force_raw_n))) * 57.29578;
-      depth += std::fabs(glm::dot(n, out.proxy_mm + head_furthest(burr(), kAxis, -n))) * 1000.0;
+      depth += std::fabs(glm::dot(n, out.proxy_mm + head_furthest(bur(), kAxis, -n))) * 1000.0;
       EXPECT_FALSE(out.infeasible || out.overflow);
     }
     EXPECT_LE(angle / kTicks, 0.3) << n.x << " " << n.y << " " << n.z;  // measured 0.002; a football on its flank 0.23
@@ -88,7 +88,7 @@ TEST_P(EveryHead, presses_on_faces_all_round_with_the_exact_normal_and_depth) {
 }
 
 TEST_P(EveryHead, presses_on_a_sphere_to_a_micrometre) {
-  const Burr tool = burr();
+  const Bur tool = bur();
   for (const double polar : {0.2, 0.9, 1.5}) {
     StepState state(scene(Vec3(0.0)));
     const auto at = [&](double around, double gap_mm) {
@@ -156,7 +156,7 @@ TEST_P(EveryHead, goes_on_with_the_same_bits_from_a_key_state_taken_while_cuttin
 INSTANTIATE_TEST_SUITE_P(Heads, EveryHead, testing::ValuesIn(kHeads),
                          [](const testing::TestParamInfo<Head>& head) { return std::string(head.param.name); });
 
-TEST(TurnedBurr, follows_the_device_s_orientation_no_further_than_the_scene_lets_it) {
+TEST(TurnedBur, follows_the_device_s_orientation_no_further_than_the_scene_lets_it) {
   auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; }), Method::surface, 0.25);
   scene->tilt_cosine = 0.5;  // 60 degrees
   StepState state(scene);
@@ -174,20 +174,20 @@ TEST(TurnedBurr, follows_the_device_s_orientation_no_further_than_the_scene_lets
   EXPECT_EQ(step(state, input).axis, Vec3(0.0, 0.0, 1.0));
 }
 
-TEST(TurnedBurr, stays_as_the_scene_has_it_where_the_scene_does_not_let_it_turn) {
+TEST(TurnedBur, stays_as_the_scene_has_it_where_the_scene_does_not_let_it_turn) {
   StepState state(scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return length(p) - 1.0; }), Method::surface, 0.25));
   StepInput input = input_at({0.0, 0.0, 4.0});
   input.qx = 16384, input.qw = 28377;
   EXPECT_EQ(step(state, input).axis, Vec3(0.0, 0.0, 1.0));
 }
 
-TEST(TurnedBurr, a_fissure_burr_that_turns_into_a_wall_is_pushed_off_it) {
-  // The wall x > 0.8; a straight burr of 1 mm, 4 mm long, that tilts about y until its upper end would be in the wall.
+TEST(TurnedBur, a_fissure_bur_that_turns_into_a_wall_is_pushed_off_it) {
+  // The wall x > 0.8; a straight bur of 1 mm, 4 mm long, that tilts about y until its upper end would be in the wall.
   auto scene = scene_of(from_distance(9.0, 0.1, [](Vec3 p) { return 0.8 - p.x; }), Method::surface, 0.5);
-  scene->burrs[0].head = *flat_head(0.5, 0.5, 4.0);
-  scene->burrs[0].neck_radius_mm = scene->burrs[0].shank_radius_mm = 0.2;
-  scene->burrs[0].neck_length_mm = 4.0;
-  scene->burrs[0].shank_length_mm = 0.1;
+  scene->burs[0].head = *flat_head(0.5, 0.5, 4.0);
+  scene->burs[0].neck_radius_mm = scene->burs[0].shank_radius_mm = 0.2;
+  scene->burs[0].neck_length_mm = 4.0;
+  scene->burs[0].shank_length_mm = 0.1;
   scene->tilt_cosine = 0.8;
   StepState state(scene);
   StepInput input = input_at({0.0, 0.0, 0.0});
@@ -198,9 +198,9 @@ TEST(TurnedBurr, a_fissure_burr_that_turns_into_a_wall_is_pushed_off_it) {
   const StepOutput out = state.last();
   EXPECT_TRUE(out.contact);
   EXPECT_LT(out.proxy_mm.x, -0.2);
-  const Vec3 deepest = out.proxy_mm + head_furthest(scene->burrs[0], out.axis, {1.0, 0.0, 0.0});
+  const Vec3 deepest = out.proxy_mm + head_furthest(scene->burs[0], out.axis, {1.0, 0.0, 0.0});
   EXPECT_NEAR(deepest.x, 0.8, 1e-4);
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -7,10 +7,9 @@
 
 #include "tests/engine/step/scenes.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 double bound(double value) { return std::getenv("CUSP_TOLERANCE_ZERO") ? 0.0 : value; }
 
@@ -27,9 +26,9 @@ std::string name_of(const testing::TestParamInfo<Method>& p) {
 
 /// A ball on nothing: where only the ball is meant.
 void without_shank(Scene& scene) {
-  Burr& burr = scene.burrs[0];
-  burr.neck_radius_mm = burr.shank_radius_mm = 0.05;
-  burr.neck_length_mm = burr.shank_length_mm = 0.1;
+  Bur& bur = scene.burs[0];
+  bur.neck_radius_mm = bur.shank_radius_mm = 0.05;
+  bur.neck_length_mm = bur.shank_length_mm = 0.1;
 }
 
 VoxelVolume block(double voxel = 0.1) {
@@ -49,7 +48,7 @@ TEST_P(EveryContactMethod, feels_nothing_in_free_space) {
 }
 
 TEST_P(EveryContactMethod, begins_where_the_device_is_when_that_is_free) {
-  // Under an overhang: from above the burr could not come there.
+  // Under an overhang: from above the bur could not come there.
   auto scene =
       scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p - Vec3(0, 0, 1.0), Vec3(1.5, 1.5, 0.4)); }),
                GetParam(), 0.25);
@@ -115,7 +114,7 @@ TEST_P(EveryContactMethod, knows_a_cut_along_a_known_path) {
   // Down the hole, to half a voxel above its floor: the voxelised hole is that much narrower at its end.
   const StepOutput out = approach(state, {0, 0, 2.6}, {0, 0, 1.05});
   EXPECT_LT(length(out.proxy_mm - out.device_mm), 0.12) << out.proxy_mm.z;
-  // By the pivot alone the burr goes deeper by its radius.
+  // By the pivot alone the bur goes deeper by its radius.
   const StepOutput pressed = approach(state, {0, 0, 1.05}, {0, 0, GetParam() == Method::occupancy_pivot ? 0.2 : 0.7});
   EXPECT_TRUE(pressed.contact);
   EXPECT_GT(pressed.force_raw_n.z, 0.2);
@@ -189,7 +188,7 @@ TEST(RayProxy, steps_by_a_voxel_on_a_slope) {
 TEST(RayProxy, never_overlaps_tissue_with_the_tool) {
   auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.0)); }), Method::ray, 0.3);
   StepState state(scene);
-  const VoxelTool tool = voxelise(scene->burrs[0], scene->tool_axis, 0.1);
+  const VoxelTool tool = voxelise(scene->burs[0], scene->tool_axis, 0.1);
   approach(state, {0.13, -0.21, 2.0}, {0.13, -0.21, 0.9});
   for (int i = 0; i < 800; ++i) {
     const StepOutput out =
@@ -226,7 +225,7 @@ double behind_a_thin_wall(Method method) {
 }
 
 TEST(Penalty, falls_through_a_thin_wall_at_speed) {
-  // Known: without a proxy there is no side. The device point is 1.3 mm behind the wall, and so is the burr.
+  // Known: without a proxy there is no side. The device point is 1.3 mm behind the wall, and so is the bur.
   EXPECT_NEAR(behind_a_thin_wall(Method::penalty), -1.3, 1e-6);
 }
 
@@ -270,7 +269,7 @@ TEST(RayProxy, rests_in_an_inner_corner_within_a_voxel) {
 }
 
 TEST(GradientProxy, sinks_into_a_groove_of_sixty_degrees) {
-  // Known: neither of the two planes alone holds the burr. The exact proxy stands 2 r above the groove's line, as
+  // Known: neither of the two planes alone holds the bur. The exact proxy stands 2 r above the groove's line, as
   // 1 / sin(30 degrees) = 2.
   const double radius = 0.25;
   const Vec3 left(std::sqrt(3.0) / 2.0, 0.0, 0.5), right(-std::sqrt(3.0) / 2.0, 0.0, 0.5);
@@ -299,7 +298,7 @@ TEST(Penalty, is_too_soft_in_a_right_angle_and_too_stiff_in_its_own_hole) {
   StepState in_corner(corner);
   const StepOutput pressed = step(in_corner, input_at({radius - depth, radius - depth, 0.0}));
   EXPECT_NEAR(length(pressed.force_raw_n), std::sqrt(std::sqrt(2.0)) * depth, bound(0.005));  // measured 0.0008
-  // ... and a hole as wide as the burr, whose push is d / 6 over the sphere, the depth D of a plane that gives
+  // ... and a hole as wide as the bur, whose push is d / 6 over the sphere, the depth D of a plane that gives
   // (D^2 / 2 - D^3 / 6 r) / 2 r = d / 6: 0.1956 mm.
   auto hole = scene_of(block(kVoxel), Method::penalty, radius);
   without_shank(*hole);
@@ -337,13 +336,13 @@ TEST(GradientProxy, drills_at_the_tissues_speed_at_any_tick_length) {
     EXPECT_NEAR(drilling_speed(Method::gradient, 0.25, tick_us), 1.0, bound(0.1)) << tick_us;  // measured 0.036
 }
 
-TEST(ContactMethods, the_shank_keeps_the_burr_off_a_wall) {
+TEST(ContactMethods, the_shank_keeps_the_bur_off_a_wall) {
   for (const Method method : kThree) {
     auto scene = scene_of(from_distance(6.0, 0.1, [](Vec3 p) { return p.x; }), method, 0.25);
-    scene->burrs[0].neck_radius_mm = 0.2;
-    scene->burrs[0].neck_length_mm = 1.0;
-    scene->burrs[0].shank_radius_mm = 0.8;
-    scene->burrs[0].shank_length_mm = 1.0;
+    scene->burs[0].neck_radius_mm = 0.2;
+    scene->burs[0].neck_length_mm = 1.0;
+    scene->burs[0].shank_radius_mm = 0.8;
+    scene->burs[0].shank_length_mm = 1.0;
     StepState state(scene);
     const StepOutput out = approach(state, {2.0, 0, -1.0}, {0.6, 0, -1.0});
     EXPECT_TRUE(out.shank) << key_of(method);
@@ -352,4 +351,4 @@ TEST(ContactMethods, the_shank_keeps_the_burr_off_a_wall) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,11 +5,11 @@
 #include "engine/removal/wear.h"
 #include "engine/step/state.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr double kPaperVoxel = 10.0 / 128;
 
@@ -75,7 +75,7 @@ TEST(SurfaceRemoval, a_drilled_hole_is_the_swept_ball) {
   EXPECT_LT(most, 10.0) << "um";
 }
 
-TEST(SurfaceRemoval, the_burr_comes_out_of_its_own_hole_without_a_tug) {
+TEST(SurfaceRemoval, the_bur_comes_out_of_its_own_hole_without_a_tug) {
   const auto scene = scene_of(block(0.1), Method::surface, 0.5, 4.0);
   StepState state(scene);
   approach(state, {0, 0, 3.0}, {0, 0, 2.15});
@@ -89,7 +89,7 @@ TEST(SurfaceRemoval, the_burr_comes_out_of_its_own_hole_without_a_tug) {
 }
 
 TEST(SurfaceRemoval, over_two_tissues_the_speed_is_the_harmonic_mean) {
-  // Two halves side by side, the burr on the seam: equal shares of 1 and 4 mm/s give 2 / (1 + 1/4) = 1.6.
+  // Two halves side by side, the bur on the seam: equal shares of 1 and 4 mm/s give 2 / (1 + 1/4) = 1.6.
   auto scene = scene_of(from_distance(4.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(2.0)); },
                                       [](Vec3 p) { return p.x < 0 ? Tissue::enamel : Tissue::dentine; }),
                         Method::surface, 0.5);
@@ -233,4 +233,4 @@ TEST(Carve, a_ball_far_from_tissue_takes_no_memory) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

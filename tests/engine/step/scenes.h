@@ -8,6 +8,7 @@
 #include "engine/step/step.h"
 #include "engine/volume/surface_cells.h"
 #include "engine/tool/voxel_tool.h"
+#include "tests/modules.h"
 
 namespace cusp::test {
 
@@ -37,18 +38,18 @@ inline double box_distance(Vec3 p, Vec3 half) {
   return length(m) + std::min(std::max(q.x, std::max(q.y, q.z)), 0.0);
 }
 
-/// A scene with one ball burr, every tissue at the same stiffness (1 N/mm) and speed, and a guard that stays out of
+/// A scene with one ball bur, every tissue at the same stiffness (1 N/mm) and speed, and a guard that stays out of
 /// the way unless a test asks for it.
 inline std::shared_ptr<Scene> scene_of(const VoxelVolume& volume, Method method, double radius_mm,
                                        double speed_mm_s = 1.0) {
   auto scene = std::make_shared<Scene>();
   scene->method = method;
   scene->specimen = Specimen::build(volume, reading_of(method));
-  Burr burr;
-  burr.name = "test";
-  burr.radius_mm = radius_mm;
-  burr.neck_radius_mm = 0.6 * radius_mm;
-  scene->burrs = {burr};
+  Bur bur;
+  bur.name = "test";
+  bur.radius_mm = radius_mm;
+  bur.neck_radius_mm = 0.6 * radius_mm;
+  scene->burs = {bur};
   for (TissueFeel& feel : scene->tissues) feel = {1.0, speed_mm_s};
   scene->full_force_n = 0.3;
   scene->guard.ramp_in_ms = 0.0;

@@ -7,11 +7,11 @@
 
 #include "engine/step/state.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr double kRadius = 0.4;
 
@@ -45,7 +45,7 @@ StepState scratched(const std::shared_ptr<const Scene>& scene) {
   return state;
 }
 
-/// The burr stays where it was when the button was let go.
+/// The bur stays where it was when the button was let go.
 StepInput resting() {
   StepInput out = scratching(kScratching - 1);
   out.buttons = 0;
@@ -77,7 +77,7 @@ TEST(Sharpening, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has
   EXPECT_LT(most_parts, 60);
 }
 
-TEST(Sharpening, all_about_the_burr_is_sharp_soon_after) {
+TEST(Sharpening, all_about_the_bur_is_sharp_soon_after) {
   StepState state = scratched(block());
   ASSERT_GT(dull_parts(state), 0);
   int ticks = 0, left = dull_parts(state), last = -1;
@@ -87,7 +87,7 @@ TEST(Sharpening, all_about_the_burr_is_sharp_soon_after) {
     left = dull_parts(state);
     ASSERT_LT(ticks, 200);
   }
-  // What is far from the burr waits until it comes there.
+  // What is far from the bur waits until it comes there.
   EXPECT_GT(left, 0);
   const std::uint64_t before = sharpened(state);
   for (int k = 0; k < 50; ++k) step(state, resting());
@@ -131,7 +131,7 @@ TEST(Sharpening, what_is_sharp_is_in_the_hash) {
 }
 
 TEST(Sharpening, a_search_that_would_go_on_and_on_goes_on_in_the_next_tick) {
-  // A burr of 2.3 mm in a trough of 2.32 mm has hundreds of points all round: the device goes 4 mm along it.
+  // A bur of 2.3 mm in a trough of 2.32 mm has hundreds of points all round: the device goes 4 mm along it.
   constexpr double kWide = 1.15, kTrough = 1.16;
   const auto trough = [](Vec3 p) { return std::max(p.z, kTrough - std::hypot(p.y, p.z)); };
   StepState state(scene_of(from_distance(6.0, 0.05, trough), Method::surface, kWide));
@@ -146,4 +146,4 @@ TEST(Sharpening, a_search_that_would_go_on_and_on_goes_on_in_the_next_tick) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

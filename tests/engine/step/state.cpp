@@ -5,11 +5,11 @@
 
 #include "engine/step/guard.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 std::shared_ptr<const Scene> two_tissue_scene(Method method) {
   auto scene = scene_of(from_distance(3.0, 0.1, [](Vec3 p) { return box_distance(p, Vec3(1.5)); },
@@ -195,4 +195,4 @@ TEST(Input, a_tenth_of_a_micrometre_survives) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

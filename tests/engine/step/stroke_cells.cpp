@@ -3,11 +3,11 @@
 
 #include "engine/contact/stroke_cells.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 struct Stroke {
   Vec3 a, b;
@@ -108,4 +108,4 @@ TEST_F(Scratched, what_another_ball_has_cut_is_not_explained) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -7,11 +7,11 @@
 
 #include "engine/step/state.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr double kRadius = 0.5;
 
@@ -81,4 +81,4 @@ TEST(TickWork, a_dense_cavity_and_a_full_memory_cost_a_tick_no_more_than_is_told
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

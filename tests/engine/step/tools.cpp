@@ -1,4 +1,4 @@
-// What the contact methods are made of: the voxelised burr by rows, its point shell, the plain field.
+// What the contact methods are made of: the voxelised bur by rows, its point shell, the plain field.
 #include <gtest/gtest.h>
 
 #include "engine/contact/point_shell.h"
@@ -6,11 +6,11 @@
 #include "engine/contact/trilinear_field.h"
 #include "engine/removal/carve.h"
 #include "tests/engine/step/scenes.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 /// Lumps and holes, so that every part of a tool meets something somewhere.
 double lumps(Vec3 p) {
@@ -20,13 +20,13 @@ double lumps(Vec3 p) {
 
 TEST(ToolOverlap, agrees_with_the_tool_voxel_by_voxel) {
   auto scene = scene_of(from_distance(4.0, 0.1, lumps), Method::ray, 0.3);
-  scene->burrs[0].neck_length_mm = 0.8;
-  scene->burrs[0].shank_radius_mm = 0.45;
-  scene->burrs[0].shank_length_mm = 0.7;
+  scene->burs[0].neck_length_mm = 0.8;
+  scene->burs[0].shank_radius_mm = 0.45;
+  scene->burs[0].shank_length_mm = 0.7;
   scene->tool_axis = Vec3(0.36, 0.48, 0.8);
   const Volume volume(scene->specimen);
   const ToolOverlap overlap(*scene, volume, false);
-  const VoxelTool tool = voxelise(scene->burrs[0], scene->tool_axis, 0.1);
+  const VoxelTool tool = voxelise(scene->burs[0], scene->tool_axis, 0.1);
   const IVec3 size = volume.grid().size;
   int free = 0, hit = 0;
   for (int z = -6; z < size.z + 6; z += 2)
@@ -51,9 +51,9 @@ TEST(ToolOverlap, by_the_pivot_alone_only_the_pivot_counts) {
 }
 
 TEST(PointShell, covers_the_sphere_evenly) {
-  Burr burr;
-  burr.radius_mm = 0.5;
-  const PointShell shell = shell_of(burr, Vec3(0, 0, 1), 0.078, 0.2);
+  Bur bur;
+  bur.radius_mm = 0.5;
+  const PointShell shell = shell_of(bur, Vec3(0, 0, 1), 0.078, 0.2);
   // A point a voxel: 4 pi r^2 / h^2 = 516; a cube's faces in whole numbers make it 600 or 486.
   EXPECT_NEAR(static_cast<double>(shell.ball.size()), 516.0, 100.0);
   double sum = 0.0;
@@ -73,10 +73,10 @@ TEST(PointShell, covers_the_sphere_evenly) {
 }
 
 TEST(PointShell, puts_neck_and_shank_on_their_radii_and_none_inside_the_ball) {
-  Burr burr;
-  burr.radius_mm = 0.5;
+  Bur bur;
+  bur.radius_mm = 0.5;
   const Vec3 axis = Vec3(0.36, 0.48, 0.8);
-  const PointShell shell = shell_of(burr, axis, 0.1, 0.25);
+  const PointShell shell = shell_of(bur, axis, 0.1, 0.25);
   double before = 0.0;
   ASSERT_FALSE(shell.holder.empty());
   for (const PointShell::HolderPoint& p : shell.holder) {
@@ -85,14 +85,14 @@ TEST(PointShell, puts_neck_and_shank_on_their_radii_and_none_inside_the_ball) {
     EXPECT_NEAR(along, p.along_mm, 1e-12);
     EXPECT_GE(along, before - 1e-12) << "in order";
     before = along;
-    EXPECT_GT(length(p.offset_mm), burr.radius_mm);
+    EXPECT_GT(length(p.offset_mm), bur.radius_mm);
     EXPECT_NEAR(length(p.out), 1.0, 1e-12);
-    const bool on_neck = std::fabs(radius - burr.neck_radius_mm) < 1e-9 && along <= burr.neck_length_mm + 1e-9;
-    const bool on_shank = std::fabs(radius - burr.shank_radius_mm) < 1e-9 && along >= burr.neck_length_mm - 1e-9;
-    const bool on_shoulder = std::fabs(along - burr.neck_length_mm) < 1e-9;
+    const bool on_neck = std::fabs(radius - bur.neck_radius_mm) < 1e-9 && along <= bur.neck_length_mm + 1e-9;
+    const bool on_shank = std::fabs(radius - bur.shank_radius_mm) < 1e-9 && along >= bur.neck_length_mm - 1e-9;
+    const bool on_shoulder = std::fabs(along - bur.neck_length_mm) < 1e-9;
     EXPECT_TRUE(on_neck || on_shank || on_shoulder) << along << " " << radius;
   }
-  EXPECT_NEAR(before, burr.neck_length_mm + burr.shank_length_mm, 1e-9);
+  EXPECT_NEAR(before, bur.neck_length_mm + bur.shank_length_mm, 1e-9);
 }
 
 TEST(TrilinearField, is_what_the_eight_samples_say_across_bricks_and_cuts) {
@@ -122,4 +122,4 @@ TEST(TrilinearField, is_what_the_eight_samples_say_across_bricks_and_cuts) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

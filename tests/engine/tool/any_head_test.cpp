@@ -6,11 +6,11 @@
 #include "engine/contact/trilinear_field.h"
 #include "tests/engine/step/scenes.h"
 #include "tests/engine/tool/heads.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr Method kMethods[] = {Method::occupancy, Method::ray, Method::penalty, Method::gradient, Method::surface};
 constexpr double kVoxel = 0.1, kFace = 1.5;
@@ -20,13 +20,13 @@ VoxelVolume block() {
 }
 
 /// The block, built once for all that read it alike.
-std::shared_ptr<Scene> scene_with(Method method, const Burr& burr, Vec3 axis) {
+std::shared_ptr<Scene> scene_with(Method method, const Bur& bur, Vec3 axis) {
   static const auto filled = Specimen::build(block(), Reading::filled), banded = Specimen::build(block(), Reading::banded);
-  auto scene = scene_of(from_distance(0.5, kVoxel, [](Vec3) { return -1.0; }), method, burr.radius_mm);
+  auto scene = scene_of(from_distance(0.5, kVoxel, [](Vec3) { return -1.0; }), method, bur.radius_mm);
   scene->specimen = reading_of(method) == Reading::filled ? filled : banded;
-  scene->burrs = {burr};
-  scene->burrs[0].neck_radius_mm = 0.15;
-  scene->burrs[0].neck_length_mm = burr.head.high() + 3.0;
+  scene->burs = {bur};
+  scene->burs[0].neck_radius_mm = 0.15;
+  scene->burs[0].neck_length_mm = bur.head.high() + 3.0;
   scene->tool_axis = axis;
   return scene;
 }
@@ -44,16 +44,16 @@ double tolerance_of(Method method) {
 
 TEST(AnyHead, stands_on_a_face_on_its_furthest_place) {
   for (const Method method : kMethods)
-    for (const Burr& burr : all_shapes())
+    for (const Bur& bur : all_shapes())
       for (const Vec3 axis : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(1, 0, 0)}) {
-        StepState state(scene_with(method, burr, axis));
+        StepState state(scene_with(method, bur, axis));
         // Where it stands is over the block's middle: of a flat end or flank, its middle.
-        const Vec3 middle = axis * (0.5 * (burr.head.high() + burr.head.low()));
-        const Vec3 foot = head_support(burr, axis, Vec3(0, 0, -1), middle);
+        const Vec3 middle = axis * (0.5 * (bur.head.high() + bur.head.low()));
+        const Vec3 foot = head_support(bur, axis, Vec3(0, 0, -1), middle);
         const Vec3 at(0.013 - foot.x, 0.027 - foot.y, kFace - foot.z);
         constexpr double kPush = 0.25;
         const StepOutput out = approach(state, at + Vec3(0, 0, 0.2), at - Vec3(0, 0, kPush));
-        const std::string what = std::string(key_of(method)) + " " + burr.name + " " + std::to_string(axis.z);
+        const std::string what = std::string(key_of(method)) + " " + bur.name + " " + std::to_string(axis.z);
         ASSERT_TRUE(out.contact) << what;
         EXPECT_FALSE(out.shank) << what;
         EXPECT_NEAR(out.proxy_mm.z, at.z, tolerance_of(method)) << what;
@@ -71,13 +71,13 @@ double floor_at(const Volume& volume, Vec3 at) {
 
 TEST(AnyHead, drills_at_the_tissues_speed_and_takes_away_its_own_shape) {
   for (const Method method : {Method::penalty, Method::gradient, Method::surface})
-    for (const Burr& burr : all_shapes()) {
-      if (burr.name == "flame") continue;  // its point is thinner than a voxel
+    for (const Bur& bur : all_shapes()) {
+      if (bur.name == "flame") continue;  // its point is thinner than a voxel
       const Vec3 axis(0, 0, 1);
-      const auto scene = scene_with(method, burr, axis);
+      const auto scene = scene_with(method, bur, axis);
       scene->full_force_n = 0.15;  // full wear at 0.15 mm: the penalty sees no deeper than the band
       StepState state(scene);
-      const Vec3 at(0.013, 0.027, kFace + burr.radius_mm);
+      const Vec3 at(0.013, 0.027, kFace + bur.radius_mm);
       constexpr double kPush = 0.2;
       approach(state, at + Vec3(0, 0, 0.2), at - Vec3(0, 0, kPush));
       StepOutput out;
@@ -89,47 +89,47 @@ TEST(AnyHead, drills_at_the_tissues_speed_and_takes_away_its_own_shape) {
       }
       const double speed = (first - floor_at(state.volume(), at)) / (0.001 * (kTicks - 1 - kTicks / 2));
       // The surface method carves in pieces of 0.04 mm; the stroke measured is 0.4 mm.
-      EXPECT_NEAR(speed, 1.0, 0.1) << key_of(method) << " " << burr.name;
+      EXPECT_NEAR(speed, 1.0, 0.1) << key_of(method) << " " << bur.name;
       EXPECT_FALSE(out.overflow);
       EXPECT_GT(state.volume().cut_bricks().size(), 0u);
     }
 }
 
 TEST(AnyHead, voxelised_is_what_its_distance_says) {
-  for (const Burr& burr : all_shapes()) {
+  for (const Bur& bur : all_shapes()) {
     const Vec3 axis(0.36, 0.48, 0.8);
-    const VoxelTool tool = voxelise(burr, axis, kVoxel);
+    const VoxelTool tool = voxelise(bur, axis, kVoxel);
     std::size_t inside = 0;
     for (int z = -90; z <= 90; ++z)
       for (int y = -60; y <= 60; ++y)
-        for (int x = -60; x <= 60; ++x) inside += head_distance(burr, axis, Vec3(x, y, z) * kVoxel) <= 0.0;
-    EXPECT_EQ(tool.cutting.size(), inside) << burr.name;
-    for (const IVec3& v : tool.holder) EXPECT_GT(head_distance(burr, axis, Vec3(v) * kVoxel), 0.0) << burr.name;
+        for (int x = -60; x <= 60; ++x) inside += head_distance(bur, axis, Vec3(x, y, z) * kVoxel) <= 0.0;
+    EXPECT_EQ(tool.cutting.size(), inside) << bur.name;
+    for (const IVec3& v : tool.holder) EXPECT_GT(head_distance(bur, axis, Vec3(v) * kVoxel), 0.0) << bur.name;
     for (const IVec3& v : tool.cutting)
-      EXPECT_LE(std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z))), tool.reach) << burr.name;
+      EXPECT_LE(std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z))), tool.reach) << bur.name;
   }
 }
 
 TEST(AnyHead, has_a_shell_on_its_skin_with_even_shares) {
-  for (const Burr& burr : all_shapes()) {
+  for (const Bur& bur : all_shapes()) {
     const Vec3 axis(0.36, 0.48, 0.8);
-    const PointShell shell = shell_of(burr, axis, 0.1, 0.2);
+    const PointShell shell = shell_of(bur, axis, 0.1, 0.2);
     EXPECT_TRUE(shell.ball.empty());
     double sum = 0.0;
     Vec3 mean(0.0);
     for (const PointShell::HeadPoint& p : shell.head) {
-      EXPECT_NEAR(head_distance(burr, axis, p.offset_mm), 0.0, 1e-9) << burr.name;
+      EXPECT_NEAR(head_distance(bur, axis, p.offset_mm), 0.0, 1e-9) << bur.name;
       Vec3 gradient;
-      head_distance(burr, axis, p.offset_mm + p.out * 0.01, gradient);
-      EXPECT_GT(glm::dot(gradient, p.out), 1.0 - 1e-9) << burr.name;
+      head_distance(bur, axis, p.offset_mm + p.out * 0.01, gradient);
+      EXPECT_GT(glm::dot(gradient, p.out), 1.0 - 1e-9) << bur.name;
       sum += p.share;
       mean += p.out * p.share;
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
-    EXPECT_LT(length(mean), 0.01) << burr.name << ": the skin is closed";
-    for (const PointShell::HolderPoint& p : shell.holder) EXPECT_GT(head_distance(burr, axis, p.offset_mm), 0.0);
+    EXPECT_LT(length(mean), 0.01) << bur.name << ": the skin is closed";
+    for (const PointShell::HolderPoint& p : shell.holder) EXPECT_GT(head_distance(bur, axis, p.offset_mm), 0.0);
   }
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

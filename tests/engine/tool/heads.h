@@ -1,4 +1,4 @@
-/// One burr of each shape that the catalogue has, and places at random about them.
+/// One bur of each shape that the catalogue has, and places at random about them.
 #pragma once
 
 #include <cmath>
@@ -7,27 +7,28 @@
 
 #include "engine/tool/heads.h"
 #include "engine/tool/swept.h"
+#include "tests/modules.h"
 
 namespace cusp::test {
 
-inline Burr burr_of(std::string name, double radius, const std::optional<Profile>& head) {
-  Burr out;
+inline Bur bur_of(std::string name, double radius, const std::optional<Profile>& head) {
+  Bur out;
   out.name = std::move(name);
   out.radius_mm = radius;
   out.head = head.value();
   return out;
 }
 
-inline std::vector<Burr> all_shapes() {
-  return {burr_of("straight", 0.5, flat_head(0.5, 0.5, 4.0)),
-          burr_of("tapered", 0.6, flat_head(0.4, 0.6, 4.2)),
-          burr_of("inverted cone", 0.6, flat_head(0.6, 0.35, 1.2)),
-          burr_of("dome", 0.6, round_end_head(0.6, 0.6, 4.0)),
-          burr_of("round-end taper", 0.9, round_end_head(0.5, 0.9, 8.0)),
-          burr_of("pear", 0.4, pear_head(0.4, 0.3, 0.25, 1.8)),
-          burr_of("half a ball", 0.5, pear_head(0.5, 0.5, 0.3, 2.0)),
-          burr_of("flame", 0.6, oval_head(0.6, 0.1, 5.0, 0.45, 8.0)),
-          burr_of("football", 1.15, oval_head(1.15, 0.5, 2.5, 0.4, 5.0))};
+inline std::vector<Bur> all_shapes() {
+  return {bur_of("straight", 0.5, flat_head(0.5, 0.5, 4.0)),
+          bur_of("tapered", 0.6, flat_head(0.4, 0.6, 4.2)),
+          bur_of("inverted cone", 0.6, flat_head(0.6, 0.35, 1.2)),
+          bur_of("dome", 0.6, round_end_head(0.6, 0.6, 4.0)),
+          bur_of("round-end taper", 0.9, round_end_head(0.5, 0.9, 8.0)),
+          bur_of("pear", 0.4, pear_head(0.4, 0.3, 0.25, 1.8)),
+          bur_of("half a ball", 0.5, pear_head(0.5, 0.5, 0.3, 2.0)),
+          bur_of("flame", 0.6, oval_head(0.6, 0.1, 5.0, 0.45, 8.0)),
+          bur_of("football", 1.15, oval_head(1.15, 0.5, 2.5, 0.4, 5.0))};
 }
 
 /// Numbers from -1 to 1, the same everywhere.

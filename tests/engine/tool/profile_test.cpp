@@ -5,10 +5,9 @@
 
 #include "tests/engine/tool/heads.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace test;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -44,82 +43,82 @@ bool inside(const std::vector<OnHalf>& points, OnHalf at) {
 
 TEST(Profile, says_the_distance_that_its_outline_sampled_densely_has) {
   Random random(3);
-  for (const Burr& burr : all_shapes()) {
-    const std::vector<OnHalf> points = outline(burr.head, 4000);
-    const double middle = 0.5 * (burr.head.low() + burr.head.high()), half = burr.head.high() - middle;
+  for (const Bur& bur : all_shapes()) {
+    const std::vector<OnHalf> points = outline(bur.head, 4000);
+    const double middle = 0.5 * (bur.head.low() + bur.head.high()), half = bur.head.high() - middle;
     double worst = 0.0;
     for (int round = 0; round < 400; ++round) {
-      const OnHalf at{middle + 1.4 * half * random(), std::fabs(2.0 * burr.head.widest() * random())};
+      const OnHalf at{middle + 1.4 * half * random(), std::fabs(2.0 * bur.head.widest() * random())};
       double least = 1e300;
       for (const OnHalf& p : points)
         least = std::min(least, (p.t - at.t) * (p.t - at.t) + (p.rho - at.rho) * (p.rho - at.rho));
       const double expected = inside(points, at) ? -std::sqrt(least) : std::sqrt(least);
       OnHalf gradient;
-      const double distance = burr.head.distance(at, gradient);
+      const double distance = bur.head.distance(at, gradient);
       // 4,000 samples a piece of at most 8 mm stand 2 um apart: 1 um beside a sample, and near the outline all of it.
-      EXPECT_NEAR(distance, expected, 1.1e-3) << burr.name << " " << at.t << " " << at.rho;
+      EXPECT_NEAR(distance, expected, 1.1e-3) << bur.name << " " << at.t << " " << at.rho;
       if (std::fabs(expected) > 0.05) worst = std::max(worst, std::fabs(distance - expected));
     }
-    EXPECT_LT(worst, 2e-5) << burr.name << ": further off the samples' spacing hardly counts";
+    EXPECT_LT(worst, 2e-5) << bur.name << ": further off the samples' spacing hardly counts";
   }
 }
 
 TEST(Profile, is_level_all_along_its_own_skin) {
-  for (const Burr& burr : all_shapes())
-    for (const OnHalf& at : outline(burr.head, 3000)) {
+  for (const Bur& bur : all_shapes())
+    for (const OnHalf& at : outline(bur.head, 3000)) {
       OnHalf gradient;
-      ASSERT_NEAR(burr.head.distance(at, gradient), 0.0, 1e-9) << burr.name << " " << at.t << " " << at.rho;
+      ASSERT_NEAR(bur.head.distance(at, gradient), 0.0, 1e-9) << bur.name << " " << at.t << " " << at.rho;
     }
 }
 
 TEST(Profile, has_the_gradient_of_its_distance) {
   Random random(5);
-  for (const Burr& burr : all_shapes()) {
-    const double middle = 0.5 * (burr.head.low() + burr.head.high()), half = burr.head.high() - middle;
+  for (const Bur& bur : all_shapes()) {
+    const double middle = 0.5 * (bur.head.low() + bur.head.high()), half = bur.head.high() - middle;
     int creased = 0;
     for (int round = 0; round < 2000; ++round) {
-      const OnHalf at{middle + 1.4 * half * random(), 1e-3 + std::fabs(2.0 * burr.head.widest() * random())};
+      const OnHalf at{middle + 1.4 * half * random(), 1e-3 + std::fabs(2.0 * bur.head.widest() * random())};
       OnHalf gradient, other;
-      const double d = burr.head.distance(at, gradient);
+      const double d = bur.head.distance(at, gradient);
       EXPECT_NEAR(gradient.t * gradient.t + gradient.rho * gradient.rho, 1.0, 1e-12);
       EXPECT_GE(gradient.rho, -1e-9);
       constexpr double h = 1e-6;
-      const double t = (burr.head.distance({at.t + h, at.rho}, other) - burr.head.distance({at.t - h, at.rho}, other)) / (2 * h);
-      const double rho = (burr.head.distance({at.t, at.rho + h}, other) - burr.head.distance({at.t, at.rho - h}, other)) / (2 * h);
+      const double t = (bur.head.distance({at.t + h, at.rho}, other) - bur.head.distance({at.t - h, at.rho}, other)) / (2 * h);
+      const double rho = (bur.head.distance({at.t, at.rho + h}, other) - bur.head.distance({at.t, at.rho - h}, other)) / (2 * h);
       // A step of 1 nm over 1e-6 mm of curvature 1 / distance; across an inner crease there is no gradient.
       const bool same = std::fabs(t - gradient.t) < 1e-4 && std::fabs(rho - gradient.rho) < 1e-4;
       if (same) continue;
       ++creased;
-      EXPECT_LT(d, 1e-5) << burr.name << " " << at.t << " " << at.rho;
+      EXPECT_LT(d, 1e-5) << bur.name << " " << at.t << " " << at.rho;
     }
-    EXPECT_LT(creased, 10) << burr.name;
+    EXPECT_LT(creased, 10) << bur.name;
   }
 }
 
 TEST(Profile, is_convex_in_distance_too) {
   Random random(7);
-  for (const Burr& burr : all_shapes())
+  for (const Bur& bur : all_shapes())
     for (int round = 0; round < 3000; ++round) {
       const Vec3 a = 6.0 * random.vector(), b = 6.0 * random.vector();
       const Vec3 axis(0.36, 0.48, 0.8);
-      const double middle = head_distance(burr, axis, 0.5 * (a + b));
-      EXPECT_LE(middle, 0.5 * (head_distance(burr, axis, a) + head_distance(burr, axis, b)) + 1e-12) << burr.name;
+      const double middle = head_distance(bur, axis, 0.5 * (a + b));
+      EXPECT_LE(middle, 0.5 * (head_distance(bur, axis, a) + head_distance(bur, axis, b)) + 1e-12) << bur.name;
     }
 }
 
 TEST(Profile, has_the_support_of_its_outline_and_slides_along_what_is_flat) {
   Random random(11);
-  for (const Burr& burr : all_shapes()) {
-    const std::vector<OnHalf> points = outline(burr.head, 2000);
+  for (const Bur& bur : all_shapes()) {
+    const std::vector<OnHalf> points = outline(bur.head, 2000);
     for (int round = 0; round < 500; ++round) {
       const double angle = 0.5 * kPi * (1.0 + random());
       const OnHalf direction{std::cos(angle), std::sin(angle)};
       double most = -1e300;
       for (const OnHalf& p : points) most = std::max(most, p.t * direction.t + p.rho * direction.rho);
-      const OnHalf at = burr.head.support(direction, {0.0, 0.0});
+      const OnHalf at = bur.head.support(direction, {0.0, 0.0});
       OnHalf gradient;
-      EXPECT_NEAR(at.t * direction.t + at.rho * direction.rho, most, 2e-6) << burr.name;
-      EXPECT_NEAR(burr.head.distance(at, gradient), 0.0, 1e-9) << burr.name << ": the point lies on the solid";
+      EXPECT_NEAR(at.t * direction.t + at.rho * direction.rho, most, 2e-6) << bur.name;
+      EXPECT_NEAR(bur.head.distance(at, gradient), 0.0, 1e-9) << bur.name << ": the point lies on the solid";
     }
   }
   const Profile straight = flat_head(0.5, 0.5, 4.0).value();
@@ -163,16 +162,16 @@ TEST(Profile, encloses_the_volume_that_solid_geometry_gives_it) {
 }
 
 TEST(Profile, knows_how_far_it_reaches) {
-  for (const Burr& burr : all_shapes()) {
+  for (const Bur& bur : all_shapes()) {
     double reach = 0.0, wide = 0.0;
-    for (const OnHalf& p : outline(burr.head, 2000)) {
+    for (const OnHalf& p : outline(bur.head, 2000)) {
       reach = std::max(reach, std::sqrt(p.t * p.t + p.rho * p.rho));
       wide = std::max(wide, p.rho);
     }
-    EXPECT_NEAR(burr.head.reach(), reach, 1e-6) << burr.name;
-    EXPECT_NEAR(burr.head.widest(), wide, 1e-6) << burr.name;
-    EXPECT_NEAR(burr.head.widest(), burr.radius_mm, 1e-9) << burr.name << ": that is what its radius means";
-    EXPECT_NEAR(burr.head.low(), -burr.radius_mm, 1e-12) << burr.name << ": the pivot is a radius above the tip";
+    EXPECT_NEAR(bur.head.reach(), reach, 1e-6) << bur.name;
+    EXPECT_NEAR(bur.head.widest(), wide, 1e-6) << bur.name;
+    EXPECT_NEAR(bur.head.widest(), bur.radius_mm, 1e-9) << bur.name << ": that is what its radius means";
+    EXPECT_NEAR(bur.head.low(), -bur.radius_mm, 1e-12) << bur.name << ": the pivot is a radius above the tip";
   }
 }
 
@@ -204,7 +203,7 @@ TEST(Heads, refuse_figures_that_make_no_head) {
   EXPECT_FALSE(flat_head(0.0, 0.5, 4.0));
   EXPECT_FALSE(flat_head(0.5, 0.5, -1.0));
   EXPECT_FALSE(round_end_head(0.6, 0.5, 4.0)) << "narrower at the top";
-  EXPECT_FALSE(pear_head(0.4, 0.5, 0.3, 2.0)) << "a corner rounder than the burr";
+  EXPECT_FALSE(pear_head(0.4, 0.5, 0.3, 2.0)) << "a corner rounder than the bur";
   EXPECT_FALSE(oval_head(0.6, 0.6, 3.0, 0.4, 8.0));
   EXPECT_FALSE(oval_head(0.6, 0.1, 9.0, 0.4, 8.0)) << "widest beyond its end";
   EXPECT_FALSE(oval_head(0.6, 0.1, 0.3, 0.4, 8.0)) << "wide too near the tip: the flank would run back";
@@ -212,4 +211,4 @@ TEST(Heads, refuse_figures_that_make_no_head) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,7 +5,7 @@
 
 #include "engine/volume/volume.h"
 
-namespace cusp::carved {
+namespace cusp::engine::carved {
 
 /// A specimen of one distance (mm, negative inside), all of one tissue or as `tissue_at` says.
 template <class Distance, class TissueAt>
@@ -22,7 +22,7 @@ std::shared_ptr<const Specimen> specimen(const Grid& grid, Reading reading, Dist
   return Specimen::build(dense, reading);
 }
 
-/// Removes the inside of `tool` (mm, negative inside) as an ideal burr would. Bricks out of its reach stay uncut.
+/// Removes the inside of `tool` (mm, negative inside) as an ideal bur would. Bricks out of its reach stay uncut.
 template <class Distance>
 void carve(Volume& volume, Distance&& tool) {
   const Specimen& s = volume.specimen();
@@ -48,4 +48,4 @@ void carve(Volume& volume, Distance&& tool) {
   }
 }
 
-}  // namespace cusp::carved
+}  // namespace cusp::engine::carved

@@ -7,8 +7,9 @@
 #include <numbers>
 
 #include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -212,4 +213,4 @@ TEST(CutVolume, AFilledVolumeIsItsVoxels) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

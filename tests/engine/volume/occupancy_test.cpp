@@ -1,12 +1,13 @@
 // The occupancy map against its definition: a boundary voxel is occupied and has an external one among its 26
 // neighbours.
 #include "engine/volume/occupancy.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr IVec3 kSize(45, 38, 33);
@@ -100,4 +101,4 @@ TEST(Occupancy, keeps_bits_for_the_surface_and_for_as_many_bricks_as_can_be_cut)
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -7,8 +7,9 @@
 #include <functional>
 
 #include "engine/volume/specimen.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kVoxel = 0.1;
@@ -122,4 +123,4 @@ TEST(SharpEdge, a_smooth_surface_and_an_inner_edge_have_none) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "engine/volume/volume.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A ball under a slab, tissues mixed where they meet; sizes that no brick divides.
@@ -251,4 +252,4 @@ TEST(Specimen, tissue_that_reaches_the_edge_of_its_volume_gets_a_face_there) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -42,7 +42,7 @@ def press_if(program, name):
 
 
 def speed(program):
-    """Of the burr, as the handpiece's panel says it."""
+    """Of the bur, as the handpiece's panel says it."""
     for label in program.all("label", re.compile(r"rpm$")):
         return int(re.sub(r"\D", "", label.name))
     return None
@@ -81,7 +81,7 @@ def start(program, hand):
 
 def with_the_pedal(program, hand):
     hand("falcon", "sway", *DOWN)
-    desk.check(speed(program) == 0, f"the burr turns before anybody asks for it: {speed(program)}")
+    desk.check(speed(program) == 0, f"the bur turns before anybody asks for it: {speed(program)}")
     going(program, "the pedal to be found and to start the handpiece", lambda: (hand("pedal", "down"), speed(program))[1])
     going(program, "the pedal to cut", lambda: school.removed_mm3(program) > 0.05)
     turning = speed(program)

@@ -11,11 +11,12 @@
 #include <set>
 #include <tuple>
 
-#include "engine/step/scene.h"
+#include "engine/scene/scene.h"
 #include "scenarios/audit/audit_json.h"
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using Scores = std::function<std::optional<double>(const Model&, const AuditHand&)>;
@@ -60,7 +61,7 @@ AuditRunner runner_of(const Scores& scores, Played& played) {
   };
 }
 
-Scenario block() { return *load_builtin("channel-1"); }  // 0.1 mm, smallest burr 0.5 mm, tolerance 2 points
+Scenario block() { return *load_builtin("channel-1"); }  // 0.1 mm, smallest bur 0.5 mm, tolerance 2 points
 
 Scenario wet() {
   Scenario s = block();
@@ -138,10 +139,10 @@ TEST(Search, MeasuresWhatItTakesInCombination) {
   EXPECT_EQ(std::ranges::count_if(report->steps, [](const AuditStep& t) { return t.choice.aspect != Aspect::voxel && !t.taken; }), 1);
 }
 
-TEST(Search, TakesTheCoarsestVoxelsThatStillResolveTheBurrsAndGradeTheSame) {
+TEST(Search, TakesTheCoarsestVoxelsThatStillResolveTheBursAndGradeTheSame) {
   const auto report = run(block(), [](const Model&, const AuditHand&) { return std::optional(90.0); });
   ASSERT_TRUE(report);
-  // 0.2 mm would leave the 0.5 mm burr with 2.5 voxels of radius (validate: three at least).
+  // 0.2 mm would leave the 0.5 mm bur with 2.5 voxels of radius (validate: three at least).
   EXPECT_EQ(row(*report, Aspect::voxel, 0.2)->verdict, Verdict::unresolved);
   EXPECT_DOUBLE_EQ(report->leanest.specimen.voxel_mm, 0.15);
   ASSERT_TRUE(report->at_half_voxel);
@@ -402,4 +403,4 @@ TEST(Change, ACriterionThatIsNoLongerMeasuredIsNoSmallChange) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -8,8 +8,9 @@
 
 #include "scenarios/library/library.h"
 #include "scenarios/specimens.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A cube of enamel over dentine with a core of pulp in the dentine, 12 voxels each way.
@@ -94,4 +95,4 @@ TEST(With, TakingTheSpindleAwayTakesWhatNeedsIt) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -122,4 +123,4 @@ TEST(AuditTable, AMeanIsAsFarOffAsItsStandardErrorMayTakeIt) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,8 +6,9 @@
 #include <map>
 
 #include "engine/volume/specimen.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 std::map<Tissue, std::size_t> occupied(const VoxelVolume& volume) {
@@ -109,4 +110,4 @@ TEST(LayeredBlock, IsTheDexterityBlockWithAHardLayerOfAMillimetre) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -8,8 +8,9 @@
 
 #include "scenarios/library/library.h"
 #include "scenarios/specimens.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using ::testing::Contains;
@@ -208,4 +209,4 @@ TEST(Words, AnotherToothsNumberIsFoundWithoutATemplate) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -18,8 +18,9 @@
 #include "scenarios/library/library.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/specimens.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using nlohmann::json;
@@ -213,4 +214,4 @@ TEST(Mutations, TwoThousandBrokenScenariosAreRefusedOrHarmless) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -8,9 +8,10 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
+#include "tests/modules.h"
 #include "tests/scenarios/format/make_scenario.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 using nlohmann::json;
 
@@ -37,4 +38,4 @@ inline FormatFailure without(const char* parent, const char* key) {
   return failure_of(document.dump());
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -8,13 +8,14 @@
 #include <set>
 
 #include "scenarios/format/write.h"
+#include "tests/modules.h"
 #include "tests/scenarios/format/make_scenario.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::ScenarioMaker;
-using testing::sound_scenario;
+using test::ScenarioMaker;
+using test::sound_scenario;
 
 std::vector<std::byte> bytes_of(const std::string& text) {
   const auto view = std::as_bytes(std::span(text));
@@ -92,4 +93,4 @@ TEST(ContentHash, OfAFolderTakesTheVolumeItNames) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -3,11 +3,12 @@
 
 #include <random>
 
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/format/scenario.h"
+#include "tests/modules.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 class ScenarioMaker {
  public:
@@ -29,8 +30,8 @@ class ScenarioMaker {
       s.instruments.push_back(
           {std::to_string(i) + text(), between(0.05, 5), between(0.05, 5), between(0, 50), between(0.05, 5), between(0, 100), {}});
       if (coin()) continue;
-      const std::vector<CatalogueBurr>& all = burr_catalogue();
-      const Burr& one = all[static_cast<std::size_t>(pick(static_cast<int>(all.size())))].burr;
+      const std::vector<CatalogueBur>& all = bur_catalogue();
+      const Bur& one = all[static_cast<std::size_t>(pick(static_cast<int>(all.size())))].bur;
       s.instruments.back().radius_mm = one.radius_mm;
       s.instruments.back().head = one.head;
     }
@@ -130,4 +131,4 @@ inline Scenario sound_scenario() {
   return s;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -7,14 +7,15 @@
 #include <map>
 #include <set>
 
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/schema.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
 #include "scenarios/tissues/tissue_facts.h"
+#include "tests/modules.h"
 #include "tests/scenarios/format/changed_scenario.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using nlohmann::json;
@@ -89,12 +90,12 @@ TEST(Ranges, AreTheSchemasBothWays) {
 
 /// A scenario in which every number of the table stands.
 json with_everything() {
-  Scenario s = testing::sound_scenario();
+  Scenario s = test::sound_scenario();
   s.specimen.generator = "tooth";
   s.specimen.fdi = 36;
   s.specimen.lesions = {{}};
   s.tissues = {{Tissue::enamel, 3, 1}};
-  s.instruments = {catalogue_burr("245")->burr};
+  s.instruments = {catalogue_bur("245")->bur};
   s.tool_turn_deg = 10;
   s.time_limit_s = 60;
   return json::parse(write_scenario(s));
@@ -147,7 +148,7 @@ TEST(Ranges, WhatWasAcceptedAndWasNonsenseIsRefused) {
 }
 
 TEST(Ranges, ANumberThatIsNoneIsNamedWhereItStands) {
-  Scenario s = testing::sound_scenario();
+  Scenario s = test::sound_scenario();
   s.device.full_force_n = std::numeric_limits<double>::quiet_NaN();
   s.target.depth_mm = std::numeric_limits<double>::infinity();
   std::set<std::string> places;
@@ -170,11 +171,11 @@ TEST(Ranges, KnowEveryNumberThatAScenarioHolds) {
   EXPECT_EQ(range_of(""), nullptr);
 }
 
-TEST(Ranges, HoldEveryBurrOfTheCatalogueAndEveryTissuesUsualFigures) {
-  for (const CatalogueBurr& one : burr_catalogue()) {
-    Scenario s = testing::sound_scenario();
-    s.instruments = {one.burr};
-    for (const Finding& f : validate(s)) EXPECT_NE(f.code, "out_of_range") << one.burr.name << " " << f.path;
+TEST(Ranges, HoldEveryBurOfTheCatalogueAndEveryTissuesUsualFigures) {
+  for (const CatalogueBur& one : bur_catalogue()) {
+    Scenario s = test::sound_scenario();
+    s.instruments = {one.bur};
+    for (const Finding& f : validate(s)) EXPECT_NE(f.code, "out_of_range") << one.bur.name << " " << f.path;
   }
   for (std::size_t code = 1; code < kTissueKeys.size(); ++code) {
     const TissueFacts& usual = tissue_facts(static_cast<Tissue>(code));
@@ -184,4 +185,4 @@ TEST(Ranges, HoldEveryBurrOfTheCatalogueAndEveryTissuesUsualFigures) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,21 +5,22 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
 #include "scenarios/format/write.h"
 #include "scenarios/tissues/tissue_facts.h"
+#include "tests/modules.h"
 #include "tests/scenarios/format/changed_scenario.h"
 #include "tests/scenarios/format/make_scenario.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using nlohmann::json;
-using testing::ScenarioMaker;
-using testing::sound;
-using testing::sound_scenario;
+using test::ScenarioMaker;
+using test::sound;
+using test::sound_scenario;
 
 TEST(ScenarioFile, WritingAndReadingIsTheIdentity) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -87,18 +88,18 @@ TEST(ScenarioFile, ATissueWithoutFiguresHasItsUsualOnesAndIsWrittenWithThem) {
   EXPECT_TRUE(written["tissues"][0].contains("speed_mm_s")) << "a published exercise must not follow the table";
 }
 
-TEST(ScenarioFile, AnInstrumentMayNameABurrOfTheCatalogueAndIsWrittenOut) {
-  for (const CatalogueBurr& one : burr_catalogue()) {
-    SCOPED_TRACE(one.burr.name);
+TEST(ScenarioFile, AnInstrumentMayNameABurOfTheCatalogueAndIsWrittenOut) {
+  for (const CatalogueBur& one : bur_catalogue()) {
+    SCOPED_TRACE(one.bur.name);
     json document = sound();
-    document["instruments"] = {{{"catalogue", one.burr.name}}};
+    document["instruments"] = {{{"catalogue", one.bur.name}}};
     EXPECT_TRUE(check_schema(document.dump()).empty());
     const auto scenario = read_scenario(document.dump());
     ASSERT_TRUE(scenario) << scenario.error().where;
-    EXPECT_EQ(scenario->instruments, std::vector{one.burr});
+    EXPECT_EQ(scenario->instruments, std::vector{one.bur});
     const std::string written = write_scenario(*scenario);
     EXPECT_FALSE(json::parse(written)["instruments"][0].contains("catalogue")) << "what is published must not follow the table";
-    EXPECT_EQ(json::parse(written)["instruments"][0].contains("head"), !one.burr.head.ball());
+    EXPECT_EQ(json::parse(written)["instruments"][0].contains("head"), !one.bur.head.ball());
     EXPECT_TRUE(check_schema(written).empty());
     EXPECT_EQ(*read_scenario(written), *scenario);
   }
@@ -161,4 +162,4 @@ TEST(ScenarioFile, AFileIsNamedBeforeThePlace) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -8,28 +8,29 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/schema.h"
 #include "scenarios/format/write.h"
+#include "tests/modules.h"
 #include "tests/scenarios/format/changed_scenario.h"
 #include "tests/scenarios/format/make_scenario.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using nlohmann::json;
-using testing::failure_of;
-using testing::ScenarioMaker;
-using testing::sound;
-using testing::sound_scenario;
-using testing::with;
-using testing::without;
+using test::failure_of;
+using test::ScenarioMaker;
+using test::sound;
+using test::sound_scenario;
+using test::with;
+using test::without;
 
-TEST(RefusedScenarioFile, ABurrOfNoCatalogueIsRefused) {
-  EXPECT_EQ(with("/instruments/0", {{"catalogue", "12"}}).code, FormatError::unknown_burr);
+TEST(RefusedScenarioFile, ABurOfNoCatalogueIsRefused) {
+  EXPECT_EQ(with("/instruments/0", {{"catalogue", "12"}}).code, FormatError::unknown_bur);
   EXPECT_EQ(with("/instruments/0", {{"catalogue", "12"}}).where, "/instruments/0/catalogue");
   EXPECT_EQ(with("/instruments/0", {{"catalogue", 56}}).code, FormatError::wrong_type);
   EXPECT_EQ(with("/instruments/0", {{"catalogue", "56"}, {"radius_mm", 1}}).code, FormatError::unknown_key) << "one or the other";
 }
 
-TEST(RefusedScenarioFile, AHeadThatIsNoConvexBodyOfTheBurrsSizeIsRefused) {
+TEST(RefusedScenarioFile, AHeadThatIsNoConvexBodyOfTheBursSizeIsRefused) {
   const auto head = [](const json& pieces) {
     json document = sound();
     document["instruments"][0]["radius_mm"] = 0.5;
@@ -43,7 +44,7 @@ TEST(RefusedScenarioFile, AHeadThatIsNoConvexBodyOfTheBurrsSizeIsRefused) {
       {{-0.5, 0, -0.5, 0.5}, {-0.5, 0.5, 3.5, 0.5}},                          // open
       {{-0.5, 0, -0.5, 0.5}, {-0.5, 0.4, 3.5, 0.4}, {3.5, 0.4, 3.5, 0}},      // does not join
       {{-0.5, 0, -0.5, 0.3}, {-0.5, 0.3, 3.5, 0.5}, {3.5, 0.5, 4, 0.5}, {4, 0.5, 3, 0}},  // hollow
-      {{-0.5, 0, -0.5, 0.4}, {-0.5, 0.4, 3.5, 0.4}, {3.5, 0.4, 3.5, 0}},      // narrower than the burr
+      {{-0.5, 0, -0.5, 0.4}, {-0.5, 0.4, 3.5, 0.4}, {3.5, 0.4, 3.5, 0}},      // narrower than the bur
       {{0, 0, 0, 0.5}, {0, 0.5, 4, 0.5}, {4, 0.5, 4, 0}},                     // the pivot is at its tip
       {{-0.5, 0, 0, 0.5, 0, 0}},                                              // an arc without a radius
       {{-0.5, 0, 0, 0.5, 0, 0, 0}}};
@@ -365,4 +366,4 @@ TEST(RefusedScenarioFile, NoTextBreaksTheReader) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,4 +1,4 @@
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/validate.h"
 
 #include <gmock/gmock.h>
@@ -6,12 +6,13 @@
 
 #include "scenarios/format/schema.h"
 #include "scenarios/format/write.h"
+#include "tests/modules.h"
 #include "tests/scenarios/format/make_scenario.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::sound_scenario;
+using test::sound_scenario;
 using ::testing::IsEmpty;
 
 std::vector<std::string> codes(const std::vector<Finding>& findings) {
@@ -115,9 +116,9 @@ TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
   using ::testing::ElementsAre;
   // 2.5 voxels of 0.1 mm.
   EXPECT_THAT(after([](Scenario& s) { s.target.width_mm = 0.24; }),
-              ElementsAre("warning /target/width_mm feature_thin", "warning /target/width_mm burr_wider_than_target"));
+              ElementsAre("warning /target/width_mm feature_thin", "warning /target/width_mm bur_wider_than_target"));
   EXPECT_THAT(after([](Scenario& s) { s.instruments[0].radius_mm = 0.29; }),
-              ElementsAre("warning /instruments/0/radius_mm burr_small", "warning /instruments/0/neck_radius_mm neck_wider_than_ball"));
+              ElementsAre("warning /instruments/0/radius_mm bur_small", "warning /instruments/0/neck_radius_mm neck_wider_than_ball"));
   EXPECT_THAT(after([](Scenario& s) {
                 s.instruments[0].radius_mm = 0.3;
                 s.instruments[0].neck_radius_mm = 0.2;
@@ -126,11 +127,11 @@ TEST(Validate, WarnsOfWhatTheVoxelsCannotShow) {
   EXPECT_THAT(after([](Scenario& s) { s.leeway.side_mm = 0.05; }), ElementsAre("warning /leeway/side_mm leeway_below_voxel"));
 }
 
-TEST(Validate, WarnsOfWhatTheBurrCannotCut) {
+TEST(Validate, WarnsOfWhatTheBurCannotCut) {
   using ::testing::ElementsAre;
-  EXPECT_THAT(after([](Scenario& s) { s.target.width_mm = 1.3; }), ElementsAre("warning /target/width_mm burr_wider_than_target"));
+  EXPECT_THAT(after([](Scenario& s) { s.target.width_mm = 1.3; }), ElementsAre("warning /target/width_mm bur_wider_than_target"));
   EXPECT_THAT(after([](Scenario& s) { s.target.corner_radius_mm = 0.2; }),
-              ElementsAre("warning /target/corner_radius_mm corner_below_burr"));
+              ElementsAre("warning /target/corner_radius_mm corner_below_bur"));
   EXPECT_THAT(after([](Scenario& s) { s.tissues[0].speed_mm_s = 0; }), ElementsAre("warning /tissues nothing_can_be_cut"));
 }
 
@@ -138,24 +139,24 @@ TEST(Validate, WarnsOfAHeadShorterThanTheVoxelsCanShow) {
   using ::testing::ElementsAre;
   // 33 1/2 is 0.6 mm wide and high: below 3 voxels of 0.105 mm radius, and 6 of height.
   EXPECT_THAT(after([](Scenario& s) {
-                s.instruments = {catalogue_burr("33 1/2")->burr};
+                s.instruments = {catalogue_bur("33 1/2")->bur};
                 s.specimen.voxel_mm = 0.105;
               }),
-              ElementsAre("warning /instruments/0/radius_mm burr_small", "warning /instruments/0/head head_short"));
+              ElementsAre("warning /instruments/0/radius_mm bur_small", "warning /instruments/0/head head_short"));
 }
 
 TEST(Validate, KnowsThatAFlatEndLeavesASharpCorner) {
   using ::testing::ElementsAre;
   const auto with = [](const char* number, double corner_mm) {
     return after([&](Scenario& s) {
-      s.instruments = {catalogue_burr(number)->burr};
+      s.instruments = {catalogue_bur(number)->bur};
       s.target.corner_radius_mm = corner_mm;
     });
   };
   EXPECT_THAT(with("57", 0.0), IsEmpty());
-  EXPECT_THAT(with("1157", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_burr")) << "a dome's is its radius";
+  EXPECT_THAT(with("1157", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_bur")) << "a dome's is its radius";
   EXPECT_THAT(with("245", 0.25), IsEmpty()) << "0.25 mm, says the catalogue";
-  EXPECT_THAT(with("245", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_burr"));
+  EXPECT_THAT(with("245", 0.2), ElementsAre("warning /target/corner_radius_mm corner_below_bur"));
 }
 
 TEST(Validate, WarnsOfTextsInOneLanguageOnlyAndPointsOffTheFloor) {
@@ -221,4 +222,4 @@ TEST(Validate, ATextThatDoesNotReadSaysWhyAndWhatElseTheSchemaMinds) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -9,8 +9,9 @@
 #include "scenarios/grading/bands.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/grading/report_json.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 // fail 1.0, acceptable 1.4, ideal 1.8 to 2.2, acceptable 2.6, fail 3.0
@@ -281,4 +282,4 @@ TEST(ReportJson, TakesItsWordsFromOutsideAndSurvivesBadUtf8) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -10,8 +10,9 @@
 
 #include "scenarios/grading/grader.h"
 #include "scenarios/grading/report_json.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -196,4 +197,4 @@ TEST(ReportJson, PointsAddUpAndTheirMaximaAreAHundred) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,14 +6,15 @@
 #include <sstream>
 
 #include "scenarios/blocks/blocks.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::read_text;
-using testing::TempFolder;
-using testing::write_text;
+using test::read_text;
+using test::TempFolder;
+using test::write_text;
 
 Result<Binvox, ImportFailure> read(const std::string& bytes, const VolumeLimits& limits = {}) {
   std::istringstream in(bytes);
@@ -128,4 +129,4 @@ TEST(Binvox, AFileThatCannotBeWrittenLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -3,13 +3,13 @@
 
 #include "scenarios/import/foreign_images.h"
 #include "scenarios/import/import.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/image_files.h"
 #include "tests/scenarios/import/packed_dicom.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 float at(const Image& image, int x, int y, int z) {
   const IVec3 n = image.layout.size;
@@ -251,4 +251,4 @@ TEST_F(Dicom, PicturesPackedWithLossAndOtherFilesAreRefusedByTheKeyThatSaysIt) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

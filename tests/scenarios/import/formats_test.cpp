@@ -13,13 +13,13 @@
 #include "scenarios/import/import.h"
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/quarter_turn.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/image_files.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 constexpr double kVolumeShare = 0.005;  // of the body's volume
 constexpr double kPlaceVoxels = 0.1;
@@ -325,4 +325,4 @@ TEST_F(Formats, AQuarterTurnOfTheSpecimenIsAQuarterTurnOfTheFile) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

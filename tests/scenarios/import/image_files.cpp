@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace cusp::testing {
+namespace cusp::test {
 namespace {
 
 void u16(std::string& out, unsigned v) {
@@ -264,4 +264,4 @@ std::string zlib_stored(const std::string& bytes) {
   return out;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

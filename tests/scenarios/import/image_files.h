@@ -9,7 +9,7 @@
 
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 /// Values of a volume, x fastest.
 std::vector<std::int16_t> values_of(IVec3 size, const std::function<int(IVec3)>& value);
@@ -55,4 +55,4 @@ std::string three_ds_file(const std::vector<Mesh>& meshes, const ThreeDsWish& wi
 std::string gzip_stored(const std::string& bytes);
 std::string zlib_stored(const std::string& bytes);
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

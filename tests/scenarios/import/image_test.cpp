@@ -12,12 +12,12 @@
 #include "scenarios/import/metaimage.h"
 #include "scenarios/import/nrrd_image.h"
 #include "scenarios/import/pieces.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/image_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 float at(const Image& image, int x, int y, int z) {
   const IVec3 n = image.layout.size;
@@ -417,4 +417,4 @@ TEST(ImageVolume, TheSuggestedThresholdsPartThreeHeaps) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -10,12 +10,12 @@
 #include "engine/volume/cut_volume.h"
 #include "engine/volume/specimen.h"
 #include "scenarios/import/import.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 /// With CUSP_ZERO_TOLERANCES set every bound is zero, so that the failures list the residuals.
 double bound(double value) { return std::getenv("CUSP_ZERO_TOLERANCES") ? 0.0 : value; }
@@ -128,4 +128,4 @@ TEST(MeshAccuracy, AVoxelCountAloneWouldBeWorse) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

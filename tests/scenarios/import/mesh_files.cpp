@@ -8,7 +8,7 @@
 
 #include "engine/base/ids.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 Mesh sphere(std::string name, Vec3 centre, double radius, int level) {
   Mesh m{std::move(name), {}, {}};
@@ -243,4 +243,4 @@ std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -9,7 +9,7 @@
 
 #include "engine/base/vec.h"
 
-namespace cusp::testing {
+namespace cusp::test {
 
 struct Mesh {
   std::string name;
@@ -66,4 +66,4 @@ void write_off(const std::filesystem::path& file, const Mesh& mesh);
 void write_text(const std::filesystem::path& file, const std::string& text);
 std::string read_text(const std::filesystem::path& file);
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -5,12 +5,12 @@
 #include <numbers>
 
 #include "scenarios/import/import.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 double ball_mm3(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 
@@ -336,4 +336,4 @@ TEST(ImportMesh, ARealToothHasItsVolumeAndItsPulpInside) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

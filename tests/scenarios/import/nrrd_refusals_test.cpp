@@ -4,14 +4,15 @@
 
 #include "scenarios/blocks/blocks.h"
 #include "scenarios/import/nrrd.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::read_text;
-using testing::TempFolder;
-using testing::write_text;
+using test::read_text;
+using test::TempFolder;
+using test::write_text;
 
 /// A good file of 3 x 3 x 3 voxels, to be broken.
 std::string good_file(const TempFolder& folder) {
@@ -233,4 +234,4 @@ TEST(NrrdRefusals, RandomDamageIsRefusedOrReadButNeverMore) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

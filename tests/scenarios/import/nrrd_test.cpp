@@ -6,14 +6,15 @@
 #include <random>
 
 #include "scenarios/blocks/blocks.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::read_text;
-using testing::TempFolder;
-using testing::write_text;
+using test::read_text;
+using test::TempFolder;
+using test::write_text;
 
 void expect_same(const VoxelVolume& a, const VoxelVolume& b) {
   EXPECT_EQ(a.grid, b.grid);
@@ -253,4 +254,4 @@ TEST(NrrdLabels, OutsideTheSurfaceStandsTheNearestTissue) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdlib>
 
-namespace cusp::testing {
+namespace cusp::test {
 namespace {
 
 std::string pack_bits(const std::string& bytes) {
@@ -107,4 +107,4 @@ std::string jpeg_lossless_frame(const std::vector<std::int16_t>& values, int col
   return out;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 inline constexpr const char* kRleLossless = "1.2.840.10008.1.2.5";
 inline constexpr const char* kJpegLossless = "1.2.840.10008.1.2.4.70";
@@ -15,4 +15,4 @@ std::string rle_frame(const std::vector<std::int16_t>& values);
 /// Process 14, selection value 1: each pixel as its difference from the one before it.
 std::string jpeg_lossless_frame(const std::vector<std::int16_t>& values, int columns, int rows);
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

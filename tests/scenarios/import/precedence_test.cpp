@@ -8,12 +8,12 @@
 #include "engine/volume/cut_volume.h"
 #include "engine/volume/specimen.h"
 #include "scenarios/import/import.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 // An incisor in its roughest form: the outer surface of its enamel, open at the neck; dentine from the root's tip to below
 // the incisal edge, with a hollow; and the pulp that fills the hollow.
@@ -176,4 +176,4 @@ TEST(MeshPrecedence, ATooLongOrTooShortToothIsQuestionedWithTheFactorsThatWouldM
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

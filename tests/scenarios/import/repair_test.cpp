@@ -7,12 +7,12 @@
 #include "scenarios/import/import.h"
 #include "scenarios/import/mesh_repair.h"
 #include "scenarios/import/triangle_mesh.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/image_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 TriangleMesh triangles_of(const Mesh& mesh) {
   TriangleMesh out{mesh.name, mesh.points, {}};
@@ -188,4 +188,4 @@ TEST(Unit, TheUsualUnitThatMakesATooth) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -12,12 +12,13 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/import/nrrd.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::TempFolder;
+using test::TempFolder;
 
 SpecimenSource generator(const std::string& name, double voxel_mm = 0.1, int fdi = 0) {
   SpecimenSource source;
@@ -122,4 +123,4 @@ TEST(MakeSpecimen, WhatNoGeneratorMakesIsRefusedByKey) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -13,12 +13,12 @@
 
 #include "scenarios/import/child_process.h"
 #include "scenarios/import/limit_figures.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/mesh_files.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 WorkerSettings bad_child(const std::string& way) {
   WorkerSettings settings;
@@ -239,10 +239,10 @@ int misbehave(const std::string& way) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test
 
 int main(int argc, char** argv) {
-  if (const auto status = cusp::import_child_main(argc, argv)) return *status;
+  if (const auto status = cusp::scenarios::import_child_main(argc, argv)) return *status;
   if (argc > 1 && std::strcmp(argv[1], "child-eat") == 0) {
     // What a reader that asks for more and more does, within the verb that must answer for it.
     const char* verb[] = {argv[0], "import-child", "mesh"};
@@ -254,9 +254,9 @@ int main(int argc, char** argv) {
       std::printf("cusp-import\tfail\tout_of_memory\t\t\n");
       return 1;
     }
-    return *cusp::import_child_main(3, verb);
+    return *cusp::scenarios::import_child_main(3, verb);
   }
-  if (argc > 1 && std::strncmp(argv[1], "child-", 6) == 0) return cusp::misbehave(argv[1]);
+  if (argc > 1 && std::strncmp(argv[1], "child-", 6) == 0) return cusp::test::misbehave(argv[1]);
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "engine/volume/specimen.h"
-#include "scenarios/hands/faults.h"
+#include "scenarios/operators/faults.h"
 #include "scenarios/library/library.h"
 #include "scenarios/specimens.h"
-#include "tests/scenarios/hands/go.h"
+#include "tests/modules.h"
+#include "tests/scenarios/operators/attempt.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// Each block in each size of voxels once for all tests of this program.
@@ -22,11 +23,11 @@ std::shared_ptr<const Specimen> block(const SpecimenSource& source) {
 }
 
 /// In ticks of 4 ms: a tick cuts as far as four of 1 ms would.
-go::Result play(const std::string& key, const char* hand) {
+attempt::Result play(const std::string& key, const char* hand) {
   const Scenario scenario = load_builtin(key).value();
   const auto specimen = block(scenario.specimen);
   const Reference reference(scenario, specimen);
-  return go::run(scenario, reference, specimen, *hand_by_name(hand, scenario, *specimen, 1), 4000);
+  return attempt::run(scenario, reference, specimen, *hand_by_name(hand, scenario, *specimen, 1), 4000);
 }
 
 /// One of each level and material; with CUSP_ALL_LEVELS set all fifteen (two minutes).
@@ -42,13 +43,13 @@ std::vector<std::string> exercises() {
 class Dexterity : public testing::TestWithParam<std::string> {};
 
 TEST_P(Dexterity, AnExpertHandPassesAndANoviceDoesNot) {
-  const go::Result good = play(GetParam(), "expert");
+  const attempt::Result good = play(GetParam(), "expert");
   EXPECT_TRUE(good.grade.passed);
   EXPECT_GE(good.grade.score, 90.0);  // measured: 100 for all fifteen
   EXPECT_GT(good.get("target_removed").value, 97.0);
   EXPECT_EQ(good.overflow, 0u);
   EXPECT_FALSE(good.faulted);
-  const go::Result bad = play(GetParam(), "novice");
+  const attempt::Result bad = play(GetParam(), "novice");
   EXPECT_FALSE(bad.grade.passed);
   EXPECT_LE(bad.grade.score, 50.0);  // measured: 5 to 36, the lower the higher the level
 }
@@ -75,4 +76,4 @@ TEST(Levels, TolerateLessAndLess) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

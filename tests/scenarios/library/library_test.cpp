@@ -15,8 +15,9 @@
 #include "scenarios/shapes/outline.h"
 #include "scenarios/specimens.h"
 #include "scenarios/teeth/tooth.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(Library, HoldsTheExercisesThatTheProgramComesWith) {
@@ -170,4 +171,4 @@ TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

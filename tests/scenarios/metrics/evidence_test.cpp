@@ -10,14 +10,15 @@
 #include <random>
 
 #include "engine/volume/cell_field.h"
-#include "scenarios/hands/faults.h"
+#include "scenarios/operators/faults.h"
 #include "scenarios/library/library.h"
 #include "scenarios/shapes/distance.h"
 #include "scenarios/specimens.h"
 #include "scenarios/teeth/tooth.h"
-#include "tests/scenarios/hands/go.h"
+#include "tests/modules.h"
+#include "tests/scenarios/operators/attempt.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr const char* kHands[] = {"expert", "novice", "fair", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"};
@@ -102,7 +103,7 @@ Final swept(const Exercise& e, const std::string& name, const Hand& hand, double
   std::mt19937_64 random(7);
   const double shake = name == "novice" || name == "shaky" ? 0.3 : name == "expert" ? 0.0 : 0.05;
   std::uniform_real_distribution<double> off(-shake, shake);
-  const double radius = e.scenario.instruments[hand.plan().burr].radius_mm;
+  const double radius = e.scenario.instruments[hand.plan().bur].radius_mm;
   Vec3 from = hand.plan().start_mm;
   auto left = static_cast<std::size_t>(share_done * static_cast<double>(hand.plan().strokes.size()));
   for (const Stroke& stroke : hand.plan().strokes) {
@@ -115,7 +116,7 @@ Final swept(const Exercise& e, const std::string& name, const Hand& hand, double
 }
 
 Final drilled(const Exercise& e, Hand hand) {
-  StepState state(go::scene_of(e.scenario, e.specimen));
+  StepState state(attempt::scene_of(e.scenario, e.specimen));
   HandPort port(std::move(hand), 0.004);
   StepInput last;
   Final out{Volume(e.specimen), {}};
@@ -247,4 +248,4 @@ TEST(Evidence, LiesOnTheSurfaceThatItsMeasureNames) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -13,8 +13,9 @@
 #include "scenarios/metrics/region_shares.h"
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -245,7 +246,7 @@ TEST(Measure, WithoutPulpNothingIsSaidAboutIt) {
   EXPECT_FALSE(bench.get(volume, "remaining_over_pulp").measured);
 }
 
-TEST(Measure, DepthLooksOnlyAtFloorsThatABurrLeft) {
+TEST(Measure, DepthLooksOnlyAtFloorsThatABurLeft) {
   const Bench bench;
   Volume volume(bench.specimen);
   // Half of the slot is cut, and only to 1.5 mm; the rest is the block's own face and is no floor.
@@ -282,7 +283,7 @@ TEST(Live, AgreesWithTheFinalMeasuresAfterManyPieces) {
   Volume volume(bench.specimen);
   LiveMetrics live(bench.reference);
   StepOutput output;
-  Burr burr;
+  Bur bur;
   std::vector<std::uint32_t> seen(static_cast<std::size_t>(volume.specimen().brick_count().x) *
                                   static_cast<std::size_t>(volume.specimen().brick_count().y) *
                                   static_cast<std::size_t>(volume.specimen().brick_count().z));
@@ -297,7 +298,7 @@ TEST(Live, AgreesWithTheFinalMeasuresAfterManyPieces) {
       seen[n] = volume.revision(b);
     }
     output.proxy_mm = at;
-    live.update(volume, changed, output, burr);
+    live.update(volume, changed, output, bur);
     EXPECT_GE(live.reading().target_removed, last);
     last = live.reading().target_removed;
   }
@@ -309,7 +310,7 @@ TEST(Live, AgreesWithTheFinalMeasuresAfterManyPieces) {
   EXPECT_EQ(live.reading().removed_mm3[index_of(Tissue::dentine)], bench.get(volume, "removed_dentine").value);
   ASSERT_TRUE(live.reading().remaining_over_pulp_mm.has_value());
   EXPECT_EQ(*live.reading().remaining_over_pulp_mm, bench.get(volume, "remaining_over_pulp").value);
-  EXPECT_NEAR(live.reading().depth_under_burr_mm, 1.92 + 0.5, 1e-9);
+  EXPECT_NEAR(live.reading().depth_under_bur_mm, 1.92 + 0.5, 1e-9);
   EXPECT_TRUE(live.reading().over_target);
   live.reset();
   EXPECT_EQ(live.reading().target_removed, 0.0);
@@ -350,4 +351,4 @@ TEST(Deviation, IsPositiveWhereItWasCutTooFarAndNegativeWhereTissueIsLeft) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "engine/step/step.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(Process, WeightsForceByTimeInContactAndTakesItBeforeTheGuard) {
@@ -89,4 +90,4 @@ TEST(Process, GoesOnFromItsBytesBitForBitAndRefusesAnyOthers) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -10,8 +10,9 @@
 #include "scenarios/metrics/reference.h"
 #include "scenarios/shapes/distance.h"
 #include "tests/engine/volume/carved.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 Scenario slot() {
@@ -44,10 +45,10 @@ TEST_P(EveryReading, tissue_by_tissue_the_metrics_say_what_the_volume_lost) {
   auto scene = std::make_shared<Scene>();
   scene->specimen = specimen;
   scene->method = GetParam();
-  Burr burr;
-  burr.radius_mm = 0.5;
-  burr.neck_radius_mm = 0.2;
-  scene->burrs = {burr};
+  Bur bur;
+  bur.radius_mm = 0.5;
+  bur.neck_radius_mm = 0.2;
+  scene->burs = {bur};
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 6.0};
   scene->full_force_n = 0.1;
   scene->guard = unguarded();
@@ -67,7 +68,7 @@ TEST_P(EveryReading, tissue_by_tissue_the_metrics_say_what_the_volume_lost) {
   ASSERT_GT(lost.mm3[index_of(Tissue::enamel)], 0.05);
   ASSERT_GT(lost.mm3[index_of(Tissue::dentine)], 0.05);
   ASSERT_GT(lost.mm3[index_of(Tissue::pulp)], 0.01);
-  live.update(volume, volume.cut_bricks(), state.last(), burr);
+  live.update(volume, volume.cut_bricks(), state.last(), bur);
   const std::vector<Measure> measures = measure(*reference, volume, Process());
   double whole = 0.0;
   for (const Tissue tissue : {Tissue::enamel, Tissue::dentine, Tissue::pulp}) {
@@ -89,4 +90,4 @@ TEST_P(EveryReading, tissue_by_tissue_the_metrics_say_what_the_volume_lost) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

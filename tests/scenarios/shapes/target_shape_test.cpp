@@ -4,8 +4,9 @@
 
 #include "scenarios/shapes/leeway.h"
 #include "scenarios/shapes/outline.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 Target channel() {
@@ -147,4 +148,4 @@ TEST(Leeway, APlaceBelongsToTheFaceThatItIsNearestTo) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

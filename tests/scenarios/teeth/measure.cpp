@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace cusp {
+namespace cusp::test {
 
 double extent(const VoxelVolume& volume, int axis, int sign, double z_low, double z_high) {
   const Grid& g = volume.grid;
@@ -223,4 +223,4 @@ Pieces pieces_of_tissues(const VoxelVolume& v) {
           of(Tissue::cementum), of(Tissue::pulp)};
 }
 
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,8 +6,9 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/teeth/landmarks.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 
 /// Furthest crossing of the surface along an axis (0 x, 1 y, 2 z; sign ±1) over all grid lines whose z is in [low, high].
 double extent(const VoxelVolume& volume, int axis, int sign, double z_low, double z_high);
@@ -59,4 +60,4 @@ struct Pieces {
 };
 Pieces pieces_of_tissues(const VoxelVolume& volume);
 
-}  // namespace cusp
+}  // namespace cusp::test

@@ -7,8 +7,9 @@
 #include <cstdio>
 
 #include "scenarios/teeth/own_tissues.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr int kFine = 2;  // samples a pixel side
@@ -272,4 +273,4 @@ Picture pulp_section(const VoxelVolume& volume, Vec3 into, Vec3 up, double px_pe
   });
 }
 
-}  // namespace cusp
+}  // namespace cusp::test

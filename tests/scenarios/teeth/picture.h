@@ -9,8 +9,9 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/teeth/tooth.h"
+#include "tests/modules.h"
 
-namespace cusp {
+namespace cusp::test {
 
 struct Picture {
   int width = 0, height = 0;
@@ -33,4 +34,4 @@ Picture view_of_jaw(const Jaw& jaw, double px_per_mm);
 Picture pulp_section(const VoxelVolume& volume, Vec3 into, Vec3 up, double px_per_mm,
                      const std::function<bool(Vec3)>& keep);
 
-}  // namespace cusp
+}  // namespace cusp::test

@@ -9,9 +9,10 @@
 #include "scenarios/teeth/tables.h"
 #include "scenarios/teeth/tooth.h"
 #include "scenarios/teeth/variety.h"
+#include "tests/modules.h"
 #include "tests/scenarios/teeth/measure.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr int kKinds[] = {11, 12, 13, 14, 15, 16, 17, 18, 31, 32, 33, 34, 35, 36, 37, 38};
@@ -392,4 +393,4 @@ TEST(Jaw, IsAsWideAsJawsAre) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

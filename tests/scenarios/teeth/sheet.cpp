@@ -8,9 +8,11 @@
 #include <cstring>
 
 #include "scenarios/teeth/tooth.h"
+#include "tests/modules.h"
 #include "tests/scenarios/teeth/picture.h"
 
 using namespace cusp;
+using namespace cusp::test;
 
 namespace {
 

@@ -15,9 +15,11 @@
 #include "engine/volume/specimen.h"
 #include "scenarios/teeth/tables.h"
 #include "scenarios/teeth/tooth.h"
+#include "tests/modules.h"
 #include "tests/scenarios/teeth/measure.h"
 
 using namespace cusp;
+using namespace cusp::test;
 
 namespace {
 

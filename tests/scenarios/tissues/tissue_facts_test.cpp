@@ -1,5 +1,6 @@
 // The table of tissues: that it reads, what it holds, and how it refuses.
 #include "scenarios/tissues/tissue_facts.h"
+#include "tests/modules.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using Json = nlohmann::json;
@@ -131,4 +132,4 @@ TEST(TissueFacts, a_tissue_twice_unknown_or_left_out_is_refused) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

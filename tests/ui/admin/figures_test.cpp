@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.h"
 #include "ui/admin/figures.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 HistoryRow go(int student, int number, double score, double seconds = 300, bool passed = true) {
@@ -64,4 +65,4 @@ TEST(Learning, needs_three_students_for_a_median) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/admin/people_model.h"
 #include "ui/admin/people_page.h"
@@ -16,7 +17,7 @@
 #include "ui/student/course.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DeskRecords;
@@ -172,4 +173,4 @@ TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -11,18 +11,19 @@
 #include <QToolButton>
 
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/accessible_parts.h"
 #include "ui/app/desktop.h"
-#include "ui/app/device_settings.h"
+#include "ui/settings/device_settings.h"
 #include "ui/app/shell.h"
-#include "ui/drill/burr_tray.h"
+#include "ui/drill/bur_tray.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr int kPatienceMs = 60'000;  // waits for progress, never decides
@@ -83,11 +84,11 @@ TEST_F(Accessible, every_kind_of_button_is_pressed_as_by_a_click) {
   EXPECT_EQ(segments.chosen(), 1);
 }
 
-TEST_F(Accessible, a_burr_is_taken_from_the_tray_without_a_mouse) {
-  BurrTray tray;
-  tray.set_burrs(load_builtin("channel-1")->instruments);
+TEST_F(Accessible, a_bur_is_taken_from_the_tray_without_a_mouse) {
+  BurTray tray;
+  tray.set_burs(load_builtin("channel-1")->instruments);
   tray.show();
-  QSignalSpy chosen(&tray, &BurrTray::burr_chosen);
+  QSignalSpy chosen(&tray, &BurTray::bur_chosen);
   const auto buttons = tray.findChildren<QAbstractButton*>();
   ASSERT_GE(buttons.size(), 2);
   EXPECT_EQ(QAccessible::queryAccessibleInterface(buttons[1])->role(), QAccessible::RadioButton);
@@ -153,4 +154,4 @@ TEST_F(Accessible, a_try_out_is_drilled_on_the_station_s_device) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -10,15 +10,16 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
-#include "ui/app/language.h"
+#include "ui/text/language.h"
 #include "ui/app/shell.h"
 #include "ui/signin/sign_in.h"
 #include "ui/student/briefing.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct DesktopTest : ::testing::Test {
@@ -213,4 +214,4 @@ TEST_F(DesktopTest, f6_walks_through_the_panes) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

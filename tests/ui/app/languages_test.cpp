@@ -9,13 +9,14 @@
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
-#include "ui/app/language.h"
+#include "ui/text/language.h"
 #include "ui/app/shell.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct Message {
@@ -170,4 +171,4 @@ TEST(Languages, no_text_on_any_page_was_forgotten) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

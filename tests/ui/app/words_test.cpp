@@ -6,11 +6,12 @@
 #include <QTemporaryDir>
 #include <set>
 
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
-#include "ui/app/sentences.h"
-#include "ui/app/settings.h"
+#include "ui/text/sentences.h"
+#include "ui/settings/settings.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 template <class Code, class Failure>
@@ -244,4 +245,4 @@ TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

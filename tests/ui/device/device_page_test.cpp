@@ -13,19 +13,20 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/device/falcon/images.h"
+#include "tests/modules.h"
 #include "tests/ui/device/eventually.h"
 #include "tests/ui/session/gate.h"
-#include "ui/app/device_settings.h"
+#include "ui/settings/device_settings.h"
 #include "ui/device/device_page.h"
 #include "ui/device/falcon_panel.h"
-#include "ui/device/falcon_words.h"
+#include "ui/device/falcon_text.h"
 #include "ui/device/self_test_report.h"
 #include "ui/device/trim_form.h"
 #include "ui/session/errand.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/number_field.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A bus that says what it is told.
@@ -124,16 +125,16 @@ TEST(DevicePage, one_that_comes_or_goes_is_listed_without_a_click) {
 
 TEST(DevicePage, a_bus_that_hangs_holds_the_window_neither_when_it_opens_nor_looks_nor_closes) {
   struct Hanging final : DeviceWatch {
-    explicit Hanging(std::shared_ptr<testing::Gate> g) : gate(std::move(g)) {}
+    explicit Hanging(std::shared_ptr<test::Gate> g) : gate(std::move(g)) {}
     std::vector<FoundDevice> list() override {
       gate->pass();
       return with_those_of_no_hardware({{.kind = "falcon", .name = "FT000001", .port = "1-1"}});
     }
     bool changed() noexcept override { return true; }
-    std::shared_ptr<testing::Gate> gate;
+    std::shared_ptr<test::Gate> gate;
   };
   Desk desk;
-  auto gate = std::make_shared<testing::Gate>();
+  auto gate = std::make_shared<test::Gate>();
   const DevicePage::MakeWatch background = [gate] {
     return watch_in_background([gate] { return std::make_unique<Hanging>(gate); });
   };
@@ -148,7 +149,7 @@ TEST(DevicePage, a_bus_that_hangs_holds_the_window_neither_when_it_opens_nor_loo
   page.show();
   EXPECT_FALSE(gate->gave_up());
   gate->open();
-  EXPECT_TRUE(testing::eventually([&] { return page.listed().size() == 3; }));
+  EXPECT_TRUE(test::eventually([&] { return page.listed().size() == 3; }));
   EXPECT_FALSE(says(page, QStringLiteral("Looking at what is plugged in")));
   page.hide();
   wait_for_dropped_errands();
@@ -182,7 +183,7 @@ TEST(DevicePage, a_firmware_file_is_checked_before_it_is_kept) {
   std::ofstream(desk.picked.toStdString()) << "not a firmware";
   button(*page, QStringLiteral("Name the file…"))->click();
   EXPECT_TRUE(desk.choice().firmware.file.empty());
-  const auto bytes = testing::boot_image();
+  const auto bytes = test::boot_image();
   desk.picked = desk.folder.filePath(QStringLiteral("yes.bin"));
   std::ofstream(desk.picked.toStdString(), std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   button(*page, QStringLiteral("Name the file…"))->click();
@@ -256,7 +257,7 @@ TEST(TrimForm, shows_under_the_hand_what_the_numbers_do) {
   EXPECT_LT(glm::length(form.trim().centre_m - Vec3(0.010, 0.004, 0.119)), 1e-12);
   form.show_grip(grip_at({0.010, 0.004, 0.119}), true);
   EXPECT_FALSE(says(form, QStringLiteral("5.0")));
-  // The clutch holds the burr while the grip goes on, and lets it go on from there.
+  // The clutch holds the bur while the grip goes on, and lets it go on from there.
   form.show_grip(grip_at({0.010, 0.004, 0.119}, falcon::status::kForward), true);
   form.show_grip(grip_at({0.040, 0.004, 0.119}, falcon::status::kForward), true);
   EXPECT_TRUE(form.findChild<Chip*>()->isVisibleTo(&form));
@@ -352,4 +353,4 @@ TEST(FalconWords, every_phase_and_every_end_has_its_sentence) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

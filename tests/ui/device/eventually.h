@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 /// Runs the window's events until `condition` holds; false when it never did, and then something is wrong.
 template <class Condition>
@@ -16,4 +16,4 @@ bool eventually(Condition&& condition) {
   return false;
 }
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

@@ -13,12 +13,12 @@
 #include "tests/device/falcon/images.h"
 #include "tests/device/falcon/mock_usb.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using falcon::Emulator;
-using testing::MockBus;
-using testing::MockFalcon;
+using test::MockBus;
+using test::MockFalcon;
 namespace fs = std::filesystem;
 
 const char* program = nullptr;
@@ -59,7 +59,7 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_goes_on_and_keeps_the_sess
   const std::string out = (folder / "out").string(), json = (folder / "report.json").string();
   Child child({program, "play", "channel-1", "--device", "falcon:FT000002", "--seconds", "3", "--out", out, "--json", json});
 
-  // The hand: homes it, then presses the burr into the block and slides to and fro, cutting.
+  // The hand: homes it, then presses the bur into the block and slides to and fro, cutting.
   enum class Plug { in_first, pulled, in_again } plug = Plug::in_first;
   double y = 0.0;
   std::uint64_t at_unplug = 0, since = 0;
@@ -110,11 +110,11 @@ TEST(FalconPlayUsb, unplugged_while_drilling_it_holds_goes_on_and_keeps_the_sess
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   if (argc != 2) return 2;
-  cusp::program = argv[1];
+  cusp::test::program = argv[1];
   return RUN_ALL_TESTS();
 }

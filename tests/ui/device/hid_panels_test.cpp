@@ -10,8 +10,9 @@
 #include <numbers>
 
 #include "tests/device/hid/desk.h"
+#include "tests/modules.h"
 #include "tests/ui/device/eventually.h"
-#include "ui/app/settings.h"
+#include "ui/settings/settings.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/pedal_panel.h"
 #include "ui/device/pedal_words.h"
@@ -19,13 +20,13 @@
 #include "ui/device/space_mouse_turner.h"
 #include "ui/widgets/number_field.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::bus_of;
-using testing::Bytes;
-using testing::Desk;
-using testing::eventually;
+using test::bus_of;
+using test::Bytes;
+using test::Desk;
+using test::eventually;
 
 class Panels : public ::testing::Test {
  protected:
@@ -49,7 +50,7 @@ class Panels : public ::testing::Test {
 };
 
 TEST_F(Panels, a_rheostat_is_calibrated_by_pressing_it_and_stays_so) {
-  auto rudder = desk.plug("/dev/hidraw1", 0x06a3, 0x0763, testing::rudder_descriptor());
+  auto rudder = desk.plug("/dev/hidraw1", 0x06a3, 0x0763, test::rudder_descriptor());
   hid::PedalReader reader(bus_of(desk));
   reader.start();
   PedalPanel panel(reader, &settings);
@@ -94,7 +95,7 @@ TEST_F(Panels, a_rheostat_is_calibrated_by_pressing_it_and_stays_so) {
 }
 
 TEST_F(Panels, a_known_pedal_needs_no_calibration_and_gets_a_switch_for_the_coolant) {
-  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
+  auto pedal = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
   hid::PedalReader reader(bus_of(desk));
   reader.start();
   PedalPanel panel(reader, &settings);
@@ -116,7 +117,7 @@ TEST_F(Panels, a_known_pedal_needs_no_calibration_and_gets_a_switch_for_the_cool
 }
 
 TEST_F(Panels, a_pedal_that_may_not_be_opened_comes_with_the_line_that_mends_it) {
-  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor())->denied = true;
+  desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor())->denied = true;
   hid::PedalReader reader(bus_of(desk));
   reader.start();
   PedalPanel panel(reader, nullptr);
@@ -129,7 +130,7 @@ TEST_F(Panels, a_pedal_that_may_not_be_opened_comes_with_the_line_that_mends_it)
 }
 
 TEST_F(Panels, a_space_mouse_takes_its_rest_only_from_a_hand_that_is_off) {
-  auto mouse = desk.plug("/dev/hidraw1", 0x256f, 0xc635, testing::space_mouse_descriptor());
+  auto mouse = desk.plug("/dev/hidraw1", 0x256f, 0xc635, test::space_mouse_descriptor());
   hid::SpaceMouseReader reader(bus_of(desk));
   reader.start();
   SpaceMousePanel panel(reader, &settings);
@@ -137,11 +138,11 @@ TEST_F(Panels, a_space_mouse_takes_its_rest_only_from_a_hand_that_is_off) {
   const auto view = [&] { return reader.view(std::chrono::steady_clock::now()); };
   ASSERT_TRUE(eventually([&] { return view().connected; }));
   panel.look();
-  desk.say(mouse, testing::words(1, {300, 0, 0}));
+  desk.say(mouse, test::words(1, {300, 0, 0}));
   ASSERT_TRUE(eventually([&] { return view().raw[0] == 300; }));
   button(panel, "Hand is off: take this as rest")->click();
   EXPECT_TRUE(shows(panel, "Take the hand off first"));
-  desk.say(mouse, testing::words(1, {12, -3, 0}));
+  desk.say(mouse, test::words(1, {12, -3, 0}));
   ASSERT_TRUE(eventually([&] { return view().raw[0] == 12; }));
   button(panel, "Hand is off: take this as rest")->click();
   EXPECT_EQ(HidSettings(settings.file()).space_mouse().rest[0], 12);
@@ -182,4 +183,4 @@ TEST(PedalWords, controls_have_names_that_people_know) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,4 +1,5 @@
 // The panel over a service in miniature: it asks only when it is told to, and says what became of it.
+#include "tests/modules.h"
 #include "ui/device/inverse_panel.h"
 
 #include <gtest/gtest.h>
@@ -13,17 +14,17 @@
 #include "tests/device/inverse/fake_service.h"
 #include "tests/ui/device/eventually.h"
 #include "tests/ui/session/gate.h"
-#include "ui/app/device_settings.h"
-#include "ui/app/settings.h"
+#include "ui/settings/device_settings.h"
+#include "ui/settings/settings.h"
 #include "ui/session/errand.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/number_field.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using testing::eventually;
-using testing::FakeService;
+using test::eventually;
+using test::FakeService;
 
 class InversePanelTest : public ::testing::Test {
  protected:
@@ -79,7 +80,7 @@ TEST_F(InversePanelTest, says_what_is_missing) {
 /// A service that neither answers nor refuses: wait() hangs until the gate opens.
 class HangingLink final : public inverse::InverseLink {
  public:
-  explicit HangingLink(std::shared_ptr<testing::Gate> gate) : gate_(std::move(gate)) {}
+  explicit HangingLink(std::shared_ptr<test::Gate> gate) : gate_(std::move(gate)) {}
   inverse::LinkTime now() const noexcept override { return std::chrono::steady_clock::now(); }
   void open() override {}
   void send(std::string) override {}
@@ -90,11 +91,11 @@ class HangingLink final : public inverse::InverseLink {
   void close() noexcept override {}
 
  private:
-  std::shared_ptr<testing::Gate> gate_;
+  std::shared_ptr<test::Gate> gate_;
 };
 
 TEST_F(InversePanelTest, a_service_that_hangs_holds_the_window_neither_while_it_is_asked_nor_cancelled_nor_left) {
-  auto gate = std::make_shared<testing::Gate>();
+  auto gate = std::make_shared<test::Gate>();
   const auto make = [gate](const InverseSettings& wanted) {
     return std::make_unique<InversePort>(std::make_unique<HangingLink>(gate), wanted);
   };
@@ -180,4 +181,4 @@ TEST_F(InversePanelTest, how_it_stands_is_kept_and_rubbish_is_the_usual) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

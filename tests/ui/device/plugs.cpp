@@ -21,14 +21,14 @@
 #include "tests/device/hid/descriptors.h"
 #include "tests/device/hid/mock_hid.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using falcon::Emulator;
-using testing::MockBus;
-using testing::MockFalcon;
-using testing::MockHid;
-using testing::MockHidBus;
+using test::MockBus;
+using test::MockFalcon;
+using test::MockHid;
+using test::MockHidBus;
 
 /// What the hands do, a thousand times a second.
 class Hands {
@@ -45,7 +45,7 @@ class Hands {
     way_ = way;
     at_ = at;
   }
-  void cap(testing::Bytes report, bool deflected) {
+  void cap(test::Bytes report, bool deflected) {
     const std::lock_guard lock(mutex_);
     report_ = std::move(report);
     deflected_ = deflected;
@@ -91,7 +91,7 @@ class Hands {
   std::mutex mutex_;
   Way way_ = Way::still;
   Vec3 at_ = falcon::kMiddleM;
-  testing::Bytes report_;
+  test::Bytes report_;
   bool deflected_ = false;
   std::atomic<bool> stop_{false};
   std::thread thread_;
@@ -101,8 +101,8 @@ struct Desk {
   MockBus bus;
   MockFalcon falcon{bus, 2, "1-1", "FT000001", {.firmware_running = true, .at_once = true}};
   MockHidBus hid{bus.testbed()};
-  MockHid pedal{hid, 3, 0x05f3, 0x00ff, "VEC USB Footpedal", testing::vec_descriptor()};
-  MockHid mouse{hid, 4, 0x256f, 0xc635, "SpaceMouse Compact", testing::space_mouse_descriptor()};
+  MockHid pedal{hid, 3, 0x05f3, 0x00ff, "VEC USB Footpedal", test::vec_descriptor()};
+  MockHid mouse{hid, 4, 0x256f, 0xc635, "SpaceMouse Compact", test::space_mouse_descriptor()};
   Hands hands{falcon, mouse};
 
   std::string lead_falcon(const std::string& act, std::istringstream& words) {
@@ -152,7 +152,7 @@ struct Desk {
       hands.cap_plugged(false);
       mouse.unplug();
     } else if ((act == "move" || act == "turn") && words >> x >> y >> z) {
-      hands.cap(testing::words(act == "move" ? 1 : 2, {x, y, z}), x != 0 || y != 0 || z != 0);
+      hands.cap(test::words(act == "move" ? 1 : 2, {x, y, z}), x != 0 || y != 0 || z != 0);
     } else if (act == "buttons" && words >> bits) {
       mouse.say({3, static_cast<std::uint8_t>(bits), 0});
     } else {
@@ -163,10 +163,10 @@ struct Desk {
 };
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test
 
 int main() {
-  cusp::Desk desk;
+  cusp::test::Desk desk;
   std::cout << g_getenv("UMOCKDEV_DIR") << std::endl;
   for (std::string line; std::getline(std::cin, line);) {
     std::istringstream words(line);

@@ -1,8 +1,9 @@
+#include "tests/modules.h"
 #include "ui/drill/coach.h"
 
 #include <gtest/gtest.h>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A slot 1.6 mm wide along x, floor 2 mm below the face at z = 0.
@@ -21,7 +22,7 @@ LiveView drilling(Vec3 pivot, double radius) {
   live.removed_mm3[index_of(Tissue::plastic)] = 1.0;
   live.output.contact = true;
   live.output.proxy_mm = pivot;
-  live.burr_depth_mm = -(pivot.z - radius);
+  live.bur_depth_mm = -(pivot.z - radius);
   return live;
 }
 
@@ -46,7 +47,7 @@ TEST(Coach, at_the_floor_it_says_sideways_and_below_it_how_far_too_deep) {
 }
 
 TEST(Coach, beyond_the_leeway_at_the_side_comes_before_depth) {
-  // Pivot 0.7 mm off the middle, wall at 0.8: the burr's side is 0.4 mm beyond it.
+  // Pivot 0.7 mm off the middle, wall at 0.8: the bur's side is 0.4 mm beyond it.
   const CoachLine line = coach(drilling({0, 0.7, -0.9}, kRadius), slot(), kLeeway, kRadius);
   EXPECT_EQ(line.what, Coach::outside);
   EXPECT_NEAR(line.mm, 0.4, 1e-9);
@@ -117,4 +118,4 @@ TEST(Coach, speaks_again_when_the_kind_changes_or_the_value_by_two_tenths) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

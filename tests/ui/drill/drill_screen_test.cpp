@@ -1,4 +1,5 @@
 // A whole go on the platform "offscreen": real loop, mirror and scores, by keys alone, nothing drawn.
+#include "tests/modules.h"
 #include "ui/drill/drill_screen.h"
 
 #include <gtest/gtest.h>
@@ -12,13 +13,13 @@
 #include <thread>
 
 #include "scenarios/library/library.h"
-#include "ui/app/settings.h"
-#include "ui/drill/burr_tray.h"
+#include "ui/settings/settings.h"
+#include "ui/drill/bur_tray.h"
 #include "ui/drill/handpiece_panel.h"
-#include "ui/drill/tooth_view.h"
+#include "ui/view/tooth_view.h"
 #include "ui/widgets/gauge.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr int kPatienceMs = 60'000;  // waits for progress; a slow machine may take its time
@@ -199,7 +200,7 @@ TEST_F(Screen, a_key_that_is_held_while_the_focus_goes_elsewhere_drills_no_longe
   QTest::keyPress(screen.get(), Qt::Key_Space);
   ASSERT_TRUE(QTest::qWaitFor([&] { return push() > 0.1; }, kPatienceMs));
   // As Tab does: the key comes up in another widget, and the screen is never told.
-  screen->findChild<BurrTray*>()->findChild<QAbstractButton*>()->setFocus();
+  screen->findChild<BurTray*>()->findChild<QAbstractButton*>()->setFocus();
   EXPECT_TRUE(QTest::qWaitFor([&] { return push() == 0; }, kPatienceMs));
 }
 
@@ -225,9 +226,9 @@ TEST_F(Screen, a_scenario_whose_volume_is_missing_fails_with_its_reason) {
   EXPECT_FALSE(screen->running());
 }
 
-TEST_F(Screen, brackets_go_through_the_burrs_and_stop_at_the_ends) {
+TEST_F(Screen, brackets_go_through_the_burs_and_stop_at_the_ends) {
   begin("channel-1");
-  auto* tray = screen->findChild<BurrTray*>();
+  auto* tray = screen->findChild<BurTray*>();
   ASSERT_NE(tray, nullptr);
   EXPECT_EQ(tray->chosen(), 0);
   tray->step(+1);
@@ -251,4 +252,4 @@ TEST_F(Screen, it_can_be_closed_in_the_middle_of_a_go) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,4 +1,5 @@
-#include "ui/drill/frame_stats.h"
+#include "tests/modules.h"
+#include "ui/view/frame_stats.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -71,4 +72,4 @@ TEST(FrameStats, the_file_that_the_environment_names_gets_them_as_json) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

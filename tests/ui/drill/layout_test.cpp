@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "tests/modules.h"
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
 #include "ui/drill/drill_stage.h"
@@ -13,7 +14,7 @@
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// Pixels of the half of `image` that differ from the same half of `empty`.
@@ -98,7 +99,7 @@ struct DrillGauges : testing::Test {
   }
   void at(Vec3 pivot_mm, double depth_mm) {
     live.output.proxy_mm = pivot_mm;
-    live.burr_depth_mm = depth_mm;
+    live.bur_depth_mm = depth_mm;
     stage.show_values(live);
   }
   Gauge& gauge(const char* name) {
@@ -238,4 +239,4 @@ TEST(StopCard, a_device_that_answers_again_is_told_so_and_not_to_look_for_its_ca
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,4 +1,5 @@
 // Mouse and keys to wishes of the hand, on a view without a picture (platform "offscreen").
+#include "tests/modules.h"
 #include "ui/drill/pointer_input.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 
 #include "tests/ui/render/ball.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 class Input : public testing::Test {
@@ -36,7 +37,7 @@ TEST_F(Input, a_view_without_opengl_is_a_placeholder_that_still_picks) {
   EXPECT_TRUE(view.grab_picture().isNull());
 }
 
-TEST_F(Input, the_burr_goes_where_the_mouse_points_and_neither_pushes_nor_cuts) {
+TEST_F(Input, the_bur_goes_where_the_mouse_points_and_neither_pushes_nor_cuts) {
   const Vec3 place = glm::normalize(Vec3(0.3, 0.4, 1.0)) * 2.0;
   Q_EMIT view.moved(px(place), Qt::NoButton, Qt::NoModifier);
   EXPECT_LT(glm::length(hand.wish().target_mm - place), 0.01);
@@ -44,7 +45,7 @@ TEST_F(Input, the_burr_goes_where_the_mouse_points_and_neither_pushes_nor_cuts) 
   EXPECT_FALSE(hand.wish().cut);
 }
 
-TEST_F(Input, beside_the_tooth_the_burr_stays_where_it_was) {
+TEST_F(Input, beside_the_tooth_the_bur_stays_where_it_was) {
   Q_EMIT view.moved(px({0, 0, 2}), Qt::NoButton, Qt::NoModifier);
   const Vec3 before = hand.wish().target_mm;
   Q_EMIT view.moved({2, 2}, Qt::NoButton, Qt::NoModifier);
@@ -62,7 +63,7 @@ TEST_F(Input, the_left_button_drills_with_the_push_that_the_wheel_set_and_lettin
   EXPECT_EQ(hand.wish().push_n, 0);
 }
 
-TEST_F(Input, a_mouse_held_still_while_drilling_does_not_move_the_burr_sideways_as_the_hole_deepens) {
+TEST_F(Input, a_mouse_held_still_while_drilling_does_not_move_the_bur_sideways_as_the_hole_deepens) {
   Q_EMIT view.pressed(px({0, 0, 2}), Qt::NoModifier);
   const Vec3 pressed = hand.wish().target_mm;
   // The mesh under the mouse sinks; the pick would now be elsewhere.
@@ -160,4 +161,4 @@ TEST_F(Input, while_it_is_switched_off_nothing_is_wished_for) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -12,10 +12,11 @@
 #include <thread>
 
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "ui/editor/audit_page.h"
 #include "ui/widgets/busy.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr int kAnswersWithinMs = 30'000;  // waited for, never decided by
@@ -136,4 +137,4 @@ TEST(AuditPage, an_exercise_that_cannot_be_played_is_said) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "ui/editor/editor_model.h"
 
-namespace cusp {
+namespace cusp::test {
 
 inline EditorStart class_one() {
   const Scenario s = *load_builtin("class-1-36");
@@ -13,4 +14,4 @@ inline EditorStart class_one() {
   return start;
 }
 
-}  // namespace cusp
+}  // namespace cusp::test

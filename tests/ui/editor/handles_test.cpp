@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
 #include "ui/editor/target_handles.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(target_handles, each_handle_moves_what_it_is_named_for_and_nothing_else) {
@@ -60,4 +61,4 @@ TEST(target_handles, a_box_is_moved_by_its_middle_and_sized_by_its_sides) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

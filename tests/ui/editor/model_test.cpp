@@ -8,8 +8,9 @@
 
 #include "engine/volume/voxel_volume.h"
 #include "scenarios/library/library.h"
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/tissues/tissue_facts.h"
+#include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
 #include "ui/editor/check_sentences.h"
 #include "ui/editor/editor_model.h"
@@ -17,7 +18,7 @@
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/target_handles.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// What growing the average 36 finds, as far as the checks read it (box from `cusp specimen tooth --fdi 36`, rounded out).
@@ -78,9 +79,9 @@ const std::vector<Edit>& every_edit() {
       {"bands", [](EditorModel& m) { return m.set_bands(0, {70, 80, 95, 100, 100, 100}); }},
       {"pass", [](EditorModel& m) { return m.set_pass(80); }},
       {"critical", [](EditorModel& m) { return m.set_critical("pulp_exposure", false); }},
-      {"add a burr", [](EditorModel& m) { return m.add_burr(catalogue_burr("8")->burr); }},
-      {"remove a burr", [](EditorModel& m) { return m.remove_burr(0); }},
-      {"burr", [](EditorModel& m) { return m.set_burr_radius_mm(1, 0.55); }},
+      {"add a bur", [](EditorModel& m) { return m.add_bur(catalogue_bur("8")->bur); }},
+      {"remove a bur", [](EditorModel& m) { return m.remove_bur(0); }},
+      {"bur", [](EditorModel& m) { return m.set_bur_radius_mm(1, 0.55); }},
       {"time", [](EditorModel& m) { return m.set_time_limit_s(600); }},
       {"tissue", [](EditorModel& m) { return m.set_tissue_figures(0, 2.5, 0.6); }},
       {"handpiece", [](EditorModel& m) { return m.set_handpiece("spindle-electric"); }},
@@ -151,7 +152,7 @@ TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing)
   for (const double bad : {nan, inf, -inf, 0.0, -1.0, 101.0}) {  // the format admits (0, 100] mm
     EXPECT_FALSE(model.set_depth_mm(bad)) << bad;
     EXPECT_FALSE(model.set_width_mm(bad)) << bad;
-    EXPECT_FALSE(model.set_burr_radius_mm(0, bad)) << bad;
+    EXPECT_FALSE(model.set_bur_radius_mm(0, bad)) << bad;
     EXPECT_FALSE(model.set_box_size_mm(bad, 5000.0)) << bad;
   }
   for (const double bad : {nan, inf, -1.0, 101.0}) {
@@ -165,11 +166,11 @@ TEST(editor_model, what_an_exercise_may_not_hold_is_refused_and_changes_nothing)
   EXPECT_FALSE(model.set_point_mm(0, 99, 0, 0));
   EXPECT_FALSE(model.set_point_mm(99, 0, 0, 0));
   EXPECT_FALSE(model.set_title("en", {}));                                  // English is always there
-  EXPECT_FALSE(model.add_burr(model.scenario().instruments.front()));      // a name twice
+  EXPECT_FALSE(model.add_bur(model.scenario().instruments.front()));      // a name twice
   EXPECT_FALSE(model.add_criterion("target_removed", {}));                 // a metric twice
   EXPECT_FALSE(model.add_criterion("beauty", {}));                         // no such metric
   EXPECT_FALSE(model.set_shape("banana"));
-  EXPECT_FALSE(model.remove_burr(99));
+  EXPECT_FALSE(model.remove_bur(99));
   EXPECT_FALSE(model.remove_criterion(99));
   SpecimenSource wisdom;
   wisdom.generator = "tooth";
@@ -237,9 +238,9 @@ TEST(editor_model, publishing_waits_for_a_change_the_tooth_and_every_check) {
   EXPECT_EQ(place_of(model.findings().front()), EditorPlace::shape);
   model.stack().undo();
   EXPECT_TRUE(model.publishable());
-  while (!model.scenario().instruments.empty()) model.remove_burr(0);
+  while (!model.scenario().instruments.empty()) model.remove_bur(0);
   EXPECT_EQ(model.standing(), EditorModel::Standing::failing);
-  EXPECT_EQ(place_of(model.findings().front()), EditorPlace::burrs);
+  EXPECT_EQ(place_of(model.findings().front()), EditorPlace::burs);
 }
 
 TEST(editor_model, another_tooth_is_grown_anew_and_the_old_facts_are_forgotten) {
@@ -377,4 +378,4 @@ TEST(editor_model, a_new_tooth_begins_with_the_usual_figures_and_its_critical_ti
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -15,11 +15,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
-#include "ui/drill/tooth_view.h"
+#include "ui/view/tooth_view.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/specimen_form.h"
@@ -29,7 +30,7 @@
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr int kGrowsWithinMs = 60'000;  // a coarse block takes a moment; waited for, never decided by
@@ -226,34 +227,34 @@ TEST_F(EditorPages, leaving_keeps_the_draft_and_publishing_takes_it_away) {
   EXPECT_NE(named<QPushButton>(*page, "Publish version 3"), nullptr);
 }
 
-TEST_F(EditorPages, criteria_and_burrs_are_added_and_removed) {
+TEST_F(EditorPages, criteria_and_burs_are_added_and_removed) {
   const auto page = open();
-  const std::size_t criteria = page->model().scenario().rubric.criteria.size(), burrs = page->model().scenario().instruments.size();
+  const std::size_t criteria = page->model().scenario().rubric.criteria.size(), burs = page->model().scenario().instruments.size();
   named<QPushButton>(*page, "Add a criterion")->click();
   EXPECT_EQ(page->model().scenario().rubric.criteria.size(), criteria + 1);
   named<QPushButton>(*page, "Remove Target removed")->click();
   EXPECT_EQ(page->model().scenario().rubric.criteria.size(), criteria);
-  named<QPushButton>(*page, "Add a burr")->click();
-  EXPECT_EQ(page->model().scenario().instruments.size(), burrs + 1);
-  named<QDoubleSpinBox>(*page, "Diameter of burr 2")->setValue(1.1);
+  named<QPushButton>(*page, "Add a bur")->click();
+  EXPECT_EQ(page->model().scenario().instruments.size(), burs + 1);
+  named<QDoubleSpinBox>(*page, "Diameter of bur 2")->setValue(1.1);
   EXPECT_DOUBLE_EQ(page->model().scenario().instruments[0].name == "2" ? page->model().scenario().instruments[0].radius_mm : 0.0, 0.55);
   EXPECT_FALSE(named<QCheckBox>(*page, "Opening the pulp fails the go") && named<QCheckBox>(*page, "Opening the pulp fails the go")->isEnabled());
 }
 
-TEST_F(EditorPages, a_burr_of_another_shape_comes_from_the_catalogue_and_keeps_its_size) {
+TEST_F(EditorPages, a_bur_of_another_shape_comes_from_the_catalogue_and_keeps_its_size) {
   const auto page = open();
-  auto* shapes = named<QComboBox>(*page, "Shape of the burr to add");
-  auto* sizes = named<QComboBox>(*page, "Burr to add");
+  auto* shapes = named<QComboBox>(*page, "Shape of the bur to add");
+  auto* sizes = named<QComboBox>(*page, "Bur to add");
   ASSERT_NE(shapes, nullptr);
-  EXPECT_EQ(static_cast<std::size_t>(shapes->count()), burr_shapes().size());
+  EXPECT_EQ(static_cast<std::size_t>(shapes->count()), bur_shapes().size());
   shapes->setCurrentIndex(shapes->findText(QStringLiteral("Straight fissure")));
   ASSERT_EQ(sizes->count(), 3);
   sizes->setCurrentIndex(1);
-  named<QPushButton>(*page, "Add a burr")->click();
-  EXPECT_EQ(page->model().scenario().instruments.back(), catalogue_burr("57")->burr);
+  named<QPushButton>(*page, "Add a bur")->click();
+  EXPECT_EQ(page->model().scenario().instruments.back(), catalogue_bur("57")->bur);
   EXPECT_EQ(sizes->count(), 2) << "one of each number";
-  EXPECT_EQ(named<QDoubleSpinBox>(*page, "Diameter of burr 57"), nullptr) << "its head has the catalogue's size";
-  EXPECT_FALSE(page->model().set_burr_radius_mm(page->model().scenario().instruments.size() - 1, 0.6));
+  EXPECT_EQ(named<QDoubleSpinBox>(*page, "Diameter of bur 57"), nullptr) << "its head has the catalogue's size";
+  EXPECT_FALSE(page->model().set_bur_radius_mm(page->model().scenario().instruments.size() - 1, 0.6));
 }
 
 TEST_F(EditorPages, decay_neighbours_and_gums_are_set_at_the_tooth_seen_at_once_and_undone) {
@@ -370,4 +371,4 @@ TEST_F(EditorPages, the_library_lists_the_builtin_exercises_and_opens_one) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,11 +6,12 @@
 
 #include "scenarios/library/library.h"
 #include "scenarios/specimens.h"
+#include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_grower.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A class I that an author has on a block, and the tooth that is to be its specimen, in coarse voxels.
@@ -79,4 +80,4 @@ TEST(editor_model, a_rule_that_the_author_switched_off_stays_off_when_the_tooth_
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

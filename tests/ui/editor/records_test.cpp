@@ -10,12 +10,13 @@
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
 #include "scenarios/specimens.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/editor/editor_records.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/library_model.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct EditorRecords : ::testing::Test {
@@ -159,4 +160,4 @@ TEST_F(EditorRecords, a_volume_that_is_gone_is_told_and_nothing_is_published) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -7,6 +7,7 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
@@ -14,7 +15,7 @@
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct TwoWindows : ::testing::Test {
@@ -186,4 +187,4 @@ TEST_F(TwoWindows, a_draft_that_changed_since_the_list_was_read_is_not_discarded
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

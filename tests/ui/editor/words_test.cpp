@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/modules.h"
 #include "ui/editor/check_sentences.h"
 #include "ui/editor/tissues_form.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(tissues_form, a_figure_that_nobody_verified_says_so_and_one_that_was_set_says_that) {
@@ -19,8 +20,8 @@ TEST(check_sentences, every_code_of_the_checks_has_words) {
   for (const char* code :
        {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "no_criteria", "weight_zero",
         "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
-        "voxel_mismatch", "feature_thin", "burr_small", "head_short", "neck_wider_than_ball", "burr_wider_than_target",
-        "corner_below_burr", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
+        "voxel_mismatch", "feature_thin", "bur_small", "head_short", "neck_wider_than_ball", "bur_wider_than_target",
+        "corner_below_bur", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
         "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp", "two_spindles",
         "spindle_missing", "heat_missing"}) {
     const QString said = check_sentence({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
@@ -32,4 +33,4 @@ TEST(check_sentences, every_code_of_the_checks_has_words) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -20,8 +20,9 @@
 #include "scenarios/import/nrrd.h"
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
+#include "tests/modules.h"
 #include "tests/scenarios/import/image_files.h"
-#include "ui/app/language.h"
+#include "ui/text/language.h"
 #include "ui/instructor/import_forms.h"
 #include "ui/instructor/import_page.h"
 #include "ui/instructor/import_preview.h"
@@ -29,10 +30,9 @@
 #include "ui/widgets/busy.h"
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
-using namespace cusp::testing;
 
 constexpr int kPatienceMs = 60'000;  // for a child on a busy machine; what is waited for comes in a second
 
@@ -443,17 +443,17 @@ TEST_F(Page, it_has_room_for_german_in_light_and_dark) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test
 
 int main(int argc, char** argv) {
-  if (const auto status = cusp::import_child_main(argc, argv)) return *status;
+  if (const auto status = cusp::scenarios::import_child_main(argc, argv)) return *status;
   const QTemporaryDir home;
   for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"}) qputenv(name, home.path().toUtf8());
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   qputenv("LC_ALL", "C.UTF-8");
   QApplication app(argc, argv);
-  cusp::install_language(app, QStringLiteral("en"));
-  cusp::apply_theme(app, cusp::ColourScheme::light, 100);
+  cusp::ui::install_language(app, QStringLiteral("en"));
+  cusp::ui::apply_theme(app, cusp::ui::ColourScheme::light, 100);
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

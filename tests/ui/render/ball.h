@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/volume/volume.h"
+#include "tests/modules.h"
 
 namespace cusp::test {
 

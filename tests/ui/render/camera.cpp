@@ -1,8 +1,9 @@
+#include "tests/modules.h"
 #include "ui/render/camera.h"
 
 #include <gtest/gtest.h>
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(Camera, a_ray_through_the_pixel_of_a_place_meets_that_place) {
@@ -86,4 +87,4 @@ TEST(Camera, a_place_behind_the_eye_has_no_pixel) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

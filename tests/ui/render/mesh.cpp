@@ -3,13 +3,14 @@
 
 #include <numbers>
 
+#include "tests/modules.h"
 #include "tests/ui/render/ball.h"
 #include "ui/render/overlay_line.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/patch_store.h"
 #include "ui/render/target_look.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::ball;
@@ -206,4 +207,4 @@ TEST(TargetLook, without_a_target_everything_is_fine_and_nothing_is_drawn) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -14,6 +14,7 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/patch_feed.h"
 #include "ui/render/scenery_look.h"
@@ -22,6 +23,7 @@
 #include "ui/session/scene_builder.h"
 
 using namespace cusp;
+using namespace cusp::test;
 
 namespace {
 

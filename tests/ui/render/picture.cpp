@@ -6,12 +6,13 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/modules.h"
 #include "tests/ui/render/ball.h"
 #include "ui/render/gl_context_egl.h"
 #include "ui/render/shaders.h"
 #include "ui/render/snapshot.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 struct Rgb {
@@ -254,4 +255,4 @@ TEST(Png, a_folder_that_is_not_there_is_said_and_nothing_is_left) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

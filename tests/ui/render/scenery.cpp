@@ -1,4 +1,5 @@
 // What stands about a specimen: baked whole, drawn beside it, cut in sections.
+#include "tests/modules.h"
 #include "ui/render/scenery_look.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@
 #include "ui/render/snapshot.h"
 #include "ui/render/tooth_picture.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A ball of rings and segments, of enamel about dentine.
@@ -204,4 +205,4 @@ TEST(Scenery, only_a_specimen_that_asks_for_a_jaw_has_any) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

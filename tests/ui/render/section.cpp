@@ -1,3 +1,4 @@
+#include "tests/modules.h"
 #include "ui/render/section.h"
 
 #include <gtest/gtest.h>
@@ -8,9 +9,9 @@
 #include "engine/tool/swept.h"
 
 #include "tests/ui/render/ball.h"
-#include "ui/render/burr_pass.h"
+#include "ui/render/bur_pass.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 SectionSettings through_the_middle() {
@@ -45,10 +46,10 @@ TEST(Section, the_core_has_the_colour_of_its_tissue_and_outside_is_clear) {
   EXPECT_EQ(at(2, 2) >> 24, 0u);
 }
 
-TEST(Section, the_burr_is_drawn_where_its_pivot_is) {
+TEST(Section, the_bur_is_drawn_where_its_pivot_is) {
   const Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
   SectionSettings settings = through_the_middle();
-  settings.burr = Burr{"2", 0.3, 0.15, 1.0, 0.4, 4.0};
+  settings.bur = Bur{"2", 0.3, 0.15, 1.0, 0.4, 4.0};
   settings.pivot_mm = {0, 0, 2.0};
   const SectionImage image = draw_section(volume, settings);
   // 2.0 mm up is 66.7 px above the middle row 79.5.
@@ -57,10 +58,10 @@ TEST(Section, the_burr_is_drawn_where_its_pivot_is) {
   EXPECT_NEAR(ball & 255u, settings.metal.r * 255, 1);
 }
 
-TEST(Section, a_fissure_burr_is_drawn_with_its_flat_end_and_straight_flank) {
+TEST(Section, a_fissure_bur_is_drawn_with_its_flat_end_and_straight_flank) {
   const Volume volume(Specimen::build(test::ball(1.5), Reading::banded));
   SectionSettings settings = through_the_middle();
-  settings.burr = Burr{"57", 0.5, 0.3, 1.0, 0.4, 4.0, flat_head(0.5, 0.5, 2.0).value()};
+  settings.bur = Bur{"57", 0.5, 0.3, 1.0, 0.4, 4.0, flat_head(0.5, 0.5, 2.0).value()};
   settings.pivot_mm = {0, 0, 2.1};
   const SectionImage image = draw_section(volume, settings);
   const auto at = [&image](double y_mm, double z_mm) {
@@ -73,17 +74,17 @@ TEST(Section, a_fissure_burr_is_drawn_with_its_flat_end_and_straight_flank) {
   EXPECT_EQ(at(0.0, 1.54) >> 24, 0u);
 }
 
-TEST(BurrMesh, lies_on_the_skin_of_head_neck_and_shank_and_looks_outwards) {
+TEST(BurMesh, lies_on_the_skin_of_head_neck_and_shank_and_looks_outwards) {
   for (const auto& head : {flat_head(0.5, 0.5, 4.0), round_end_head(0.45, 0.5, 4.0), pear_head(0.5, 0.3, 0.3, 2.0),
                            oval_head(0.5, 0.2, 1.5, 0.3, 3.0)}) {
-    const Burr burr{"x", 0.5, 0.2, 5.0, 0.8, 6.0, head.value()};
+    const Bur bur{"x", 0.5, 0.2, 5.0, 0.8, 6.0, head.value()};
     int on_head = 0;
-    for (const BurrVertex& v : burr_mesh(burr)) {
+    for (const BurVertex& v : bur_mesh(bur)) {
       EXPECT_NEAR(glm::length(v.normal), 1.0f, 1e-5f);
       if (v.cutting < 0.5f) continue;
       const Vec3 at(v.position_mm);
-      EXPECT_NEAR(head_distance(burr, {0, 0, 1}, at), 0.0, 1e-5);
-      EXPECT_GT(head_distance(burr, {0, 0, 1}, at + 0.01 * Vec3(v.normal)), 0.0099);
+      EXPECT_NEAR(head_distance(bur, {0, 0, 1}, at), 0.0, 1e-5);
+      EXPECT_GT(head_distance(bur, {0, 0, 1}, at + 0.01 * Vec3(v.normal)), 0.0099);
       ++on_head;
     }
     EXPECT_GT(on_head, 300);
@@ -100,4 +101,4 @@ TEST(Section, left_in_the_picture_is_where_right_points_away_from) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

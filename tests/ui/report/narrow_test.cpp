@@ -8,12 +8,13 @@
 #include <QTest>
 
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/report_page.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(CriteriaModel, gives_up_bars_and_uncertainty_in_a_narrow_table_and_never_points) {
@@ -60,4 +61,4 @@ TEST(ReportPage, a_narrow_window_cuts_nothing_off_at_the_side) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "scenarios/library/library.h"
-#include "ui/drill/tooth_view.h"
+#include "tests/modules.h"
+#include "ui/view/tooth_view.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/place_view.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A block with a deep narrow pit.
@@ -134,4 +135,4 @@ TEST(PinnedTooth, a_place_inside_the_tooth_has_no_ring_on_its_front) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -10,17 +10,18 @@
 #include <QSignalSpy>
 #include <filesystem>
 
-#include "scenarios/burrs/burr_catalogue.h"
+#include "scenarios/burs/bur_catalogue.h"
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
-#include "ui/app/grade_words.h"
+#include "ui/text/grade_text.h"
 #include "ui/report/against_before.h"
 #include "ui/report/criteria_model.h"
 #include "ui/report/report_page.h"
 #include "ui/report/report_pdf.h"
 #include "ui/session/scene_builder.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 ReportData sample(double score = 81) {
@@ -156,25 +157,25 @@ TEST(ReportData, the_side_of_a_tooth_follows_its_quadrant) {
   EXPECT_EQ(side(36, {3, 0, 0}), "");
 }
 
-TEST(ReportData, says_which_burr_was_used_when) {
+TEST(ReportData, says_which_bur_was_used_when) {
   ReportData data = sample();
-  data.result.scenario.instruments = {catalogue_burr("2")->burr, catalogue_burr("8")->burr, catalogue_burr("57")->burr};
-  EXPECT_TRUE(burrs_used_text(data).isEmpty()) << "of a go that was not kept nothing is said";
-  BurrUse use;
-  const auto put = [&use](std::uint16_t burr, int seconds) {
+  data.result.scenario.instruments = {catalogue_bur("2")->bur, catalogue_bur("8")->bur, catalogue_bur("57")->bur};
+  EXPECT_TRUE(burs_used_text(data).isEmpty()) << "of a go that was not kept nothing is said";
+  BurUse use;
+  const auto put = [&use](std::uint16_t bur, int seconds) {
     StepInput input;
-    input.burr = burr;
+    input.bur = bur;
     input.elapsed_us = 1'000'000;
     use.add(std::vector<StepInput>(static_cast<std::size_t>(seconds), input));
   };
   put(0, 72);
   put(2, 113);
   put(0, 5);
-  data.burrs = use.spans();
-  const QStringList lines = burrs_used_text(data);
+  data.burs = use.spans();
+  const QStringList lines = burs_used_text(data);
   ASSERT_EQ(lines.size(), 2) << "the one that was never taken is not named";
-  EXPECT_EQ(plain(lines[0]), "Burr 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 3:10");
-  EXPECT_EQ(plain(lines[1]), "Burr 57, straight fissure, 1.0 mm: 1:12 to 3:05");
+  EXPECT_EQ(plain(lines[0]), "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 3:10");
+  EXPECT_EQ(plain(lines[1]), "Bur 57, straight fissure, 1.0 mm: 1:12 to 3:05");
 }
 
 TEST(ReportData, what_counts_only_with_the_target_is_one_sentence_and_nothings_are_left_out) {
@@ -378,4 +379,4 @@ TEST(AgainstBefore, compares_shares_and_says_what_was_gained) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,5 +1,6 @@
 // The goes themselves, on a coarse block that takes a moment.
 
+#include "tests/modules.h"
 #include "ui/session/audit_run.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "scenarios/library/library.h"
 #include "ui/session/cpu_meter.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -19,7 +20,7 @@ constexpr bool kHeapIsCounted = false;  // its own heap, which mallinfo2 knows n
 constexpr bool kHeapIsCounted = true;
 #endif
 
-/// A short groove for a burr of 0.7 mm in plastic of 0.2 mm voxels.
+/// A short groove for a bur of 0.7 mm in plastic of 0.2 mm voxels.
 Scenario small() {
   Scenario s = *load_builtin("line-1");
   s.specimen.voxel_mm = 0.2;
@@ -144,4 +145,4 @@ TEST(CpuMeter, CountsWhatTheThreadAndTheHeapTake) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -8,11 +8,12 @@
 #include <cmath>
 #include <thread>
 
+#include "tests/modules.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
 #include "ui/session/run_device.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -105,4 +106,4 @@ TEST(RunDevice, the_mouse_leads_the_emulated_falcon_over_the_place_that_it_shows
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,5 +1,6 @@
 // Errands and the watch in the background: whoever starts one never waits for it. A step that would wait is held by a
 // gate that only opens afterwards; the gate gives up by itself, so that a fault is a failure and no hang.
+#include "tests/modules.h"
 #include "ui/session/errand.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +12,11 @@
 #include "tests/ui/session/gate.h"
 #include "ui/session/background_watch.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::Gate;
+using test::Gate;
 using test::eventually;
 
 TEST(Errand, dropping_one_that_hangs_does_not_wait_and_it_is_waited_for_by_who_must) {
@@ -104,4 +105,4 @@ TEST(BackgroundWatch, an_empty_bus_is_an_answer_too) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

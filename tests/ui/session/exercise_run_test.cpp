@@ -1,3 +1,4 @@
+#include "tests/modules.h"
 #include "ui/session/exercise_run.h"
 
 #include <gtest/gtest.h>
@@ -5,7 +6,7 @@
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DrillingPort;
@@ -75,9 +76,9 @@ TEST(ExerciseRun, PausedItsClockStandsStill) {
   ASSERT_TRUE(eventually([&] { return port.writes() > written + 30; }));
   EXPECT_EQ((*run)->view().seconds, at);
   EXPECT_EQ(port.last_force_n(), 0.0);
-  (*run)->change_burr(1);
+  (*run)->change_bur(1);
   (*run)->resume();
-  EXPECT_TRUE(eventually([&] { return (*run)->view().seconds > at && (*run)->view().output.burr == 1; }));
+  EXPECT_TRUE(eventually([&] { return (*run)->view().seconds > at && (*run)->view().output.bur == 1; }));
   EXPECT_TRUE((*run)->finish());
 }
 
@@ -158,4 +159,4 @@ TEST(ExerciseRun, APortThatDoesNotOpenLeavesNoSession) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,7 +6,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace cusp::testing {
+namespace cusp::test {
 
 class Gate {
  public:
@@ -30,4 +30,4 @@ class Gate {
   bool open_ = false, gave_up_ = false;
 };
 
-}  // namespace cusp::testing
+}  // namespace cusp::test

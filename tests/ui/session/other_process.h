@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "storage/sqlite/database.h"
+#include "tests/modules.h"
 
 namespace cusp::test {
 

@@ -3,17 +3,18 @@
 
 #include "device/hid/pedal_reader.h"
 #include "tests/device/hid/desk.h"
+#include "tests/modules.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::eventually;
 using test::Workplace;
-using testing::Desk;
+using test::Desk;
 
-/// Presses the burr into the block and never cuts by itself.
+/// Presses the bur into the block and never cuts by itself.
 class PressingPort final : public HapticPort {
  public:
   Result<void, PortFailure> open() override { return {}; }
@@ -38,8 +39,8 @@ class PressingPort final : public HapticPort {
 
 TEST(Pedal, DrivesTheHandpieceAndUnpluggedItLetsGo) {
   Desk desk;
-  auto plugged = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, testing::vec_descriptor());
-  auto pedal = std::make_shared<hid::PedalReader>(testing::bus_of(desk));
+  auto plugged = desk.plug("/dev/hidraw1", 0x05f3, 0x00ff, test::vec_descriptor());
+  auto pedal = std::make_shared<hid::PedalReader>(test::bus_of(desk));
   pedal->start();
   const Workplace work;
   RunPlan plan = work.plan();
@@ -65,4 +66,4 @@ TEST(Pedal, DrivesTheHandpieceAndUnpluggedItLetsGo) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,3 +1,4 @@
+#include "tests/modules.h"
 #include "ui/session/play_through.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DrillingPort;
@@ -175,4 +176,4 @@ TEST(PlayThrough, ADeviceThatTheScenarioDoesNotAdmitIsRefused) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

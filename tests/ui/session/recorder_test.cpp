@@ -1,3 +1,4 @@
+#include "tests/modules.h"
 #include "ui/session/recorder.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "ui/session/replay.h"
 #include "ui/session/run_setup.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -105,7 +106,6 @@ TEST(Recorder, WhatDoesNotPassByItselfFailsAtOnceUntilItIsTriedAgain) {
 }
 
 TEST(Recorder, AFullDiskGivesTheCacheBackFirstAndIsTriedAgain) {
-  using namespace cusp::testing;
   const Workplace work;
   DatabaseOptions options;
   options.vfs = failing_vfs();
@@ -152,4 +152,4 @@ TEST(Recorder, APlayedAttemptOutlastsAProcessThatHoldsTheFileForTenSeconds) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

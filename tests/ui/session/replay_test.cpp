@@ -1,3 +1,4 @@
+#include "tests/modules.h"
 #include "ui/session/replay.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "ui/session/play_through.h"
 #include "ui/session/specimen_blob.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DrillingPort;
@@ -239,4 +240,4 @@ TEST(SpecimenBlob, ReadsBackWhatItWroteAndRefusesAnythingElse) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -6,11 +6,12 @@
 
 #include <fstream>
 
+#include "tests/modules.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/play_through.h"
 #include "ui/session/replay.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +159,4 @@ TEST(Resume, AKeyStateOfAnotherMomentUnderAGoodSealIsNotBelieved) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,3 +1,4 @@
+#include "tests/modules.h"
 #include "ui/session/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 #include "ui/session/replay.h"
 #include "ui/session/play_through.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::Workplace;
@@ -86,4 +87,4 @@ TEST(BuildScene, AReplayHasTheStiffnessAndTheGuardOfItsSession) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

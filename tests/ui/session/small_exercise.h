@@ -7,6 +7,7 @@
 #include "scenarios/grading/grade.h"
 #include "storage/store.h"
 #include "tests/engine/loop/block_scene.h"
+#include "tests/modules.h"
 #include "ui/session/exercise_run.h"
 
 namespace cusp::test {
@@ -19,7 +20,7 @@ inline Scenario small_exercise() {
   scenario.specimen.generator = "block";
   scenario.specimen.voxel_mm = 0.15;
   scenario.tissues = {{Tissue::plastic, 1.0, 4.0}};
-  scenario.instruments = block_burrs();
+  scenario.instruments = block_burs();
   scenario.target.shape = "channel";
   scenario.target.paths = {{{-0.6, 0.6, 0.0}, {0.6, 0.6, 0.0}}};
   scenario.target.width_mm = 1.4;

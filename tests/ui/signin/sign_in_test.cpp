@@ -7,11 +7,12 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/signin/pin_boxes.h"
 #include "ui/signin/sign_in.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DeskRecords;
@@ -171,4 +172,4 @@ TEST(PinBoxesTest, backspace_goes_back_and_a_pasted_pin_spreads) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -1,4 +1,5 @@
 // The drilling sound as samples.
+#include "tests/modules.h"
 #include "ui/sound/drill_synth.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 
 #include "scenarios/tissues/tissue_facts.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 constexpr double kRate = 48000.0;
@@ -47,7 +48,7 @@ DrillHeard cutting(Tissue tissue, double work = 1.0) {
 
 TEST(DrillSynth, is_silent_at_a_stand) {
   EXPECT_EQ(loud(heard({})), 0.0);
-  EXPECT_EQ(loud(heard({0.0, 0.0, 1.0, 4000.0, 1.0})), 0.0) << "a burr that stands makes no noise, however hard it is pushed";
+  EXPECT_EQ(loud(heard({0.0, 0.0, 1.0, 4000.0, 1.0})), 0.0) << "a bur that stands makes no noise, however hard it is pushed";
 }
 
 TEST(DrillSynth, the_whine_has_the_spindles_true_pitch) {
@@ -147,4 +148,4 @@ TEST(DrillHeard, follows_speed_load_and_tissue_of_the_loop) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,12 +5,13 @@
 #include "scenarios/format/content_hash.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/student/course.h"
 #include "ui/student/history_charts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DeskRecords;
@@ -131,4 +132,4 @@ TEST(HistoryCharts, without_a_go_there_is_nothing_to_draw) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

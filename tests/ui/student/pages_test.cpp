@@ -14,6 +14,7 @@
 #include <QTest>
 
 #include "scenarios/library/library.h"
+#include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/student/briefing.h"
 #include "ui/student/exercises_page.h"
@@ -22,7 +23,7 @@
 #include "ui/student/start_page.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 using test::DeskRecords;
@@ -265,4 +266,4 @@ TEST_F(Pages, my_results_without_a_go_offers_the_exercises) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -5,9 +5,10 @@
 #include <QLocale>
 #include <limits>
 
+#include "tests/modules.h"
 #include "ui/widgets/format.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 const QLocale kEnglish(QLocale::English, QLocale::UnitedStates), kGerman(QLocale::German);
@@ -59,4 +60,4 @@ TEST(Format, a_day_is_written_in_the_order_of_the_language) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

@@ -16,10 +16,11 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "tests/modules.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/theme.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// WCAG 2.1: relative luminance and contrast ratio.
@@ -185,4 +186,4 @@ TEST(Look, the_wheel_changes_a_number_a_choice_or_a_slider_only_where_it_has_the
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

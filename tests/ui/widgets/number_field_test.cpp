@@ -1,4 +1,5 @@
 // Numbers as they are typed, pasted and stepped: what is taken, what is refused, and what the field then says.
+#include "tests/modules.h"
 #include "ui/widgets/number_field.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 
 #include "ui/widgets/parts.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 /// A field for 0.05 to 20 mm that stands at 2, in a window of its own.
@@ -169,4 +170,4 @@ TEST(NumberField, the_wheel_turns_only_a_field_that_has_the_focus) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

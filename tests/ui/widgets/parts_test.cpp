@@ -10,13 +10,14 @@
 #include <QTableView>
 #include <QTest>
 
+#include "tests/modules.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
-namespace cusp {
+namespace cusp::test {
 namespace {
 
 TEST(Gauge, tells_a_screen_reader_its_name_value_and_range) {
@@ -182,4 +183,4 @@ TEST(Parts, segments_have_one_chosen_and_say_when_it_changes) {
 }
 
 }  // namespace
-}  // namespace cusp
+}  // namespace cusp::test

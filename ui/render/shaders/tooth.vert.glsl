@@ -13,8 +13,8 @@ uniform int show_target;
 uniform vec3 target_colour;            // linear light
 uniform vec3 eye;
 uniform vec3 key_light, fill_light, up;  // unit, towards the light
-uniform vec4 burr;                     // pivot, radius; radius 0: none
-uniform vec3 burr_axis;
+uniform vec4 bur;                     // pivot, radius; radius 0: none
+uniform vec3 bur_axis;
 uniform vec4 lamp;                     // middle of its beam, radius
 
 out vec3 facing;
@@ -45,11 +45,11 @@ void main() {
   if (show_target != 0 && cut < 0.5 && value < 0.0) base = mix(base, target_colour, 0.16);
 
   float ambient = float(kind.z) / 255.0;
-  // The burr keeps light away from what is close to it.
-  vec3 from_burr = position - burr.xyz;
-  float along = max(dot(from_burr, burr_axis), 0.0);
-  float apart = length(from_burr - along * burr_axis) - burr.w;
-  if (burr.w > 0.0) ambient *= mix(0.45, 1.0, clamp(apart / (1.6 * burr.w), 0.0, 1.0));
+  // The bur keeps light away from what is close to it.
+  vec3 from_bur = position - bur.xyz;
+  float along = max(dot(from_bur, bur_axis), 0.0);
+  float apart = length(from_bur - along * bur_axis) - bur.w;
+  if (bur.w > 0.0) ambient *= mix(0.45, 1.0, clamp(apart / (1.6 * bur.w), 0.0, 1.0));
   float open = ambient * ambient * (3.0 - 2.0 * ambient);
 #ifdef BY_DEVIATION
   open = 0.45 + 0.55 * open;  // the map's colours are to be read at the bottom of a hole too
@@ -66,7 +66,7 @@ void main() {
   float to_eye = max(dot(normal, normalize(eye - position)), 0.0);
   light *= mix(edge_colour, vec3(1.0), smoothstep(0.0, 0.55, to_eye));
 
-  // Only enamel left whole shines, a neighbour's too; a burr leaves it matt.
+  // Only enamel left whole shines, a neighbour's too; a bur leaves it matt.
 #ifdef BY_DEVIATION
   gloss = 0.25 * open;
 #else

@@ -1,0 +1,113 @@
+/// Everything that does not change while an exercise runs: what `step` may read besides its state and its input.
+/// Shared and immutable after loading. Any thread.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "engine/scene/phenomena.h"
+#include "engine/tool/bur.h"
+#include "engine/volume/specimen.h"
+
+namespace cusp::engine {
+
+/// Rises when a golden hash of the step changes: a session of another engine version opens from its stored results.
+inline constexpr int kEngineVersion = 8;
+
+/// How contact is found (design, "Contact methods").
+enum class Method : std::uint8_t { occupancy, occupancy_pivot, surface, ray, penalty, gradient };
+
+constexpr std::string_view key_of(Method m) noexcept {
+  switch (m) {
+    case Method::occupancy: return "occupancy";
+    case Method::occupancy_pivot: return "occupancy-pivot";
+    case Method::surface: return "surface";
+    case Method::ray: return "ray";
+    case Method::penalty: return "penalty";
+    case Method::gradient: return "gradient";
+  }
+  return "surface";
+}
+/// The paper's method and the ray proxy wear voxels; the others read and carve a distance.
+constexpr Reading reading_of(Method m) noexcept {
+  return m == Method::occupancy || m == Method::occupancy_pivot || m == Method::ray ? Reading::filled
+                                                                                     : Reading::banded;
+}
+
+/// What a tissue feels like and how fast a bur goes through it at full wear.
+struct TissueFeel {
+  double stiffness_n_per_mm = 1.0;  // K of eq. (2); (0, 20]
+  double speed_mm_s = 1.0;          // removal velocity RV of eq. (6) at alpha = 1; 0 = cannot be cut
+};
+
+/// What the guard is made of; each can be switched off, so that its effect can be shown. That a lost device, a position
+/// that is none and a force that is none give no force and latch a fault is not among them: it is never off.
+enum class GuardPart : std::uint16_t {
+  limit = 1 << 0,      // most force
+  slew = 1 << 1,       // rising force
+  ramp_in = 1 << 2,    // from zero after start, bur change or re-arm
+  jump = 1 << 3,       // fault: the device point jumped
+  late = 1 << 4,       // fault: the tick is late
+  stale = 1 << 5,      // fault: the device repeats itself
+  speed = 1 << 6,      // velocity bound
+  passivity = 1 << 7,  // the controller of passivity.h
+  coupling = 1 << 8,   // its damper
+};
+inline constexpr std::uint16_t kAllGuardParts = 0x1ff;
+
+/// Last stage of the step: what the hand may get. [M]: chosen here, not measured on a device.
+struct GuardSettings {
+  double limit_n = 8.9;             // the device's; per vector
+  double slew_n_per_ms = 0.3;       // how fast the force may rise; it may fall at any rate
+  double ramp_in_ms = 200.0;        // from zero after start, bur change or re-arm
+  double jump_mm = 5.0;             // a device point that moves further in one input is a fault
+  double late_ms = 50.0;            // an input that comes later than this is a fault
+  double stale_ms = 10.0;           // a device that has said nothing new for longer is a fault [M]: a Falcon answers
+                                    // each millisecond, and lets its motors go when the host is silent
+  double speed_mm_s = 400.0;        // velocity bound: a device that the force itself drives faster is being thrown; from
+                                    // here the force fades, to nothing at twice that [M]: hands drill at 1 to 50
+  double passivity_mj = 0.015;      // what the loop may feed before the passivity controller acts
+  double delay_ms = 0.0;            // there and back, that the passivity controller reckons with, [0, 8]
+  double encoder_mm = 0.05;         // of the device's reading: the controller takes less for no motion
+  double coupling_ns_per_m = 10.0;  // damper of the virtual coupling, where the controller has softened it
+  std::uint16_t parts = kAllGuardParts;
+
+  constexpr bool has(GuardPart part) const noexcept { return (parts & static_cast<std::uint16_t>(part)) != 0; }
+  constexpr GuardSettings without(GuardPart part) const noexcept {
+    GuardSettings out = *this;
+    out.parts = static_cast<std::uint16_t>(out.parts & ~static_cast<unsigned>(part));
+    return out;
+  }
+  constexpr GuardSettings with(GuardPart part) const noexcept {
+    GuardSettings out = *this;
+    out.parts = static_cast<std::uint16_t>(out.parts | static_cast<unsigned>(part));
+    return out;
+  }
+  friend bool operator==(const GuardSettings&, const GuardSettings&) = default;
+};
+
+/// For the laboratory: the hand gets the method's own force. Not for hands.
+constexpr GuardSettings unguarded() noexcept {
+  GuardSettings out;
+  out.parts = 0;
+  return out;
+}
+
+struct Scene {
+  std::shared_ptr<const Specimen> specimen;  // built with reading_of(method)
+  Method method = Method::surface;
+  std::array<TissueFeel, kTissueCodes> tissues{};
+  std::vector<Bur> burs;                   // at least one; StepInput::bur chooses
+  Vec3 tool_axis{0.0, 0.0, 1.0};             // unit, from the head towards the shank, for an orientation of none
+  double tilt_cosine = 1.0;                  // surface: how far the input's orientation may tilt it; 1: it stays
+  double full_force_n = 1.5;                 // F_full of eq. (4): d_max = F_full / K [M unless the scene says]
+  bool friction = false;
+  double friction_coefficient = 0.15;        // Coulomb cone (surface), scaled eq. (3) (occupancy) [M]
+  GuardSettings guard;
+  Phenomena phenomena;
+};
+
+}  // namespace cusp::engine

@@ -1,0 +1,252 @@
+#include "scenarios/operators/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "scenarios/shapes/outline.h"
+
+namespace cusp::scenarios {
+
+namespace {
+
+using Line = std::vector<Vec2>;
+
+/// Depth of a layer in bur radii, and below the distance of neighbouring loops: the ball leaves ridges of step² / 8r.
+constexpr double kLayerRadii = 0.75;
+/// Where the bur steps from voxel to voxel a layer is deep enough for its widest part to have a wall before it: against
+/// a slope the paper's proxy climbs out instead of cutting. Its ridges are then below a voxel.
+constexpr double kSteppedLayerRadii = 1.2;
+constexpr double kLoopRadii = 0.5;
+/// Loops nearer than this to the middle are the middle line itself.
+constexpr double kThinMm = 0.02;
+/// Free height above the specimen for moves from one path to the next.
+constexpr double kClearMm = 1.0;
+constexpr double kArcStep = std::numbers::pi / 6.0;
+
+Vec2 turned(Vec2 v, double angle) noexcept {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/// Points of an arc about a centre from one offset to another, by the shorter way (clockwise at half a turn).
+void arc(Vec2 centre, Vec2 from, Vec2 to, Line& out) {
+  double angle = std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
+  if (angle > std::numbers::pi - 1e-6) angle = -angle;
+  const int steps = static_cast<int>(std::ceil(std::fabs(angle) / kArcStep));
+  for (int i = 1; i < steps; ++i) out.push_back(centre + turned(from, angle * i / steps));
+  out.push_back(centre + to);
+}
+
+/// Round a polyline at a distance: along its left, about its end, back along its right, about its start. All of it is
+/// within `off` of the polyline, so a bur that fits the width by `off` stays inside the outline.
+Line loop_round(const Line& path, double off) {
+  Line out;
+  if (path.size() < 2) {
+    const Vec2 c = path.front();
+    if (off < kThinMm) return {c};
+    out.push_back(c + Vec2(off, 0.0));
+    for (double a = kArcStep; a < 2.0 * std::numbers::pi + 0.5 * kArcStep; a += kArcStep)
+      out.push_back(c + turned(Vec2(off, 0.0), a));
+    return out;
+  }
+  if (off < kThinMm) return path;
+  const auto left = [&](std::size_t i) {
+    const Vec2 d = glm::normalize(path[i + 1] - path[i]);
+    return off * Vec2(-d.y, d.x);
+  };
+  const std::size_t segments = path.size() - 1;
+  out.push_back(path[0] + left(0));
+  for (std::size_t i = 0; i < segments; ++i) {
+    out.push_back(path[i + 1] + left(i));
+    arc(path[i + 1], left(i), i + 1 < segments ? left(i + 1) : -left(i), out);
+  }
+  for (std::size_t i = segments; i-- > 0;) {
+    out.push_back(path[i] - left(i));
+    arc(path[i], -left(i), i > 0 ? -left(i - 1) : left(0), out);
+  }
+  return out;
+}
+
+/// The same line begun where it is nearest: a loop at any of its points, an open line at one of its ends.
+Line from_nearest(const Line& line, Vec2 here) {
+  if (line.size() < 2) return line;
+  Line out = line;
+  if (glm::length(line.front() - line.back()) > 1e-6) {
+    if (glm::length(line.back() - here) < glm::length(line.front() - here)) std::reverse(out.begin(), out.end());
+    return out;
+  }
+  out.pop_back();
+  const auto nearest = std::min_element(out.begin(), out.end(), [here](Vec2 a, Vec2 b) {
+    return glm::length(a - here) < glm::length(b - here);
+  });
+  std::rotate(out.begin(), nearest, out.end());
+  out.push_back(out.front());
+  return out;
+}
+
+/// Leaves out points that are nearer than this to the one before; the last one stays.
+void thin_out(Line& line, double least) {
+  Line out;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (i == 0 || i + 1 == line.size() || glm::length(line[i] - out.back()) >= least) out.push_back(line[i]);
+  line = std::move(out);
+}
+
+/// Rectangles from the wall inwards, one inside the other.
+Line rectangle(Vec2 centre, Vec2 half) {
+  return {centre - half, centre + Vec2(half.x, -half.y), centre + half, centre + Vec2(-half.x, half.y), centre - half};
+}
+
+/// What is driven at each layer, one line after another, each about or inside the next, so that the stroke between them
+/// stays inside the outline. `room` is how far the bur's centre may leave the middle.
+std::vector<Line> lines_of(const Target& target, std::size_t path, double room, double radius, Vec2 shift) {
+  std::vector<Line> out;
+  const double step = kLoopRadii * radius;
+  if (target.shape == "box") {
+    const Vec2 c = Vec2(target.paths[0][0].x, target.paths[0][0].y) + shift;
+    const double least = 0.5 * std::min(target.box_size_mm.x, target.box_size_mm.y);
+    const Vec2 half = glm::max(0.5 * Vec2(target.box_size_mm.x, target.box_size_mm.y) - least + room, Vec2(0.0));
+    for (double in = 0.0;; in += step) {
+      const Vec2 h = glm::max(half - in, Vec2(0.0));
+      out.push_back(rectangle(c, h));
+      if (h.x <= 0.0 || h.y <= 0.0) break;
+    }
+    std::reverse(out.begin(), out.end());
+    return out;
+  }
+  Line line;
+  for (const Vec3& p : target.paths[path]) {
+    const Vec2 q = Vec2(p.x, p.y) + shift;
+    if (line.empty() || glm::length(q - line.back()) > 1e-6) line.push_back(q);
+  }
+  if (line.empty()) return out;
+  // The innermost first: it opens the slot for the others.
+  const int loops = room < kThinMm ? 1 : static_cast<int>(std::ceil((room - 0.5 * step) / step)) + 1;
+  for (int i = std::max(loops, 1); i-- > 0;) out.push_back(loop_round(line, std::max(0.0, room - i * step)));
+  return out;
+}
+
+std::optional<std::size_t> best_bur(const Scenario& scenario, double half_width) {
+  std::optional<std::size_t> best;
+  const auto& burs = scenario.instruments;
+  for (std::size_t i = 0; i < burs.size(); ++i) {
+    const bool fits = burs[i].radius_mm <= std::min(half_width, scenario.target.corner_radius_mm) + 1e-6;
+    if (!best) {
+      best = i;
+      continue;
+    }
+    const bool best_fits =
+        burs[*best].radius_mm <= std::min(half_width, scenario.target.corner_radius_mm) + 1e-6;
+    if (fits ? (!best_fits || burs[i].radius_mm > burs[*best].radius_mm)
+             : (!best_fits && burs[i].radius_mm < burs[*best].radius_mm))
+      best = i;
+  }
+  return best;
+}
+
+/// Highest tissue of the whole specimen, and within `reach` of a line; mm.
+double highest(const Specimen& specimen, const std::vector<Line>* near, double reach) {
+  const Grid& grid = specimen.grid();
+  double top = grid.origin_mm.z;
+  IVec3 v;
+  for (v.y = 0; v.y < grid.size.y; ++v.y)
+    for (v.x = 0; v.x < grid.size.x; ++v.x) {
+      if (near != nullptr) {
+        const Vec3 at = grid.centre_mm({v.x, v.y, 0});
+        bool within = false;
+        for (const Line& line : *near)
+          for (std::size_t i = 0; i < line.size() && !within; ++i)
+            within = segment_distance({at.x, at.y}, line[i], line[std::min(i + 1, line.size() - 1)]) < reach;
+        if (!within) continue;
+      }
+      for (v.z = grid.size.z - 1; v.z >= 0; --v.z) {
+        const double z = grid.centre_mm(v).z + 0.5 * grid.voxel_mm;
+        if (z <= top) break;
+        if (specimen.s(v) >= kHalf) {
+          top = z;
+          break;
+        }
+      }
+    }
+  return top;
+}
+
+/// The pulp voxel that is easiest to reach from the floor: least height to go, well inside the outline.
+std::optional<Vec3> easiest_pulp(const Specimen& specimen, const TargetShape& shape) {
+  const Grid& grid = specimen.grid();
+  std::optional<Vec3> best;
+  double least = 1e9;
+  IVec3 v;
+  for (v.z = 0; v.z < grid.size.z; ++v.z)
+    for (v.y = 0; v.y < grid.size.y; ++v.y)
+      for (v.x = 0; v.x < grid.size.x; ++v.x) {
+        if (specimen.tissue(v) != Tissue::pulp || specimen.s(v) < kHalf) continue;
+        const Vec3 p = grid.centre_mm(v);
+        const double u = shape.outline_mm({p.x, p.y});
+        const double cost = shape.below_floor_mm(p.z) + (u > 0.0 ? 3.0 * u : 0.3 * u);
+        if (cost < least) {
+          least = cost;
+          best = p;
+        }
+      }
+  return best;
+}
+
+}  // namespace
+
+Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors) {
+  Plan plan;
+  const Target& target = scenario.target;
+  const TargetShape shape(target);
+  const std::optional<std::size_t> bur = best_bur(scenario, shape.half_width_mm());
+  if (shape.empty() || !bur) return plan;
+  plan.bur = static_cast<std::uint16_t>(*bur);
+  const double r = scenario.instruments[*bur].radius_mm;
+  const double room = std::max(0.0, shape.half_width_mm() - r + errors.wider_mm);
+  const double floor = shape.floor_mm() - errors.deeper_mm + r;  // of the bur's centre
+  const double above = highest(specimen, nullptr, 0.0) + r + kClearMm;
+  const double layer_radii = reading_of(scenario.method) == Reading::banded ? kLayerRadii : kSteppedLayerRadii;
+  const Vec2 shift(errors.shift_mm.x, errors.shift_mm.y);
+
+  const auto go = [&plan](Vec2 p, double z, bool cut) { plan.strokes.push_back({Vec3(p, z), cut}); };
+  const std::size_t paths = target.shape == "box" ? 1 : target.paths.size();
+  for (std::size_t path = 0; path < paths; ++path) {
+    std::vector<Line> lines = lines_of(target, path, room, r, shift);
+    if (lines.empty()) continue;
+    if (reading_of(scenario.method) == Reading::filled)
+      for (Line& line : lines) thin_out(line, specimen.grid().voxel_mm);
+    const double top = highest(specimen, &lines, r) + r;
+    if (plan.strokes.empty()) plan.start_mm = Vec3(lines.front().front(), above);
+    go(lines.front().front(), above, false);
+    go(lines.front().front(), std::max(top, floor) + 0.1, false);
+    const int layers = std::max(1, static_cast<int>(std::ceil((top - floor) / (errors.bolder * layer_radii * r))));
+    for (int layer = 1; layer <= layers; ++layer) {
+      const double z = layer == layers ? floor : top - (top - floor) * layer / layers;
+      // The floor is gone over twice: what the first time was left standing where the bur slipped or was held off.
+      const int times = layer == layers && reading_of(scenario.method) == Reading::banded ? 2 : 1;
+      for (int time = 0; time < times; ++time)
+        for (const Line& line : lines) {
+          const Vec3 here = plan.strokes.back().to_mm;
+          const Line way = from_nearest(line, {here.x, here.y});
+          if (here.z > z) go({here.x, here.y}, z, true);
+          for (const Vec2& p : way) go(p, z, true);
+        }
+    }
+    const Vec3 last = plan.strokes.back().to_mm;
+    go({last.x, last.y}, above, false);
+  }
+  if (errors.drill_to_pulp && !plan.strokes.empty()) {
+    if (const std::optional<Vec3> pulp = easiest_pulp(specimen, shape)) {
+      const Vec2 at(pulp->x, pulp->y);
+      go(at, above, false);
+      go(at, std::max(shape.floor_mm() + 2.0 * r, pulp->z + 2.0 * r), false);
+      go(at, pulp->z - r, true);
+      go(at, above, false);
+    }
+  }
+  return plan;
+}
+
+}  // namespace cusp::scenarios

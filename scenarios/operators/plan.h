@@ -1,0 +1,39 @@
+/// The path that a hand follows: where the bur's centre is to go, one stroke after another.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/volume/specimen.h"
+#include "scenarios/format/scenario.h"
+#include "scenarios/modules.h"
+
+namespace cusp::scenarios {
+
+/// One straight stroke, from wherever the bur is to `to_mm`.
+struct Stroke {
+  Vec3 to_mm{0.0};
+  bool cut = false;  // pressed: the bur turns
+};
+
+struct Plan {
+  Vec3 start_mm{0.0};           // above the specimen, touching nothing
+  std::uint16_t bur = 0;       // index of the scenario's instruments
+  std::vector<Stroke> strokes;  // ends above the specimen
+};
+
+/// Changes to the perfect path. All zero: follow the target.
+struct PlanErrors {
+  double deeper_mm = 0;       // floor below the target's (negative: above)
+  Vec3 shift_mm{0.0};         // the whole outline
+  double wider_mm = 0;        // walls further out (negative: further in)
+  double bolder = 1;          // layers this much deeper than they should be
+  bool drill_to_pulp = false; // at last, from the floor down into the pulp's nearest place
+};
+
+/// Layer by layer from the highest tissue within the outline, each layer as loops inside the outline so that the bur's
+/// side draws the wall, the last layer at the floor; lifts above the specimen between paths. The largest bur that fits
+/// the width and the corner. An empty plan (no strokes) when target or instruments are missing.
+[[nodiscard]] Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanErrors& errors = {});
+
+}  // namespace cusp::scenarios

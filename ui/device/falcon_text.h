@@ -1,0 +1,33 @@
+/// What a Falcon does and what went wrong with it, in words. Needs no window.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "device/falcon/self_test.h"
+#include "device/falcon/session.h"
+#include "ui/modules.h"
+#include "ui/session/run_device.h"
+#include "ui/text/sentences.h"
+
+namespace cusp::ui {
+
+struct FalconWords {
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Falcon)
+};
+
+/// "Loading its firmware, 40 %": what it does now.
+QString phase_text(const falcon::SessionState& state);
+/// What to do with the grip until all arms are homed; which of them still have to move.
+QString homing_text(std::uint8_t homed);
+/// Why a Falcon did not open, and the way out.
+Told tell_falcon(const PortFailure& failure);
+/// Why a firmware file is refused, for a file that somebody named.
+Told tell_image(const falcon::ImageFailure& failure);
+/// Why a test is over; empty while it is not, and when it was done.
+QString end_text(falcon::TrialEnd end);
+
+/// "Falcon FT000001", "Emulated Falcon, driven by mouse", "Mouse and keys".
+QString device_title(const std::string& kind, const std::string& name);
+
+}  // namespace cusp::ui

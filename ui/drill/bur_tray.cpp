@@ -1,0 +1,142 @@
+#include "ui/drill/bur_tray.h"
+
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "scenarios/burs/bur_catalogue.h"
+#include "ui/modules.h"
+#include "ui/text/bur_text.h"
+#include "ui/widgets/bur_silhouette.h"
+#include "ui/widgets/format.h"
+#include "ui/widgets/parts.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+namespace {
+
+/// One bur: its silhouette to scale, number and diameter.
+class BurButton : public QAbstractButton {
+ public:
+  BurButton(const Bur& bur, QWidget* parent) : QAbstractButton(parent), bur_(bur) {
+    setCheckable(true);
+    setFocusPolicy(Qt::TabFocus);
+    number_ = QString::fromStdString(bur.name);
+    //: Kind of bur and its diameter in mm, as "round 1.0".
+    kind_ = BurTray::tr("%1 %2").arg(bur_shape_word(shape_of(bur)), format_number(2 * bur.radius_mm, 1));
+    setAccessibleName(BurTray::tr("Bur %1").arg(bur_text(bur)));
+    const QString uses = bur_uses_text(bur);
+    setToolTip(uses.isEmpty() ? accessibleName() : accessibleName() + u'\n' + uses);
+  }
+  QSize sizeHint() const override {
+    const int text = std::max(QFontMetrics(font_of(TextRole::body, true)).horizontalAdvance(number_),
+                              QFontMetrics(font_of(TextRole::caption)).horizontalAdvance(kind_));
+    return {px(46) + text, px(56)};
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Tokens& t = tokens();
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    p.setLayoutDirection(Qt::LeftToRight);  // a bur with its number is one picture
+    const QRectF box = QRectF(rect()).adjusted(1, 1, -1, -1);
+    const bool on = isChecked();
+    p.setPen(QPen(on ? t.accent : t.line, on ? 2 : 1));
+    p.setBrush(on ? t.accent_soft : underMouse() ? t.hover : t.surface);
+    p.drawRoundedRect(box, px(4), px(4));
+    if (hasFocus()) {
+      p.setPen(QPen(t.accent, 2));
+      p.setBrush(Qt::NoBrush);
+      p.drawRoundedRect(box.adjusted(3, 3, -3, -3), px(3), px(3));
+    }
+    // The head is true to its shape, as large as its height allows; of neck and shank only the widths are.
+    const double x = px(17), length = bur_.radius_mm + bur_head_top_mm(bur_);
+    const double scale = std::min({double(px(6.5)), px(26) / length, px(7) / bur_.radius_mm});
+    const double tip = px(46), pivot = tip - bur_.radius_mm * scale;
+    const double neck = std::max(bur_.neck_radius_mm * scale, 1.0), shank = px(3.2);
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.text3);
+    p.drawRect(QRectF(x - shank, px(8), 2 * shank, px(9)));
+    p.drawRect(QRectF(x - neck, px(17), 2 * neck, pivot - px(17)));
+    p.setBrush(t.text);
+    p.save();
+    p.translate(x, pivot);
+    p.drawPath(bur_head_path(bur_, scale));
+    p.restore();
+    p.setPen(t.text);
+    p.setFont(font_of(TextRole::body, true));
+    p.drawText(QRectF(px(34), px(9), width() - px(36), px(20)), Qt::AlignVCenter | Qt::AlignLeft, number_);
+    p.setPen(t.text2);
+    p.setFont(font_of(TextRole::caption));
+    p.drawText(QRectF(px(34), px(28), width() - px(36), px(18)), Qt::AlignVCenter | Qt::AlignLeft, kind_);
+  }
+  void enterEvent(QEnterEvent*) override { update(); }
+  void leaveEvent(QEvent*) override { update(); }
+
+ private:
+  Bur bur_;
+  QString number_, kind_;
+};
+
+}  // namespace
+
+BurTray::BurTray(QWidget* parent) : QFrame(parent) {
+  set_kind(this, "bar_bottom");
+  setFixedHeight(px(72));
+  auto* lay = new QHBoxLayout(this);
+  lay->setContentsMargins(px(12), px(8), px(12), px(8));
+  lay->setSpacing(px(8));
+  auto* names = new QVBoxLayout;
+  names->setSpacing(0);
+  names->addStretch();
+  names->addWidget(make_label(tr("Burs"), TextRole::body, true));
+  names->addWidget(make_label(tr("[ and ]"), TextRole::caption, false, "text2"));
+  names->addStretch();
+  lay->addLayout(names);
+  lay->addSpacing(px(20));
+  row_ = new QHBoxLayout;
+  row_->setSpacing(px(6));
+  lay->addLayout(row_);
+  lay->addStretch();
+  group_ = new QButtonGroup(this);
+  // However it is set down: a screen reader does it without a click.
+  connect(group_, &QButtonGroup::idToggled, this, [this](int index, bool on) {
+    if (on) Q_EMIT bur_chosen(index);
+  });
+}
+
+void BurTray::set_burs(const std::vector<Bur>& burs) {
+  for (QAbstractButton* button : group_->buttons()) {
+    group_->removeButton(button);
+    delete button;
+  }
+  count_ = static_cast<int>(burs.size());
+  for (int i = 0; i < count_; ++i) {
+    auto* button = new BurButton(burs[static_cast<std::size_t>(i)], this);
+    group_->addButton(button, i);
+    row_->addWidget(button);
+  }
+  choose(0);
+}
+
+void BurTray::choose(int index) {
+  const QSignalBlocker quiet(group_);
+  if (QAbstractButton* button = group_->button(index)) button->setChecked(true);
+}
+
+int BurTray::chosen() const { return group_->checkedId(); }
+
+void BurTray::step(int by) {
+  const int to = std::clamp(chosen() + by, 0, std::max(count_ - 1, 0));
+  if (to == chosen() || count_ == 0) return;
+  choose(to);
+  Q_EMIT bur_chosen(to);
+}
+
+}  // namespace cusp::ui

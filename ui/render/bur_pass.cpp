@@ -1,0 +1,142 @@
+#include "ui/render/bur_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace cusp::ui {
+namespace {
+
+constexpr int kAround = 28;
+
+struct Ring {
+  float z, radius;
+  float nz, nr;  // normal
+  float cutting;
+};
+
+/// The outline's pieces as rings; where two meet at an edge, both with their own normals.
+void add_head(const Profile& head, std::vector<Ring>& out) {
+  constexpr int kArc = 10;
+  const auto add = [&out](OnHalf at, OnHalf normal) {
+    // The end towards the neck has no blades.
+    out.push_back({static_cast<float>(at.t), static_cast<float>(at.rho), static_cast<float>(normal.t),
+                   static_cast<float>(normal.rho), normal.t > 0.9 ? 0.0f : 1.0f});
+  };
+  for (int i = 0; i < head.size(); ++i) {
+    const OutlinePiece& p = head.piece(i);
+    if (p.radius == 0.0) {
+      const double length = std::hypot(p.to.t - p.from.t, p.to.rho - p.from.rho);
+      const OnHalf normal{-(p.to.rho - p.from.rho) / length, (p.to.t - p.from.t) / length};
+      add(p.from, normal);
+      add(p.to, normal);
+      continue;
+    }
+    const double from = std::atan2(p.from.rho - p.centre.rho, p.from.t - p.centre.t);
+    const double to = std::atan2(p.to.rho - p.centre.rho, p.to.t - p.centre.t);
+    for (int k = 0; k <= kArc; ++k) {
+      const double angle = from + (to - from) * k / kArc;
+      const OnHalf normal{std::cos(angle), std::sin(angle)};
+      add({p.centre.t + p.radius * normal.t, p.centre.rho + p.radius * normal.rho}, normal);
+    }
+  }
+}
+
+std::vector<Ring> profile(const Bur& bur) {
+  std::vector<Ring> out;
+  const auto r = static_cast<float>(bur.radius_mm);
+  const auto neck = static_cast<float>(std::min(bur.neck_radius_mm, bur.radius_mm));
+  const auto neck_end = static_cast<float>(bur.neck_length_mm);
+  const auto shank = static_cast<float>(bur.shank_radius_mm);
+  const float meet = std::sqrt(std::max(r * r - neck * neck, 0.0f));  // where the neck leaves the ball
+  float head_end = meet;
+  if (!bur.head.ball()) {
+    head_end = static_cast<float>(bur.head.high());
+    add_head(bur.head, out);
+  }
+  constexpr int kBall = 14;
+  const float last = std::acos(std::clamp(-meet / r, -1.0f, 1.0f));
+  for (int i = 0; bur.head.ball() && i <= kBall; ++i) {
+    const float a = last * static_cast<float>(i) / kBall;  // from the tip
+    out.push_back({-r * std::cos(a), r * std::sin(a), -std::cos(a), std::sin(a), 1.0f});
+  }
+  out.push_back({head_end, neck, 0, 1, 0});
+  // The neck widens to the shank over its last part, as turned steel does.
+  const float shoulder = std::max(head_end, neck_end - 1.6f * std::max(shank - neck, 0.0f));
+  const float length = std::hypot(neck_end - shoulder, shank - neck);
+  const float nz = length > 0 ? -(shank - neck) / length : 0.0f, nr = length > 0 ? (neck_end - shoulder) / length : 1.0f;
+  out.push_back({shoulder, neck, 0, 1, 0});
+  out.push_back({shoulder, neck, nz, nr, 0});
+  out.push_back({neck_end, shank, nz, nr, 0});
+  out.push_back({neck_end, shank, 0, 1, 0});
+  out.push_back({neck_end + static_cast<float>(bur.shank_length_mm), shank, 0, 1, 0});
+  return out;
+}
+
+}  // namespace
+
+std::vector<BurVertex> bur_mesh(const Bur& bur) {
+  const std::vector<Ring> rings = profile(bur);
+  std::vector<BurVertex> out;
+  const auto at = [&](const Ring& ring, int i) {
+    const float a = 2 * std::numbers::pi_v<float> * static_cast<float>(i % kAround) / kAround;
+    const float c = std::cos(a), s = std::sin(a);
+    return BurVertex{{ring.radius * c, ring.radius * s, ring.z}, {ring.nr * c, ring.nr * s, ring.nz}, ring.cutting};
+  };
+  for (std::size_t k = 0; k + 1 < rings.size(); ++k) {
+    for (int i = 0; i < kAround; ++i) {
+      const BurVertex a = at(rings[k], i), b = at(rings[k], i + 1), c = at(rings[k + 1], i + 1), d = at(rings[k + 1], i);
+      if (rings[k].radius > 0) out.insert(out.end(), {a, b, c});
+      out.insert(out.end(), {a, c, d});
+    }
+  }
+  return out;
+}
+
+BurPass::~BurPass() {
+  if (array_ != 0) glDeleteVertexArrays(1, &array_);
+  if (vertices_ != 0) glDeleteBuffers(1, &vertices_);
+}
+
+bool BurPass::create(std::string& why) {
+  if (!program_.link("bur", why)) return false;
+  glGenVertexArrays(1, &array_);
+  glGenBuffers(1, &vertices_);
+  glBindVertexArray(array_);
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+  const auto at = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
+  for (GLuint i = 0; i < 3; ++i) glEnableVertexAttribArray(i);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(BurVertex), at(offsetof(BurVertex, position_mm)));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(BurVertex), at(offsetof(BurVertex, normal)));
+  glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(BurVertex), at(offsetof(BurVertex, cutting)));
+  return true;
+}
+
+void BurPass::draw(const FrameView& view, const BurPose& pose) {
+  glBindVertexArray(array_);
+  if (!made_ || !(*made_ == pose.bur)) {
+    const std::vector<BurVertex> mesh = bur_mesh(pose.bur);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(BurVertex)), mesh.data(),
+                 GL_STATIC_DRAW);
+    count_ = static_cast<GLsizei>(mesh.size());
+    made_ = pose.bur;
+  }
+  const Vec3 z = glm::normalize(pose.axis);
+  const Vec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), z));
+  const Vec3 y = glm::cross(z, x);
+  program_.use();
+  program_.set("clip_from_world", view.clip_from_world);
+  program_.set("world_from_tool", glm::mat4(glm::vec4(glm::vec3(x), 0), glm::vec4(glm::vec3(y), 0),
+                                            glm::vec4(glm::vec3(z), 0), glm::vec4(glm::vec3(pose.pivot_mm), 1)));
+  program_.set("eye", view.eye);
+  program_.set("key_light", view.key_light);
+  program_.set("up", view.up);
+  program_.set("turn", pose.turning ? -1.0f : 0.0f);
+  program_.set("radius", static_cast<float>(std::max(pose.bur.radius_mm, 0.01)));
+  glDrawArrays(GL_TRIANGLES, 0, count_);
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,47 @@
+#include "ui/settings/settings.h"
+
+#include <QDir>
+#include <QStandardPaths>
+#include <algorithm>
+
+namespace cusp::ui {
+
+QString Settings::usual_file() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + QStringLiteral("/Cusp/Cusp.ini");
+}
+
+Settings::Settings(const QString& file) : store_(file.isEmpty() ? usual_file() : file, QSettings::IniFormat) {}
+
+ColourScheme Settings::scheme() const {
+  const QString text = store_.value("look/theme").toString();
+  return text == u"light" ? ColourScheme::light : text == u"dark" ? ColourScheme::dark : ColourScheme::system;
+}
+void Settings::set_scheme(ColourScheme scheme) {
+  store_.setValue("look/theme", scheme == ColourScheme::light  ? u"light"_qs
+                                : scheme == ColourScheme::dark ? u"dark"_qs
+                                                               : u"system"_qs);
+}
+QString Settings::language() const { return store_.value("look/language").toString(); }
+void Settings::set_language(const QString& code) { store_.setValue("look/language", code); }
+int Settings::scale_percent() const { return std::clamp(store_.value("look/scale", 100).toInt(), 100, 200); }
+void Settings::set_scale_percent(int percent) { store_.setValue("look/scale", std::clamp(percent, 100, 200)); }
+int Settings::volume_percent() const {
+  return std::clamp(store_.value("sound/volume", kUsualVolumePercent).toInt(), 0, 100);
+}
+void Settings::set_volume_percent(int percent) { store_.setValue("sound/volume", std::clamp(percent, 0, 100)); }
+bool Settings::muted() const { return store_.value("sound/muted", false).toBool(); }
+void Settings::set_muted(bool muted) { store_.setValue("sound/muted", muted); }
+QByteArray Settings::window() const { return store_.value("window/geometry").toByteArray(); }
+void Settings::set_window(const QByteArray& geometry) { store_.setValue("window/geometry", geometry); }
+
+std::filesystem::path database_path(const QString& option) {
+  if (!option.isEmpty()) return option.toStdString();
+  const QString from_environment = qEnvironmentVariable("CUSP_DB");
+  if (!from_environment.isEmpty()) return from_environment.toStdString();
+  const QString folder =
+      QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/Cusp");
+  QDir().mkpath(folder);
+  return (folder + QStringLiteral("/cusp.db")).toStdString();
+}
+
+}  // namespace cusp::ui

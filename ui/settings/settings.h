@@ -1,0 +1,45 @@
+/// What the desktop remembers about how it is shown. Nothing about people or results: that is storage's.
+/// File: XDG config folder, Cusp/Cusp.ini. GUI thread.
+#pragma once
+
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+#include <filesystem>
+
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+
+class Settings {
+ public:
+  /// `file` empty: the user's own.
+  explicit Settings(const QString& file = {});
+  static QString usual_file();
+  QString file() const { return store_.fileName(); }
+
+  ColourScheme scheme() const;
+  void set_scheme(ColourScheme scheme);
+  /// "" = the system's language.
+  QString language() const;
+  void set_language(const QString& code);
+  /// 100 to 200.
+  int scale_percent() const;
+  void set_scale_percent(int percent);
+  /// Of the drilling sound, 0 to 100; muted or not.
+  int volume_percent() const;
+  void set_volume_percent(int percent);
+  bool muted() const;
+  void set_muted(bool muted);
+  static constexpr int kUsualVolumePercent = 50;
+  QByteArray window() const;
+  void set_window(const QByteArray& geometry);
+
+ private:
+  QSettings store_;
+};
+
+/// Where this station's records lie: --db or CUSP_DB, else the XDG data folder's Cusp/cusp.db.
+std::filesystem::path database_path(const QString& option);
+
+}  // namespace cusp::ui

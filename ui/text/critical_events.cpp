@@ -1,0 +1,88 @@
+#include "ui/text/critical_events.h"
+
+#include <algorithm>
+
+#include "scenarios/teeth/landmarks.h"
+#include "ui/modules.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/text.h"
+#include "ui/widgets/format.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr double kMiddleMm = 0.7;  // from the tooth's axis; nearer than that no side is named
+constexpr double kMostOblique = 2.4142;  // 1 / tan(22.5°): beyond it one direction alone names the side
+
+/// The end of the first second in which pulp was removed. A pulp that was only laid bare lost none: not known.
+std::optional<double> first_pulp_s(Store& store, const SessionId& session) {
+  const auto seconds = store.metrics.over_time(session);
+  if (!seconds) return std::nullopt;
+  for (const MetricsRow& row : *seconds) {
+    for (const RemovedTissue& removed : row.metrics.removed) {
+      if (removed.tissue == Tissue::pulp && removed.voxels > 0) return static_cast<double>(row.elapsed_us) * 1e-6;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec3> place_of(const std::string& key, const Grade& grade, const std::vector<Measure>& measures) {
+  for (const Measure& m : measures) {
+    if (m.metric == key && m.measured && m.where_mm) return m.where_mm;
+  }
+  if (key != "pulp_exposure") return std::nullopt;
+  // A stored attempt keeps its criteria alone: where the cut came nearest to the pulp, it opened it.
+  for (const CriterionGrade& c : grade.criteria) {
+    if (c.id == "remaining_over_pulp" && c.measure.measured) return c.measure.where_mm;
+  }
+  return std::nullopt;
+}
+
+/// The pair of ways that the side names begin with: "mesio" and "disto" have no sense of their own in other languages.
+QString oblique(bool mesial, bool buccal, bool upper) {
+  if (mesial) return buccal ? Words::tr("mesiobuccal") : upper ? Words::tr("mesiopalatal") : Words::tr("mesiolingual");
+  return buccal ? Words::tr("distobuccal") : upper ? Words::tr("distopalatal") : Words::tr("distolingual");
+}
+
+}  // namespace
+
+std::vector<CriticalEvent> critical_events(const Grade& grade, const std::vector<Measure>& measures, Store* store,
+                                           const SessionId& session) {
+  std::vector<CriticalEvent> events;
+  for (const std::string& key : grade.critical) {
+    CriticalEvent event{key, std::nullopt, place_of(key, grade, measures)};
+    if (key == "pulp_exposure" && store != nullptr && !session.is_nil()) event.at_s = first_pulp_s(*store, session);
+    events.push_back(std::move(event));
+  }
+  std::ranges::stable_partition(events, [](const CriticalEvent& e) { return e.key == "pulp_exposure"; });
+  return events;
+}
+
+QString critical_text(const CriticalEvent& event, const SpecimenSource& specimen) {
+  QString text = critical_name(event.key);
+  //: A critical event, and when it happened in the attempt: "The pulp was opened after 1:12 min".
+  if (event.at_s) text = Words::tr("%1 after %2 min").arg(text, format_clock(*event.at_s));
+  const QString side = event.place_mm ? side_text(specimen, *event.place_mm) : QString();
+  return side.isEmpty() ? text : text + Words::tr(", ") + side;
+}
+
+QString critical_advice(const std::string& key) {
+  if (key == "pulp_exposure") return Words::tr("Read the depth before each stroke, and stop above the wanted floor.");
+  if (key == "dry_cutting") return Words::tr("Run the coolant before the bur touches the tooth.");
+  return {};
+}
+
+QString side_text(const SpecimenSource& specimen, Vec3 place_mm) {
+  const int toward_mesial = specimen.generator == "tooth" ? mesial_x(specimen.fdi) : 0;
+  if (toward_mesial == 0) return {};
+  const double mesial = toward_mesial * place_mm.x, buccal = place_mm.y;
+  if (std::hypot(mesial, buccal) < kMiddleMm) return {};
+  const bool upper = specimen.fdi < 30;
+  if (std::abs(mesial) > kMostOblique * std::abs(buccal)) return mesial > 0 ? Words::tr("mesial") : Words::tr("distal");
+  if (std::abs(buccal) > kMostOblique * std::abs(mesial)) {
+    return buccal > 0 ? Words::tr("buccal") : upper ? Words::tr("palatal") : Words::tr("lingual");
+  }
+  return oblique(mesial > 0, buccal > 0, upper);
+}
+
+}  // namespace cusp::ui

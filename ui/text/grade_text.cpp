@@ -1,0 +1,165 @@
+#include "ui/text/grade_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/text/sentences.h"
+#include "ui/text/text.h"
+#include "ui/widgets/format.h"
+
+namespace cusp::ui {
+
+QString metric_name(const std::string& m) {
+  if (m == "target_removed") return Words::tr("Target removed");
+  if (m == "overcut_leeway_floor") return Words::tr("Leeway used, floor");
+  if (m == "overcut_leeway_side") return Words::tr("Leeway used, walls");
+  if (m == "overcut_beyond_floor") return Words::tr("Floor cut too far");
+  if (m == "overcut_beyond_side") return Words::tr("Walls cut too far");
+  if (m == "undercut") return Words::tr("Left standing");
+  if (m == "depth_least") return Words::tr("Floor depth, shallowest");
+  if (m == "depth_mean") return Words::tr("Floor depth, mean");
+  if (m == "depth_most") return Words::tr("Floor depth, deepest");
+  if (m == "remaining_over_pulp") return Words::tr("Dentine over pulp");
+  if (m == "time") return Words::tr("Time");
+  if (m == "force_peak") return Words::tr("Peak push");
+  if (m == "force_mean") return Words::tr("Mean push");
+  if (m == "pulp_exposure") return Words::tr("Pulp opened");
+  if (m == "dry_cutting_time") return Words::tr("Cut without coolant");
+  if (m == "temperature_rise_peak") return Words::tr("Tooth warmer by (not verified)");
+  if (m == "dry_cutting") return Words::tr("Tooth overheated");
+  if (m.starts_with("removed_")) {
+    const std::string key = m.substr(8);
+    if (const auto tissue = tissue_from_key(key)) return Words::tr("%1 removed").arg(tissue_name(*tissue));
+    bool number = false;
+    const int code = text(key).toInt(&number);
+    if (number) return Words::tr("%1 removed").arg(tissue_name(static_cast<Tissue>(code)));
+  }
+  return text(m);
+}
+
+QString metric_unit(const std::string& m) {
+  if (m == "target_removed") return u"%"_qs;
+  if (m.starts_with("overcut_") || m == "undercut" || m.starts_with("removed_")) return u"mm3"_qs;
+  if (m.starts_with("depth_") || m == "remaining_over_pulp") return u"mm"_qs;
+  if (m == "time" || m == "dry_cutting_time") return u"s"_qs;
+  if (m == "temperature_rise_peak") return u"K"_qs;
+  if (m.starts_with("force_")) return u"N"_qs;
+  return {};
+}
+
+QString critical_name(const std::string& critical) {
+  if (critical == "pulp_exposure") return Words::tr("The pulp was opened");
+  if (critical == "dry_cutting") return Words::tr("The tooth was overheated by cutting dry (criterion not verified)");
+  return metric_name(critical);
+}
+
+namespace {
+
+QString number_of(double value) {
+  for (int decimals = 0; decimals < 3; ++decimals) {
+    const double scaled = value * std::pow(10.0, decimals);
+    if (std::abs(scaled - std::round(scaled)) < 1e-6) return format_number(value, decimals);
+  }
+  return format_number(value, 3);
+}
+
+QString with_unit(double value, const QString& unit) {
+  return isolate(unit.isEmpty() ? number_of(value) : number_of(value) + QChar(0x00A0) + unit_text(unit));
+}
+
+/// Down to the tenth of a percent: "100 %" is never said where points are missing.
+QString share_text(double share) { return with_unit(std::floor(share * 1000 + 1e-6) / 10, u"%"_qs); }
+
+/// As many decimals as keep value and limit apart, up to three, and never fewer than `least`: "96.97", not "97", of 97.
+int decimals_apart(double value, double limit, int least) {
+  int decimals = least;
+  const auto same = [&](int n) { return format_number(value, n) == format_number(limit, n); };
+  while (decimals < 3 && same(decimals)) ++decimals;
+  return decimals;
+}
+
+}  // namespace
+
+QString wanted_text(const Criterion& c) {
+  const QString unit = metric_unit(c.metric);
+  const Bands& b = c.bands;
+  // A side whose three edges coincide has no edge: nothing lies beyond it.
+  const bool open_low = b.fail_lo == b.ideal_lo && b.acc_lo == b.ideal_lo;
+  const bool open_high = b.fail_hi == b.ideal_hi && b.acc_hi == b.ideal_hi;
+  if (open_low && !open_high) return Words::tr("up to %1").arg(with_unit(b.ideal_hi, unit));
+  if (open_high && !open_low) return Words::tr("%1 or more").arg(with_unit(b.ideal_lo, unit));
+  if (b.ideal_lo == b.ideal_hi) return with_unit(b.ideal_lo, unit);
+  return Words::tr("%1 to %2").arg(number_of(b.ideal_lo), with_unit(b.ideal_hi, unit));
+}
+
+QString reason_text(const CriterionGrade& g) {
+  const auto arg = [&](const char* key) {
+    const auto it = g.reason_args.find(key);
+    return it == g.reason_args.end() ? 0.0 : it->second;
+  };
+  const QString unit = text(g.measure.unit);
+  if (g.reason_code == "little_drilled") {
+    return Words::tr("Counts only as far as the target was cut: %1").arg(share_text(arg("share")));
+  }
+  const double value = arg("value"), limit = arg("limit");
+  const int decimals = decimals_apart(value, limit, unit == u"%" ? 1 : 2);
+  const QString v = format({value, std::nullopt, unit, decimals}), l = with_unit(limit, unit);
+  const QString apart = format({std::abs(value - limit), std::nullopt, unit, decimals});
+  if (g.reason_code == "full") return Words::tr("Full points");
+  if (g.reason_code == "not_measured") return Words::tr("Could not be measured");
+  if (g.reason_code == "too_deep") return Words::tr("%1, %2 deeper than %3").arg(v, apart, l);
+  if (g.reason_code == "too_shallow") return Words::tr("%1, %2 short of %3").arg(v, apart, l);
+  const QString whole = format_value({value, std::nullopt, unit, decimals});
+  if (g.reason_code == "too_much") return Words::tr("%1; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_dry") return Words::tr("%1 without coolant; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_warm") return Words::tr("%1 warmer; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_little") {
+    return g.id == "target_removed" ? Words::tr("%1 removed; full points from %2").arg(whole, l)
+                                    : Words::tr("%1; full points from %2").arg(whole, l);
+  }
+  return text(g.reason_code);
+}
+
+int point_forms(double points) { return format_points(points) == format_points(1) ? 1 : 2; }
+
+QString lost_text(const CriterionGrade& g, double lost) {
+  return Words::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id), format_points(lost));
+}
+
+QString counted_text(const Grade& grade, const Rubric& rubric) {
+  if (std::ranges::none_of(grade.criteria, &CriterionGrade::counts_with_target)) return {};
+  for (const CriterionGrade& c : grade.criteria) {
+    if (c.id != "target_removed" || !c.measure.measured) continue;
+    for (const Criterion& asked : rubric.criteria) {
+      if (asked.metric != c.id || !(c.measure.value < asked.bands.ideal_lo)) continue;
+      const double share = std::max(0.0, c.measure.value) / asked.bands.ideal_lo;
+      return Words::tr("What stayed intact counts only as far as the target was cut: %1.").arg(share_text(share));
+    }
+  }
+  return {};
+}
+
+QString advice_text(const CriterionGrade& g) {
+  // What was drilled too little is advised about once, by the target's own criterion.
+  if (g.reason_code == "full" || g.reason_code == "not_measured" || g.reason_code == "little_drilled") return {};
+  const std::string& m = g.id;
+  if (m == "target_removed") return Words::tr("Turn the view and look for what still stands inside the target line.");
+  if (m == "overcut_leeway_floor" || m == "overcut_beyond_floor")
+    return Words::tr("Lift off and read the depth before you go deeper.");
+  if (m == "overcut_leeway_side" || m == "overcut_beyond_side")
+    return Words::tr("Keep the bur’s edge inside the target line; push less near the walls.");
+  if (m == "undercut") return Words::tr("Turn the view and clear the corners along the walls.");
+  if (m.starts_with("depth_")) {
+    if (g.reason_code == "too_deep") return Words::tr("Stop pushing before the wanted depth and move sideways.");
+    return Words::tr("Go on to the wanted depth over the whole floor.");
+  }
+  if (m == "remaining_over_pulp") return Words::tr("Keep away from the pulp: stay above the wanted floor.");
+  if (m == "force_peak" || m == "force_mean") return Words::tr("Push less; let the bur do the work.");
+  if (m == "time") return Words::tr("Plan the way of the bur before the first cut.");
+  if (g.reason_code == "too_dry") return Words::tr("Run the coolant before the bur touches the tooth.");
+  if (g.reason_code == "too_warm") return Words::tr("Run the coolant, push less, and lift off now and then.");
+  if (g.reason_code == "too_much") return Words::tr("Take away less of it.");
+  return Words::tr("Take away more of it.");
+}
+
+}  // namespace cusp::ui

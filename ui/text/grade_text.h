@@ -1,0 +1,32 @@
+/// What a grade says, put into words: criteria, what they want, why points went, what to do next time. Needs no window.
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "scenarios/format/scenario.h"
+#include "scenarios/grading/grade.h"
+#include "ui/modules.h"
+
+namespace cusp::ui {
+
+/// "Floor depth, deepest" for a key of scenarios/metrics; the key itself for one that has no words yet.
+QString metric_name(const std::string& metric);
+QString metric_unit(const std::string& metric);
+QString critical_name(const std::string& critical);
+
+/// "1.5 to 2.0", "under 0.3", "99 or more": what earns full points.
+QString wanted_text(const Criterion& criterion);
+/// Why points went: "2.41 mm, 0.41 mm deeper than 2 mm", "0.2 % removed; full points from 97 %".
+QString reason_text(const CriterionGrade& grade);
+/// What to give tr() as %n for points that may be a fraction: only a plain "1" is singular, "1.5" and "0.5" are not.
+int point_forms(double points);
+/// "Floor depth, deepest: 1 point lost". `lost`: scaled points (scenarios/grading/maxima.h).
+QString lost_text(const CriterionGrade& grade, double lost);
+/// The one sentence about criteria that count only as far as the target was cut; empty where all of it was, or where no
+/// criterion counts so. The grade's criteria carry their mark (mark_counted_with_target).
+QString counted_text(const Grade& grade, const Rubric& rubric);
+/// What to do next time, for a criterion that lost points by what was done; empty for the others.
+QString advice_text(const CriterionGrade& grade);
+
+}  // namespace cusp::ui

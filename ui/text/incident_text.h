@@ -1,0 +1,17 @@
+/// What opening the records met, put into words for staff: StorageContext::incident (storage/sealing.h). Needs no window.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "ui/text/failure_text.h"
+
+namespace cusp::ui {
+
+/// What happened, what it means, and what to do about it. `incident`: an action of storage/sealing.h.
+Told tell_incident(std::string_view incident, const std::filesystem::path& database);
+
+/// The records can only be read, for the reason that `cause` names.
+Told tell_reading_only(const StorageFailure& cause, const std::filesystem::path& database);
+
+}  // namespace cusp::ui

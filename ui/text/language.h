@@ -1,0 +1,27 @@
+/// The languages that Cusp speaks, and switching between them while it runs.
+#pragma once
+
+#include <QString>
+#include <QVector>
+
+class QCoreApplication;
+
+namespace cusp::ui {
+
+struct Language {
+  QString code;  // "en", "de"
+  QString name;  // in its own language
+};
+
+/// Those that are complete. The pseudo-language of the tests ("pseudo") is installed like any other, but not listed.
+QVector<Language> languages();
+
+/// Installs the translations (Cusp's and Qt's own), the locale and the reading direction, instead of those before.
+/// "" = the language of the environment (LC_ALL, LC_MESSAGES, LANG); an unknown one is English.
+/// Every widget gets QEvent::LanguageChange.
+void install_language(QCoreApplication& app, const QString& code);
+
+/// Code of the language installed now.
+QString current_language();
+
+}  // namespace cusp::ui

@@ -1,0 +1,121 @@
+/// The tooth in a window: draws a ToothPicture, turns with the right mouse button, zooms and picks. Report, editor and
+/// drilling use it alike; what the left button means is theirs. Where the platform has no OpenGL window (offscreen) a
+/// plain placeholder stands instead and everything else answers as before. Thread: GUI.
+#pragma once
+
+#include <QWidget>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ui/render/patch_feed.h"
+#include "ui/render/tooth_picture.h"
+
+namespace cusp::ui {
+
+class FrameStats;
+
+class ToothView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ToothView(QWidget* parent = nullptr);
+  ~ToothView() override;
+
+  /// False where a placeholder stands.
+  bool has_picture() const;
+
+  /// Builds the whole mesh of a volume as it stands, here and now (about 0.4 s for a molar), and looks at it when
+  /// nothing was shown before.
+  void show_volume(const Volume& volume, const FeedSettings& settings = {});
+  /// Patches come from this feed from now on, a bounded number of bytes a frame. Call feed_changed() when it has news.
+  void set_feed(std::shared_ptr<PatchFeed> feed);
+  /// Any thread: asks for a frame. Several askings before it make one.
+  void feed_changed();
+
+  /// What stands about the tooth, to be looked at; null: nothing.
+  void set_scenery(std::shared_ptr<const SceneryLook> scenery);
+  void set_lines(std::vector<OverlayLine> lines);
+  void set_colouring(Colouring colouring);
+  void set_target_shown(bool on);
+  bool target_shown() const { return scene_.show_target; }
+  void set_bur(const std::optional<BurPose>& bur);
+  /// Asked at the start of every frame, so that the bur is drawn where it is then; replaces set_bur.
+  void set_bur_source(std::function<std::optional<BurPose>()> source) { bur_source_ = std::move(source); }
+  /// Asks for a frame when the bur has moved and none came within `pause`, so that a bur alone never doubles the
+  /// frames that the mesh asks for.
+  void follow_bur(std::chrono::milliseconds pause);
+  /// Takes away what lies before the image's plane and closes it with the image; nullopt: whole tooth.
+  void set_cutaway(std::optional<SectionImage> image);
+
+  const Camera& camera() const { return scene_.camera; }
+  void set_camera(const Camera& camera);
+  /// Turns so that the place faces the viewer, and brings it to the middle.
+  void look_at(Vec3 place_mm);
+  /// The left button turns too (where a click means nothing else).
+  void set_left_turns(bool on) { left_turns_ = on; }
+
+  /// What lies under a widget position.
+  std::optional<PickedPoint> pick(QPointF at) const;
+  /// The ray under a widget position.
+  Ray ray(QPointF at) const;
+  /// Where a place is drawn; nullopt behind the eye. It may be hidden by the tooth.
+  std::optional<QPointF> project(Vec3 mm) const;
+  const PatchStore& store() const { return store_; }
+  const Scene3d& scene() const { return scene_; }
+
+  /// Frames are counted there; may be nullptr.
+  void set_stats(FrameStats* stats) { stats_ = stats; }
+  /// The picture as it is drawn now (null without OpenGL).
+  QImage grab_picture();
+
+ Q_SIGNALS:
+  void camera_changed();
+  /// Left button and movement, widget positions; only while left_turns is off.
+  void pressed(QPointF at, Qt::KeyboardModifiers modifiers);
+  void moved(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
+  void released(QPointF at);
+  /// Wheel steps (120 = one notch). Without Ctrl the receiver may take it by wheel_taken; else it zooms.
+  void wheel_turned(int delta);
+
+ public:
+  /// True: the wheel is the receiver's, and only Ctrl+wheel zooms.
+  void set_wheel_taken(bool on) { wheel_taken_ = on; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  class Surface;  // the QOpenGLWidget
+  friend class Surface;
+  void repaint_soon();
+  bool moved_visibly(const std::optional<BurPose>& bur) const;
+  void read_theme();
+  void frame_ended();
+
+  Surface* surface_ = nullptr;
+  Scene3d scene_;
+  PatchStore store_;
+  std::shared_ptr<PatchFeed> feed_;
+  std::shared_ptr<const SceneryLook> scenery_;
+  std::vector<OverlayLine> lines_;
+  std::optional<SectionImage> section_;
+  FrameStats* stats_ = nullptr;
+  std::function<std::optional<BurPose>()> bur_source_;
+  TickTimes changes_;                      // shown by the frame being drawn
+  std::chrono::steady_clock::time_point draw_start_;
+  QPointF last_;
+  bool left_turns_ = false, wheel_taken_ = false;
+  bool framed_ = false;      // the camera was set or found
+  bool drawn_ = false;       // draw_start_ belongs to a frame not yet ended
+  std::atomic<bool> asked_{false};
+};
+
+}  // namespace cusp::ui

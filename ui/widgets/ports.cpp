@@ -1,0 +1,43 @@
+#include "ui/widgets/ports.h"
+
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+
+Ports Ports::of_the_system() {
+  Ports ports;
+  ports.now = [] { return QDateTime::currentDateTime(); };
+  ports.ask = [](QWidget* parent, const Question& question, std::function<void(bool)> then) {
+    auto* box = new QMessageBox(parent);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(QStringLiteral("Cusp"));
+    box->setText(QStringLiteral("<b>%1</b>").arg(question.what.toHtmlEscaped()));
+    box->setInformativeText(question.more);
+    QPushButton* act = box->addButton(question.act, QMessageBox::AcceptRole);
+    set_kind(act, question.erases ? "erase" : "primary");
+    QPushButton* stay = box->addButton(QMessageBox::Cancel);
+    stay->setIcon({});  // the style's own sign is of another family
+    box->setDefaultButton(question.erases ? stay : act);
+    box->setEscapeButton(stay);
+    QObject::connect(box, &QMessageBox::finished, box, [box, act, then] { then(box->clickedButton() == act); });
+    box->open();
+  };
+  ports.pick_file = [](QWidget* parent, const FileWish& wish, std::function<void(const QString&)> then) {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    auto* dialog = new QFileDialog(parent, wish.title, folder, wish.filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(wish.saving ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(wish.saving ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    if (wish.saving) dialog->selectFile(wish.name);
+    QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [then](const QString& path) { then(path); });
+    dialog->open();
+  };
+  return ports;
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,38 @@
+/// What the desktop asks of the world outside, so that tests can answer: the clock, the file picker, message boxes.
+/// Nothing here waits: answers come back through a function, and may never come (the window closed).
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+#include <functional>
+
+class QWidget;
+
+namespace cusp::ui {
+
+/// One question before something that cannot be undone, naming it.
+struct Question {
+  QString what;            // bold: "Remove the PIN of Lena Brandt?"
+  QString more;            // what follows from it
+  QString act;             // the verb on the button
+  bool erases = false;     // red outline
+};
+
+struct FileWish {
+  QString title;
+  QString name;            // suggested file name (saving)
+  QString filter;          // "CSV (*.csv)"
+  bool saving = true;
+};
+
+struct Ports {
+  std::function<QDateTime()> now;
+  /// `then` gets true when the act was chosen.
+  std::function<void(QWidget* parent, const Question&, std::function<void(bool)> then)> ask;
+  /// `then` gets the path; not called when the picker was cancelled.
+  std::function<void(QWidget* parent, const FileWish&, std::function<void(const QString&)> then)> pick_file;
+
+  static Ports of_the_system();
+};
+
+}  // namespace cusp::ui
