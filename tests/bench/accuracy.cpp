@@ -34,7 +34,7 @@ std::vector<Size> sizes_of(std::string_view shape, const Options& options) {
   return out;
 }
 
-void shape_rows(const Options& options, const Shape& shape, Measure what, std::vector<Row>& rows) {
+void shape_accuracy_rows(const Options& options, const Shape& shape, Measure what, std::vector<Row>& rows) {
   for (const Method method : kMethods) {
     if (!asked(options.methods, key_of(method))) continue;
     what.method = method;
@@ -47,11 +47,11 @@ void shape_rows(const Options& options, const Shape& shape, Measure what, std::v
   }
 }
 
-void channel_rows(const Options& options, const Size& size, Measure what, std::vector<Row>& rows) {
+void channel_accuracy_rows(const Options& options, const Size& size, Measure what, std::vector<Row>& rows) {
   if (!asked(options.motions, "slide")) return;
   for (const HoleKind kind : {HoleKind::straight, HoleKind::oblique, HoleKind::slot}) {
     const int count = kind == HoleKind::straight ? kHoles / 3 : kind == HoleKind::oblique ? 2 * kHoles / 3 : 16;
-    const auto holes = meant_holes(size.bur_radius_mm, kind, options.seed, count);
+    const auto holes = unambiguous_holes(size.bur_radius_mm, kind, options.seed, count);
     for (const Method method : kMethods) {
       if (!asked(options.methods, key_of(method))) continue;
       what.method = method;
@@ -75,13 +75,13 @@ std::vector<Row> accuracy_rows(const Options& options) {
     for (const Size& size : sizes_of(name, options)) {
       what.voxel_mm = size.voxel_mm;
       if (name == "channel") {
-        channel_rows(options, size, what, rows);
+        channel_accuracy_rows(options, size, what, rows);
         continue;
       }
       const std::vector<std::string_view> variants =
           name == "cut" ? std::vector<std::string_view>{"single", "crossing"} : std::vector<std::string_view>{""};
       for (const std::string_view variant : variants)
-        shape_rows(options, *make_shape(name, size.bur_radius_mm, variant), what, rows);
+        shape_accuracy_rows(options, *make_shape(name, size.bur_radius_mm, variant), what, rows);
     }
   }
   return rows;
@@ -90,7 +90,7 @@ std::vector<Row> accuracy_rows(const Options& options) {
 int run_accuracy(const Options& options) {
   Report report = empty_report();
   report.rows = accuracy_rows(options);
-  return hand_over(report, options.json, [](const std::vector<Row>& rows) { print_table(rows, std::cout); });
+  return write_report(report, options.json, [](const std::vector<Row>& rows) { print_table(rows, std::cout); });
 }
 
 }  // namespace cusp::bench

@@ -66,14 +66,14 @@ CarvedBlock::CarvedBlock(Vec3 normal, double level, std::vector<Capsule> capsule
       level_(level),
       capsules_(std::move(capsules)),
       radius_(radius_mm),
-      thin_(radius_mm - thinner_mm) {
+      cut_radius_(radius_mm - thinner_mm) {
   for (const Capsule& c : capsules_) frames_.push_back(frame_of(c, Vec3(0.0)));
   const int n = static_cast<int>(capsules_.size());
   for (int i = 0; i < n; ++i)
     for (int j = -1; j < i; ++j) trace_pair(i, j);
 }
 
-double CarvedBlock::beyond(int face, Vec3 p, Vec3* gradient) const {
+double CarvedBlock::void_depth(int face, Vec3 p, Vec3* gradient) const {
   if (face < 0) {
     if (gradient) *gradient = normal_;
     return glm::dot(normal_, p) - level_;
@@ -85,22 +85,22 @@ double CarvedBlock::beyond(int face, Vec3 p, Vec3* gradient) const {
   return c.radius_mm - far;
 }
 
-bool CarvedBlock::stands(Vec3 p, int face_a, int face_b) const {
+bool CarvedBlock::remains(Vec3 p, int face_a, int face_b) const {
   for (int f = -1; f < static_cast<int>(capsules_.size()); ++f)
-    if (f != face_a && f != face_b && beyond(f, p, nullptr) > kTouch) return false;
+    if (f != face_a && f != face_b && void_depth(f, p, nullptr) > kTouch) return false;
   return true;
 }
 
-bool CarvedBlock::onto(int face_a, int face_b, Vec3& p) const {
+bool CarvedBlock::project_onto(int face_a, int face_b, Vec3& p) const {
   for (int pass = 0; pass < 20; ++pass) {
     Vec3 ga, gb;
-    const double da = beyond(face_a, p, &ga), db = beyond(face_b, p, &gb);
+    const double da = void_depth(face_a, p, &ga), db = void_depth(face_b, p, &gb);
     if (std::fabs(da) < 1e-13 && std::fabs(db) < 1e-13) return true;
     const double ab = glm::dot(ga, gb), det = 1.0 - ab * ab;
     if (det < 1e-6) return false;
     p -= ga * ((da - ab * db) / det) + gb * ((db - ab * da) / det);
   }
-  return std::fabs(beyond(face_a, p, nullptr)) < 1e-11 && std::fabs(beyond(face_b, p, nullptr)) < 1e-11;
+  return std::fabs(void_depth(face_a, p, nullptr)) < 1e-11 && std::fabs(void_depth(face_b, p, nullptr)) < 1e-11;
 }
 
 void CarvedBlock::trace_pair(int face_a, int face_b) {
@@ -127,12 +127,12 @@ void CarvedBlock::trace_pair(int face_a, int face_b) {
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < kAround; ++column) {
       const Vec3 p = at(row, column);
-      const bool here = beyond(face_b, p, nullptr) > 0.0;
+      const bool here = void_depth(face_b, p, nullptr) > 0.0;
       for (const Vec3 other : {at(row, (column + 1) % kAround), at(std::min(row + 1, rows - 1), column)}) {
-        if ((beyond(face_b, other, nullptr) > 0.0) == here) continue;
+        if ((void_depth(face_b, other, nullptr) > 0.0) == here) continue;
         Vec3 seed = 0.5 * (p + other);
-        if (!onto(face_a, face_b, seed)) continue;
-        if (length(seed - p) > 0.2 || !stands(seed, face_a, face_b)) continue;
+        if (!project_onto(face_a, face_b, seed)) continue;
+        if (length(seed - p) > 0.2 || !remains(seed, face_a, face_b)) continue;
         bool known = false;
         for (std::size_t k = first; k < edges_.size() && !known; ++k)
           known = length(edges_[k].at - seed) < 1.5 * kEdgeStep;
@@ -144,22 +144,22 @@ void CarvedBlock::trace_pair(int face_a, int face_b) {
 void CarvedBlock::trace(int face_a, int face_b, Vec3 seed) {
   const auto step = [&](Vec3& p, double way) {
     Vec3 ga, gb;
-    beyond(face_a, p, &ga);
-    beyond(face_b, p, &gb);
+    void_depth(face_a, p, &ga);
+    void_depth(face_b, p, &gb);
     const Vec3 t = glm::cross(ga, gb);
     const double size = length(t);
     if (size < 1e-3) return false;
     Vec3 next = p + t * (way / size);
-    if (!onto(face_a, face_b, next)) return false;
+    if (!project_onto(face_a, face_b, next)) return false;
     p = next;
     return true;
   };
   /// Where the edge ends between a point that stands and one that does not.
-  const auto last_standing = [&](Vec3 good, Vec3 bad) {
+  const auto last_remaining = [&](Vec3 good, Vec3 bad) {
     for (int k = 0; k < 50; ++k) {
       Vec3 middle = 0.5 * (good + bad);
-      if (!onto(face_a, face_b, middle)) break;
-      (stands(middle, face_a, face_b) ? good : bad) = middle;
+      if (!project_onto(face_a, face_b, middle)) break;
+      (remains(middle, face_a, face_b) ? good : bad) = middle;
     }
     return good;
   };
@@ -169,22 +169,23 @@ void CarvedBlock::trace(int face_a, int face_b, Vec3 seed) {
     for (int k = 0; k < 20000; ++k) {
       const Vec3 from = p;
       if (!step(p, way)) break;
-      if (!stands(p, face_a, face_b)) {
-        run.push_back(last_standing(from, p));
+      if (!remains(p, face_a, face_b)) {
+        run.push_back(last_remaining(from, p));
         break;
       }
       if (way > 0.0 && k > 3 && length(p - seed) < 0.9 * kEdgeStep) {
-        keep_run(run, true);
+        store_edge(run, Curve::closed);
         return;
       }
       run.push_back(p);
     }
     std::reverse(run.begin(), run.end());  // after the second way it runs forward again
   }
-  keep_run(run, false);
+  store_edge(run, Curve::open);
 }
 
-void CarvedBlock::keep_run(const std::vector<Vec3>& points, bool closed) {
+void CarvedBlock::store_edge(const std::vector<Vec3>& points, Curve curve) {
+  const bool closed = curve == Curve::closed;
   const int first = static_cast<int>(edges_.size()), n = static_cast<int>(points.size());
   for (int i = 0; i < n; ++i) {
     EdgePoint e{points[static_cast<std::size_t>(i)], first + i - 1, first + i + 1};
@@ -217,16 +218,16 @@ Vec3 CarvedBlock::refined(int i, Vec3 centre) const {
 CarvedBlock::Nearest CarvedBlock::nearest(Vec3 centre) const {
   const int n = static_cast<int>(capsules_.size());
   double in_air = -1e300;
-  for (int f = -1; f < n; ++f) in_air = std::max(in_air, beyond(f, centre, nullptr));
+  for (int f = -1; f < n; ++f) in_air = std::max(in_air, void_depth(f, centre, nullptr));
   // In tissue: air is the union of convex bodies, so the nearest of them is as far as it looks.
   if (in_air <= 0.0) return {in_air - radius_, false};
   Nearest best{1e300, false};
   for (int f = -1; f < n; ++f) {
     Vec3 g;
-    const double far = beyond(f, centre, &g);
+    const double far = void_depth(f, centre, &g);
     if (far <= 0.0 || glm::dot(g, g) < 0.5) continue;
-    if (!stands(centre - g * far, f, f)) continue;
-    best.clearance = std::min(best.clearance, far - (f < 0 ? radius_ : thin_));
+    if (!remains(centre - g * far, f, f)) continue;
+    best.clearance = std::min(best.clearance, far - (f < 0 ? radius_ : cut_radius_));
   }
   double least = 1e300;
   int which = -1;
@@ -239,7 +240,7 @@ CarvedBlock::Nearest CarvedBlock::nearest(Vec3 centre) const {
     }
   }
   if (which >= 0) {
-    const double far = length(refined(which, centre) - centre) - thin_;
+    const double far = length(refined(which, centre) - centre) - cut_radius_;
     if (far < best.clearance - 1e-9) best = {far, true};
   }
   return best;
@@ -252,86 +253,91 @@ void CarvedBlock::gather(Vec3 y) {
   if (length(y - near_centre_) < kNear - kSlack - kEdgeStep) return;
   near_.clear();
   near_centre_ = y;
-  const double reach = thin_ + kNear;
+  const double reach = cut_radius_ + kNear;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Vec3 d = edges_[i].at - y;
     if (glm::dot(d, d) < reach * reach) near_.push_back(static_cast<int>(i));
   }
 }
 
+bool CarvedBlock::add_point(const Contact& contact, Vec3 y, std::vector<HalfSpace>& out) const {
+  const Vec3 d = y - contact.at;
+  const double far = length(d);
+  if (far > contact.radius + kSlack || far < 1e-9) return false;
+  const Vec3 n = d / far;
+  out.push_back({n, glm::dot(n, contact.at) + contact.radius, Mat3(0.0)});
+  if (contact.normal == Normal::turning) out.back().bend = (glm::outerProduct(n, n) - Mat3(1.0)) / far;
+  return true;
+}
+
+void CarvedBlock::add_face(int face, Vec3 y, std::vector<HalfSpace>& out) const {
+  Vec3 g;
+  const double far = void_depth(face, y, &g);
+  const double radius = face < 0 ? radius_ : cut_radius_;
+  if (far <= 0.0 || far >= radius + kSlack || glm::dot(g, g) <= 0.5) return;
+  const Vec3 foot = y - g * far;
+  if (!remains(foot, face, face)) return;
+  HalfSpace h{g, glm::dot(g, foot) + radius, Mat3(0.0)};
+  if (face >= 0) {
+    const Capsule& c = capsules_[static_cast<std::size_t>(face)];
+    const Vec3 axis = on_axis(c, y), t = unit(c.b - c.a);
+    h.bend = Mat3(1.0) - glm::outerProduct(g, g);
+    if (axis != c.a && axis != c.b) h.bend -= glm::outerProduct(t, t);
+    h.bend /= std::max(1e-6, length(y - axis));
+  }
+  out.push_back(h);
+}
+
+void CarvedBlock::add_fitting_capsule(int face, Vec3 y, std::vector<HalfSpace>& out) const {
+  const Capsule& c = capsules_[static_cast<std::size_t>(face)];
+  const Frame& frame = frames_[static_cast<std::size_t>(face)];
+  const Vec3 axis = on_axis(c, y);
+  const auto touch = [&](Vec3 direction, double side) {
+    const Vec3 p = axis + c.radius_mm * frame.direction({direction.x, direction.y, side * direction.z});
+    if (remains(p, face, face)) add_point({p, cut_radius_, Normal::fixed}, y, out);
+  };
+  for (const Vec3& u : ring()) touch(u, 1.0);
+  for (const double side : {-1.0, 1.0})
+    if (length(axis - (side < 0.0 ? c.a : c.b)) <= 1e-12)
+      for (const Vec3& u : dome()) touch(u, side);
+}
+
+void CarvedBlock::add_edge(int point, Vec3 y, std::vector<HalfSpace>& out) const {
+  const EdgePoint& e = edges_[static_cast<std::size_t>(point)];
+  const Vec3 d = e.at - y;
+  const double far2 = glm::dot(d, d);
+  const double reach = cut_radius_ + kSlack;
+  if (far2 > reach * reach) return;
+  const Contact itself{e.at, cut_radius_, Normal::turning};
+  if (e.before < 0 || e.after < 0) {
+    add_point(itself, y, out);
+    return;
+  }
+  const Vec3 before = edges_[static_cast<std::size_t>(e.before)].at, after = edges_[static_cast<std::size_t>(e.after)].at;
+  const bool foot = far2 <= glm::dot(before - y, before - y) && far2 <= glm::dot(after - y, after - y);
+  // share: how far y lies towards the centre of the edge's own curvature, where every point of the edge is as near.
+  // Near that centre the points stand for the edge; elsewhere the foot does, which moves with y.
+  const Vec3 curvature = (after + before - 2.0 * e.at) / (0.25 * glm::dot(after - before, after - before));
+  const double share = glm::dot(curvature, y - e.at);
+  if (!foot || share > 0.9 || !add_point({refined(point, y), cut_radius_, Normal::turning}, y, out)) {
+    add_point(itself, y, out);
+    return;
+  }
+  HalfSpace& h = out.back();
+  const Vec3 tangent = after - before;
+  const Vec3 t = unit(tangent - h.n * glm::dot(h.n, tangent));
+  h.bend += glm::outerProduct(t, t) * ((1.0 + share / (1.0 - share)) / std::sqrt(far2));
+}
+
 void CarvedBlock::constraints(Vec3 y, std::vector<HalfSpace>& out) const {
   out.clear();
-  // turns: the half space's normal turns about a point that stays. Where neighbours answer for the roundness it need
-  // not.
-  const auto point = [&](Vec3 p, double radius, bool turns) {
-    const Vec3 d = y - p;
-    const double far = length(d);
-    if (far > radius + kSlack || far < 1e-9) return false;
-    const Vec3 n = d / far;
-    out.push_back({n, glm::dot(n, p) + radius, Mat3(0.0)});
-    if (turns) out.back().bend = (glm::outerProduct(n, n) - Mat3(1.0)) / far;
-    return true;
-  };
   for (int f = -1; f < static_cast<int>(capsules_.size()); ++f) {
-    Vec3 g;
-    const double far = beyond(f, y, &g);
-    const double radius = f < 0 ? radius_ : thin_;
-    if (far <= 0.0) continue;
-    const bool all_round = f >= 0 && capsules_[static_cast<std::size_t>(f)].radius_mm - thin_ <= kConformal;
-    if (!all_round && far < radius + kSlack && glm::dot(g, g) > 0.5) {
-      const Vec3 foot = y - g * far;
-      if (stands(foot, f, f)) {
-        HalfSpace h{g, glm::dot(g, foot) + radius, Mat3(0.0)};
-        if (f >= 0) {
-          const Capsule& c = capsules_[static_cast<std::size_t>(f)];
-          const Vec3 axis = on_axis(c, y), t = unit(c.b - c.a);
-          h.bend = Mat3(1.0) - glm::outerProduct(g, g);
-          if (axis != c.a && axis != c.b) h.bend -= glm::outerProduct(t, t);
-          h.bend /= std::max(1e-6, length(y - axis));
-        }
-        out.push_back(h);
-      }
-    }
-    if (!all_round) continue;
-    // As wide as the bur: it touches all round, so the foot alone says little.
-    const Capsule& c = capsules_[static_cast<std::size_t>(f)];
-    const Frame& frame = frames_[static_cast<std::size_t>(f)];
-    const Vec3 axis = on_axis(c, y);
-    const auto touch = [&](Vec3 direction, double side) {
-      const Vec3 p = axis + c.radius_mm * frame.direction({direction.x, direction.y, side * direction.z});
-      if (stands(p, f, f)) point(p, thin_, false);
-    };
-    for (const Vec3& u : ring()) touch(u, 1.0);
-    for (const double side : {-1.0, 1.0})
-      if (length(axis - (side < 0.0 ? c.a : c.b)) <= 1e-12)
-        for (const Vec3& u : dome()) touch(u, side);
+    if (void_depth(f, y, nullptr) <= 0.0) continue;
+    const bool fits = f >= 0 && capsules_[static_cast<std::size_t>(f)].radius_mm - cut_radius_ <= kConformal;
+    // A capsule as wide as the bur touches it all round, and one foot does not describe that.
+    fits ? add_fitting_capsule(f, y, out) : add_face(f, y, out);
   }
-  for (const int i : near_) {
-    const EdgePoint& e = edges_[static_cast<std::size_t>(i)];
-    const Vec3 d = e.at - y;
-    const double far2 = glm::dot(d, d);
-    const double reach = thin_ + kSlack;
-    if (far2 > reach * reach) continue;
-    if (e.before < 0 || e.after < 0) {
-      point(e.at, thin_, true);
-      continue;
-    }
-    const Vec3 before = edges_[static_cast<std::size_t>(e.before)].at,
-               after = edges_[static_cast<std::size_t>(e.after)].at;
-    const bool foot = far2 <= glm::dot(before - y, before - y) && far2 <= glm::dot(after - y, after - y);
-    // How far y is on the way to the middle of the edge's own curvature, where every point of it is as near: there the
-    // points themselves stand for the edge, elsewhere the foot, which comes along.
-    const Vec3 curvature = (after + before - 2.0 * e.at) / (0.25 * glm::dot(after - before, after - before));
-    const double share = glm::dot(curvature, y - e.at);
-    if (!foot || share > 0.9 || !point(refined(i, y), thin_, true)) {
-      point(e.at, thin_, true);
-      continue;
-    }
-    HalfSpace& h = out.back();
-    const Vec3 tangent = after - before;
-    const Vec3 t = unit(tangent - h.n * glm::dot(h.n, tangent));
-    h.bend += glm::outerProduct(t, t) * ((1.0 + share / (1.0 - share)) / std::sqrt(far2));
-  }
+  for (const int i : near_) add_edge(i, y, out);
 }
 
 Vec3 CarvedBlock::settle(Vec3 from, Vec3 q, double precision_mm) {

@@ -4,6 +4,7 @@
 /// emptiness. Specimen frame, mm.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/base/vec.h"
@@ -45,21 +46,33 @@ class CarvedBlock {
     bool edge = false;
   };
   Nearest nearest(Vec3 centre) const;
-  double beyond(int face, Vec3 p, Vec3* gradient) const;  // plane -1; positive in the emptiness
-  bool stands(Vec3 p, int face_a, int face_b) const;      // a point of these faces that nothing else took away
-  bool onto(int face_a, int face_b, Vec3& p) const;       // Newton to both faces
+  double void_depth(int face, Vec3 p, Vec3* gradient) const;  // plane -1; positive in the emptiness
+  bool remains(Vec3 p, int face_a, int face_b) const;      // a point of these faces that nothing else took away
+  bool project_onto(int face_a, int face_b, Vec3& p) const;       // Newton to both faces
   void trace_pair(int face_a, int face_b);
   void trace(int face_a, int face_b, Vec3 seed);
-  void keep_run(const std::vector<Vec3>& points, bool closed);
+  enum class Curve : std::uint8_t { open, closed };
+  void store_edge(const std::vector<Vec3>& points, Curve curve);
   Vec3 refined(int edge_point, Vec3 centre) const;
   void gather(Vec3 y);
+  /// turning: the half space's normal turns about a point that stays; fixed: neighbouring points give the curvature.
+  enum class Normal : std::uint8_t { fixed, turning };
+  struct Contact {
+    Vec3 at{0.0};
+    double radius = 0.0;
+    Normal normal = Normal::fixed;
+  };
+  bool add_point(const Contact& contact, Vec3 y, std::vector<HalfSpace>& out) const;
+  void add_face(int face, Vec3 y, std::vector<HalfSpace>& out) const;
+  void add_fitting_capsule(int face, Vec3 y, std::vector<HalfSpace>& out) const;
+  void add_edge(int point, Vec3 y, std::vector<HalfSpace>& out) const;
   void constraints(Vec3 y, std::vector<HalfSpace>& out) const;
 
   Vec3 normal_;
   double level_;
   std::vector<Capsule> capsules_;
   std::vector<Frame> frames_;  // of the capsules: z along them
-  double radius_, thin_;
+  double radius_, cut_radius_;
   std::vector<EdgePoint> edges_;
   std::vector<int> near_;  // edge points about near_centre_
   Vec3 near_centre_{1e9};

@@ -6,7 +6,7 @@ namespace cusp::bench {
 
 namespace {
 constexpr double kFreeMm = 1e-9;
-constexpr double kVanishedMm = 0.05;  // further than any sub-step leads along a surface
+constexpr double kCarvedVanishedMm = 0.05;  // further than any sub-step leads along a surface
 }  // namespace
 
 Vec3 CarvedTruth::place(Vec3 centre) {
@@ -48,7 +48,7 @@ Exact CarvedTruth::follow(Vec3 device) {
 Exact CarvedTruth::move_to(Vec3 device, double precision_mm) {
   const Vec3 before = y_;
   y_ = block_->settle(y_, device, precision_mm);
-  return {y_, length(y_ - device) > kFreeMm, length(y_ - before) > kVanishedMm + length(device - device_)};
+  return {y_, length(y_ - device) > kFreeMm, length(y_ - before) > kCarvedVanishedMm + length(device - device_)};
 }
 
 }  // namespace cusp::bench

@@ -13,14 +13,14 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kMeantMm = 0.05;
-constexpr double kLookMm = 0.05;      // a tick, while holes are chosen
+constexpr double kUnambiguousMm = 0.05;
+constexpr double kSearchStepMm = 0.05;      // a tick, while holes are chosen
 constexpr double kNoPoseMm = 1000.0;  // lag of a proxy that is not a number
-constexpr double kLeadMm = 0.02;      // a tick, into the hole and aside
+constexpr double kHoleLeadMm = 0.02;      // a tick, into the hole and aside
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, std::uint64_t seed, int count) {
+std::vector<std::shared_ptr<const Hole>> unambiguous_holes(double r, HoleKind kind, std::uint64_t seed, int count) {
   struct Other {
     double clearance, pull;  // as shares of the hole's own
   };
@@ -37,9 +37,9 @@ std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, st
       a->start(hole->bottom());
       b->start(hole->bottom());
       const Vec3 aside = hole->pull() * (other.pull - 1.0);
-      for (double s = 0.0; s < leg.length_mm && meant; s += kLookMm) {
+      for (double s = 0.0; s < leg.length_mm && meant; s += kSearchStepMm) {
         const Vec3 device = input_at(leg.at(s)).position_mm();
-        meant = length(a->follow(device).pose_mm - b->follow(device + aside).pose_mm) < kMeantMm;
+        meant = length(a->follow(device).pose_mm - b->follow(device + aside).pose_mm) < kUnambiguousMm;
       }
       if (!meant) break;
     }
@@ -49,7 +49,6 @@ std::vector<std::shared_ptr<const Hole>> meant_holes(double r, HoleKind kind, st
 }
 
 Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, const Measure& what) {
-  using Clock = std::chrono::steady_clock;
   Errors errors;
   TickTimes times;
   std::int64_t candidates = -1;
@@ -59,8 +58,8 @@ Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, const
     Random none(0);
     const Leg leg = hole->leg(none, nullptr);
     bring(state, what.stepper, *hole, hole->outside());
-    lead(state, what.stepper, hole->bottom(), kLeadMm);
-    lead(state, what.stepper, leg.at(0.0), kLeadMm);
+    lead(state, what.stepper, hole->bottom(), kHoleLeadMm);
+    lead(state, what.stepper, leg.at(0.0), kHoleLeadMm);
     const auto truth = hole->truth();
     truth->start(hole->bottom());
     truth->follow(input_at(leg.at(0.0)).position_mm());

@@ -10,13 +10,13 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kPieceMm = 0.1;
-constexpr double kAbove = 0.05;
+constexpr double kCutStepMm = 0.1;
+constexpr double kAboveCutMm = 0.05;
 constexpr double kCutterOverBur = 1.5;
 constexpr double kRadians = 0.017453292519943296;
 
-bool cut_in_pieces(StepState& state, std::uint16_t cutter, const Capsule& c) {
-  const int pieces = static_cast<int>(length(c.b - c.a) / kPieceMm) + 1;
+bool cut_in_steps(StepState& state, std::uint16_t cutter, const Capsule& c) {
+  const int pieces = static_cast<int>(length(c.b - c.a) / kCutStepMm) + 1;
   bool room = true;
   for (int k = 0; k < pieces; ++k)
     room = cut_along(state, cutter, c.a + (c.b - c.a) * (static_cast<double>(k) / pieces),
@@ -27,12 +27,12 @@ bool cut_in_pieces(StepState& state, std::uint16_t cutter, const Capsule& c) {
 
 class Cut : public CutBlock {
  public:
-  Cut(double r, bool crossing) : CutBlock("cut", r), crossing_(crossing) {
+  Cut(double r, CutKind kind) : CutBlock("cut", r), kind_(kind) {
     // Three lines round a triangle 1 mm wide, each a little inclined; depths below the face 0.3 to 0.6 bur radii.
     const double big = kCutterOverBur * r;
     std::vector<Capsule> paths;
     const double wide = 0.35, reach = 1.6;
-    for (int i = 0; i < (crossing ? 3 : 1); ++i) {
+    for (int i = 0; i < (kind == CutKind::crossing ? 3 : 1); ++i) {
       const double phi = 0.4 + 2.0943951 * i + 0.13 * i * i;
       const Vec3 out(std::cos(phi), std::sin(phi), 0.0), along(-std::sin(phi), std::cos(phi), 0.0);
       const Vec3 up(0.0, 0.0, 1.0);
@@ -41,7 +41,7 @@ class Cut : public CutBlock {
     }
     carve(paths, SurfaceContact::kClearanceMm);
   }
-  std::string variant() const override { return crossing_ ? "crossing" : "single"; }
+  std::string variant() const override { return kind_ == CutKind::crossing ? "crossing" : "single"; }
   Vec3 tool_axis() const override { return frame_.z; }
   Vec3 home() const override { return frame_.to_world({0.0, 0.0, 14.0}); }
   double cutter_radius_mm() const override { return kCutterOverBur * bur_radius_mm(); }
@@ -75,11 +75,11 @@ class Cut : public CutBlock {
               return over(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, 1e-5) - frame_.z * kDepthMm;
             }};
   }
-  Vec3 before(Vec3 first) const override { return first + frame_.z * (kDepthMm + kAbove); }
+  Vec3 before(Vec3 first) const override { return first + frame_.z * (kDepthMm + kAboveCutMm); }
 
  private:
   static constexpr double kSide = 1.2;
-  bool crossing_;
+  CutKind kind_;
   /// Where the bur rests when it is let down along the face's normal.
   Vec3 over(double x, double y, double precision_mm) const {
     double high = bur_radius_mm() + 1e-6, low = 0.0;
@@ -119,7 +119,7 @@ class Islet : public CutBlock {
     const double whole = std::max(length(b - a), 0.01);
     return {whole, [frame = frame_, a, b, whole](double s) { return frame.to_world(a + (b - a) * (s / whole)); }};
   }
-  Vec3 before(Vec3 first) const override { return first + frame_.z * (kDepthMm + kAbove); }
+  Vec3 before(Vec3 first) const override { return first + frame_.z * (kDepthMm + kAboveCutMm); }
 
  private:
   static constexpr double kCutterMm = 0.4, kApartMm = 0.6, kAxisMm = 0.2;
@@ -139,19 +139,19 @@ void CutBlock::carve(std::vector<Capsule> local, double thinner_mm) {
 bool CutBlock::prepare(StepState& state) const {
   const std::uint16_t cutter = cutter_radius_mm() > 0.0 ? 1 : 0;
   bool room = true;
-  for (const Capsule& c : block_->capsules()) room = cut_in_pieces(state, cutter, c) && room;
+  for (const Capsule& c : block_->capsules()) room = cut_in_steps(state, cutter, c) && room;
   return room;
 }
 
 namespace {
 
-constexpr double kPitfallMm = 0.8;
-constexpr Vec3 kPitfallTop(0.0, 0.0, 1.0), kPitfallBottom(0.0, 0.0, -0.4);
+constexpr double kSuddenHoleMm = 0.8;
+constexpr Vec3 kSuddenHoleTop(0.0, 0.0, 1.0), kSuddenHoleBottom(0.0, 0.0, -0.4);
 
 /// Below a hole's mouth a ball's centre may be within `play` of the hole's axis.
-class InPitfall : public Truth {
+class InSuddenHole : public Truth {
  public:
-  InPitfall(Vec3 bottom, Vec3 out, double play) : bottom_(bottom), out_(out), play_(play) {}
+  InSuddenHole(Vec3 bottom, Vec3 out, double play) : bottom_(bottom), out_(out), play_(play) {}
   double clearance_mm(Vec3 centre) const override { return play_ - length(centre - on(centre)); }
 
  protected:
@@ -171,7 +171,7 @@ class InPitfall : public Truth {
 
 constexpr double kBridgeCutMm = 0.35;
 
-class Nothing : public Truth {
+class EmptySpace : public Truth {
  public:
   double clearance_mm(Vec3) const override { return 1e3; }
 
@@ -184,25 +184,25 @@ class Nothing : public Truth {
 
 ChangingFace::ChangingFace(std::string name, double r) : Shape(std::move(name), r), face_(make_shape("face", r)) {}
 
-double Pitfall::cutter_radius_mm() const { return kPitfallMm; }
+double SuddenHole::cutter_radius_mm() const { return kSuddenHoleMm; }
 
-bool Pitfall::give_way(StepState& state) const {
-  return cut_in_pieces(state, 1, {frame_.to_world(kPitfallTop), frame_.to_world(kPitfallBottom), kPitfallMm});
+bool SuddenHole::give_way(StepState& state) const {
+  return cut_in_steps(state, 1, {frame_.to_world(kSuddenHoleTop), frame_.to_world(kSuddenHoleBottom), kSuddenHoleMm});
 }
 
-std::unique_ptr<Truth> Pitfall::truth_after() const {
-  return std::make_unique<InPitfall>(frame_.to_world(kPitfallBottom), frame_.z,
-                                     kPitfallMm - bur_radius_mm() + SurfaceContact::kClearanceMm);
+std::unique_ptr<Truth> SuddenHole::truth_after() const {
+  return std::make_unique<InSuddenHole>(frame_.to_world(kSuddenHoleBottom), frame_.z,
+                                     kSuddenHoleMm - bur_radius_mm() + SurfaceContact::kClearanceMm);
 }
 
 /// Within the hole's middle half.
-Spot Pitfall::spot(Random& random) const {
-  const double half = 0.35 * kPitfallMm;
+Spot SuddenHole::spot(Random& random) const {
+  const double half = 0.35 * kSuddenHoleMm;
   const Vec3 c(random.between(-half, half), random.between(-half, half), bur_radius_mm());
   return {frame_.to_world(c), frame_.z};
 }
 
-double LoosePlate::distance_mm(Vec3 place) const {
+double DetachablePlate::distance_mm(Vec3 place) const {
   const Vec3 p = frame_.to_local(place);
   const auto box = [&p](Vec3 middle, Vec3 half) {
     const Vec3 beyond = glm::abs(p - middle) - half;
@@ -212,22 +212,22 @@ double LoosePlate::distance_mm(Vec3 place) const {
                    box({2.7, 0.0, -0.5}, {0.7, 1.2, 0.5})});
 }
 
-double LoosePlate::cutter_radius_mm() const { return kBridgeCutMm; }
+double DetachablePlate::cutter_radius_mm() const { return kBridgeCutMm; }
 
-bool LoosePlate::give_way(StepState& state) const {
-  return cut_in_pieces(state, 1, {frame_.to_world({1.6, -0.6, -0.25}), frame_.to_world({1.6, 0.6, -0.25}), kBridgeCutMm});
+bool DetachablePlate::give_way(StepState& state) const {
+  return cut_in_steps(state, 1, {frame_.to_world({1.6, -0.6, -0.25}), frame_.to_world({1.6, 0.6, -0.25}), kBridgeCutMm});
 }
 
-std::unique_ptr<Truth> LoosePlate::truth_after() const { return std::make_unique<Nothing>(); }
+std::unique_ptr<Truth> DetachablePlate::truth_after() const { return std::make_unique<EmptySpace>(); }
 
-Spot LoosePlate::spot(Random& random) const {
+Spot DetachablePlate::spot(Random& random) const {
   return {frame_.to_world({random.between(-0.3, 0.3), random.between(-0.3, 0.3), bur_radius_mm()}), frame_.z};
 }
 
 std::unique_ptr<Shape> make_islet(double bur_radius_mm) { return std::make_unique<Islet>(bur_radius_mm); }
 
-std::unique_ptr<Shape> make_cut(double bur_radius_mm, bool crossing) {
-  return std::make_unique<Cut>(bur_radius_mm, crossing);
+std::unique_ptr<Shape> make_cut(double bur_radius_mm, CutKind kind) {
+  return std::make_unique<Cut>(bur_radius_mm, kind);
 }
 
 Hole::Hole(double r, HoleKind kind, std::uint64_t seed, double thinner_mm)

@@ -33,7 +33,8 @@ class CutBlock : public Shape {
 
 /// Scratches of a bur half again as wide, 0.3 to 0.6 bur radii deep: one of them, whose edges are its mouth, or three
 /// that meet in a triangle, with ridges where two of them cross.
-std::unique_ptr<Shape> make_cut(double bur_radius_mm, bool crossing);
+enum class CutKind : std::uint8_t { single, crossing };
+std::unique_ptr<Shape> make_cut(double bur_radius_mm, CutKind kind);
 
 /// An islet on a neck of 0.4 mm between four slots.
 std::unique_ptr<Shape> make_islet(double bur_radius_mm);
@@ -62,9 +63,9 @@ class ChangingFace : public Shape {
 };
 
 /// Out of it, while a bur presses on it, a hole of 1.6 mm is cut at once.
-class Pitfall : public ChangingFace {
+class SuddenHole : public ChangingFace {
  public:
-  explicit Pitfall(double bur_radius_mm) : ChangingFace("pitfall", bur_radius_mm) {}
+  explicit SuddenHole(double bur_radius_mm) : ChangingFace("sudden-hole", bur_radius_mm) {}
   bool give_way(StepState& state) const override;
   /// In the hole, below its mouth.
   std::unique_ptr<Truth> truth_after() const override;
@@ -76,9 +77,9 @@ class Pitfall : public ChangingFace {
 };
 
 /// A plate of 0.5 mm, its top in a face's plane, on a bridge to a block beside it; cut loose it floats under the bur.
-class LoosePlate : public ChangingFace {
+class DetachablePlate : public ChangingFace {
  public:
-  explicit LoosePlate(double bur_radius_mm) : ChangingFace("fragment", bur_radius_mm) {}
+  explicit DetachablePlate(double bur_radius_mm) : ChangingFace("fragment", bur_radius_mm) {}
   /// Cuts through the bridge: it is then for the step to let the plate go.
   bool give_way(StepState& state) const override;
   /// Once it has gone: nothing there.

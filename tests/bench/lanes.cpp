@@ -10,8 +10,6 @@ namespace cusp::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kBlockS = 0.004;             // some 4,000 ticks of a fast method, 50 of a slow one
 constexpr int kMostBatch = 32;                // ticks between looks at the clock in a block without one
 constexpr std::size_t kTicksKept = 4u << 20;  // room taken before the run, so that none is taken in it

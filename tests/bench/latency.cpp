@@ -17,6 +17,7 @@
 #include "engine/mirror/mirror.h"
 #include "engine/step/step.h"
 #include "tests/bench/latency_load.h"
+#include "tests/bench/tick_times.h"
 #include "tests/bench/machine.h"
 #include "tests/bench/program.h"
 #include "tests/modules.h"
@@ -25,24 +26,22 @@ namespace cusp::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kWarmUpS = 0.5;  // not counted: caches, first pages, homing's ramp
-constexpr double kVoxelMm = 0.1;
-constexpr double kHalfMm = 4.0, kDeepMm = 4.0;
+constexpr double kLatencyVoxelMm = 0.1;
+constexpr double kBlockHalfMm = 4.0, kBlockDepthMm = 4.0;
 
 /// A block of plastic, 8 x 8 x 4 mm with its face at z = 0, padded by four voxels, and a bur of 1 mm.
-std::shared_ptr<const Scene> block() {
+std::shared_ptr<const Scene> latency_scene() {
   Grid grid;
   grid.size = {88, 88, 48};
-  grid.voxel_mm = kVoxelMm;
+  grid.voxel_mm = kLatencyVoxelMm;
   grid.origin_mm = {-4.35, -4.35, -4.35};
   VoxelVolume volume(grid);
   for (int z = 0; z < grid.size.z; ++z) {
     for (int y = 0; y < grid.size.y; ++y) {
       for (int x = 0; x < grid.size.x; ++x) {
         const Vec3 at = grid.centre_mm({x, y, z});
-        const double d = std::max({std::abs(at.x) - kHalfMm, std::abs(at.y) - kHalfMm, at.z, -kDeepMm - at.z});
+        const double d = std::max({std::abs(at.x) - kBlockHalfMm, std::abs(at.y) - kBlockHalfMm, at.z, -kBlockDepthMm - at.z});
         const std::size_t i = grid.index({x, y, z});
         volume.s[i] = solid_from_distance(d / grid.voxel_mm);
         if (volume.s[i] > 0) volume.tissue[i] = Tissue::plastic;
@@ -61,7 +60,7 @@ std::shared_ptr<const Scene> block() {
 }
 
 /// Where the hand is after t seconds: circles of 1 mm at 10 mm/s, ever deeper, and to the next quarter every ten seconds.
-Vec3 hand_mm(double t) {
+Vec3 circle_device_mm(double t) {
   const double round = std::fmod(t, 10.0);
   const int quarter = static_cast<int>(t / 10.0) % 4;
   const double x = quarter % 2 == 0 ? -1.8 : 1.8, y = quarter / 2 == 0 ? -1.8 : 1.8;
@@ -77,7 +76,7 @@ class ClockPort final : public HapticPort {
     Sample sample;
     sample.status = Sample::Status::fresh;
     t_ += 0.001;
-    sample.position_mm = hand_mm(t_);
+    sample.position_mm = circle_device_mm(t_);
     sample.buttons = StepInput::kCut;
     sample.pedal = 65535;
     return sample;
@@ -145,12 +144,12 @@ std::unique_ptr<HapticPort> make_port(const std::string& name) {
   return std::make_unique<EmulatedFalconPort>(
       [t](const Feedback&, double dt_s) noexcept {
         *t += std::min(dt_s, 0.01);
-        return EmulatedHandPose{.position_mm = hand_mm(*t), .cut = true};
+        return EmulatedHandPose{.position_mm = circle_device_mm(*t), .cut = true};
       },
       settings);
 }
 
-std::string_view name_of(RealtimeLevel level) {
+std::string_view realtime_name(RealtimeLevel level) {
   switch (level) {
     case RealtimeLevel::normal: return "normal";
     case RealtimeLevel::rtkit: return "rtkit";
@@ -159,15 +158,17 @@ std::string_view name_of(RealtimeLevel level) {
   return "normal";
 }
 
+std::string_view key_of(Load load) { return load == Load::on ? "on" : "off"; }
+
 nlohmann::json json_of(const Spread& s) { return {{"p50", s.p50}, {"p99", s.p99}, {"p999", s.p999}, {"max", s.max}}; }
 
-void print(const std::vector<LatencyRow>& rows) {
+void print_latency(const std::vector<LatencyRow>& rows) {
   fmt::print("{:<16} {:<5} {:<8} {:>8} {:>7}   {:>30}   {:>30}   {:>22}   {:>6}\n", "port", "load", "class", "ticks", "missed",
              "late, us: p50 p99 p99.9 max", "tick, us: p50 p99 p99.9 max", "exchange: p50 p99 max", "fps");
   for (const LatencyRow& r : rows) {
     fmt::print("{:<16} {:<5} {:<8} {:>8} {:>7}   {:>6.0f} {:>6.0f} {:>7.0f} {:>8.0f}   {:>6.1f} {:>6.1f} {:>7.1f} {:>8.1f}   {:>6.1f} "
                "{:>6.1f} {:>8.1f}   {:>6.1f}\n",
-               r.port, r.load ? "on" : "off", name_of(r.grant.level), r.ticks, r.missed, r.late_us.p50, r.late_us.p99,
+               r.port, key_of(r.load), realtime_name(r.grant.level), r.ticks, r.missed, r.late_us.p50, r.late_us.p99,
                r.late_us.p999, r.late_us.max, r.tick_us.p50, r.tick_us.p99, r.tick_us.p999, r.tick_us.max, r.exchange_us.p50,
                r.exchange_us.p99, r.exchange_us.max, r.frames_per_s);
   }
@@ -179,16 +180,16 @@ Spread spread_of(const TimeHistogram& times) noexcept {
   return {times.percentile_us(0.5), times.percentile_us(0.99), times.percentile_us(0.999), times.max_us()};
 }
 
-LatencyRow measure_latency(const std::string& name, bool load, double seconds) {
+LatencyRow measure_latency(const std::string& name, Load load, double seconds) {
   LatencyRow row;
   row.port = name;
   row.load = load;
   std::unique_ptr<DrawingLoad> drawing;
-  if (load && !(drawing = DrawingLoad::start())) return row;
+  if (load == Load::on && !(drawing = DrawingLoad::start())) return row;
   const std::unique_ptr<HapticPort> port = make_port(name);
   TimedPort timed(*port);
   if (!timed.open()) return row;
-  const auto scene = block();
+  const auto scene = latency_scene();
   HapticLoop loop(timed, StepState(scene));
   Mirror mirror(StepState(scene), loop.hand_over(), {});
   mirror.start();
@@ -226,9 +227,9 @@ std::string latency_json(const std::vector<LatencyRow>& rows) {
   for (const LatencyRow& r : rows) {
     nlohmann::ordered_json row;
     row["port"] = r.port;
-    row["load"] = r.load ? "on" : "off";
+    row["load"] = key_of(r.load);
     row["seconds"] = r.seconds;
-    row["realtime"] = std::string(name_of(r.grant.level));
+    row["realtime"] = std::string(realtime_name(r.grant.level));
     row["priority"] = r.grant.priority;
     row["memory_locked"] = r.grant.memory_locked;
     row["ticks"] = r.ticks;
@@ -238,7 +239,7 @@ std::string latency_json(const std::vector<LatencyRow>& rows) {
     row["tick_us"] = json_of(r.tick_us);
     row["exchange_us"] = json_of(r.exchange_us);
     row["mirror_equal"] = r.mirror_equal;
-    if (r.load) row["frames_per_s"] = r.frames_per_s;
+    if (r.load == Load::on) row["frames_per_s"] = r.frames_per_s;
     out["rows"].push_back(std::move(row));
   }
   return out.dump(2) + "\n";
@@ -247,12 +248,12 @@ std::string latency_json(const std::vector<LatencyRow>& rows) {
 int run_latency(const Options& options) {
   std::vector<LatencyRow> rows;
   for (const char* port : {"clock", "emulated-falcon"}) {
-    for (const bool load : {false, true}) {
-      if (!asked(options.loads, load ? "on" : "off")) continue;
+    for (const Load load : {Load::off, Load::on}) {
+      if (!asked(options.loads, key_of(load))) continue;
       LatencyRow row = measure_latency(port, load, options.seconds);
       if (row.ticks == 0) {
-        std::cerr << "cusp-bench: " << port << ", load " << (load ? "on" : "off") << ": nothing ran"
-                  << (load ? " (no OpenGL without a window here?)" : "") << '\n';
+        std::cerr << "cusp-bench: " << port << ", load " << key_of(load) << ": nothing ran"
+                  << (load == Load::on ? " (no OpenGL without a window here?)" : "") << '\n';
         return kFailed;
       }
       if (!row.mirror_equal) {
@@ -263,7 +264,7 @@ int run_latency(const Options& options) {
     }
   }
   if (options.json.empty()) {
-    print(rows);
+    print_latency(rows);
     return kDone;
   }
   const std::string text = latency_json(rows);

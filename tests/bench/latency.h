@@ -21,9 +21,12 @@ struct Spread {
 };
 Spread spread_of(const TimeHistogram& times) noexcept;
 
+/// Whether a DrawingLoad runs beside the loop.
+enum class Load : std::uint8_t { off, on };
+
 struct LatencyRow {
   std::string port;          // "clock", "emulated-falcon"
-  bool load = false;         // drawing beside it
+  Load load = Load::off;
   double seconds = 0;        // of wall clock
   RealtimeGrant grant;
   std::uint64_t ticks = 0, missed = 0;
@@ -36,7 +39,7 @@ struct LatencyRow {
 };
 
 /// One row in real time: `seconds` long. A load that cannot be drawn here gives none.
-LatencyRow measure_latency(const std::string& port, bool load, double seconds);
+LatencyRow measure_latency(const std::string& port, Load load, double seconds);
 /// {"commit", "machine", "rows": [...]}
 std::string latency_json(const std::vector<LatencyRow>& rows);
 int run_latency(const Options& options);

@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "tests/bench/latency_load.h"
+#include "tests/bench/tick_times.h"
 
 namespace cusp::bench {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int kWidth = 1280, kHeight = 800;
 constexpr int kAcross = 224;  // a sheet of 224 x 224 squares: 100,352 triangles
@@ -85,9 +84,9 @@ class Load final : public DrawingLoad {
   /// False where there is no context.
   bool begin() {
     std::promise<bool> works;
-    auto told = works.get_future();
+    auto started = works.get_future();
     thread_ = std::thread([this, works = std::move(works)]() mutable { draw(works); });
-    return told.get();
+    return started.get();
   }
   ~Load() override {
     stop_ = true;

@@ -21,7 +21,7 @@ TEST(Latency, a_spread_is_read_off_its_histogram) {
 
 TEST(Latency, both_ports_tick_in_real_time_and_the_mirror_agrees) {
   for (const char* port : {"clock", "emulated-falcon"}) {
-    const LatencyRow row = measure_latency(port, false, 0.3);
+    const LatencyRow row = measure_latency(port, Load::off, 0.3);
     EXPECT_GT(row.ticks, 0u) << port;
     EXPECT_TRUE(row.mirror_equal) << port;
     EXPECT_GT(row.tick_us.max, 0.0) << port;
@@ -35,7 +35,7 @@ TEST(Latency, both_ports_tick_in_real_time_and_the_mirror_agrees) {
 TEST(Latency, its_json_says_which_rows_had_the_load) {
   LatencyRow quiet, drawn;
   quiet.port = drawn.port = "clock";
-  drawn.load = true;
+  drawn.load = Load::on;
   drawn.frames_per_s = 31.0;
   drawn.grant.level = RealtimeLevel::rtkit;
   const auto json = nlohmann::json::parse(latency_json({quiet, drawn}));

@@ -12,13 +12,11 @@ namespace cusp::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kDegrees = 57.295779513082320877;
-constexpr double kAboveMm = 0.05;        // where a press starts
-constexpr double kPressMm = 0.05;        // a tick: 50 mm/s
+constexpr double kPressAboveMm = 0.05;        // where a press starts
+constexpr double kPressStepMm = 0.05;        // a tick: 50 mm/s
 constexpr double kNotFiniteMm = 1000.0;  // error that a proxy or a force counts with that is not a number
-constexpr int kRestTicks = 10;           // before a press is read: some methods arrive late
+constexpr int kPressRestTicks = 10;           // before a press is read: some methods arrive late
 constexpr int kFollowMost = 100;         // ticks; a method that has not followed by then is simply wrong
 
 double mean(const std::vector<double>& values) {
@@ -110,7 +108,7 @@ Row measure_slide(const Shape& shape, const Measure& what) {
   const Vec3 first = slide.next();
   const Vec3 before = shape.before(first);
   bring(state, what.stepper, shape, before);
-  lead(state, what.stepper, first, kPressMm);
+  lead(state, what.stepper, first, kPressStepMm);
   truth->start(before);
   truth->follow(input_at(first).position_mm());
 
@@ -162,12 +160,12 @@ Row measure_presses(const Shape& shape, const Measure& what) {
   const auto end = Clock::now() + std::chrono::duration<double>(what.budget_s);
   for (int k = 0; k < kPresses && Clock::now() < end; ++k) {
     const Spot spot = shape.spot(random);
-    const Vec3 above = spot.centre + spot.normal * kAboveMm;
+    const Vec3 above = spot.centre + spot.normal * kPressAboveMm;
     bring(state, what.stepper, shape, above);
     const Vec3 target = spot.centre - spot.normal * kDepthMm;
-    const int ticks = static_cast<int>(std::ceil(length(target - above) / kPressMm));
+    const int ticks = static_cast<int>(std::ceil(length(target - above) / kPressStepMm));
     StepOutput out;
-    for (int t = 1; t <= ticks + kRestTicks; ++t) {
+    for (int t = 1; t <= ticks + kPressRestTicks; ++t) {
       const double share = std::min(1.0, static_cast<double>(t) / ticks);
       out = timed(what, state, input_at(above + (target - above) * share), times);
       errors.note(out);

@@ -5,16 +5,25 @@
 namespace cusp::bench {
 
 namespace {
-constexpr double kLeadMm = 1.0;    // a tick, on the way between measurements
+constexpr double kTransferMm = 1.0;    // a tick, on the way between measurements
 constexpr int kArriveTicks = 200;  // a method that is still on its way after these stays where it is
 }  // namespace
 
-StepInput input_at(Vec3 device_mm, bool cut) {
+StepInput input_at(Vec3 device_mm, Button button) {
   Sample sample;
   sample.status = Sample::Status::fresh;
   sample.position_mm = device_mm;
-  sample.buttons = cut ? StepInput::kCut : 0;
+  sample.buttons = button == Button::down ? StepInput::kCut : 0;
   return quantise(sample, kTickUs, StepInput{});
+}
+
+StepInput input_of(const lab::Reading& reading) {
+  StepInput input;
+  input.x = reading.x;
+  input.y = reading.y;
+  input.z = reading.z;
+  input.elapsed_us = reading.elapsed_us;
+  return input;
 }
 
 Slide::Slide(const Shape& shape, double speed_mm_s, std::uint64_t seed)
@@ -44,8 +53,8 @@ void lead(StepState& state, const Stepper& stepper, Vec3 to_mm, double per_tick_
 }
 
 void bring(StepState& state, const Stepper& stepper, const Shape& shape, Vec3 centre) {
-  lead(state, stepper, shape.home(), kLeadMm);
-  lead(state, stepper, centre, kLeadMm);
+  lead(state, stepper, shape.home(), kTransferMm);
+  lead(state, stepper, centre, kTransferMm);
 }
 
 }  // namespace cusp::bench

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "engine/lab/closed_loop.h"
 #include "engine/step/step.h"
 #include "tests/bench/shapes.h"
 #include "tests/modules.h"
@@ -12,8 +13,12 @@ namespace cusp::bench {
 inline constexpr std::uint32_t kTickUs = 1000;
 inline constexpr int kPresses = 2000;
 
-/// Quantised as a device's sample is.
-StepInput input_at(Vec3 device_mm, bool cut = false);
+enum class Button : std::uint8_t { up, down };
+
+/// The device point quantised as a device's sample is; Button::down cuts.
+StepInput input_at(Vec3 device_mm, Button button = Button::up);
+
+StepInput input_of(const lab::Reading& reading);
 
 /// Endless; the same seed gives the same points.
 class Slide {

@@ -9,6 +9,9 @@
 
 namespace cusp::bench {
 
+/// Whether the operator feels the guarded force or the method's own.
+enum class GuardUse : std::uint8_t { off, on };
+
 struct Options {
   std::vector<std::string> methods;
   std::vector<std::string> shapes;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace cusp::bench {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMeet = 1e-12;  // mm: ends this close to a line lie on it
 
 double size(Vec2 v) { return std::sqrt(glm::dot(v, v)); }
@@ -18,38 +18,38 @@ Vec2 on_circle(Vec2 middle, double radius, double angle) {
   return middle + radius * Vec2(std::cos(angle), std::sin(angle));
 }
 /// The same angle, in (-pi, pi].
-double wrapped(double angle) { return std::remainder(angle, 2.0 * kPi); }
+double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
 }  // namespace
 
 Profile::Profile(std::vector<Vec2> corners, double radius_mm) : corners_(std::move(corners)), radius_(radius_mm) {
   for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
     const Vec2 d = (corners_[i + 1] - corners_[i]) / size(corners_[i + 1] - corners_[i]);
-    Piece next;
+    Segment next;
     next.normal = left_of(d);
     next.a = corners_[i] + radius_ * next.normal;
     next.b = corners_[i + 1] + radius_ * next.normal;
     if (i == 0) {
-      pieces_.push_back(next);
+      segments_.push_back(next);
       continue;
     }
     const Vec2 before = corners_[i] - corners_[i - 1];
     const Vec2 old_normal = left_of(before / size(before));
     if (cross(before, d) < 0.0) {  // an outer corner: the bur rolls about it
-      Piece arc;
+      Segment arc;
       arc.arc = true;
       arc.middle = corners_[i];
       arc.from = std::atan2(old_normal.y, old_normal.x);
       arc.to = arc.from - wrapped(arc.from - std::atan2(next.normal.y, next.normal.x));
       arc.a = corners_[i] + radius_ * old_normal;
       arc.b = next.a;
-      pieces_.push_back(arc);
+      segments_.push_back(arc);
     } else {
       // An inner corner: what the bur touched last ends where it meets the new piece's line.
       const double level = glm::dot(next.normal, next.a);
       for (;;) {
-        assert(!pieces_.empty());
-        Piece& last = pieces_.back();
+        assert(!segments_.empty());
+        Segment& last = segments_.back();
         const double ha = glm::dot(next.normal, last.a) - level, hb = glm::dot(next.normal, last.b) - level;
         if (ha > kMeet && hb <= kMeet) {
           if (last.arc) {
@@ -67,10 +67,10 @@ Profile::Profile(std::vector<Vec2> corners, double radius_mm) : corners_(std::mo
           next.a = last.b;
           break;
         }
-        pieces_.pop_back();
+        segments_.pop_back();
       }
     }
-    pieces_.push_back(next);
+    segments_.push_back(next);
   }
 }
 
@@ -99,7 +99,7 @@ double Profile::distance_mm(Vec2 p) const {
 }
 
 Profile::On Profile::foot(std::size_t i, Vec2 q, Vec2 from) const {
-  const Piece& p = pieces_[i];
+  const Segment& p = segments_[i];
   if (!p.arc) {
     const Vec2 d = p.b - p.a;
     const double t = std::clamp(glm::dot(q - p.a, d) / glm::dot(d, d), 0.0, 1.0);
@@ -114,8 +114,8 @@ Profile::On Profile::foot(std::size_t i, Vec2 q, Vec2 from) const {
   return {i, p.middle + radius_ * n, n};
 }
 
-bool Profile::downhill(const Piece& p, bool at_start, Vec2 q) const {
-  Vec2 at = at_start ? p.a : p.b;
+bool Profile::downhill(const Segment& p, End end, Vec2 q) const {
+  const Vec2 at = end == End::start ? p.a : p.b;
   Vec2 along;
   if (p.arc) {
     const Vec2 n = (at - p.middle) / radius_;
@@ -123,21 +123,21 @@ bool Profile::downhill(const Piece& p, bool at_start, Vec2 q) const {
   } else {
     along = p.b - p.a;
   }
-  if (!at_start) along = -along;
+  if (end == End::end) along = -along;
   return glm::dot(q - at, along) > 0.0;
 }
 
 Profile::On Profile::slide(On on, Vec2 q) const {
-  for (std::size_t pass = 0; pass < 2 * pieces_.size(); ++pass) {
-    on = foot(on.piece, q, on.at);
-    const Piece& p = pieces_[on.piece];
+  for (std::size_t pass = 0; pass < 2 * segments_.size(); ++pass) {
+    on = foot(on.segment, q, on.at);
+    const Segment& p = segments_[on.segment];
     const bool at_start = size(on.at - p.a) < 1e-12, at_end = size(on.at - p.b) < 1e-12;
-    if (at_end && on.piece + 1 < pieces_.size() && downhill(pieces_[on.piece + 1], true, q)) {
-      ++on.piece;
-      on.at = pieces_[on.piece].a;
-    } else if (at_start && on.piece > 0 && downhill(pieces_[on.piece - 1], false, q)) {
-      --on.piece;
-      on.at = pieces_[on.piece].b;
+    if (at_end && on.segment + 1 < segments_.size() && downhill(segments_[on.segment + 1], End::start, q)) {
+      ++on.segment;
+      on.at = segments_[on.segment].a;
+    } else if (at_start && on.segment > 0 && downhill(segments_[on.segment - 1], End::end, q)) {
+      --on.segment;
+      on.at = segments_[on.segment].b;
     } else {
       break;
     }
@@ -148,8 +148,8 @@ Profile::On Profile::slide(On on, Vec2 q) const {
 Profile::On Profile::nearest(Vec2 q) const {
   On best;
   double least = 1e300;
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    for (const Vec2 from : {pieces_[i].a, pieces_[i].b}) {
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    for (const Vec2 from : {segments_[i].a, segments_[i].b}) {
       const On on = foot(i, q, from);
       const double far = size(q - on.at);
       if (far < least) {

@@ -2,6 +2,7 @@
 /// of a bur of radius r cannot cross: offset pieces, arcs about outer corners, trimmed at inner ones.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -18,7 +19,7 @@ class Profile {
 
   /// A place on the offset curve.
   struct On {
-    std::size_t piece = 0;
+    std::size_t segment = 0;
     Vec2 at{0.0};
     Vec2 normal{0.0};  // out of the tissue
   };
@@ -26,22 +27,23 @@ class Profile {
   /// Downhill from `on` towards q along the curve: the local minimum of the distance to q.
   On slide(On on, Vec2 q) const;
 
-  struct Piece {
+  struct Segment {
     bool arc = false;
     Vec2 a{0.0}, b{0.0};          // ends
     Vec2 normal{0.0};             // of a straight piece
     Vec2 middle{0.0};             // of an arc, clockwise from a to b
     double from = 0.0, to = 0.0;  // its angles, falling
   };
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<Segment>& segments() const { return segments_; }
 
  private:
-  On foot(std::size_t piece, Vec2 q, Vec2 from) const;
-  bool downhill(const Piece& piece, bool at_start, Vec2 q) const;
+  On foot(std::size_t segment, Vec2 q, Vec2 from) const;
+  enum class End : std::uint8_t { start, end };
+  bool downhill(const Segment& segment, End end, Vec2 q) const;
 
   std::vector<Vec2> corners_;
   double radius_;
-  std::vector<Piece> pieces_;
+  std::vector<Segment> segments_;
 };
 
 }  // namespace cusp::bench

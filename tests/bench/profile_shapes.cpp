@@ -11,14 +11,14 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kFar = 100.0;   // mm: out of every box
-constexpr double kAbove = 0.05;  // mm: where a press starts, above its spot
-constexpr double kHome = 14.0;
+constexpr double kAboveProfileMm = 0.05;  // mm: where a press starts, above its spot
+constexpr double kProfileHomeMm = 14.0;
 constexpr double kAlong = 2.0;  // mm to either side of the middle, along the shape
 constexpr double kStepMm = 0.5;
 constexpr double kSine30 = 0.5, kCosine30 = 0.86602540378443864676;
 
 /// A vanished minimum lets the proxy go further than any sub-step of a slide could take it along a surface.
-constexpr double kVanishedMm = 0.05;
+constexpr double kProfileVanishedMm = 0.05;
 
 Vec2 flat(Vec3 local) { return {local.x, local.z}; }
 
@@ -46,7 +46,7 @@ class ProfileTruth : public Truth {
     if (held_) {
       const Vec2 before = on_.at;
       on_ = profile_.slide(on_, q);
-      vanished = glm::distance(before, on_.at) > kVanishedMm;
+      vanished = glm::distance(before, on_.at) > kProfileVanishedMm;
       if (glm::dot(q - on_.at, on_.normal) > 0.0) {
         held_ = inside;
         if (held_) on_ = profile_.nearest(q);
@@ -77,20 +77,20 @@ class ProfileShape : public Shape {
   }
   double distance_mm(Vec3 p) const override { return profile_.distance_mm(flat(frame_.to_local(p))); }
   Vec3 tool_axis() const override { return axis_; }
-  Vec3 home() const override { return frame_.origin + axis_ * kHome; }
+  Vec3 home() const override { return frame_.origin + axis_ * kProfileHomeMm; }
   std::unique_ptr<Truth> truth() const override {
     return std::make_unique<ProfileTruth>(profile_, frame_, bur_radius_mm());
   }
   Vec3 before(Vec3 first) const override {
     const Vec3 p = frame_.to_local(first);
     const Profile::On on = profile_.nearest(flat(p));
-    return frame_.to_world({on.at.x, p.y, on.at.y}) + frame_.direction({on.normal.x, 0.0, on.normal.y}) * kAbove;
+    return frame_.to_world({on.at.x, p.y, on.at.y}) + frame_.direction({on.normal.x, 0.0, on.normal.y}) * kAboveProfileMm;
   }
   /// On a straight piece, or on an arc where kDepthMm below it is still one nearest point of it.
   Spot spot(Random& random) const override {
-    const auto& pieces = profile_.pieces();
+    const auto& pieces = profile_.segments();
     for (;;) {
-      const Profile::Piece& p =
+      const Profile::Segment& p =
           pieces[static_cast<std::size_t>(random.between(0.0, static_cast<double>(pieces.size())))];
       const double y = random.between(-kAlong, kAlong);
       if (p.arc) {

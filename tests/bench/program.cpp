@@ -37,7 +37,7 @@ constexpr Verb kVerbs[] = {
     {"chart", "all of it, or what --from names, as the tables that charts/draw.py draws", run_chart, true},
 };
 
-void add_options(CLI::App& app, Options& options, bool writes_folder) {
+void add_options(CLI::App& app, Options& options, const Verb& verb) {
   const std::vector<std::string> methods(kMethodNames.begin(), kMethodNames.end());
   const std::vector<std::string> shapes(kShapeNames.begin(), kShapeNames.end());
   app.add_option("--method", options.methods, "only this method (repeatable)")->check(CLI::IsMember(methods));
@@ -48,10 +48,10 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
       ->check(CLI::IsMember(std::vector<std::string>{"displacement", "exploration", "perforation"}));
   std::vector<std::string> cases;
   const auto add_cases = [&cases](const auto& names) {
-    for (const CaseName& name : names) cases.emplace_back(name.key);
+    for (std::string_view name : names) cases.emplace_back(name);
   };
   add_cases(kPressCases);
-  add_cases(kWayCases);
+  add_cases(kMotionCases);
   add_cases(kFaultCases);
   add_cases(kTaskCases);
   app.add_option("--case", options.cases, "stability: only this case (repeatable)")->check(CLI::IsMember(cases));
@@ -85,7 +85,7 @@ void add_options(CLI::App& app, Options& options, bool writes_folder) {
       ->check(CLI::IsMember(std::vector<std::string>{"off", "on"}));
   app.add_option("--seed", options.seed, "of every random choice, 1 unless given");
   app.add_option("--json", options.json, "write rows as JSON to a file, or to stdout for -");
-  if (!writes_folder) return;
+  if (!verb.writes_folder) return;
   app.add_option("--out", options.out, "folder for the files")->required();
   app.add_option("--from", options.from,
                  "draw these instead of measuring: a report of --json, a table, or their folder");
@@ -100,7 +100,7 @@ int run_program(std::vector<std::string> args) {
   const Verb* chosen_verb = nullptr;
   for (const Verb& verb : kVerbs) {
     CLI::App* sub = app.add_subcommand(verb.name, verb.about);
-    add_options(*sub, options, verb.writes_folder);
+    add_options(*sub, options, verb);
     sub->callback([&chosen_verb, &verb] { chosen_verb = &verb; });
   }
   try {

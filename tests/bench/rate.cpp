@@ -17,20 +17,18 @@ namespace cusp::bench {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t kTrackTicks = 4096;  // 0.2 m of way; its inputs stay in the second cache
+constexpr std::size_t kRateTrackTicks = 4096;  // 0.2 m of way; its inputs stay in the second cache
 constexpr int kPerforationBlock = 250;
 constexpr int kHolesAKind = 4;
 
-struct Task {
+struct RateTask {
   std::string_view task, shape;
   std::vector<double> radii;
   std::vector<double> voxels_mm = {kRateVoxelMm};
 };
 
-const std::vector<Task>& standard_tasks() {
-  static const std::vector<Task> tasks = {
+const std::vector<RateTask>& standard_tasks() {
+  static const std::vector<RateTask> tasks = {
       {"displacement", "face", {0.25, 0.5}},
       {"displacement", "sphere", {0.25, 0.5}},
       {"displacement", "cylinder", {0.25, 0.5}},
@@ -52,7 +50,7 @@ std::vector<Method> methods_asked(const Options& options) {
   return out;
 }
 
-Row row_of(Method method, const Shape& shape, std::string_view task, double voxel_mm, const Options& options) {
+Row rate_row(Method method, const Shape& shape, std::string_view task, double voxel_mm, const Options& options) {
   Row row;
   row.method = key_of(method);
   row.shape = shape.name();
@@ -65,7 +63,7 @@ Row row_of(Method method, const Shape& shape, std::string_view task, double voxe
 }
 
 /// What they took into the rows, and how they compare to the occupancy proxy, where it ran as well.
-void fill(std::vector<Row>& rows, const std::vector<Method>& methods, const std::vector<const Pace*>& paces) {
+void fill_rates(std::vector<Row>& rows, const std::vector<Method>& methods, const std::vector<const Pace*>& paces) {
   for (std::size_t i = 0; i < rows.size(); ++i) paces[i]->fill(rows[i]);
   for (std::size_t reference = 0; reference < methods.size(); ++reference) {
     if (methods[reference] != Method::occupancy) continue;
@@ -76,8 +74,8 @@ void fill(std::vector<Row>& rows, const std::vector<Method>& methods, const std:
 std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double speed, double voxel_mm,
                             const Options& options) {
   const bool clear = task == "displacement";
-  const std::vector<StepInput> inputs = clear ? clear_inputs(shape, speed, kClearMm, options.seed, kTrackTicks)
-                                              : slide_inputs(shape, speed, options.seed, kTrackTicks);
+  const std::vector<StepInput> inputs = clear ? clear_inputs(shape, speed, options.seed, kRateTrackTicks)
+                                              : slide_inputs(shape, speed, options.seed, kRateTrackTicks);
   const std::vector<Method> methods = methods_asked(options);
   std::vector<Lane> lanes;
   lanes.reserve(methods.size());
@@ -91,7 +89,7 @@ std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double sp
   std::vector<Row> rows;
   std::vector<const Pace*> paces;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
-    Row& row = rows.emplace_back(row_of(methods[i], shape, task, voxel_mm, options));
+    Row& row = rows.emplace_back(rate_row(methods[i], shape, task, voxel_mm, options));
     row.motion = "slide";
     row.speed_mm_s = speed;
     const Pace& pace = lanes[i].pace;
@@ -99,15 +97,15 @@ std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double sp
       row.cached_share = static_cast<double>(pace.free) / static_cast<double>(pace.untimed);
     paces.push_back(&pace);
   }
-  fill(rows, methods, paces);
+  fill_rates(rows, methods, paces);
   return rows;
 }
 
 /// In and out of holes that the bur cut, pulled aside by 0.1 mm: from the end to where the ball's centre passes the
 /// face.
-std::vector<Row> channel_rows(double radius, HoleKind kind, double speed, double voxel_mm, const Options& options) {
+std::vector<Row> channel_rate_rows(double radius, HoleKind kind, double speed, double voxel_mm, const Options& options) {
   const std::vector<Method> methods = methods_asked(options);
-  const auto holes = meant_holes(radius, kind, options.seed, kHolesAKind);
+  const auto holes = unambiguous_holes(radius, kind, options.seed, kHolesAKind);
   std::vector<Pace> all(methods.size());
   for (const auto& hole : holes) {
     Random none(0);
@@ -130,13 +128,13 @@ std::vector<Row> channel_rows(double radius, HoleKind kind, double speed, double
   std::vector<Row> rows;
   std::vector<const Pace*> paces;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    Row& row = rows.emplace_back(row_of(methods[i], *holes.front(), "exploration", voxel_mm, options));
+    Row& row = rows.emplace_back(rate_row(methods[i], *holes.front(), "exploration", voxel_mm, options));
     row.variant = name_of(kind);
     row.motion = "slide";
     row.speed_mm_s = speed;
     paces.push_back(&all[i]);
   }
-  fill(rows, methods, paces);
+  fill_rates(rows, methods, paces);
   return rows;
 }
 
@@ -173,24 +171,21 @@ std::vector<Row> perforation_rows(const Shape& face, double voxel_mm, const Opti
   std::vector<Row> rows;
   std::vector<const Pace*> paces;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    Row& row = rows.emplace_back(row_of(methods[i], face, "perforation", voxel_mm, options));
+    Row& row = rows.emplace_back(rate_row(methods[i], face, "perforation", voxel_mm, options));
     row.speed_mm_s = kAdvanceMmS;
     paces.push_back(&all[i]);
-    const Changes changes = changes_a_tick(methods[i], face, voxel_mm, 200);
-    row.voxels_changed = changes.voxels;
-    row.cells_changed = changes.cells;
   }
-  fill(rows, methods, paces);
+  fill_rates(rows, methods, paces);
   return rows;
 }
 
-void print(const std::vector<Row>& rows) {
-  fmt::print("{:<13}{:<10}{:>6}{:>8}  {:<16}{:>11}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}\n", "task", "shape", "r", "voxel",
-             "method", "updates/s", "ratio", "p50 us", "p99", "p99.9", "max", "voxels");
+void print_rates(const std::vector<Row>& rows) {
+  fmt::print("{:<13}{:<10}{:>6}{:>8}  {:<16}{:>11}{:>9}{:>9}{:>9}{:>10}{:>10}\n", "task", "shape", "r", "voxel",
+             "method", "updates/s", "ratio", "p50 us", "p99", "p99.9", "max");
   for (const Row& r : rows)
-    fmt::print("{:<13}{:<10}{:>6.2f}{:>8.3f}  {:<16}{:>11.0f}{:>9.3g}{:>9.2f}{:>9.2f}{:>10.2f}{:>10.1f}{:>9.3g}\n",
+    fmt::print("{:<13}{:<10}{:>6.2f}{:>8.3f}  {:<16}{:>11.0f}{:>9.3g}{:>9.2f}{:>9.2f}{:>10.2f}{:>10.1f}\n",
                r.task, r.variant.empty() ? r.shape : r.variant, r.bur_radius_mm, r.voxel_mm, r.method, r.updates_per_s,
-               r.ratio_to_occupancy, r.tick_us_p50, r.tick_us_p99, r.tick_us_p999, r.tick_us_max, r.voxels_changed);
+               r.ratio_to_occupancy, r.tick_us_p50, r.tick_us_p99, r.tick_us_p999, r.tick_us_max);
 }
 
 }  // namespace
@@ -202,9 +197,8 @@ std::vector<StepInput> slide_inputs(const Shape& shape, double speed_mm_s, std::
   return out;
 }
 
-std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, double clear_mm, std::uint64_t seed,
-                                    std::size_t ticks) {
-  const auto lifted = [&shape, clear_mm](Vec3 p) {
+std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, std::uint64_t seed, std::size_t ticks) {
+  const auto lifted = [&shape](Vec3 p) {
     // The surface's normal: the gradient of its distance, which is exact near it.
     constexpr double kStep = 1e-4;
     Vec3 n(0.0);
@@ -213,7 +207,7 @@ std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, doubl
       d[a] = kStep;
       n[a] = shape.distance_mm(p + d) - shape.distance_mm(p - d);
     }
-    return p + unit(n) * (shape.bur_radius_mm() + clear_mm - shape.distance_mm(p));
+    return p + unit(n) * (shape.bur_radius_mm() + kClearMm - shape.distance_mm(p));
   };
   // Further out a way round a shape is longer: the slide below goes as much slower.
   Slide trial(shape, speed_mm_s, seed);
@@ -234,7 +228,7 @@ std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, doubl
 std::vector<Row> rate_rows(const Options& options) {
   std::vector<Row> rows;
   const auto add = [&rows](std::vector<Row> more) { rows.insert(rows.end(), more.begin(), more.end()); };
-  for (const Task& task : standard_tasks()) {
+  for (const RateTask& task : standard_tasks()) {
     if (!asked(options.tasks, task.task) || !asked(options.shapes, task.shape)) continue;
     if (!asked(options.motions, "slide") && task.task != "perforation") continue;
     // The tasks at other voxel sizes are there for the chart: sizes that were asked for stand with the first ones.
@@ -245,7 +239,7 @@ std::vector<Row> rate_rows(const Options& options) {
         if (task.shape == "channel") {
           for (const double speed : chosen(options.speeds_mm_s, {kRateSpeedMmS}))
             for (const HoleKind kind : {HoleKind::straight, HoleKind::oblique, HoleKind::slot})
-              add(channel_rows(radius, kind, speed, voxel, options));
+              add(channel_rate_rows(radius, kind, speed, voxel, options));
           continue;
         }
         const std::unique_ptr<Shape> shape = make_shape(task.shape, radius);
@@ -264,7 +258,7 @@ int run_rate(const Options& options) {
   if (!pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   Report report = empty_report();
   report.rows = rate_rows(options);
-  return hand_over(report, options.json, print);
+  return write_report(report, options.json, print_rates);
 }
 
 }  // namespace cusp::bench

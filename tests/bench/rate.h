@@ -22,8 +22,7 @@ inline constexpr double kAdvanceMmS = 1.0;
 
 /// Device points of a slide, `clear_mm` outside the offset surface when given, else where the shape's way leads.
 std::vector<StepInput> slide_inputs(const Shape& shape, double speed_mm_s, std::uint64_t seed, std::size_t ticks);
-std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, double clear_mm, std::uint64_t seed,
-                                    std::size_t ticks);
+std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, std::uint64_t seed, std::size_t ticks);
 
 /// A bur that drills straight into a face, from where it is wholly in tissue on.
 class Perforation {
@@ -40,13 +39,6 @@ class Perforation {
   Vec3 start_{0.0}, inwards_{0.0};
   int tick_ = 0;
 };
-
-/// How many voxels changed their value, and how many cells their surface point, in a tick of a perforation: counted by
-/// looking at all cut bricks after each of some ticks, in a run of its own.
-struct Changes {
-  double voxels = 0.0, cells = 0.0;
-};
-Changes changes_a_tick(Method method, const Shape& face, double voxel_mm, int ticks);
 
 std::vector<Row> rate_rows(const Options& options);
 int run_rate(const Options& options);

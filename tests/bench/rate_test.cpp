@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Displacement, testing::Values("face", "sphere",
 
 TEST_P(Displacement, stays_a_tenth_of_a_millimetre_clear_at_fifty_millimetres_a_second) {
   const auto shape = make_shape(GetParam(), 0.25);
-  const auto inputs = clear_inputs(*shape, kRateSpeedMmS, kClearMm, 3, 500);
+  const auto inputs = clear_inputs(*shape, kRateSpeedMmS, 3, 500);
   double way = 0.0;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     // Closed form; 0.1 um of quantisation on each axis, and the normal by differences of 0.1 um.
@@ -49,7 +49,7 @@ TEST_P(Displacement, stays_a_tenth_of_a_millimetre_clear_at_fifty_millimetres_a_
 TEST_P(Displacement, touches_nothing) {
   const auto shape = make_shape(GetParam(), 0.25);
   StepState state(scene_of(*shape, Method::surface, kVoxel));
-  for (const StepInput& input : clear_inputs(*shape, kRateSpeedMmS, kClearMm, 3, 200))
+  for (const StepInput& input : clear_inputs(*shape, kRateSpeedMmS, 3, 200))
     EXPECT_FALSE(step(state, input).contact);
 }
 
@@ -72,17 +72,6 @@ TEST_P(Drilling, advances_a_millimetre_a_second_wholly_in_tissue) {
   const bool surface = GetParam() == Method::surface;
   EXPECT_NEAR(wear, 1.0, surface ? 0.002 : 0.2);
   EXPECT_NEAR(length(run.state().last().proxy_mm - from), 1.0, surface ? 0.002 : 0.35);
-}
-
-TEST_P(Drilling, changes_a_shell_of_voxels_and_cells) {
-  const auto face = make_shape("face", 0.25);
-  const Changes changes = changes_a_tick(GetParam(), *face, kVoxel, 100);
-  // The half ball's front is 0.39 mm2 or 64 voxels' faces; the band about it is 5.5 voxels thick and changes once in
-  // eight ticks for the surface (measured 50 and 6), once in 78 for whole voxels (measured 37 and 3).
-  EXPECT_GT(changes.voxels, 5.0);
-  EXPECT_LT(changes.voxels, 400.0);
-  EXPECT_GT(changes.cells, 0.1);
-  EXPECT_LT(changes.cells, 100.0);
 }
 
 TEST(Rate, rows_name_method_task_bur_and_their_ratio) {
@@ -118,7 +107,6 @@ TEST(Rate, without_the_occupancy_proxy_there_is_no_ratio) {
   const std::vector<Row> rows = rate_rows(options);
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_TRUE(std::isnan(rows[0].ratio_to_occupancy));
-  EXPECT_GT(rows[0].voxels_changed, 0.0);
 }
 
 TEST(Rate, explores_every_kind_of_channel) {
@@ -170,7 +158,7 @@ TEST(Blocks, of_a_thousand_voxels_along_an_edge_stay_under_400_mb) {
 }
 
 TEST(Blocks, are_slid_over_at_fifty_millimetres_a_second_within_their_top) {
-  const auto inputs = block_inputs(3.0, 0.5, 2.0, 50.0, 5, 4000);
+  const auto inputs = block_inputs({3.0, 0.5, 2.0, 50.0}, 5, 4000);
   ASSERT_EQ(inputs.size(), 4000u);
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     const Vec3 p = inputs[k].position_mm();

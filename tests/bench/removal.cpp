@@ -7,19 +7,18 @@
 #include <iostream>
 #include <iterator>
 
-#include "engine/removal/wear.h"
 #include "engine/tool/swept.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/pin.h"
 #include "tests/bench/program.h"
-#include "tests/bench/removal_ways.h"
+#include "tests/bench/removal_paths.h"
 #include "tests/modules.h"
 
 namespace cusp::bench {
 
 namespace {
 
-std::string_view name_of(Tissue tissue) {
+std::string_view tissue_name(Tissue tissue) {
   for (std::size_t i = 0; i < kRemovalMaterials.size(); ++i)
     if (kRemovalMaterials[i].tissue == tissue) return kRemovalTissues[i];
   return "";
@@ -28,7 +27,7 @@ std::string_view name_of(Tissue tissue) {
 /// Radius under three voxels: what the field says of such a bowl is outside every goal.
 bool unresolved(const Cutter& cutter, double voxel_mm) { return cutter.bur.radius_mm < 3.0 * voxel_mm; }
 
-Row row_of(std::string_view measure, const DrillRun& run) {
+Row speed_row(std::string_view measure, const DrillRun& run) {
   Row row;
   row.method = key_of(run.method);
   row.measure = measure;
@@ -44,7 +43,7 @@ Row row_of(std::string_view measure, const DrillRun& run) {
   return row;
 }
 
-void fill(Row& row, const DrillSpeed& speed) {
+void fill_speed(Row& row, const DrillSpeed& speed) {
   row.target_mm_s = speed.target_mm_s;
   row.deepest_mm_s = speed.by_deepest_mm_s;
   row.volume_mm_s = speed.by_volume_mm_s;
@@ -59,24 +58,10 @@ void fill(Row& row, const DrillSpeed& speed) {
 
 void add_speeds(const Options& options, Method method, std::vector<Row>& rows) {
   for (const DrillRun& run : speed_runs(options, method)) {
-    Row& row = rows.emplace_back(row_of("speed", run));
-    row.tissue = name_of(run.tissue(Vec3(0.0)));
-    fill(row, drill(run));
+    Row& row = rows.emplace_back(speed_row("speed", run));
+    row.tissue = tissue_name(run.tissue(Vec3(0.0)));
+    fill_speed(row, drill(run));
   }
-}
-
-void add_hands(Method method, std::vector<Row>& rows) {
-  for (const RemovalTissue& material : kRemovalMaterials)
-    for (const double diameter : {0.5, 1.0, kLargestBurMm}) {
-      DrillRun run = run_in(method, round_cutter(diameter), kPaperVoxelMm, material, 0.6);
-      run.by_hand = true;
-      Row& row = rows.emplace_back(row_of("hand", run));
-      row.tissue = name_of(material.tissue);
-      DrillSpeed speed = drill(run);
-      speed.by_volume_mm_s = kAbsent;  // a trembling bur takes more than its depth tells
-      fill(row, speed);
-      row.alpha = row.target_mm_s / material.speed_mm_s;
-    }
 }
 
 /// The seam lies along the way, turned about it: half of the bur in each tissue, to a part of a voxel. Whose voxels they
@@ -93,29 +78,14 @@ void add_mixed(const Options& options, Method method, std::vector<Row>& rows) {
       const Vec3 normal = u * kTurn[turn][0] + w * kTurn[turn][1];
       run.tissue = [normal, soft, hard](Vec3 p) { return glm::dot(p, normal) > 0.0 ? soft.tissue : hard.tissue; };
       run.target_mm_s = front_of_voxels_mm_s(run);
-      Row& row = rows.emplace_back(row_of("mixed", run));
-      row.tissue = fmt::format("{} and {}", name_of(soft.tissue), name_of(hard.tissue));
+      Row& row = rows.emplace_back(speed_row("mixed", run));
+      row.tissue = fmt::format("{} and {}", tissue_name(soft.tissue), tissue_name(hard.tissue));
       row.variant = fmt::format("seam {}", turn + 1);
-      fill(row, drill(run));
+      fill_speed(row, drill(run));
     }
 }
 
-/// Source: paper, eq. (6) with its 40 updates a second.
-void add_densities(std::vector<Row>& rows) {
-  for (const RemovalTissue& material : kRemovalMaterials) {
-    Row& row = rows.emplace_back();
-    row.method = key_of(Method::occupancy);
-    row.measure = "density";
-    row.tissue = name_of(material.tissue);
-    row.voxel_mm = kPaperVoxelMm;
-    row.target_mm_s = material.speed_mm_s;
-    row.density = density_for(material.speed_mm_s, kPaperVoxelMm);
-    constexpr double kUpdatesPerS = 40.0;
-    row.error_percent = 100.0 * (row.density / (kUpdatesPerS / (1.0 / kPaperVoxelMm) / material.speed_mm_s) - 1.0);
-  }
-}
-
-Row way_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Way way) {
+Row path_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Path way) {
   Row row;
   row.method = key_of(Method::surface);
   row.measure = measure;
@@ -129,11 +99,11 @@ Row way_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Way
 }
 
 /// One stroke of a known way: the surface that is left, and the volume that is gone.
-Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Way way, double speed_mm_s) {
-  Row row = way_row(measure, cutter, voxel_mm, way);
+Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Path way, double speed_mm_s) {
+  Row row = path_row(measure, cutter, voxel_mm, way);
   row.speed_mm_s = speed_mm_s;
-  const std::vector<Vec3> points = points_of(way, cutter, speed_mm_s, 1.0);
-  const ShapeLeft left = lead_along(cutter, voxel_mm, way, points, 1.0, 1);
+  const std::vector<Vec3> points = points_of(way, cutter, {.speed_mm_s = speed_mm_s});
+  const RemainingSurface left = lead_along(cutter, voxel_mm, way, points, 1.0, 1);
   row.removed_mm3 = left.removed_mm3;
   if (measure == "shape") {
     row.deviation_um_mean = left.mean_um;
@@ -142,7 +112,7 @@ Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, 
     row.samples = left.points;
     row.skipped = left.edges;
   } else {
-    row.exact_mm3 = taken_on_mm3(cutter, way, points);
+    row.exact_mm3 = exact_removed_mm3(cutter, way, points);
     row.error_percent = 100.0 * (row.removed_mm3 / row.exact_mm3 - 1.0);
   }
   return row;
@@ -150,8 +120,8 @@ Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, 
 
 /// A row for each cutter; one whose head and neck another one before it has gets that one's figures.
 template <class RowOf>
-void each_head(bool every, std::vector<Row>& rows, RowOf&& row_of_head) {
-  const std::vector<Cutter> cutters = shape_cutters(every);
+void each_head(BurSet burs, std::vector<Row>& rows, RowOf&& row_of_head) {
+  const std::vector<Cutter> cutters = shape_cutters(burs);
   for (std::size_t i = 0; i < cutters.size(); ++i) {
     std::size_t first = 0;
     const auto alike = [](const Bur& a, const Bur& b) {
@@ -176,9 +146,9 @@ void each_head(bool every, std::vector<Row>& rows, RowOf&& row_of_head) {
 void add_shapes(const Options& options, std::vector<Row>& out) {
   std::vector<Row> rows;
   for (const double voxel : chosen(options.voxels_mm, {kPaperVoxelMm}))
-    each_head(options.full, rows, [&](const Cutter& cutter) {
+    each_head(options.full ? BurSet::whole_catalogue : BurSet::one_per_shape, rows, [&](const Cutter& cutter) {
       std::vector<Row> own;
-      for (const Way way : {Way::straight, Way::curved, Way::tilted})
+      for (const Path way : {Path::straight, Path::curved, Path::tilted})
         for (const double speed : chosen(options.speeds_mm_s, {1.0, 50.0, 200.0}))
           own.push_back(stroke_row("shape", cutter, voxel, way, speed));
       return own;
@@ -190,9 +160,9 @@ void add_shapes(const Options& options, std::vector<Row>& out) {
 void add_volumes(const Options& options, std::vector<Row>& out) {
   std::vector<Row> rows;
   for (const double voxel : chosen(options.voxels_mm, {kPaperVoxelMm}))
-    each_head(options.full, rows, [&](const Cutter& cutter) {
+    each_head(options.full ? BurSet::whole_catalogue : BurSet::one_per_shape, rows, [&](const Cutter& cutter) {
       std::vector<Row> own;
-      for (const Way way : {Way::drilled, Way::sideways, Way::straight, Way::curved, Way::tilted})
+      for (const Path way : {Path::drilled, Path::sideways, Path::straight, Path::curved, Path::tilted})
         for (const double speed : chosen(options.speeds_mm_s, {50.0}))
           own.push_back(stroke_row("volume", cutter, voxel, way, speed));
       return own;
@@ -203,19 +173,19 @@ void add_volumes(const Options& options, std::vector<Row>& out) {
 void add_orders(std::vector<Row>& rows) {
   const Cutter cutter = round_cutter(1.0);
   constexpr double kSpeed = 25.0, kCornerMm = 0.1;
-  for (const Way way : {Way::straight, Way::curved}) {
+  for (const Path way : {Path::straight, Path::curved}) {
     double whole = 0.0;
     struct Led {
       double tick_ms;
       int parts;
     };
     for (const Led led : {Led{1.0, 1}, Led{1.0, 2}, Led{0.25, 1}, Led{4.0, 1}}) {
-      Row& row = rows.emplace_back(way_row("order", cutter, kPaperVoxelMm, way));
+      Row& row = rows.emplace_back(path_row("order", cutter, kPaperVoxelMm, way));
       row.tick_ms = led.tick_ms;
       row.speed_mm_s = kSpeed;
       row.variant = led.parts == 1 ? "whole" : "halves";
       row.removed_mm3 = lead_along(cutter, kPaperVoxelMm, way,
-                                   points_of(way, cutter, kSpeed, led.tick_ms, kCornerMm), led.tick_ms,
+                                   points_of(way, cutter, {kSpeed, led.tick_ms, kCornerMm}), led.tick_ms,
                                    led.parts)
                             .removed_mm3;
       if (whole == 0.0) whole = row.removed_mm3;
@@ -226,12 +196,12 @@ void add_orders(std::vector<Row>& rows) {
 
 void add_slides(std::uint64_t seed, std::vector<Row>& rows) {
   for (const Cutter& cutter : removal_cutters()) {
-    if (cutter.sideways || !cutter.bur.head.ball()) continue;  // the exact excess is known for a ball
-    Row& row = rows.emplace_back(way_row("slide", cutter, kPaperVoxelMm, Way::curved));
+    if (cutter.feed == Feed::sideways || !cutter.bur.head.ball()) continue;  // the exact excess is known for a ball
+    Row& row = rows.emplace_back(path_row("slide", cutter, kPaperVoxelMm, Path::curved));
     row.direction = "circle";
     row.speed_mm_s = 50.0;
     row.seed = static_cast<std::int64_t>(seed);
-    const SlideExcess excess = slide_cutting(cutter, kPaperVoxelMm, 50.0, 1.0, seed);
+    const SlideExcess excess = slide_cutting(cutter, kPaperVoxelMm, {.speed_mm_s = 50.0}, seed);
     row.excess_um_p99 = excess.p99_um;
     row.excess_um_max = excess.most_um;
     row.samples = excess.ticks;
@@ -241,9 +211,9 @@ void add_slides(std::uint64_t seed, std::vector<Row>& rows) {
 void add_ridges(std::vector<Row>& rows) {
   for (const double speed : {50.0, 10.0})
     for (const Cutter& cutter : ridge_cutters()) {
-      const RidgeKept kept = ridge_between(cutter, kPaperVoxelMm, speed);
+      const RidgeError kept = ridge_between(cutter, kPaperVoxelMm, speed);
       for (const bool after : {false, true}) {
-        Row& row = rows.emplace_back(way_row("ridge", cutter, kPaperVoxelMm, Way::straight));
+        Row& row = rows.emplace_back(path_row("ridge", cutter, kPaperVoxelMm, Path::straight));
         row.speed_mm_s = speed;
         row.variant = after ? "after 40 passes" : "between two cuts";
         row.ridge_um = after ? kept.after_um : kept.felt_um;
@@ -253,7 +223,7 @@ void add_ridges(std::vector<Row>& rows) {
 
 void add_costs(const Options& options, Method method, std::vector<Row>& rows) {
   const Cutter cutter = round_cutter(kLargestBurMm);
-  Row& row = rows.emplace_back(way_row("tick", cutter, kPaperVoxelMm, Way::straight));
+  Row& row = rows.emplace_back(path_row("tick", cutter, kPaperVoxelMm, Path::straight));
   row.method = key_of(method);
   row.direction.clear();
   row.alpha = 1.0;
@@ -264,7 +234,7 @@ void add_costs(const Options& options, Method method, std::vector<Row>& rows) {
   row.samples = cost.ticks;
 }
 
-void print(const std::vector<Row>& rows) {
+void print_removal(const std::vector<Row>& rows) {
   const auto number = [](double v, int digits) { return std::isnan(v) ? std::string("-") : fmt::format("{:.{}f}", v, digits); };
   fmt::print("{:<10} {:<8} {:<11} {:<20} {:>6} {:>6} {:<10} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}\n", "method",
              "measure", "bur", "tissue", "voxel", "ms", "direction", "alpha", "target", "mm/s", "%", "um", "um max",
@@ -277,7 +247,7 @@ void print(const std::vector<Row>& rows) {
     fmt::print("{:<10} {:<8} {:<11} {:<20} {:>6} {:>6} {:<10} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}{}\n",
                row.method, row.measure, row.bur, row.tissue.empty() ? row.variant : row.tissue, number(row.voxel_mm, 3),
                number(row.tick_ms, 2), row.direction, number(row.alpha, 2), number(row.target_mm_s, 3),
-               number(std::isnan(row.measured_mm_s) ? row.density : row.measured_mm_s, 4), number(row.error_percent, 3),
+               number(row.measured_mm_s, 4), number(row.error_percent, 3),
                number(um, 3), number(most, 2), number(row.tick_us_p50, 1), number(row.tick_us_p99, 1),
                row.unresolved ? "  unresolved" : "");
   }
@@ -296,7 +266,6 @@ std::vector<Row> removal_rows(const Options& options) {
     const bool banded = reading_of(method) == Reading::banded;
     if (wants("speed")) add_speeds(options, method, rows);
     if (wants("depth") && !options.full && (method == Method::surface || method == Method::occupancy)) add_depths(method, rows);
-    if (wants("hand") && banded && !options.full) add_hands(method, rows);
     if (wants("mixed") && banded && !options.full) add_mixed(options, method, rows);
     if (wants("tick") && !options.full) add_costs(options, method, rows);
   }
@@ -306,7 +275,6 @@ std::vector<Row> removal_rows(const Options& options) {
     for (Row& row : rows) row.sweep = kFullSweep;
     return rows;
   }
-  if (wants("density") && asked(methods, key_of(Method::occupancy))) add_densities(rows);
   if (!surface) return rows;
   if (wants("order")) add_orders(rows);
   if (wants("slide")) add_slides(options.seed, rows);
@@ -318,7 +286,7 @@ int run_removal(const Options& options) {
   if (asked(options.measures, "tick") && !pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   Report report = empty_report();
   report.rows = removal_rows(options);
-  return hand_over(report, options.json, print);
+  return write_report(report, options.json, print_removal);
 }
 
 }  // namespace cusp::bench

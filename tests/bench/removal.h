@@ -15,8 +15,8 @@
 
 namespace cusp::bench {
 
-inline constexpr std::array<std::string_view, 11> kMeasures = {
-    "speed", "hand", "mixed", "density", "depth", "shape", "volume", "order", "slide", "ridge", "tick"};
+inline constexpr std::array<std::string_view, 9> kMeasures = {
+    "speed", "mixed", "depth", "shape", "volume", "order", "slide", "ridge", "tick"};
 
 /// The paper's materials, "respectively dentin, bone and enamel", with their speeds in mm/s.
 struct RemovalTissue {
@@ -42,7 +42,8 @@ std::vector<Cutter> removal_cutters();
 
 /// The burs whose shape and volume are looked at: the round ones of `speed`, and of every other shape in the catalogue
 /// one of middling size; or all of the catalogue. Their names hold the shape's key.
-std::vector<Cutter> shape_cutters(bool every);
+enum class BurSet : std::uint8_t { one_per_shape, whole_catalogue };
+std::vector<Cutter> shape_cutters(BurSet burs);
 
 /// A ball of every diameter that the catalogue has round burs of, smallest first: the ridge is kept under each.
 std::vector<Cutter> ridge_cutters();
@@ -60,8 +61,6 @@ std::vector<DrillRun> speed_runs(const Options& options, Method method);
 inline constexpr double kLayerMm = 10.0 / 3.0;
 inline constexpr double kDepthBurMm = 0.5;  // "0.5 mm spherical drill bit", read as the larger of the two that it can mean
 void add_depths(Method method, std::vector<Row>& rows);
-/// Slope of depth over time where the bur's front is in one material alone; kAbsent without samples there.
-double slope_in(const std::vector<Row>& rows, std::string_view method, std::size_t layer);
 
 std::vector<Row> removal_rows(const Options& options);
 int run_removal(const Options& options);

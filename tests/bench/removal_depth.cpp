@@ -12,15 +12,14 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kAheadMm = 0.3;      // of the device point before the bur: always full wear
-constexpr double kVoxelMm = 10.0 / 128;
+constexpr double kDepthVoxelMm = 10.0 / 128;
 constexpr double kEndMm = 9.6;        // before the bur comes out below
-constexpr double kClearMm = 0.1;      // of the front from the next material
 
 /// A cube of 10 mm, dentine over bone over enamel, its top at z = 0.
 std::shared_ptr<Scene> layered_scene(Method method) {
   constexpr int kPadding = 4, kVoxels = 128;
   constexpr int n = kVoxels + 2 * kPadding;
-  const Grid grid{IVec3(n), kVoxelMm, {-0.5 * (n - 1) * kVoxelMm, -0.5 * (n - 1) * kVoxelMm, (0.5 - kVoxels - kPadding) * kVoxelMm}};
+  const Grid grid{IVec3(n), kDepthVoxelMm, {-0.5 * (n - 1) * kDepthVoxelMm, -0.5 * (n - 1) * kDepthVoxelMm, (0.5 - kVoxels - kPadding) * kDepthVoxelMm}};
   const auto cube = [](Vec3 p) { return std::max({std::fabs(p.x) - 5.0, std::fabs(p.y) - 5.0, p.z, -10.0 - p.z}); };
   const auto tissue = [](Vec3 p) {
     return kRemovalMaterials[static_cast<std::size_t>(std::clamp(-p.z / kLayerMm, 0.0, 2.999))].tissue;
@@ -45,7 +44,7 @@ std::shared_ptr<Scene> layered_scene(Method method) {
 void add_depths(Method method, std::vector<Row>& rows) {
   StepState state(layered_scene(method));
   const Vec3 off{0.0137, -0.0211, 0.0};  // off the grid's own lines
-  const auto at = [&](double z, bool cut) { return input_at(off + Vec3(0.0, 0.0, z), cut); };
+  const auto at = [&](double z) { return input_at(off + Vec3(0.0, 0.0, z), Button::down); };
   lead(state, step, off + Vec3(0.0, 0.0, kDepthBurMm + 0.5), 0.05);
   lead(state, step, off + Vec3(0.0, 0.0, kDepthBurMm - 0.1), 0.02);
   StepOutput out = state.last();
@@ -60,30 +59,13 @@ void add_depths(Method method, std::vector<Row>& rows) {
       row.tissue = kRemovalTissues[layer];
       row.target_mm_s = kRemovalMaterials[layer].speed_mm_s;
       row.bur_radius_mm = kDepthBurMm;
-      row.voxel_mm = kVoxelMm;
+      row.voxel_mm = kDepthVoxelMm;
       row.time_s = k * 1e-3;
       row.depth_mm = depth;
     }
-    out = step(state, at(out.proxy_mm.z - kAheadMm, true));
+    out = step(state, at(out.proxy_mm.z - kAheadMm));
     depth = kDepthBurMm - out.proxy_mm.z;
   }
-}
-
-double slope_in(const std::vector<Row>& rows, std::string_view method, std::size_t layer) {
-  const double top = static_cast<double>(layer) * kLayerMm;
-  double n = 0.0, t = 0.0, d = 0.0, tt = 0.0, td = 0.0;
-  for (const Row& row : rows) {
-    // The front is a half ball: it is in one material from where the ball's middle enters it.
-    if (row.measure != "depth" || row.method != method || row.depth_mm < top + kDepthBurMm + kClearMm ||
-        row.depth_mm > top + kLayerMm - kClearMm)
-      continue;
-    n += 1.0;
-    t += row.time_s;
-    d += row.depth_mm;
-    tt += row.time_s * row.time_s;
-    td += row.time_s * row.depth_mm;
-  }
-  return n < 2.0 ? kAbsent : (n * td - t * d) / (n * tt - t * t);
 }
 
 }  // namespace cusp::bench

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "engine/tool/heads.h"
@@ -19,11 +20,9 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kHandAsideMm = 0.01;    // of a hand's tremor across
 constexpr double kStandOffMm = 0.2;      // of the bur before the face, where a run begins
 constexpr double kApproachMm = 0.02;     // a tick
-constexpr double kPaddingVoxels = 4.0;   // empty, on every side of the grid
+constexpr double kDrillPaddingVoxels = 4.0;   // empty, on every side of the grid
 constexpr double kAroundVoxels = 4.0;    // tissue beyond what the bur reaches, and
 constexpr double kAroundMm = 0.2;
 constexpr double kSideShare = 0.9;       // of the radius that a bur goes in sideways, at most: the neck stays outside
@@ -39,7 +38,7 @@ double furthest(const Bur& bur, Vec3 axis, Vec3 direction) {
   return p.t * d.t + p.rho * d.rho;
 }
 
-Vec3 axis_of(const DrillRun& run) { return run.cutter.sideways ? across(run.direction) : -run.direction; }
+Vec3 axis_of(const DrillRun& run) { return run.cutter.feed == Feed::sideways ? across(run.direction) : -run.direction; }
 
 /// Distance of a ball of tissue with a flat face: behind the face (along `in`) and within `radius` of `middle`.
 double half_ball(Vec3 p, Vec3 in, Vec3 middle, double radius) {
@@ -84,21 +83,21 @@ double depth_of(const Cutter& cutter, double mm3, double about) {
   double low = 0.5 * about, high = 1.5 * about;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (taken_mm3(cutter, middle) < mm3 ? low : high) = middle;
+    (closed_form_mm3(cutter, middle) < mm3 ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
 /// The surface that is left after this many ticks: what is gone, and how deep.
-struct Left {
+struct Remaining {
   double mm3 = 0.0;
   double deepest_mm = 0.0;
 };
-Left left_by(const StepState& state, Vec3 device, Vec3 in, double about) {
+Remaining remaining_after(const StepState& state, Vec3 device, Vec3 in, double about) {
   // On a copy: the button up carves what is still pending, and would end the stroke.
   const std::vector<std::byte> bytes = state.save();
   std::optional<StepState> copy = StepState::restore(std::make_shared<Scene>(state.scene()), bytes);
-  step(*copy, input_at(device, false));
+  step(*copy, input_at(device, Button::up));
   return {removed_solid(copy->volume()).total_mm3(),
           about + surface_on_line(copy->volume(), in * about, in, 1.5 * state.volume().grid().voxel_mm)};
 }
@@ -118,15 +117,15 @@ Cutter round_cutter(double diameter_mm) {
   return out;
 }
 
-Cutter fissure_cutter(double diameter_mm, bool sideways) {
+Cutter fissure_cutter(double diameter_mm, Feed feed) {
   Cutter out = round_cutter(diameter_mm);
   const double r = out.bur.radius_mm;
-  out.name = "fissure" + out.name.substr(out.name.find(' ')) + (sideways ? " side" : " end");
+  out.name = "fissure" + out.name.substr(out.name.find(' ')) + (feed == Feed::sideways ? " side" : " end");
   out.bur.name = out.name;
   out.bur.head = flat_head(r, r, kFissureMm).value_or(Profile{});
   // So thin that it stays over the face while the flank goes in.
-  if (sideways) out.bur.neck_radius_mm = out.bur.shank_radius_mm = kThinNeckMm;
-  out.sideways = sideways;
+  if (feed == Feed::sideways) out.bur.neck_radius_mm = out.bur.shank_radius_mm = kThinNeckMm;
+  out.feed = feed;
   out.flank_mm = kFissureMm;
   return out;
 }
@@ -137,7 +136,7 @@ std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
   const double around = std::sqrt(reach * reach + stroke * stroke) + kAroundVoxels * run.voxel_mm + kAroundMm;
   // Seen from the face, the bur ends `furthest` before its pivot: the middle of what it reaches lies on the face.
   const Vec3 in = run.direction;
-  const int n = 2 * static_cast<int>(std::ceil(around / run.voxel_mm + kBandVoxels + kPaddingVoxels)) + 1;
+  const int n = 2 * static_cast<int>(std::ceil(around / run.voxel_mm + kBandVoxels + kDrillPaddingVoxels)) + 1;
   // Off the grid's own planes by parts of a voxel.
   const Grid grid{IVec3(n), run.voxel_mm, Vec3(-0.5 * (n - 1) * run.voxel_mm) + Vec3(0.137, -0.211, 0.173) * run.voxel_mm};
   auto scene = std::make_shared<Scene>();
@@ -153,10 +152,10 @@ std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
   return scene;
 }
 
-double taken_mm3(const Cutter& cutter, double depth_mm) {
+double closed_form_mm3(const Cutter& cutter, double depth_mm) {
   const double r = cutter.bur.radius_mm, h = depth_mm;
-  if (cutter.flank_mm == 0.0) return h < r ? kPi * h * h * (r - h / 3.0) : kPi * r * r * (2.0 / 3.0 * r + (h - r));
-  if (!cutter.sideways) return kPi * r * r * h;
+  if (cutter.flank_mm == 0.0) return h < r ? std::numbers::pi * h * h * (r - h / 3.0) : std::numbers::pi * r * r * (2.0 / 3.0 * r + (h - r));
+  if (cutter.feed == Feed::tip_first) return std::numbers::pi * r * r * h;
   return cutter.flank_mm * (r * r * std::acos(1.0 - h / r) - (r - h) * std::sqrt(h * (2.0 * r - h)));
 }
 
@@ -188,82 +187,133 @@ double front_of_voxels_mm_s(const DrillRun& run) {
   return way_mm / time_s;
 }
 
-DrillSpeed drill(const DrillRun& asked_run) {
-  DrillRun run = asked_run;
-  const bool filled = reading_of(run.method) == Reading::filled;
-  if (filled) run.stroke_mm = std::max(run.stroke_mm, kLeastLayers * run.voxel_mm);
-  if (run.cutter.sideways) run.stroke_mm = std::min(run.stroke_mm, kSideShare * run.cutter.bur.radius_mm);
-  const Vec3 in = run.direction;
-  const Vec3 axis = axis_of(run);
-  const double most = furthest(run.cutter.bur, axis, in);
-  const double dt_s = run.tick_ms * 1e-3;
-  const auto tick_us = static_cast<std::uint32_t>(run.tick_ms * 1000.0 + 0.5);
-  StepState state(drill_scene(run));
-  const double ahead = run.alpha * kFullForceN;
+namespace {
 
-  // To the face, and by a spring's length into it, without cutting.
-  const auto at = [&](double s, bool cut) {
-    StepInput input = input_at(in * s, cut);
-    input.elapsed_us = tick_us;
-    return input;
-  };
-  double s = -most - kStandOffMm;
-  StepOutput out = step(state, at(s, false));
-  while (s < -most + ahead) out = step(state, at(s = std::min(s + kApproachMm, -most + ahead), false));
+/// The run with its stroke as the method and the feed allow it.
+DrillRun with_stroke(DrillRun run) {
+  if (reading_of(run.method) == Reading::filled) run.stroke_mm = std::max(run.stroke_mm, kLeastLayers * run.voxel_mm);
+  if (run.cutter.feed == Feed::sideways) run.stroke_mm = std::min(run.stroke_mm, kSideShare * run.cutter.bur.radius_mm);
+  return run;
+}
 
-  const auto total = static_cast<std::int64_t>(run.stroke_mm / (run.target_mm_s * dt_s) + 0.5);
-  const auto run_in = static_cast<std::int64_t>(kRunIn * static_cast<double>(total) + 0.5);
-  DrillSpeed result{kAbsent, kAbsent, kAbsent, kAbsent, run.target_mm_s, total};
-  const double whole_speed = run.target_mm_s / run.alpha;
-  const Vec3 aside = across(in);
-  double pushed = 0.0;  // of a hand: the sum of alpha
-  const auto where = [&] { return glm::dot(out.proxy_mm, in) + most; };  // of the bur's foremost point
-  Left first{};
-  // Through voxels the surface goes in strides: from the first after the run-in to the last.
+/// One drilling: the state, the feed direction and the bur's foremost point.
+class Drilling {
+ public:
+  explicit Drilling(const DrillRun& run)
+      : run_(run),
+        front_(furthest(run.cutter.bur, axis_of(run), run.direction)),
+        lead_mm_(run.alpha * kFullForceN),
+        state_(drill_scene(run)) {}
+
+  /// Moves the device point to the face and lead_mm_ behind it, with the button up.
+  void approach() {
+    double s = -front_ - kStandOffMm;
+    tick(s, Button::up);
+    while (s < -front_ + lead_mm_) {
+      s = std::min(s + kApproachMm, -front_ + lead_mm_);
+      tick(s, Button::up);
+    }
+  }
+  /// Holds the device point lead_mm_ ahead of the bur for a tick.
+  void cut() { tick(glm::dot(out_.proxy_mm, run_.direction) + lead_mm_, Button::down); }
+  /// Depth of the bur's foremost point behind the face.
+  double depth_mm() const { return glm::dot(out_.proxy_mm, run_.direction) + front_; }
+  Remaining remaining() const { return remaining_after(state_, out_.proxy_mm, run_.direction, depth_mm()); }
+  const Volume& volume() const { return state_.volume(); }
+
+ private:
+  void tick(double s, Button button) {
+    StepInput input = input_at(run_.direction * s, button);
+    input.elapsed_us = static_cast<std::uint32_t>(run_.tick_ms * 1000.0 + 0.5);
+    out_ = step(state_, input);
+  }
+
+  const DrillRun& run_;
+  double front_;    // mm from the pivot to the foremost point
+  double lead_mm_;  // spring length that gives the run's wear coefficient
+  StepState state_;
+  StepOutput out_;
+};
+
+/// Whether a stride belongs to the measured part of the stroke.
+enum class Counting : std::uint8_t { no, yes };
+
+/// Follows the first voxel on the bur's line, which recedes a voxel at a time.
+class StrideWatch {
+ public:
+  StrideWatch(const Volume& volume, const DrillRun& run)
+      : in_(run.direction), free_(voxels_on_line(volume, -run.voxel_mm, in_)) {}
+  void update(const Volume& volume, double time_s, Counting counting) {
+    const double now = voxels_on_line(volume, free_, in_);
+    if (now > free_ && counting == Counting::yes) {
+      last_ = {now, time_s};
+      if (std::isnan(first_.depth_mm)) first_ = last_;
+    }
+    free_ = now;
+  }
+  /// kAbsent if fewer than two strides were seen.
+  double speed_mm_s() const {
+    if (!(last_.time_s > first_.time_s)) return kAbsent;
+    return (last_.depth_mm - first_.depth_mm) / (last_.time_s - first_.time_s);
+  }
+
+ private:
   struct Stride {
-    double depth_mm = kAbsent, s = 0.0;
-  } from_stride, to_stride;
-  double from = 0.0, free = filled ? voxels_on_line(state.volume(), -run.voxel_mm, in) : 0.0;
+    double depth_mm = kAbsent, time_s = 0.0;
+  };
+  Vec3 in_;
+  double free_;
+  Stride first_, last_;
+};
+
+struct TickCounts {
+  std::int64_t total, run_in;
+};
+TickCounts ticks_of(const DrillRun& run) {
+  const auto total = static_cast<std::int64_t>(run.stroke_mm / (run.target_mm_s * (run.tick_ms * 1e-3)) + 0.5);
+  return {total, static_cast<std::int64_t>(kRunIn * static_cast<double>(total) + 0.5)};
+}
+
+/// A method on voxels: the speed at which the bur's line is freed.
+DrillSpeed drill_voxels(const DrillRun& run) {
+  Drilling drilling(run);
+  drilling.approach();
+  const auto [total, run_in] = ticks_of(run);
+  StrideWatch strides(drilling.volume(), run);
   for (std::int64_t k = 1; k <= total; ++k) {
-    if (run.by_hand) {
-      const double t = 2.0 * kPi * static_cast<double>(k) * dt_s;
-      const double push = ahead * (1.0 + 0.5 * std::sin(1.3 * t) + 0.07 * std::sin(9.0 * t));
-      const Vec3 device = in * (glm::dot(out.proxy_mm, in) + push) + aside * (kHandAsideMm * std::sin(8.3 * t));
-      if (k > run_in) pushed += std::min(1.0, length(device - out.proxy_mm) / kFullForceN);
-      StepInput input = input_at(device, true);
-      input.elapsed_us = tick_us;
-      out = step(state, input);
-    } else {
-      out = step(state, at(glm::dot(out.proxy_mm, in) + ahead, true));
-    }
-    if (filled) {
-      const double now = voxels_on_line(state.volume(), free, in);
-      if (now > free && k > run_in) {
-        to_stride = {now, static_cast<double>(k) * dt_s};
-        if (std::isnan(from_stride.depth_mm)) from_stride = to_stride;
-      }
-      free = now;
-    }
-    if (k == run_in) {
-      from = where();
-      if (!filled) first = left_by(state, out.proxy_mm, in, from);
-    }
+    drilling.cut();
+    strides.update(drilling.volume(), static_cast<double>(k) * (run.tick_ms * 1e-3),
+                    k > run_in ? Counting::yes : Counting::no);
   }
-  const double seconds = static_cast<double>(total - run_in) * dt_s;
-  result.by_pose_mm_s = (where() - from) / seconds;
-  if (run.by_hand) result.target_mm_s = whole_speed * pushed / static_cast<double>(total - run_in);
-  if (filled) {
-    if (to_stride.s > from_stride.s)
-      result.by_deepest_mm_s = (to_stride.depth_mm - from_stride.depth_mm) / (to_stride.s - from_stride.s);
-    return result;
+  return {kAbsent, strides.speed_mm_s(), kAbsent, run.target_mm_s, total};
+}
+
+/// A method on a surface: the remaining surface after the run-in and at the end.
+DrillSpeed drill_surface(const DrillRun& run) {
+  Drilling drilling(run);
+  drilling.approach();
+  const auto [total, run_in] = ticks_of(run);
+  Remaining first{};
+  double from = 0.0;
+  for (std::int64_t k = 1; k <= total; ++k) {
+    drilling.cut();
+    if (k != run_in) continue;
+    from = drilling.depth_mm();
+    first = drilling.remaining();
   }
-  const Left last = left_by(state, out.proxy_mm, in, where());
-  result.by_deepest_mm_s = (last.deepest_mm - first.deepest_mm) / seconds;
-  const double a = depth_of(run.cutter, first.mm3, from), b = depth_of(run.cutter, last.mm3, where());
-  result.by_volume_mm_s = (b - a) / seconds;
-  const double exact = taken_mm3(run.cutter, last.deepest_mm);
-  result.volume_error_percent = 100.0 * (last.mm3 / exact - 1.0);
-  return result;
+  const double seconds = static_cast<double>(total - run_in) * (run.tick_ms * 1e-3);
+  const Remaining last = drilling.remaining();
+  const double begin = depth_of(run.cutter, first.mm3, from), end = depth_of(run.cutter, last.mm3, drilling.depth_mm());
+  const double exact = closed_form_mm3(run.cutter, last.deepest_mm);
+  return {(end - begin) / seconds, (last.deepest_mm - first.deepest_mm) / seconds, 100.0 * (last.mm3 / exact - 1.0),
+          run.target_mm_s, total};
+}
+
+}  // namespace
+
+DrillSpeed drill(const DrillRun& asked_run) {
+  const DrillRun run = with_stroke(asked_run);
+  return reading_of(run.method) == Reading::filled ? drill_voxels(run) : drill_surface(run);
 }
 
 }  // namespace cusp::bench

@@ -12,11 +12,13 @@
 
 namespace cusp::bench {
 
-/// A bur and the way it is led: along its axis, tip first, or across it.
+enum class Feed : std::uint8_t { tip_first, sideways };
+
+/// A bur and the direction of its feed: along its axis or across it.
 struct Cutter {
   std::string name;      // "round 1.0", with the diameter that a person knows it by
   Bur bur;
-  bool sideways = false;
+  Feed feed = Feed::tip_first;
   double flank_mm = 0.0;  // of a straight fissure: the head's length; 0: a ball
 };
 /// Of a neck that is to stay out of the way.
@@ -26,7 +28,7 @@ Cutter round_cutter(double diameter_mm);
 
 /// A straight fissure with a head of kFissureMm, led tip first or sideways.
 inline constexpr double kFissureMm = 1.2;
-Cutter fissure_cutter(double diameter_mm, bool sideways);
+Cutter fissure_cutter(double diameter_mm, Feed feed);
 
 /// F_full of the bench's scenes, N: 0.25 mm of spring at the stiffness of every tissue there, 1 N/mm.
 inline constexpr double kFullForceN = 0.25;
@@ -46,14 +48,12 @@ struct DrillRun {
   std::array<double, kTissueCodes> speed_mm_s{};
   double target_mm_s = 1.0;  // what the speed should be: how long the run is
   double stroke_mm = kStrokeMm;
-  bool by_hand = false;  // the push swells and trembles instead; then the target is what it comes to, mean alpha times speed
 };
 
 /// What it came to; kAbsent where there is nothing to read.
 struct DrillSpeed {
   double by_volume_mm_s;   // of what is gone (cut_volume), as the depth of a bur that takes so much
   double by_deepest_mm_s;  // of the deepest place of the surface, on the bur's own line
-  double by_pose_mm_s;     // of the bur itself
   double volume_error_percent;  // of the volume lost in the whole stroke against the exact swept bur's, at the depth reached
   double target_mm_s;      // the run's, or what a hand's push came to
   std::int64_t ticks;
@@ -63,7 +63,7 @@ struct DrillSpeed {
 std::shared_ptr<Scene> drill_scene(const DrillRun& run);
 /// What the bur takes from behind the face when it has gone `depth_mm` into it; closed form. Pre: sideways, at most its
 /// radius deep.
-double taken_mm3(const Cutter& cutter, double depth_mm);
+double closed_form_mm3(const Cutter& cutter, double depth_mm);
 
 /// Full speed of a ball on that way, by what of each tissue its front has before it between the run-in and the end: the
 /// harmonic mean over the voxels that it meets, for a specimen knows its tissues by the voxel.

@@ -1,4 +1,4 @@
-#include "tests/bench/removal_ways.h"
+#include "tests/bench/removal_paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,27 +16,27 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kHalfMm = 2.6;          // of a ball's block, across; half as deep
+constexpr double kBallBlockHalfMm = 2.6;          // of a ball's block, across; half as deep
 constexpr double kRoundMm = 0.6;         // of tissue about another bur's way
 constexpr double kEdgeVoxels = 3.0;      // nearer to the face than this a cell sees the mouth's edge
-constexpr double kWayMm = 2.4;
-constexpr double kAsideMm = 0.2;         // of an oblique way, a millimetre
+constexpr double kPathMm = 2.4;
+constexpr double kObliqueAsideMm = 0.2;         // of an oblique way, a millimetre
 constexpr double kTurnMm = 1.2;          // radius of a curved one
 constexpr double kSidewaysMm = 1.5;
 constexpr double kBeginMm = 0.02;        // of the bur behind the face, where a way begins
 constexpr double kBelow = 0.5;           // radii of a ball's pivot behind the face, where it ends
 constexpr double kFallMm = 0.5;          // that a way goes down with another bur
 constexpr double kInMm = 0.05;           // a tick, on the way in along the axis
-constexpr double kEdgeCosine = 0.9;      // normals a voxel and a half apart that differ by more: an edge lies between
+constexpr double kSurfaceEdgeCosine = 0.9;      // normals a voxel and a half apart that differ by more: an edge lies between
 constexpr double kOnSkinVoxels = 0.05;
 
-bool upright(Way way) { return way == Way::drilled || way == Way::sideways; }
+bool upright(Path way) { return way == Path::drilled || way == Path::sideways; }
 
-Frame way_frame() { return Frame::of(kWayUp, {1.0, 0.51, 0.0}, Vec3(0.0)); }
+Frame path_frame() { return Frame::of(kPathUp, {1.0, 0.51, 0.0}, Vec3(0.0)); }
 
-Vec3 way_axis(Way way) {
-  const Frame f = way_frame();
-  return way == Way::tilted ? unit(f.direction({0.3, 0.45, 0.84})) : f.z;
+Vec3 path_axis(Path way) {
+  const Frame f = path_frame();
+  return way == Path::tilted ? unit(f.direction({0.3, 0.45, 0.84})) : f.z;
 }
 
 /// How a bur goes in, by its head and axis: lengths along the face's normal.
@@ -45,14 +45,14 @@ struct Depths {
   double sunk = 0.0;  // of that place behind the face, at the way's end
   double fall = 0.0;  // of which the way itself goes down
 };
-Depths depths_of(const Cutter& cutter, Way way) {
+Depths depths_of(const Cutter& cutter, Path way) {
   const Bur& bur = cutter.bur;
   if (bur.head.ball()) {
     const double sunk = (1.0 + kBelow) * bur.radius_mm;
     return {bur.radius_mm, sunk, upright(way) ? 0.0 : sunk - kBeginMm};
   }
-  const Frame f = way_frame();
-  const Vec3 axis = way_axis(way);
+  const Frame f = path_frame();
+  const Vec3 axis = path_axis(way);
   const double low = -glm::dot(head_furthest(bur, axis, -f.z), f.z);
   // The lowest place of the head's upper end: it stays out, and with it the neck.
   const double cosine = glm::dot(axis, f.z);
@@ -62,28 +62,28 @@ Depths depths_of(const Cutter& cutter, Way way) {
   return {low, sunk, upright(way) ? 0.0 : std::min(kFallMm, 0.5 * sunk)};
 }
 
-double length_of(Way way) { return way == Way::drilled ? 0.0 : way == Way::sideways ? kSidewaysMm : kWayMm; }
+double length_of(Path way) { return way == Path::drilled ? 0.0 : way == Path::sideways ? kSidewaysMm : kPathMm; }
 
 /// Where a way leads, `s` mm from its beginning.
-Vec3 place_on(Way way, double s, const Depths& depths) {
-  const Frame f = way_frame();
-  const double fall = depths.fall / kWayMm;
+Vec3 point_on(Path way, double s, const Depths& depths) {
+  const Frame f = path_frame();
+  const double fall = depths.fall / kPathMm;
   const double begin = depths.low - (depths.sunk - depths.fall);
   if (upright(way)) return f.to_world({s - 0.5 * length_of(way), 0.0, begin});
-  const double along = s / std::sqrt(1.0 + fall * fall + (way == Way::curved ? 0.0 : kAsideMm * kAsideMm));
+  const double along = s / std::sqrt(1.0 + fall * fall + (way == Path::curved ? 0.0 : kObliqueAsideMm * kObliqueAsideMm));
   const double z = begin - fall * along;
   const double a = along / kTurnMm;
-  if (way == Way::curved) return f.to_world({kTurnMm * std::sin(a), kTurnMm * (std::cos(a) - 1.0) + 0.6, z});
-  return f.to_world({along - 1.2, kAsideMm * (along - 1.0), z});
+  if (way == Path::curved) return f.to_world({kTurnMm * std::sin(a), kTurnMm * (std::cos(a) - 1.0) + 0.6, z});
+  return f.to_world({along - 1.2, kObliqueAsideMm * (along - 1.0), z});
 }
 
 /// Device points, a millisecond apart, that lead a bur to just before where its way begins; the first is clear of the face.
 /// None is there twice: a bur that stands still presses on nothing, and its stroke is over.
-std::vector<Vec3> way_in(const Cutter& cutter, Way way, Vec3 to) {
-  const Vec3 axis = way_axis(way);
-  if (cutter.bur.head.ball() && !upright(way)) return {to + way_frame().z * (2.0 * kBeginMm)};
+std::vector<Vec3> entry_points(const Cutter& cutter, Path way, Vec3 to) {
+  const Vec3 axis = path_axis(way);
+  if (cutter.bur.head.ball() && !upright(way)) return {to + path_frame().z * (2.0 * kBeginMm)};
   const Depths depths = depths_of(cutter, way);
-  const double deep = (depths.sunk - depths.fall) / glm::dot(axis, way_frame().z) + 2.0 * kBeginMm;
+  const double deep = (depths.sunk - depths.fall) / glm::dot(axis, path_frame().z) + 2.0 * kBeginMm;
   const int ticks = static_cast<int>(deep / kInMm) + 1;
   std::vector<Vec3> out;
   for (int k = 0; k < ticks; ++k)
@@ -92,8 +92,8 @@ std::vector<Vec3> way_in(const Cutter& cutter, Way way, Vec3 to) {
 }
 
 /// All places of the pivot, in order, none twice.
-std::vector<Vec3> places_of(const Cutter& cutter, Way way, const std::vector<Vec3>& points) {
-  std::vector<Vec3> out = way_in(cutter, way, points.front());
+std::vector<Vec3> places_of(const Cutter& cutter, Path way, const std::vector<Vec3>& points) {
+  std::vector<Vec3> out = entry_points(cutter, way, points.front());
   out.insert(out.end(), points.begin(), points.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
@@ -101,8 +101,8 @@ std::vector<Vec3> places_of(const Cutter& cutter, Way way, const std::vector<Vec
 
 }  // namespace
 
-std::vector<Vec3> points_of(Way way, const Cutter& cutter, double speed_mm_s, double tick_ms, double corner_mm) {
-  const double each = speed_mm_s * tick_ms * 1e-3;
+std::vector<Vec3> points_of(Path way, const Cutter& cutter, const Feeding& feeding) {
+  const double each = feeding.speed_mm_s * feeding.tick_ms * 1e-3, corner_mm = feeding.corner_mm;
   const Depths depths = depths_of(cutter, way);
   std::vector<Vec3> out;
   const auto count = static_cast<int>(length_of(way) / each + 1e-6);
@@ -110,32 +110,32 @@ std::vector<Vec3> points_of(Way way, const Cutter& cutter, double speed_mm_s, do
     const double s = i * each;
     if (corner_mm > 0.0) {
       const double low = std::floor(s / corner_mm + 1e-9) * corner_mm;
-      const Vec3 a = place_on(way, low, depths), b = place_on(way, low + corner_mm, depths);
+      const Vec3 a = point_on(way, low, depths), b = point_on(way, low + corner_mm, depths);
       out.push_back(a + (b - a) * ((s - low) / corner_mm));
     } else {
-      out.push_back(place_on(way, s, depths));
+      out.push_back(point_on(way, s, depths));
     }
     out.back() = input_at(out.back()).position_mm();
   }
   return out;
 }
 
-std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double voxel_mm, Way way) {
-  const Frame f = way_frame();
+std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double voxel_mm, Path way) {
+  const Frame f = path_frame();
   // In the face's own axes, behind it.
-  Vec3 low(-kHalfMm), high(kHalfMm, kHalfMm, 0.0);
+  Vec3 low(-kBallBlockHalfMm), high(kBallBlockHalfMm, kBallBlockHalfMm, 0.0);
   Grid grid;
   if (cutter.bur.head.ball()) {
-    const int n = 2 * static_cast<int>(std::ceil(1.25 * kHalfMm / voxel_mm)) + 9;
+    const int n = 2 * static_cast<int>(std::ceil(1.25 * kBallBlockHalfMm / voxel_mm)) + 9;
     grid = {IVec3(n, n, (n * 3) / 4), voxel_mm,
             Vec3(-0.5 * (n - 1) * voxel_mm, -0.5 * (n - 1) * voxel_mm, -0.55 * (n - 1) * voxel_mm)};
   } else {
     low = Vec3(1e300);
     high = Vec3(-1e300);
     const double reach = head_reach(cutter.bur) + kRoundMm, across = cutter.bur.radius_mm + kRoundMm;
-    for (const Vec3& p : places_of(cutter, way, points_of(way, cutter, 50.0, 1.0))) {
+    for (const Vec3& p : places_of(cutter, way, points_of(way, cutter, {.speed_mm_s = 50.0}))) {
       // An upright head is as wide as it is; a leaning one reaches out by its length.
-      const Vec3 about(way == Way::tilted ? Vec3(reach) : Vec3(across));
+      const Vec3 about(way == Path::tilted ? Vec3(reach) : Vec3(across));
       low = glm::min(low, f.to_local(p) - about);
       high = glm::max(high, f.to_local(p) + about);
     }
@@ -159,34 +159,34 @@ std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double vo
   scene->method = method;
   scene->specimen = carved::specimen(grid, reading_of(method), distance, [](Vec3) { return Tissue::dentine; });
   scene->burs = {cutter.bur};
-  scene->tool_axis = way_axis(way);
+  scene->tool_axis = path_axis(way);
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1e5};
   scene->full_force_n = 1e-9;
   scene->guard = unguarded();
   return scene;
 }
 
-ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::vector<Vec3>& points, double tick_ms,
+RemainingSurface lead_along(const Cutter& cutter, double voxel_mm, Path way, const std::vector<Vec3>& points, double tick_ms,
                      int halves) {
   StepState state(soft_scene(cutter, Method::surface, voxel_mm, way));
   const auto tick_us = static_cast<std::uint32_t>(tick_ms * 1000.0 + 0.5);
   const std::size_t part = (points.size() + static_cast<std::size_t>(halves) - 1) / static_cast<std::size_t>(halves);
-  const Frame f = way_frame();
-  bool clear = true;
-  for (const Vec3& p : way_in(cutter, way, points.front())) {
-    step(state, input_at(p, !clear));
-    clear = false;
+  const Frame f = path_frame();
+  Button button = Button::up;
+  for (const Vec3& p : entry_points(cutter, way, points.front())) {
+    step(state, input_at(p, button));
+    button = Button::down;
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     // At a half's end the button is up for a tick, where the bur stands.
-    if (i > 0 && i % part == 0) step(state, input_at(points[i - 1], false));
-    StepInput input = input_at(points[i], true);
+    if (i > 0 && i % part == 0) step(state, input_at(points[i - 1], Button::up));
+    StepInput input = input_at(points[i], Button::down);
     input.elapsed_us = tick_us;
     step(state, input);
   }
-  step(state, input_at(points.back(), false));
+  step(state, input_at(points.back(), Button::up));
 
-  ShapeLeft out;
+  RemainingSurface out;
   const Volume& volume = state.volume();
   out.removed_mm3 = removed_solid(volume).total_mm3();
   const SweptBur swept(cutter.bur, state.scene().tool_axis, places_of(cutter, way, points));
@@ -205,7 +205,7 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
           Vec3 beside = p.point_mm, other(0.0);
           beside[k % 3] += (k < 3 ? 1.5 : -1.5) * voxel_mm;
           // On the tissue's side: within the hole a wall that a rim has left has no normal.
-          edge = swept.distance_mm(beside, other) > -kOnSkinVoxels * voxel_mm && glm::dot(normal, other) < kEdgeCosine;
+          edge = swept.distance_mm(beside, other) > -kOnSkinVoxels * voxel_mm && glm::dot(normal, other) < kSurfaceEdgeCosine;
         }
         if (edge) {
           ++out.edges;
@@ -224,10 +224,10 @@ ShapeLeft lead_along(const Cutter& cutter, double voxel_mm, Way way, const std::
   return out;
 }
 
-double taken_on_mm3(const Cutter& cutter, Way way, const std::vector<Vec3>& points) {
+double exact_removed_mm3(const Cutter& cutter, Path way, const std::vector<Vec3>& points) {
   if (upright(way))
     return upright_mm3(cutter.bur, depths_of(cutter, way).sunk, length_of(way));
-  return SweptBur(cutter.bur, way_axis(way), places_of(cutter, way, points)).volume_mm3(way_frame());
+  return SweptBur(cutter.bur, path_axis(way), places_of(cutter, way, points)).volume_mm3(path_frame());
 }
 
 }  // namespace cusp::bench

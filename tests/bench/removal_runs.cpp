@@ -60,8 +60,8 @@ std::vector<std::string> direction_names() {
 }
 
 std::vector<Cutter> removal_cutters() {
-  return {round_cutter(0.5), round_cutter(1.0), round_cutter(kLargestBurMm), fissure_cutter(1.0, false),
-          fissure_cutter(1.0, true)};
+  return {round_cutter(0.5), round_cutter(1.0), round_cutter(kLargestBurMm), fissure_cutter(1.0, Feed::tip_first),
+          fissure_cutter(1.0, Feed::sideways)};
 }
 
 std::vector<Cutter> ridge_cutters() {
@@ -73,7 +73,8 @@ std::vector<Cutter> ridge_cutters() {
   return out;
 }
 
-std::vector<Cutter> shape_cutters(bool every) {
+std::vector<Cutter> shape_cutters(BurSet burs) {
+  const bool every = burs == BurSet::whole_catalogue;
   std::vector<Cutter> out;
   if (!every)
     for (const Cutter& cutter : removal_cutters())

@@ -2,13 +2,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "engine/step/state.h"
 #include "tests/bench/frame.h"
 #include "tests/bench/motions.h"
 #include "tests/bench/pin.h"
 #include "tests/bench/random.h"
-#include "tests/bench/removal_ways.h"
+#include "tests/bench/removal_paths.h"
 #include "tests/bench/tick_times.h"
 #include "tests/modules.h"
 
@@ -16,20 +17,19 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kCircleMm = 1.0;     // of the hand's circle
-constexpr double kPressMm = 0.12;     // of the device point below the face's offset surface, at first
+constexpr double kSlidePressMm = 0.12;     // of the device point below the face's offset surface, at first
 constexpr double kTremorMm = 0.02;    // of the hand, 9 Hz, and
 constexpr double kNoiseMm = 0.002;    // of its device, from tick to tick
 constexpr double kSlideS = 1.5;
 constexpr double kRidgeWearMmS = 1e-3;
-constexpr int kRestTicks = 100;
+constexpr int kRidgeRestTicks = 100;
 constexpr int kSkip = 3;              // every so many ticks the exact excess is looked for
 
 /// Where the bur has been, as far as removal goes; found by place.
-class Way3 {
+class SweptPath {
  public:
-  Way3(double radius, double face_mm, Vec3 up) : radius_(radius), face_(face_mm), up_(up) {}
+  SweptPath(double radius, double face_mm, Vec3 up) : radius_(radius), face_(face_mm), up_(up) {}
   void add(Vec3 a, Vec3 b) { segments_.push_back({a, b}); }
   /// Turns to what can matter within a bur of y.
   void gather(Vec3 y) {
@@ -63,17 +63,17 @@ class Way3 {
 };
 
 /// How far the surface goes back where a ball comes to y: the deepest place of the ball's surface in what was tissue.
-double recession(Way3& way, Vec3 y, double radius, Vec3 up) {
+double recession(SweptPath& way, Vec3 y, double radius, Vec3 up) {
   way.gather(y);
   const Frame f = Frame::of(up, {1.0, 0.51, 0.0}, Vec3(0.0));
   double best = 0.0;
   Vec3 best_u = -up;
   constexpr int kRings = 14;
   for (int i = 0; i <= kRings; ++i) {
-    const double polar = 0.5 * kPi * i / kRings;
+    const double polar = 0.5 * std::numbers::pi * i / kRings;
     const int count = std::max(1, static_cast<int>(4.0 * kRings * std::sin(polar)));
     for (int j = 0; j < count; ++j) {
-      const double around = 2.0 * kPi * (j + 0.5 * (i & 1)) / count;
+      const double around = 2.0 * std::numbers::pi * (j + 0.5 * (i & 1)) / count;
       const Vec3 u = f.direction({std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), -std::cos(polar)});
       const double d = way.depth(y + u * radius);
       if (d > best) {
@@ -102,28 +102,28 @@ double recession(Way3& way, Vec3 y, double radius, Vec3 up) {
 
 }  // namespace
 
-SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, double speed_mm_s, double tick_ms, std::uint64_t seed) {
+SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, const Feeding& feeding, std::uint64_t seed) {
   const double radius = cutter.bur.radius_mm;
-  auto scene = soft_scene(cutter, Method::surface, voxel_mm, Way::straight);
+  auto scene = soft_scene(cutter, Method::surface, voxel_mm, Path::straight);
   constexpr double kWearMmS = 1.0;
   for (TissueFeel& feel : scene->tissues) feel = {1.0, kWearMmS};
   scene->full_force_n = kFullForceN;
   StepState state(scene);
-  const Frame f = Frame::of(kWayUp, {1.0, 0.51, 0.0}, Vec3(0.0));
+  const Frame f = Frame::of(kPathUp, {1.0, 0.51, 0.0}, Vec3(0.0));
   Random random(seed);
-  const double dt_s = tick_ms * 1e-3;
-  const auto tick_us = static_cast<std::uint32_t>(tick_ms * 1000.0 + 0.5);
+  const double dt_s = feeding.tick_ms * 1e-3;
+  const auto tick_us = static_cast<std::uint32_t>(feeding.tick_ms * 1000.0 + 0.5);
   const auto place = [&](std::int64_t k) {
     const double t = static_cast<double>(k) * dt_s;
-    const double a = speed_mm_s * t / kCircleMm;
-    const double tremor = kTremorMm * std::sin(2.0 * kPi * 9.0 * t);
+    const double a = feeding.speed_mm_s * t / kCircleMm;
+    const double tremor = kTremorMm * std::sin(2.0 * std::numbers::pi * 9.0 * t);
     const Vec3 noise{random.between(-kNoiseMm, kNoiseMm), random.between(-kNoiseMm, kNoiseMm),
                      random.between(-kNoiseMm, kNoiseMm)};
-    return f.to_world(Vec3{kCircleMm * std::cos(a) + 0.5 * tremor, kCircleMm * std::sin(a), radius - kPressMm + tremor} + noise);
+    return f.to_world(Vec3{kCircleMm * std::cos(a) + 0.5 * tremor, kCircleMm * std::sin(a), radius - kSlidePressMm + tremor} + noise);
   };
   lead(state, step, place(0) + f.z * 0.4, 0.05);
   lead(state, step, place(0), 0.02);
-  Way3 way(radius, 0.0, f.z);
+  SweptPath way(radius, 0.0, f.z);
   const auto ticks = static_cast<std::int64_t>(kSlideS / dt_s + 0.5);
   std::vector<double> excess;
   SlideExcess out;
@@ -131,11 +131,10 @@ SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, double speed_mm
   bool cutting = false;
   Vec3 pose{0.0};
   for (std::int64_t k = 0; k < ticks; ++k) {
-    StepInput input = input_at(place(k), true);
+    StepInput input = input_at(place(k), Button::down);
     input.elapsed_us = tick_us;
     const StepOutput got = step(state, input);
     const StepState::Inner& inner = state.inner();
-    out.allowed_um += got.advance_mm * 1e3;
     const bool valid = inner.cut_valid;
     if (valid && got.advance_mm > 0.0) {
       const bool whole = cutting && length(inner.cut_pose - pose) <= 0.3;
@@ -158,69 +157,104 @@ SlideExcess slide_cutting(const Cutter& cutter, double voxel_mm, double speed_mm
   return out;
 }
 
-RidgeKept ridge_between(const Cutter& cutter, double voxel_mm, double speed_mm_s) {
-  const double r = cutter.bur.radius_mm;
-  const Frame f = Frame::of(kWayUp, {1.0, 0.51, 0.0}, Vec3(0.0));
-  const double apart = 0.6 * r, pivot = 0.6 * r;  // of each groove from the ridge; of the bur above the face
-  const double ridge = pivot - 0.8 * r;
-  Cutter fine = round_cutter(r);  // half as wide
-  auto soft = soft_scene(cutter, Method::surface, voxel_mm, Way::straight);
-  soft->burs.push_back(fine.bur);
-  StepState state(soft);
-  const double each = speed_mm_s * 1e-3, half = 1.2;
-  for (const double side : {-1.0, 1.0}) {
-    const auto place = [&](double y) { return f.to_world({side * apart, y, pivot}); };
-    lead(state, step, place(-half) + f.z * (2.0 * r), 0.2);
-    lead(state, step, place(-half) + f.z * (0.4 * r), 0.02);
-    step(state, input_at(place(-half), true));
-    for (double y = -half; y < half; y += each) step(state, input_at(place(y), true));
-    step(state, input_at(place(half), false));
-    lead(state, step, place(half) + f.z * (2.0 * r), 0.2);
+namespace {
+
+/// Two grooves of one bur side by side, and the ridge between them, in the frame of the face.
+class RidgeBench {
+ public:
+  RidgeBench(const Cutter& cutter, double voxel_mm, double speed_mm_s)
+      : radius_(cutter.bur.radius_mm),
+        step_mm_(speed_mm_s * 1e-3),
+        apart_(0.6 * radius_),
+        pivot_(0.6 * radius_),
+        ridge_(pivot_ - 0.8 * radius_),
+        probe_(round_cutter(radius_)),
+        soft_(soft_scene(cutter, Method::surface, voxel_mm, Path::straight)) {
+    soft_->burs.push_back(probe_.bur);
   }
-  // The finer ball goes over it from groove to groove; its highest place is the ridge's. In the first groove it rests until
-  // the edges about it have been made out, some a tick.
-  const auto felt = [&](StepState& over) {
+
+  /// The state after both strokes.
+  StepState cut_grooves() const {
+    StepState state(soft_);
+    constexpr double kHalf = 1.2;
+    for (const double side : {-1.0, 1.0}) {
+      const auto place = [&](double y) { return frame_.to_world({side * apart_, y, pivot_}); };
+      lead(state, step, place(-kHalf) + frame_.z * (2.0 * radius_), 0.2);
+      lead(state, step, place(-kHalf) + frame_.z * (0.4 * radius_), 0.02);
+      step(state, input_at(place(-kHalf), Button::down));
+      for (double y = -kHalf; y < kHalf; y += step_mm_) step(state, input_at(place(y), Button::down));
+      step(state, input_at(place(kHalf), Button::up));
+      lead(state, step, place(kHalf) + frame_.z * (2.0 * radius_), 0.2);
+    }
+    return state;
+  }
+
+  /// The largest height error that the probe, half as wide as the bur, feels on the ridge at nine places, um.
+  double felt_um(StepState& state) const {
     double most = 0.0;
-    const double radius = fine.bur.radius_mm;
     for (int i = 0; i < 9; ++i) {
-      const double y = -0.8 + 0.2 * i + 0.037;
-      const auto way = [&](double x) {
-        StepInput input = input_at(f.to_world({x, y, ridge + radius - 0.1}));
-        input.bur = 1;
-        return step(over, input).proxy_mm;
-      };
-      const auto to = [&](Vec3 p) {
-        StepInput input = input_at(f.to_world(p));
-        input.bur = 1;
-        step(over, input);
-      };
-      for (double z = 2.0; z > 0.0; z -= 0.05) to({-0.5 * apart, y, ridge + radius - 0.1 + z});
-      for (int k = 0; k < (i == 0 ? kRestTicks : 0); ++k) to({-0.5 * apart, y, ridge + radius - 0.1});
-      double highest = -1e9;
-      for (double x = -0.5 * apart; x <= 0.5 * apart; x += 0.004) highest = std::max(highest, f.to_local(way(x)).z - radius);
-      for (double z = 0.0; z < 2.0; z += 0.05) to({0.5 * apart, y, ridge + radius - 0.1 + z});
-      most = std::max(most, std::fabs(ridge - highest) * 1e3);
+      const double highest = highest_mm(state, -0.8 + 0.2 * i + 0.037, i == 0 ? kRidgeRestTicks : 0);
+      most = std::max(most, std::fabs(ridge_ - highest) * 1e3);
     }
     return most;
-  };
-  RidgeKept out;
-  out.felt_um = felt(state);
-  // Over the ridge again and again, the button down, in tissue that all but resists.
-  auto hard = std::make_shared<Scene>(*soft);
-  for (TissueFeel& feel : hard->tissues) feel = {1.0, kRidgeWearMmS};
-  hard->full_force_n = kFullForceN;
-  auto worn = StepState::restore(hard, state.save());
-  lead(*worn, step, f.to_world({-apart, -1.0, pivot + 1.0}), 0.05);
-  lead(*worn, step, f.to_world({-apart, -1.0, pivot - 0.05}), 0.02);
-  const double wide = 1.5 * apart;
-  const auto ticks = static_cast<int>(40.0 * 2.0 * wide / each);
-  for (int k = 0; k < ticks; ++k) {
-    const double phase = std::fmod(k * each / (2.0 * wide), 2.0);
-    const double x = phase < 1.0 ? -wide + 2.0 * wide * phase : wide - 2.0 * wide * (phase - 1.0);
-    step(*worn, input_at(f.to_world({x, -1.0 + 2.0 * k / ticks, ridge + r - 0.1}), true));
   }
-  step(*worn, input_at(f.to_world({0.0, 1.0, ridge + r - 0.1}), false));
-  out.after_um = felt(*worn) - kRidgeWearMmS * ticks;  // a tick wears so many um at most
+
+  /// Moves the bur across the ridge 40 times, the button down, in tissue that wears by kRidgeWearMmS.
+  StepState wear(const StepState& state, int& ticks) const {
+    auto hard = std::make_shared<Scene>(*soft_);
+    for (TissueFeel& feel : hard->tissues) feel = {1.0, kRidgeWearMmS};
+    hard->full_force_n = kFullForceN;
+    StepState worn = *StepState::restore(hard, state.save());
+    lead(worn, step, frame_.to_world({-apart_, -1.0, pivot_ + 1.0}), 0.05);
+    lead(worn, step, frame_.to_world({-apart_, -1.0, pivot_ - 0.05}), 0.02);
+    const double wide = 1.5 * apart_, z = ridge_ + radius_ - 0.1;
+    ticks = static_cast<int>(40.0 * 2.0 * wide / step_mm_);
+    for (int k = 0; k < ticks; ++k) {
+      const double phase = std::fmod(k * step_mm_ / (2.0 * wide), 2.0);
+      const double x = phase < 1.0 ? -wide + 2.0 * wide * phase : wide - 2.0 * wide * (phase - 1.0);
+      step(worn, input_at(frame_.to_world({x, -1.0 + 2.0 * k / ticks, z}), Button::down));
+    }
+    step(worn, input_at(frame_.to_world({0.0, 1.0, z}), Button::up));
+    return worn;
+  }
+
+ private:
+  Vec3 probe_at(StepState& state, Vec3 local) const {
+    StepInput input = input_at(frame_.to_world(local));
+    input.bur = 1;
+    return step(state, input).proxy_mm;
+  }
+  /// Height of the probe's lowest point at the top of its way from groove to groove. The probe first rests in its groove
+  /// for rest_ticks, in which the method finds the edges about it.
+  double highest_mm(StepState& state, double y, int rest_ticks) const {
+    const double radius = probe_.bur.radius_mm, z = ridge_ + radius - 0.1;
+    for (double up = 2.0; up > 0.0; up -= 0.05) probe_at(state, {-0.5 * apart_, y, z + up});
+    for (int k = 0; k < rest_ticks; ++k) probe_at(state, {-0.5 * apart_, y, z});
+    double highest = -1e9;
+    for (double x = -0.5 * apart_; x <= 0.5 * apart_; x += 0.004)
+      highest = std::max(highest, frame_.to_local(probe_at(state, {x, y, z})).z - radius);
+    for (double up = 0.0; up < 2.0; up += 0.05) probe_at(state, {0.5 * apart_, y, z + up});
+    return highest;
+  }
+
+  Frame frame_ = Frame::of(kPathUp, {1.0, 0.51, 0.0}, Vec3(0.0));
+  double radius_, step_mm_;
+  double apart_, pivot_;  // of each groove from the ridge; of the bur above the face
+  double ridge_;          // height of the exact ridge
+  Cutter probe_;
+  std::shared_ptr<Scene> soft_;
+};
+
+}  // namespace
+
+RidgeError ridge_between(const Cutter& cutter, double voxel_mm, double speed_mm_s) {
+  const RidgeBench bench(cutter, voxel_mm, speed_mm_s);
+  StepState state = bench.cut_grooves();
+  RidgeError out;
+  out.felt_um = bench.felt_um(state);
+  int ticks = 0;
+  StepState worn = bench.wear(state, ticks);
+  out.after_um = bench.felt_um(worn) - kRidgeWearMmS * ticks;  // kRidgeWearMmS is um a tick of 1 ms as well
   return out;
 }
 
@@ -244,7 +278,7 @@ CutCost cost_of_cutting(const Cutter& cutter, Method method, double voxel_mm, do
     StepOutput out = state.last();
     for (const Vec3& way : {in, side})
       for (int k = 0; k < static_cast<int>(kDownMm / 1.2e-3); ++k) {
-        const StepInput input = input_at(out.proxy_mm + way * kAheadMm, true);
+        const StepInput input = input_at(out.proxy_mm + way * kAheadMm, Button::down);
         const double before = core_time_s();
         out = step(state, input);
         us.push_back((core_time_s() - before) * 1e6);

@@ -9,8 +9,8 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kAbove = 0.05;  // mm: where a press starts, above its spot
-constexpr double kHome = 14.0;   // mm from the middle: no bur of 3 mm touches the 10 mm box there
+constexpr double kAboveRoundMm = 0.05;  // mm: where a press starts, above its spot
+constexpr double kRoundHomeMm = 14.0;   // mm from the middle: no bur of 3 mm touches the 10 mm box there
 constexpr double kSphereMm = 4.0, kCylinderMm = 2.0, kPitOverBur = 1.2, kWallMm = 0.2;
 
 /// Truth of a shape whose clearance has one foot: given by two functions of the shape.
@@ -35,7 +35,7 @@ class RoundShape : public Shape {
  public:
   using Shape::Shape;
   Vec3 tool_axis() const override { return frame_.z; }
-  Vec3 home() const override { return frame_.to_world({0.0, 0.0, kHome}); }
+  Vec3 home() const override { return frame_.to_world({0.0, 0.0, kRoundHomeMm}); }
 
  protected:
   Frame frame_ = oblique_frame();
@@ -83,7 +83,7 @@ class Flat : public RoundShape {
     const Vec3 a = from ? *from : aim();
     return straight(a, aim());
   }
-  Vec3 before(Vec3 first) const override { return proxy(first) + frame_.z * kAbove; }
+  Vec3 before(Vec3 first) const override { return proxy(first) + frame_.z * kAboveRoundMm; }
 
  private:
   static constexpr double kDisc = 3.0;
@@ -107,8 +107,9 @@ class Joint : public Flat {
 /// Ball of 4 mm; the bur keeps to the 55 degrees about the frame's z. Or its inside, a pit of 1.2 bur radii.
 class Ball : public RoundShape {
  public:
-  Ball(std::string name, double bur_radius_mm, double radius_mm, bool pit)
-      : RoundShape(std::move(name), bur_radius_mm), ball_(radius_mm), pit_(pit) {}
+  enum class Side : std::uint8_t { outside, inside };
+  Ball(std::string name, double bur_radius_mm, double radius_mm, Side side)
+      : RoundShape(std::move(name), bur_radius_mm), ball_(radius_mm), pit_(side == Side::inside) {}
   std::string key() const override { return pit_ ? name() + std::to_string(ball_) : name(); }
   double distance_mm(Vec3 world) const override {
     const Vec3 p = frame_.to_local(world);
@@ -152,7 +153,7 @@ class Ball : public RoundShape {
   }
   Vec3 before(Vec3 first) const override {
     if (pit_) return frame_.origin;
-    return frame_.origin + unit(first - frame_.origin) * (offset() + kAbove);
+    return frame_.origin + unit(first - frame_.origin) * (offset() + kAboveRoundMm);
   }
 
  private:
@@ -207,7 +208,7 @@ class Cylinder : public RoundShape {
   }
   Vec3 before(Vec3 first) const override {
     const Vec3 p = frame_.to_local(first);
-    return at(p.x, std::atan2(p.y, p.z), kCylinderMm + bur_radius_mm() + kAbove);
+    return at(p.x, std::atan2(p.y, p.z), kCylinderMm + bur_radius_mm() + kAboveRoundMm);
   }
 
  private:
@@ -275,7 +276,7 @@ class Corner : public RoundShape {
     while (length(b - a) < 0.1) b = aim();  // the corner itself, twice
     return straight(a, b);
   }
-  Vec3 before(Vec3 first) const override { return proxy(first) + frame_.z * kAbove; }
+  Vec3 before(Vec3 first) const override { return proxy(first) + frame_.z * kAboveRoundMm; }
 
  private:
   static constexpr double kSide = 1.5;
@@ -288,8 +289,8 @@ std::unique_ptr<Shape> make_round_shape(std::string_view name, double r) {
   if (name == "face") return std::make_unique<Flat>("face", r, 0.0);
   if (name == "joint") return std::make_unique<Joint>(r);
   if (name == "wall") return std::make_unique<Flat>("wall", r, kWallMm);
-  if (name == "sphere") return std::make_unique<Ball>("sphere", r, kSphereMm, false);
-  if (name == "pit") return std::make_unique<Ball>("pit", r, kPitOverBur * r, true);
+  if (name == "sphere") return std::make_unique<Ball>("sphere", r, kSphereMm, Ball::Side::outside);
+  if (name == "pit") return std::make_unique<Ball>("pit", r, kPitOverBur * r, Ball::Side::inside);
   if (name == "cylinder") return std::make_unique<Cylinder>(r);
   if (name == "corner") return std::make_unique<Corner>(r);
   return nullptr;

@@ -230,7 +230,7 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
-int hand_over(const Report& report, const std::string& json, void (*print)(const std::vector<Row>&)) {
+int write_report(const Report& report, const std::string& json, void (*print)(const std::vector<Row>&)) {
   if (json.empty()) {
     print(report.rows);
     return kDone;

@@ -42,7 +42,6 @@ struct Row {
   double error_percent = kAbsent;  // removal: of what is measured, against its target
   double deepest_mm_s = kAbsent;   // removal: the speed by the deepest place alone, and by the volume alone
   double volume_mm_s = kAbsent;
-  double density = kAbsent;        // removal: D of eq. (6)
   double time_s = kAbsent;         // removal: of a moment of the paper's perforation, and
   double depth_mm = kAbsent;       // how deep the bur's tip is by then
   double removed_mm3 = kAbsent;    // removal
@@ -86,7 +85,6 @@ struct Row {
   double k_exact_first_n_per_mm = kAbsent;  // the exact proxy's
   double k_exact_least_n_per_mm = kAbsent;
   double k_exact_most_n_per_mm = kAbsent;
-  double k_exact_out_n_per_mm = kAbsent;  // of the exact proxy all 0.1 um further out: how fine k_max itself is
   double energy_mj = kAbsent;
   double energy_exact_mj = kAbsent;
   double late_mj = kAbsent;   // force times travel in the milliseconds that went without an answer
@@ -108,15 +106,13 @@ struct Row {
                                 // fragment: from the cut
   double back_ms = kAbsent;     // faults: from re-arming until the force is within 5 % of what it comes to
   double back_share = kAbsent;  // faults: of the exact force, half a second after re-arming
-  std::string breaks;           // stability: what counts as a failure (verdict.h), names between spaces
+  std::string failures;           // stability: what counts as a failure (verdict.h), names between spaces
   double updates_per_s = kAbsent;
   double tick_us_p50 = kAbsent;
   double tick_us_p99 = kAbsent;
   double tick_us_p999 = kAbsent;
   double tick_us_p9999 = kAbsent;
   double tick_us_max = kAbsent;
-  double voxels_changed = kAbsent;      // rate: a tick
-  double cells_changed = kAbsent;       // rate: a tick
   double ratio_to_occupancy = kAbsent;  // rate: updates_per_s over the occupancy proxy's in the same run
   double cached_share = kAbsent;        // rate: ticks answered from the cached clearance, 0 to 1
   std::int64_t volume_voxels = -1;      // scale
@@ -124,9 +120,9 @@ struct Row {
   double cost_to_smallest = kAbsent;    // scale: a tick's cost over the one in the smallest volume, same run
 };
 
-/// Calls visit(name, member) for each field, in the order in which files have them.
+/// Names of the method, case, device and shape.
 template <class R, class Visit>
-void for_each_field(R& row, Visit&& visit) {
+void visit_identity(R& row, Visit& visit) {
   visit("method", row.method);
   visit("case", row.case_name);
   visit("sweep", row.sweep);
@@ -141,6 +137,11 @@ void for_each_field(R& row, Visit&& visit) {
   visit("variant", row.variant);
   visit("motion", row.motion);
   visit("task", row.task);
+}
+
+/// Fields of `removal`.
+template <class R, class Visit>
+void visit_removal(R& row, Visit& visit) {
   visit("measure", row.measure);
   visit("bur", row.bur);
   visit("tissue", row.tissue);
@@ -152,7 +153,6 @@ void for_each_field(R& row, Visit&& visit) {
   visit("error_percent", row.error_percent);
   visit("deepest_mm_s", row.deepest_mm_s);
   visit("volume_mm_s", row.volume_mm_s);
-  visit("density", row.density);
   visit("time_s", row.time_s);
   visit("depth_mm", row.depth_mm);
   visit("removed_mm3", row.removed_mm3);
@@ -163,6 +163,11 @@ void for_each_field(R& row, Visit&& visit) {
   visit("excess_um_p99", row.excess_um_p99);
   visit("excess_um_max", row.excess_um_max);
   visit("ridge_um", row.ridge_um);
+}
+
+/// Sizes and the fields of `accuracy`.
+template <class R, class Visit>
+void visit_contact(R& row, Visit& visit) {
   visit("speed_mm_s", row.speed_mm_s);
   visit("bur_radius_mm", row.bur_radius_mm);
   visit("voxel_mm", row.voxel_mm);
@@ -186,6 +191,11 @@ void for_each_field(R& row, Visit&& visit) {
   visit("follow_ticks", row.follow_ticks);
   visit("infeasible_ticks", row.infeasible_ticks);
   visit("max_candidates", row.max_candidates);
+}
+
+/// Fields of `stability`.
+template <class R, class Visit>
+void visit_stability(R& row, Visit& visit) {
   visit("runs", row.runs);
   visit("k_max_n_per_mm", row.k_max_n_per_mm);
   visit("k_exact_n_per_mm", row.k_exact_n_per_mm);
@@ -196,7 +206,6 @@ void for_each_field(R& row, Visit&& visit) {
   visit("k_exact_first_n_per_mm", row.k_exact_first_n_per_mm);
   visit("k_exact_least_n_per_mm", row.k_exact_least_n_per_mm);
   visit("k_exact_most_n_per_mm", row.k_exact_most_n_per_mm);
-  visit("k_exact_out_n_per_mm", row.k_exact_out_n_per_mm);
   visit("energy_mj", row.energy_mj);
   visit("energy_exact_mj", row.energy_exact_mj);
   visit("late_mj", row.late_mj);
@@ -217,20 +226,33 @@ void for_each_field(R& row, Visit&& visit) {
   visit("zero_ms", row.zero_ms);
   visit("back_ms", row.back_ms);
   visit("back_share", row.back_share);
-  visit("breaks", row.breaks);
+  visit("failures", row.failures);
+}
+
+/// Rates, tick times and the fields of `rate` and `scale`.
+template <class R, class Visit>
+void visit_cost(R& row, Visit& visit) {
   visit("updates_per_s", row.updates_per_s);
   visit("tick_us_p50", row.tick_us_p50);
   visit("tick_us_p99", row.tick_us_p99);
   visit("tick_us_p999", row.tick_us_p999);
   visit("tick_us_p9999", row.tick_us_p9999);
   visit("tick_us_max", row.tick_us_max);
-  visit("voxels_changed", row.voxels_changed);
-  visit("cells_changed", row.cells_changed);
   visit("ratio_to_occupancy", row.ratio_to_occupancy);
   visit("cached_share", row.cached_share);
   visit("volume_voxels", row.volume_voxels);
   visit("memory_mb", row.memory_mb);
   visit("cost_to_smallest", row.cost_to_smallest);
+}
+
+/// Calls visit(name, member) for each field, in the order in which files have them.
+template <class R, class Visit>
+void for_each_field(R& row, Visit&& visit) {
+  visit_identity(row, visit);
+  visit_removal(row, visit);
+  visit_contact(row, visit);
+  visit_stability(row, visit);
+  visit_cost(row, visit);
 }
 
 struct Report {
@@ -260,6 +282,6 @@ void print_table(const std::vector<Row>& rows, std::ostream& out);
 
 /// The end of a verb: the rows as JSON to the file that was asked for ("-": stdout), or as print() shows them to a
 /// person where none was. The program's exit code; says on stderr what failed.
-int hand_over(const Report& report, const std::string& json, void (*print)(const std::vector<Row>&));
+int write_report(const Report& report, const std::string& json, void (*print)(const std::vector<Row>&));
 
 }  // namespace cusp::bench

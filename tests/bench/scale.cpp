@@ -21,7 +21,7 @@ constexpr int kEdges[] = {128, 256, 512, 1024};
 constexpr double kBurMm = 0.5;
 constexpr double kSameWayMm = 4.0;
 constexpr double kFromEdgeMm = 1.0;         // of the block, so that the bur stays on its top
-constexpr std::size_t kTrackTicks = 16384;  // 0.8 m of way
+constexpr std::size_t kScaleTrackTicks = 16384;  // 0.8 m of way
 
 double box_distance(Vec3 p, double half) {
   const Vec3 q = glm::abs(p) - half;
@@ -38,7 +38,7 @@ std::shared_ptr<const Scene> block_scene(int edge, Method method, double voxel_m
   return scene;
 }
 
-void print(const std::vector<Row>& rows) {
+void print_scale(const std::vector<Row>& rows) {
   fmt::print("{:<16}{:<11}{:>14}{:>12}{:>9}{:>9}{:>11}{:>11}\n", "method", "way", "voxels", "updates/s", "p50 us",
              "p99", "cost/128^3", "memory MB");
   for (const Row& r : rows)
@@ -76,13 +76,12 @@ std::shared_ptr<const Specimen> solid_block(int edge_voxels, double voxel_mm, Re
   });
 }
 
-std::vector<StepInput> block_inputs(double top_mm, double bur_radius_mm, double half_way_mm, double speed_mm_s,
-                                    std::uint64_t seed, std::size_t ticks) {
-  const double z = top_mm + bur_radius_mm - kDepthMm;
+std::vector<StepInput> block_inputs(const BlockSlide& slide, std::uint64_t seed, std::size_t ticks) {
+  const double z = slide.top_mm + slide.bur_radius_mm - kDepthMm, reach = slide.half_way_mm;
   Random random(seed);
   const auto place = [&] {
-    const double x = random.between(-half_way_mm, half_way_mm);
-    return Vec3(x, random.between(-half_way_mm, half_way_mm), z);
+    const double x = random.between(-reach, reach);
+    return Vec3(x, random.between(-reach, reach), z);
   };
   Vec3 from = place(), to = place();
   double done = 0.0;
@@ -96,7 +95,7 @@ std::vector<StepInput> block_inputs(double top_mm, double bur_radius_mm, double 
       continue;
     }
     out.push_back(input_at(from + (to - from) * (done / whole)));
-    done += speed_mm_s * kTickUs * 1e-6;
+    done += slide.speed_mm_s * kTickUs * 1e-6;
   }
   return out;
 }
@@ -120,7 +119,7 @@ std::vector<Row> scale_rows(const Options& options) {
             for (std::size_t i = 0; i < states.size(); ++i) {
               const double top = solid_block_half_mm(kEdges[i], voxel);
               const double half_way = same ? kSameWayMm : top - kFromEdgeMm;
-              Track track(block_inputs(top, radius, half_way, speed, options.seed, kTrackTicks));
+              Track track(block_inputs({top, radius, half_way, speed}, options.seed, kScaleTrackTicks));
               // From above, and down to where the way begins.
               const Vec3 first = track.next().position_mm();
               lead(states[i], step, {first.x, first.y, top + 2.0 * radius + 1.0}, 1.0);
@@ -154,7 +153,7 @@ int run_scale(const Options& options) {
   if (!pin_to_core()) std::cerr << "cusp-bench: this thread could not be kept on one core\n";
   Report report = empty_report();
   report.rows = scale_rows(options);
-  return hand_over(report, options.json, print);
+  return write_report(report, options.json, print_scale);
 }
 
 }  // namespace cusp::bench

@@ -19,8 +19,13 @@ std::shared_ptr<const Specimen> solid_block(int edge_voxels, double voxel_mm, Re
 double solid_block_half_mm(int edge_voxels, double voxel_mm);
 
 /// Device points over the top of a block: straight lines to random places within half_way_mm of its middle.
-std::vector<StepInput> block_inputs(double top_mm, double bur_radius_mm, double half_way_mm, double speed_mm_s,
-                                    std::uint64_t seed, std::size_t ticks);
+struct BlockSlide {
+  double top_mm = 0.0;
+  double bur_radius_mm = 0.5;
+  double half_way_mm = 1.0;
+  double speed_mm_s = 50.0;
+};
+std::vector<StepInput> block_inputs(const BlockSlide& slide, std::uint64_t seed, std::size_t ticks);
 
 /// Variants: "same-way" goes over the same 8 mm of every block, "whole-top" over all of each block's top. The sizes
 /// take turns in short blocks; cost_to_smallest is the median over them of the tick's cost over the smallest volume's.

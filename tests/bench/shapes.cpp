@@ -58,7 +58,7 @@ constexpr std::size_t kKept = 6;
 std::unique_ptr<Shape> make_shape(std::string_view name, double bur_radius_mm, std::string_view variant) {
   if (auto shape = make_round_shape(name, bur_radius_mm)) return shape;
   if (auto shape = make_profile_shape(name, bur_radius_mm)) return shape;
-  if (name == "cut") return make_cut(bur_radius_mm, variant == "crossing");
+  if (name == "cut") return make_cut(bur_radius_mm, variant == "crossing" ? CutKind::crossing : CutKind::single);
   if (name == "islet") return make_islet(bur_radius_mm);
   return nullptr;
 }

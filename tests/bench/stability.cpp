@@ -15,9 +15,9 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kVoxelMm = 10.0 / 128;
-/// Of the budget, what a row of kWayCases takes: there are hundreds.
-constexpr double kWayShare = 0.4, kWallShare = 12.0;
+constexpr double kUsualVoxelMm = 10.0 / 128;
+/// Of the budget, what a row of kMotionCases takes: there are hundreds.
+constexpr double kMotionShare = 0.4, kWallShare = 12.0;
 
 struct Device {
   double mass_kg, damping_ns_per_m;
@@ -112,7 +112,7 @@ void print_ratios(const std::vector<Row>& rows) {
   }
 }
 
-void print(const std::vector<Row>& rows) {
+void print_stability(const std::vector<Row>& rows) {
   fmt::print(
       "{:<18}{:<17}{:<6}{:<11}{:<9}{:>5}{:>6}{:>7}{:>7}{:>8}{:>8}{:>9}{:>9}{:>8}{:>7}{:>8}{:>8}{:>8}{:>8}{:>9}\n",
       "case", "method", "guard", "device", "grip", "f N", "ms", "voxel", "runs", "k_max", "k_exact", "mJ", "exact mJ",
@@ -143,8 +143,8 @@ void sweep_damping(CaseRun what, const Options& options, std::vector<Row>& rows)
     return;
   what.key = "face";
   what.method = Method::surface;
-  what.guard = false;
-  what.voxel_mm = kVoxelMm;
+  what.guard = GuardUse::off;
+  what.voxel_mm = kUsualVoxelMm;
   what.bur_radius_mm = 0.25;
   for (const double damping : {0.5, 2.0, 5.0})
     for (const double friction : {0.0, 0.1})
@@ -156,9 +156,9 @@ void sweep_damping(CaseRun what, const Options& options, std::vector<Row>& rows)
 
 /// Voxel sizes of a case.
 std::vector<double> voxels_of(std::string_view key, const Options& options) {
-  if (key == "voxel-size") return chosen(options.voxels_mm, {0.2, 0.1, kVoxelMm, 0.04});
-  if (key == "thin-wall") return chosen(options.voxels_mm, {kVoxelMm, 0.04});
-  return chosen(options.voxels_mm, {kVoxelMm});
+  if (key == "voxel-size") return chosen(options.voxels_mm, {0.2, 0.1, kUsualVoxelMm, 0.04});
+  if (key == "thin-wall") return chosen(options.voxels_mm, {kUsualVoxelMm, 0.04});
+  return chosen(options.voxels_mm, {kUsualVoxelMm});
 }
 
 }  // namespace
@@ -187,8 +187,8 @@ std::vector<Row> measured_rows(const Options& options) {
     for (const double voxel : voxels)
       for (const Method method : kMethods) {
         if (!asked(options.methods, key_of(method))) continue;
-        for (const bool guard : {true, false}) {
-          if (!asked(options.guards, guard ? "on" : "off")) continue;
+        for (const GuardUse guard : {GuardUse::on, GuardUse::off}) {
+          if (!asked(options.guards, guard == GuardUse::on ? "on" : "off")) continue;
           for (const Setting& setting : settings) {
             what.voxel_mm = voxel;
             what.method = method;
@@ -200,11 +200,11 @@ std::vector<Row> measured_rows(const Options& options) {
       }
   };
   const std::vector<std::string_view> soft{"soft"}, every{"none", "soft", "firm"}, led{"scripted"};
-  for (const CaseName& name : kPressCases)
+  for (std::string_view name : kPressCases)
     // Hundreds of points about the bur in its pit; one bur for the rest.
-    for (const double radius : chosen(options.bur_radii_mm, {name.key == "pit" ? 0.5 : 0.25})) {
+    for (const double radius : chosen(options.bur_radii_mm, {name == "pit" ? 0.5 : 0.25})) {
       what.bur_radius_mm = radius;
-      each(name.key, settings_of(options.grips.empty() && !options.full ? soft : every, options), voxels_of(name.key, options),
+      each(name, settings_of(options.grips.empty() && !options.full ? soft : every, options), voxels_of(name, options),
            press_row);
     }
   if (options.full) {
@@ -214,19 +214,19 @@ std::vector<Row> measured_rows(const Options& options) {
   if (options.grips.empty() && !asks_for_a_device(options)) sweep_damping(what, options, rows);
   for (const double radius : chosen(options.bur_radii_mm, {0.25})) {
     what.bur_radius_mm = radius;
-    what.budget_s = kWayShare * options.budget_s;
+    what.budget_s = kMotionShare * options.budget_s;
     const auto way = [&options](CaseRun one) {
       // Ten thousand approaches at the usual budget.
       if (one.key == "thin-wall" && one.method == Method::surface) one.budget_s = kWallShare * options.budget_s;
       return run_case(one);
     };
-    for (const CaseName& name : kWayCases)
-      each(name.key, settings_of(grips_of(name.key), options), voxels_of(name.key, options), way);
-    for (const CaseName& name : kFaultCases)
-      each(name.key, settings_of(led, options), voxels_of(name.key, options), run_case);
+    for (std::string_view name : kMotionCases)
+      each(name, settings_of(grips_of(name), options), voxels_of(name, options), way);
+    for (std::string_view name : kFaultCases)
+      each(name, settings_of(led, options), voxels_of(name, options), run_case);
   }
   what.bur_radius_mm = 0.5;
-  for (const CaseName& name : kTaskCases) each(name.key, settings_of(led, options), {kVoxelMm}, run_case);
+  for (std::string_view name : kTaskCases) each(name, settings_of(led, options), {kUsualVoxelMm}, run_case);
   return rows;
 }
 
@@ -234,14 +234,14 @@ std::vector<Row> measured_rows(const Options& options) {
 
 std::vector<Row> stability_rows(const Options& options) {
   std::vector<Row> rows = measured_rows(options);
-  for (Row& row : rows) row.breaks = names_of(breaks_of(row));
+  for (Row& row : rows) row.failures = names_of(failures_of(row));
   return rows;
 }
 
 int run_stability(const Options& options) {
   Report report = empty_report();
   report.rows = stability_rows(options);
-  return hand_over(report, options.json, print);
+  return write_report(report, options.json, print_stability);
 }
 
 }  // namespace cusp::bench

@@ -11,7 +11,7 @@
 
 namespace cusp::bench {
 
-/// All rows, filtered by the options. Budget: a row of kWayCases gets two fifths of it, of the core's time, and one run
+/// All rows, filtered by the options. Budget: a row of kMotionCases gets two fifths of it, of the core's time, and one run
 /// at least; k_max is found with five seeds, with two where the budget is below kWholeBudgetS. Other devices, grips,
 /// frictions and delays than the usual ones are measured where they are asked for.
 inline constexpr double kWholeBudgetS = 0.5;

@@ -11,41 +11,19 @@
 
 namespace cusp::bench {
 
-struct CaseName {
-  std::string_view key, label;  // as rows have it; as a person reads it
-};
-
 /// Stiffness swept to the limit (stability_kmax.h).
-inline constexpr std::array<CaseName, 6> kPressCases = {{{"face", "face"},
-                                                         {"edge", "edge"},
-                                                         {"corner", "corner"},
-                                                         {"groove", "60\u00b0 groove"},
-                                                         {"pit", "fitting pit"},
-                                                         {"channel", "own channel"}}};
+inline constexpr std::array<std::string_view, 6> kPressCases = {
+    "face", "edge", "corner", "groove", "pit", "channel"};
 /// Ways at one stiffness.
-inline constexpr std::array<CaseName, 11> kWayCases = {{{"thin-wall", "thin wall, 1 m/s"},
-                                                        {"tissues", "enamel to dentine"},
-                                                        {"vanishing", "tissue vanishes"},
-                                                        {"islands", "islands left"},
-                                                         {"fragment", "fragment cut loose"},
-                                                        {"narrow-slot", "slot too narrow"},
-                                                        {"start-inside", "starts inside"},
-                                                        {"volume-edge", "edge of the volume"},
-                                                        {"voxel-size", "voxels 0.2 to 0.04"},
-                                                        {"late-ticks", "ticks late to 50 ms"},
-                                                        {"grip-weight", "weight of the grip"}}};
+inline constexpr std::array<std::string_view, 11> kMotionCases = {
+    "thin-wall", "tissues", "vanishing", "islands", "fragment", "narrow-slot", "start-inside", "volume-edge",
+    "voxel-size", "late-ticks", "grip-weight"};
 /// What a device or a session does wrong while the bur is in contact.
-inline constexpr std::array<CaseName, 8> kFaultCases = {{{"frozen", "frozen"},
-                                                         {"jump", "jumps 20 mm"},
-                                                         {"nan", "not a number"},
-                                                         {"infinite", "infinite"},
-                                                         {"out-of-range", "out of range"},
-                                                         {"device-gone", "device vanishes"},
-                                                         {"specimen-exchange", "specimen exchanged"},
-                                                         {"bur-exchange", "bur exchanged"}}};
+inline constexpr std::array<std::string_view, 8> kFaultCases = {
+    "frozen", "jump", "nan", "infinite", "out-of-range", "device-gone", "specimen-exchange", "bur-exchange"};
 /// The paper's three.
-inline constexpr std::array<CaseName, 3> kTaskCases = {
-    {{"displacement", "displacement"}, {"exploration", "exploration"}, {"perforation", "perforation"}}};
+inline constexpr std::array<std::string_view, 3> kTaskCases = {
+    "displacement", "exploration", "perforation"};
 
 inline constexpr std::int64_t kMostRuns = 10000;
 
@@ -53,7 +31,7 @@ inline constexpr std::int64_t kMostRuns = 10000;
 struct CaseRun {
   std::string_view key;
   Method method = Method::surface;
-  bool guard = true;
+  GuardUse guard = GuardUse::on;
   Setting setting;
   double voxel_mm = 10.0 / 128;
   double bur_radius_mm = 0.25;
@@ -63,12 +41,12 @@ struct CaseRun {
   bool settle = false;  // a k_max that five seeds leave open is found again with more (stability_sets.h)
 };
 
-/// One row. Pre: the key is of kWayCases, kFaultCases or kTaskCases.
+/// One row. Pre: the key is of kMotionCases, kFaultCases or kTaskCases.
 Row run_case(const CaseRun& what);
 
 Row row_of(const CaseRun& what);
 Row run_thin_wall(const CaseRun& what);
-Row run_way(const CaseRun& what);
+Row run_motion(const CaseRun& what);
 Row run_vanishing(const CaseRun& what);
 Row run_fragment(const CaseRun& what);
 Row run_start_inside(const CaseRun& what);

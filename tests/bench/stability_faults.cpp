@@ -100,7 +100,7 @@ Times one_fault(const CaseRun& what, const Shape& face, const std::shared_ptr<co
     const double given = length(answer.force_n);
     if (wrong) {
       tally.interrupt();
-      tally.gave(answer);
+      tally.add_force(answer);
     }
     if (ms >= begins && ms < rearm) {
       if (given > 0.0) zero_since = -1;
@@ -188,7 +188,7 @@ Row run_fault(const CaseRun& what) {
   Row row = row_of(what);
   row.shape = "face";
   tally.fill(row);
-  if (what.key == "jump" && !what.guard) {
+  if (what.key == "jump" && what.guard == GuardUse::off) {
     // Led round the specimen and through it: the endless face is no truth for that.
     Row only = row_of(what);
     only.shape = row.shape;
@@ -207,10 +207,10 @@ Row run_fault(const CaseRun& what) {
 Row run_task(const CaseRun& what) {
   const double top = solid_block_half_mm(128, 10.0 / 128), r = what.bur_radius_mm;
   auto scene = task_scene(what.method);
-  if (!what.guard) scene->guard = unguarded();
+  if (what.guard == GuardUse::off) scene->guard = unguarded();
   StepState state(scene);
   BlockTop exact(top, r);
-  const Vec3 begin = hand_at(0.0, top, r);
+  const Vec3 begin = scripted_device_mm(0.0, {top, r});
   lead(state, step, begin, 0.05);
   exact.start(begin);
   const double from = what.key == "displacement" ? 0.0 : what.key == "exploration" ? kFreeS : kFreeS + kExploreS;
@@ -222,13 +222,13 @@ Row run_task(const CaseRun& what) {
   const int ticks = static_cast<int>((from + whole) * 1000.0);
   for (int k = 1; k <= ticks; ++k) {
     const double t = k * 1e-3;
-    const StepInput input = input_at(hand_at(t, top, r), t > kFreeS + kExploreS);
+    const StepInput input = input_at(scripted_device_mm(t, {top, r}), t > kFreeS + kExploreS ? Button::down : Button::up);
     const StepOutput out = step(state, input);
     const Exact pose = exact.follow(input.position_mm());
     // A bur that drills has no exact proxy here: the way it goes has nothing above 3 Hz of its own.
     const Vec3 force = pose.contact && !drills ? kStabilityNPerMm * (pose.pose_mm - out.device_mm) : Vec3(0.0);
     beyond.push_back(out.force_n - force);
-    if (t > from && !drills) tally.add(out, pose, force, exact.clearance_mm(out.proxy_mm), r, 0.1);
+    if (t > from && !drills) tally.add(out, pose, {force, exact.clearance_mm(out.proxy_mm), r, 0.1});
   }
   tally.end();
   Row row = row_of(what);
@@ -249,11 +249,11 @@ Row run_case(const CaseRun& what) {
   if (what.key == "fragment") return run_fragment(what);
   if (what.key == "start-inside") return run_start_inside(what);
   if (what.key == "grip-weight") return run_weight(what);
-  for (const CaseName& name : kFaultCases)
-    if (name.key == what.key) return run_fault(what);
-  for (const CaseName& name : kTaskCases)
-    if (name.key == what.key) return run_task(what);
-  return run_way(what);
+  for (std::string_view name : kFaultCases)
+    if (name == what.key) return run_fault(what);
+  for (std::string_view name : kTaskCases)
+    if (name == what.key) return run_task(what);
+  return run_motion(what);
 }
 
 }  // namespace cusp::bench

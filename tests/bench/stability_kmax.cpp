@@ -12,13 +12,13 @@ namespace {
 
 using Verdict = lab::Steadiness::Verdict;
 
-constexpr double kAboveMm = 0.25;  // where the way down begins
+constexpr double kStartAboveMm = 0.25;  // where the way down begins
 constexpr double kReadyMm = 0.02;  // a tick, on the last bit of the way there
 constexpr double kLostMm = 10.0;   // off the touch, besides the press's own depth: the device has left the place
 constexpr double kRestMm = 1e-12;  // rounding in a solver that starts where it ended
 // A proxy further off is elsewhere. Across the push: a bur that has slipped off an edge. Along it: a pivot that
 // overlaps in a groove stands two bur radii too deep, which is its fault but not elsewhere.
-constexpr double kAsideMm = 0.5, kThroughMm = 1.5;
+constexpr double kLostAsideMm = 0.5, kLostThroughMm = 1.5;
 constexpr int kRampTicks = 300;  // longer than GuardSettings::ramp_in_ms
 constexpr int kMostApproachTicks = 200;
 constexpr int kConfirmPlaces = 10;  // of the grid: 20 %
@@ -39,11 +39,11 @@ struct PressBench::Inner {
 
   /// The state to run on: one for all stiffnesses without a guard, one for each with it.
   void make_state(double k) {
-    if (state && (!what.guard || k == guarded_k)) return;
+    if (state && (what.guard == GuardUse::off || k == guarded_k)) return;
     guarded_k = k;
     auto scene = scene_of(place->shape(), *what.method, what.voxel_mm);
     scene->guard = unguarded();
-    if (what.guard) {
+    if (what.guard == GuardUse::on) {
       for (TissueFeel& feel : scene->tissues) feel.stiffness_n_per_mm = k;
       scene->guard = GuardSettings{};
       scene->guard.limit_n = what.device.limit_n;
@@ -65,28 +65,119 @@ PressBench::PressBench(const KMaxCase& what) : inner_(std::make_unique<Inner>(wh
 PressBench::~PressBench() = default;
 
 void PressBench::use(const KMaxCase& what) {
-  if (what.guard || inner_->what.guard) inner_->state.reset();  // the guard knows the device
+  if (what.guard == GuardUse::on || inner_->what.guard == GuardUse::on) inner_->state.reset();  // the guard knows the device
   inner_->what = what;
 }
 
-PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare) {
+namespace {
+
+/// The force that the device renders, tick by tick, with what a press measures of it.
+class PressController {
+ public:
+  /// state: nullptr renders the exact proxy.
+  PressController(StepState* state, Truth& exact, const KMaxCase& what, double k, PressOptions options)
+      : state_(state), exact_(exact), guarded_(what.guard == GuardUse::on), k_(k), options_(options) {}
+
+  Vec3 operator()(const lab::Reading& reading) {
+    const StepInput input = input_of(reading);
+    const Vec3 device = input.position_mm();
+    // If a method answers one reading twice with its proxy at rest, a third answer is the same and is not computed.
+    const bool same = any_ && input.x == last_.x && input.y == last_.y && input.z == last_.z;
+    if ((!state_ || options_.compare_exact) && !same) there_ = exact_.follow(device);
+    if (state_ && !(same && rests_)) {
+      const Vec3 before = answer_.proxy_mm;
+      answer_ = step(*state_, input);
+      rests_ = same && !guarded_ && length(answer_.proxy_mm - before) < kRestMm && !answer_.deferred;
+    }
+    last_ = input;
+    any_ = true;
+    touched_ = touched_ || (state_ ? answer_.contact : there_.contact);
+    if (!state_) return there_.contact ? (there_.pose_mm - device) * k_ : Vec3(0.0);
+    const Vec3 force = guarded_ ? answer_.force_n : answer_.force_raw_n * k_;
+    if (options_.compare_exact) compare(force, device);
+    return force;
+  }
+
+  bool touched() const { return touched_; }
+  Vec3 proxy_mm() const { return state_ ? answer_.proxy_mm : there_.pose_mm; }
+  void fill(PressRun& out) const {
+    out.off_um = off_um_;
+    out.force_step_mn = steps_.force_step_mn();
+    out.guard_step_mn = steps_.guard_step_mn();
+    out.penetration_um = penetration_.most_um();
+    out.stuck_ms = stuck_.stuck_ms();
+  }
+
+ private:
+  void compare(Vec3 force, Vec3 device) {
+    const double off = length(answer_.proxy_mm - there_.pose_mm) * 1000.0;
+    if (!(off <= off_um_)) off_um_ = off;
+    steps_.add(force, (there_.pose_mm - device) * k_, guarded_ && answer_.guard_acts != 0);
+    stuck_.add(there_.pose_mm, answer_.proxy_mm);
+    penetration_.add(exact_.clearance_mm(answer_.proxy_mm));
+  }
+
+  StepState* state_;
+  Truth& exact_;
+  bool guarded_;
+  double k_;
+  PressOptions options_;
+  lab::ForceSteps steps_;
+  lab::StuckWatch stuck_;
+  lab::Penetration penetration_;
+  StepInput last_;
+  StepOutput answer_;
+  Exact there_;
+  double off_um_ = 0.0;
+  bool any_ = false, rests_ = false, touched_ = false;
+};
+
+/// The straight motion of the grip from first touch to the place where it presses with kPressN.
+struct PressMotion {
+  PressMotion(const KMaxCase& what, const Press& press, Vec3 from_mm, double k)
+      : from(from_mm),
+        to(press.touch + press.into * (kPressN * (1.0 / k + (what.grip.holds() ? 1.0 / what.grip.stiffness_n_per_mm : 0.0)))),
+        arrive_s(length(to - from) / kApproachMmS),
+        along((to - from) / length(to - from)),
+        ticks(static_cast<int>(std::ceil((arrive_s + kPressS) / lab::kTickS))) {}
+
+  void drive(lab::Plant& plant, const KMaxCase& what, const Press& press, double now_s) const {
+    const bool arrived = now_s >= arrive_s;
+    if (what.grip.holds()) {
+      plant.intend(arrived ? to : from + along * (kApproachMmS * now_s), arrived ? Vec3(0.0) : along * kApproachMmS);
+    } else {
+      plant.push(press.into * (kPressN * std::min(1.0, now_s / arrive_s)));
+    }
+  }
+
+  Vec3 from, to;
+  double arrive_s;
+  Vec3 along;
+  int ticks;
+};
+
+}  // namespace
+
+StepState* PressBench::state_at(double k, Vec3 start, const Press& press) {
+  const KMaxCase& what = inner_->what;
+  if (!what.method) return nullptr;
+  const bool guarded = what.guard == GuardUse::on;
+  inner_->make_state(k);
+  StepState& state = *inner_->state;
+  if (guarded && state.last().tick > 0) step(state, rearmed(state.last().device_mm));  // clears the last run's fault
+  bring(state, inner_->stepper, inner_->place->shape(), start - press.approach * 2.0);
+  lead(state, inner_->stepper, start, kReadyMm);
+  // The guard's ramp ends before the touch.
+  for (int t = 0; guarded && t < kRampTicks; ++t) step(state, t == 0 ? rearmed(start) : input_at(start));
+  return &state;
+}
+
+PressRun PressBench::run(double k, std::uint64_t seed, PressOptions options) {
   const KMaxCase& what = inner_->what;
   const Press press = inner_->place->press(seed);
-  const Vec3 start = press.touch - press.approach * kAboveMm;
-  StepState* state = nullptr;
-  if (what.method) {
-    inner_->make_state(k);
-    state = inner_->state.get();
-    if (what.guard && state->last().tick > 0)
-      step(*state, rearmed(state->last().device_mm));  // a fault of the last run
-    bring(*state, inner_->stepper, inner_->place->shape(), start - press.approach * 2.0);
-    lead(*state, inner_->stepper, start, kReadyMm);
-    // A guard begins anew, and lets the force in slowly: that is over before the touch.
-    for (int t = 0; what.guard && t < kRampTicks; ++t) step(*state, t == 0 ? rearmed(start) : input_at(start));
-  }
-  Truth& exact = *inner_->exact;
-  const bool follow = !state || compare;
-  exact.start(start);
+  const Vec3 start = press.touch - press.approach * kStartAboveMm;
+  StepState* state = state_at(k, start, press);
+  inner_->exact->start(start);
 
   Random random(seed * 7919);
   const Vec3 phase(random.between(0.0, 1.0), random.between(0.0, 1.0), random.between(0.0, 1.0));
@@ -98,98 +189,40 @@ PressRun PressBench::run(double k, std::uint64_t seed, bool early, bool compare)
 
   PressRun out;
   lab::ContactEnergy energy;
-  lab::ForceSteps steps;
-  lab::StuckWatch stuck;
-  lab::Penetration penetration;
-  bool touched = false;
-  // Most readings of a device that hardly moves repeat the one before. A method that has answered the same reading
-  // twice with its proxy in the same place is at rest: what it would say the third time is known.
-  StepInput last;
-  StepOutput answer;
-  Exact there;
-  bool any = false, rests = false;
-  const auto controller = [&](const lab::Reading& reading) {
-    StepInput input;
-    input.x = reading.x;
-    input.y = reading.y;
-    input.z = reading.z;
-    input.elapsed_us = reading.elapsed_us;
-    const Vec3 device = input.position_mm();
-    const bool same = any && input.x == last.x && input.y == last.y && input.z == last.z;
-    if (follow && !same) there = exact.follow(device);
-    if (state && !(same && rests)) {
-      const Vec3 before = answer.proxy_mm;
-      answer = step(*state, input);
-      rests = same && !what.guard && length(answer.proxy_mm - before) < kRestMm && !answer.deferred;
-    }
-    last = input;
-    any = true;
-    if (!state) {
-      touched = touched || there.contact;
-      return there.contact ? (there.pose_mm - press.into * what.out_mm - device) * k : Vec3(0.0);
-    }
-    touched = touched || answer.contact;
-    const Vec3 force = what.guard ? answer.force_n : answer.force_raw_n * k;
-    if (compare) {
-      const double off = length(answer.proxy_mm - there.pose_mm) * 1000.0;
-      if (!(off <= out.off_um)) out.off_um = off;
-      steps.add(force, (there.pose_mm - device) * k, what.guard && answer.guard_acts != 0);
-      stuck.add(there.pose_mm, answer.proxy_mm);
-      penetration.add(exact.clearance_mm(answer.proxy_mm));
-    }
-    return force;
-  };
-
-  // To the first force.
-  for (int t = 0; t < kMostApproachTicks && !touched; ++t) energy.add(loop.tick(controller));
-  lab::Plant& plant = loop.plant();
-  plant.release();
-  // From here on the hand goes straight to where it presses with kPressN against the wall as it is.
-  const Vec3 from = plant.position_mm();
-  const double give = 1.0 / k + (what.grip.holds() ? 1.0 / what.grip.stiffness_n_per_mm : 0.0);
-  const Vec3 to = press.touch + press.into * (kPressN * give);
-  const double way = length(to - from);
-  const double arrive_s = way / kApproachMmS, end_s = arrive_s + kPressS;
-  const Vec3 along = (to - from) / way;
-  const auto ticks = static_cast<int>(std::ceil(end_s / lab::kTickS));
+  PressController press_controller(state, *inner_->exact, what, k, options);
+  const auto controller = [&press_controller](const lab::Reading& reading) { return press_controller(reading); };
+  for (int t = 0; t < kMostApproachTicks && !press_controller.touched(); ++t) energy.add(loop.tick(controller));
+  loop.plant().release();
+  const PressMotion motion(what, press, loop.plant().position_mm(), k);
   const auto window = static_cast<int>(lab::Steadiness::kWindowS / lab::kTickS);
   lab::Steadiness steady(press.into, Frame::of(press.into, {0.3, 0.5, 1.0}, Vec3(0.0)).x);
-  for (int t = 0; t < ticks; ++t) {
-    const double now = t * lab::kTickS;
-    const bool arrived = now >= arrive_s;
-    if (what.grip.holds()) {
-      plant.intend(arrived ? to : from + along * (kApproachMmS * now), arrived ? Vec3(0.0) : along * kApproachMmS);
-    } else {
-      plant.push(press.into * (kPressN * std::min(1.0, now / arrive_s)));
-    }
+  for (int t = 0; t < motion.ticks; ++t) {
+    motion.drive(loop.plant(), what, press, t * lab::kTickS);
     const lab::LoopTick tick = loop.tick(controller);
     energy.add(tick);
-    const bool final = t >= ticks - window;
+    const bool final = t >= motion.ticks - window;
     steady.add(tick, final);
     if (!(length(tick.to_mm - press.touch) < kLostMm + kPressN / k)) {
       out.verdict = Verdict::moves;
       break;
     }
-    if (early && (tick.over_limit || final)) {
+    if (options.stop_early && (tick.over_limit || final)) {
       out.verdict = steady.verdict(what.device.encoder_step_mm);
       if (out.verdict == Verdict::over_limit || out.verdict == Verdict::moves) break;
       out.verdict = Verdict::steady;
     }
   }
-  // By where the proxy is: a guard that softens the wall lets the device further in.
-  const Vec3 off = (state ? answer.proxy_mm : there.pose_mm) - press.touch;
+  // The proxy decides, because a guard that softens the wall lets the device further in.
+  const Vec3 off = press_controller.proxy_mm() - press.touch;
   const double in = glm::dot(off, press.into);
-  out.left = !(length(off - press.into * in) < kAsideMm && std::fabs(in) < kThroughMm);
+  out.left = !(length(off - press.into * in) < kLostAsideMm && std::fabs(in) < kLostThroughMm);
   if (out.verdict == Verdict::steady) out.verdict = steady.verdict(what.device.encoder_step_mm);
   if (out.left && out.verdict == Verdict::steady) out.verdict = Verdict::moves;
   out.cycle_um = steady.peak_to_peak_mm() * 1000.0;
   out.cycle_hz = steady.cycle_hz();
   out.window_mj = steady.energy_mj();
   out.energy_mj = energy.most_mj();
-  out.force_step_mn = steps.force_step_mn();
-  out.guard_step_mn = steps.guard_step_mn();
-  out.penetration_um = penetration.most_um();
-  out.stuck_ms = stuck.stuck_ms();
+  press_controller.fill(out);
   return out;
 }
 
@@ -206,7 +239,7 @@ class Tries {
     for (int i = 0; i < what_.seeds; ++i) {
       const int nth = i == 0 ? likely_ : i == likely_ ? 0 : i;
       ++runs_;
-      if (bench_.run(k_at(place), seed_of(nth), true).verdict != Verdict::steady) {
+      if (bench_.run(k_at(place), seed_of(nth), {.stop_early = true}).verdict != Verdict::steady) {
         likely_ = nth;
         return true;
       }
@@ -269,7 +302,7 @@ KMax find_k_max(PressBench& bench, const KMaxCase& what, double near_n_per_mm) {
     // Below: a place that fails begins the search anew beneath it.
     again = false;
     for (int place = high - 2; place >= 0 && !again; --place) {
-      if (!what.every && high - place > kConfirmPlaces && place % kConfirmStride != 0) continue;
+      if (what.search == KMaxSearch::spot_checks && high - place > kConfirmPlaces && place % kConfirmStride != 0) continue;
       if (!tries.fails(place)) continue;
       high = place;
       low = -1;
@@ -290,26 +323,6 @@ KMax scan_k_max(PressBench& bench, const KMaxCase& what) {
   int place = 0;
   while (place < kKMaxPlaces && !tries.fails(place)) ++place;
   return tries.answer(place);
-}
-
-std::vector<KMaxCase> k_max_cells(std::string_view place, std::optional<Method> method) {
-  std::vector<KMaxCase> out;
-  for (const lab::Grip& grip : {lab::kNoGrip, lab::kSoftGrip, lab::kFirmGrip})
-    for (const double delay : {0.0, 1.0, 3.0})
-      for (const double friction : {0.0, 0.1})
-        for (const double mass : {0.1, 0.25})
-          for (const double damping : {0.5, 2.0, 5.0}) {
-            KMaxCase cell;
-            cell.place = place;
-            cell.method = method;
-            cell.grip = grip;
-            cell.transport.delay_ms = delay;
-            cell.device.friction_n = friction;
-            cell.device.mass_kg = mass;
-            cell.device.damping_ns_per_m = damping;
-            out.push_back(cell);
-          }
-  return out;
 }
 
 }  // namespace cusp::bench

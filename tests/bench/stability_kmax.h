@@ -25,6 +25,7 @@
 #include "engine/lab/closed_loop.h"
 #include "engine/lab/measures.h"
 #include "engine/step/step.h"
+#include "tests/bench/options.h"
 #include "tests/bench/stability_places.h"
 #include "tests/modules.h"
 
@@ -35,10 +36,13 @@ inline constexpr double kKMaxFactor = 1.02;
 inline constexpr int kKMaxPlaces = 270;  // to 10.3 N/mm
 inline constexpr double kPressN = 1.0, kApproachMmS = 50.0, kPressS = 2.0;
 
+/// Which stiffnesses below the first failure are tried again.
+enum class KMaxSearch : std::uint8_t { spot_checks, every_place };
+
 struct KMaxCase {
   std::string place = "face";
   std::optional<Method> method;  // nullopt: the exact proxy
-  bool guard = false;            // off: the hand gets the method's own force
+  GuardUse guard = GuardUse::off;
   double bur_radius_mm = 0.5;
   double voxel_mm = 10.0 / 128;
   lab::DeviceSettings device;
@@ -46,8 +50,7 @@ struct KMaxCase {
   lab::Grip grip = lab::kNoGrip;
   int seeds = 5;
   std::uint64_t first_seed = 1;
-  bool every = false;   // places are looked at one by one below what was found, as the definition has it
-  double out_mm = 0.0;  // of the exact proxy: all of it so much further out, against the push
+  KMaxSearch search = KMaxSearch::spot_checks;
 };
 
 /// One run at one stiffness.
@@ -64,6 +67,12 @@ struct PressRun {
   bool left = false;  // the proxy ended elsewhere: slipped off an edge, fell through, flew off; counts as moving
 };
 
+/// stop_early: a run ends when it has failed. compare_exact: the run also fills the differences from the exact proxy.
+struct PressOptions {
+  bool stop_early = false;
+  bool compare_exact = false;
+};
+
 /// A place and what answers there, made once and run at many stiffnesses, on many devices. One thread at a time.
 class PressBench {
  public:
@@ -75,9 +84,12 @@ class PressBench {
   /// Another device, transport, grip or guard. Place, method, bur and voxel stay as they were made.
   void use(const KMaxCase& what);
   /// early: a run that has already failed ends there. compare: follow the exact proxy too, for what is "of a method".
-  PressRun run(double k_n_per_mm, std::uint64_t seed, bool early = false, bool compare = false);
+  PressRun run(double k_n_per_mm, std::uint64_t seed, PressOptions options = {});
 
  private:
+  /// The method's state, clear of the place and ready; nullptr for the exact proxy.
+  StepState* state_at(double k_n_per_mm, Vec3 start, const Press& press);
+
   struct Inner;
   std::unique_ptr<Inner> inner_;
 };
@@ -115,8 +127,5 @@ KMax find_k_max(const KMaxCase& what);
 /// By the definition, place by place from the lowest: for tests.
 KMax scan_k_max(PressBench& bench, const KMaxCase& what);
 
-/// The sweep of what no source gives: mass 0.1 and 0.25 kg, damping 0.5, 2 and 5 N s/m, friction 0 and 0.1 N, grips
-/// none, soft and firm, delay 0, 1 and 3 ms: 108 cells, for each place. [M]
-std::vector<KMaxCase> k_max_cells(std::string_view place, std::optional<Method> method);
 
 }  // namespace cusp::bench

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/bench/frame.h"
+#include "tests/bench/stability_cases.h"
 #include "tests/bench/stability_sets.h"
 
 namespace cusp::bench {
@@ -23,7 +24,7 @@ KMaxCase cell(std::string_view place, std::optional<Method> method) {
 }
 
 TEST(PressPlace, holds_the_exact_proxy_where_it_says_and_lets_it_down_freely) {
-  for (const std::string_view name : kPressNames)
+  for (const std::string_view name : kPressCases)
     for (const double r : {0.25, 0.5}) {
       const auto place = PressPlace::make(name, r);
       ASSERT_NE(place, nullptr) << name;
@@ -97,12 +98,12 @@ TEST(PressRun, of_the_surface_proxy_does_not_depend_on_what_the_bench_ran_before
 
 TEST(PressRun, with_the_guard_on_does_not_depend_on_what_the_bench_ran_before) {
   KMaxCase c = cell("face", Method::surface);
-  c.guard = true;
+  c.guard = GuardUse::on;
   PressBench bench(c), fresh(c);
   bench.run(1.0, 3);
   bench.run(6.0, 2);
   bench.run(1.0, 2);
-  const PressRun a = bench.run(1.0, 1, false, true), b = fresh.run(1.0, 1, false, true);
+  const PressRun a = bench.run(1.0, 1, {.compare_exact = true}), b = fresh.run(1.0, 1, {.compare_exact = true});
   EXPECT_EQ(a.verdict, b.verdict);
   EXPECT_NEAR(a.cycle_um, b.cycle_um, 1e-6);
   EXPECT_NEAR(a.energy_mj, b.energy_mj, 1e-9);
@@ -123,7 +124,7 @@ TEST(PressRun, feels_the_same_on_a_face_through_the_surface_proxy_as_through_the
   KMaxCase exact = cell("face", std::nullopt), surface = cell("face", Method::surface);
   PressBench a(exact), b(surface);
   for (const double k : {0.3, 1.0}) {
-    const PressRun one = a.run(k, 1), two = b.run(k, 1, false, true);
+    const PressRun one = a.run(k, 1), two = b.run(k, 1, {.compare_exact = true});
     EXPECT_EQ(one.verdict, two.verdict);
     EXPECT_LE(two.off_um, 0.5);          // measured 0.22: what the two differ by at the same device point
     EXPECT_LE(two.penetration_um, 0.1);  // measured 0.001
@@ -220,15 +221,15 @@ TEST(KMaxSets, leave_a_cell_that_agrees_with_one_set) {
   int asked = 0;
   const auto more = [&asked](int) { return ++asked, KMaxPair{found(9.0), found(9.0)}; };
   for (const double own : {0.91, 1.0, 1.09}) {
-    const KMaxSets sets = settle(false, {found(own), found(1.0)}, kMostSets, more);
+    const KMaxSets sets = settle(GuardUse::off, {found(own), found(1.0)}, kMostSets, more);
     EXPECT_EQ(sets.sets, 1);
     EXPECT_EQ(sets.own.k_max_n_per_mm, own);
     EXPECT_EQ(sets.own_spread.median, own);
     EXPECT_EQ(sets.exact_spread.median, 1.0);
   }
   // Behind a guard more is no fault; and nothing is found anew where one set was asked for.
-  EXPECT_EQ(settle(true, {found(3.0), found(1.0)}, kMostSets, more).sets, 1);
-  EXPECT_EQ(settle(false, {found(3.0), found(1.0)}, 1, more).own_spread.median, 3.0);
+  EXPECT_EQ(settle(GuardUse::on, {found(3.0), found(1.0)}, kMostSets, more).sets, 1);
+  EXPECT_EQ(settle(GuardUse::off, {found(3.0), found(1.0)}, 1, more).own_spread.median, 3.0);
   EXPECT_EQ(asked, 0);
 }
 
@@ -236,10 +237,10 @@ TEST(KMaxSets, give_the_medians_of_five_where_the_first_is_off_by_more_than_a_te
   // By hand: the medians of these are 1.2 and 1.1, which no set has together; the first set is found anew as well.
   const double own[] = {1.5, 1.0, 1.2, 1.3, 1.1}, exact[] = {1.0, 1.1, 1.3, 0.9, 1.2};
   const auto more = [&](int i) { return KMaxPair{found(own[i]), found(exact[i])}; };
-  for (const bool guard : {false, true})
+  for (const GuardUse guard : {GuardUse::off, GuardUse::on})
     for (const double first : {0.89, 1.11}) {
       const KMaxSets sets = settle(guard, {found(first), found(1.0)}, kMostSets, more);
-      EXPECT_EQ(sets.sets, guard && first > 1.0 ? 1 : 5);
+      EXPECT_EQ(sets.sets, guard == GuardUse::on && first > 1.0 ? 1 : 5);
       if (sets.sets == 1) continue;
       EXPECT_EQ(sets.own_spread.median, 1.2);
       EXPECT_EQ(sets.own_spread.first, 1.5);
@@ -252,17 +253,8 @@ TEST(KMaxSets, give_the_medians_of_five_where_the_first_is_off_by_more_than_a_te
       EXPECT_EQ(sets.own.cycle_um, 120.0);  // of the set that is the median
     }
   // Where the exact proxy is stable at no stiffness and the method is at some.
-  EXPECT_TRUE(unsettled(false, 0.1, 0.0));
-  EXPECT_FALSE(unsettled(false, 0.0, 0.0));
-}
-
-TEST(KMax, cells_are_those_that_the_laboratory_sweeps) {
-  const auto cells = k_max_cells("groove", Method::surface);
-  EXPECT_EQ(cells.size(), 108u);  // 2 masses, 3 dampings, 2 frictions, 3 grips, 3 delays
-  for (const KMaxCase& c : cells) {
-    EXPECT_EQ(c.place, "groove");
-    EXPECT_EQ(c.device.encoder_step_mm, 0.05);
-  }
+  EXPECT_TRUE(unsettled(GuardUse::off, 0.1, 0.0));
+  EXPECT_FALSE(unsettled(GuardUse::off, 0.0, 0.0));
 }
 
 }  // namespace

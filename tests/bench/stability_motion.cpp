@@ -16,10 +16,10 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kSpeedMmS = 50.0;  // led
-constexpr double kHandMmS = 20.0;   // a hand's intent
+constexpr double kHeldMmS = 20.0;   // a hand's intent
 constexpr double kDownMm = 0.05;    // a tick, on the way in
-constexpr int kWayTicks = 2000, kHandMs = 1800, kInMs = 200;
-constexpr double kHandN = 0.5;  // what a hand presses with
+constexpr int kMotionTicks = 2000, kHeldMs = 1800, kInMs = 200;
+constexpr double kHeldPushN = 0.5;  // what a hand presses with
 constexpr int kStallEveryMs = 150, kMostLateMs = 50;
 
 /// Runs until the budget is spent or as many are done as are wanted; one at least.
@@ -58,12 +58,14 @@ void two_tissues(Pair& pair, const Shape& shape, double voxel_mm) {
   };
 }
 
+enum class Ticks : std::uint8_t { on_time, late };
+
 /// How long the host is deaf from each millisecond on: 1 to 49 ms, every 150 ms.
 int stall_at(Random& random, int ms) {
   return ms % kStallEveryMs == kStallEveryMs - 1 ? static_cast<int>(random.between(1.0, kMostLateMs)) : 0;
 }
 
-void led(Pair& pair, const Shape& shape, std::uint64_t seed, bool late, Tally& tally) {
+void run_scripted(Pair& pair, const Shape& shape, std::uint64_t seed, Ticks ticks, Tally& tally) {
   Slide slide(shape, kSpeedMmS, seed);
   Random random(seed);
   const Vec3 first = slide.next(), before = shape.before(first);
@@ -71,9 +73,9 @@ void led(Pair& pair, const Shape& shape, std::uint64_t seed, bool late, Tally& t
   tally.begin();
   const int in = static_cast<int>(length(first - before) / kDownMm) + 1;
   for (int k = 1; k <= in; ++k) pair.tick(input_at(before + (first - before) * (static_cast<double>(k) / in)), tally);
-  for (int k = 0; k < kWayTicks; ++k) {
+  for (int k = 0; k < kMotionTicks; ++k) {
     StepInput input = input_at(slide.next());
-    if (const int ms = late ? stall_at(random, k) : 0; ms > 0) {
+    if (const int ms = ticks == Ticks::late ? stall_at(random, k) : 0; ms > 0) {
       for (int gone = 0; gone < ms; ++gone) input = input_at(slide.next());
       input.elapsed_us = static_cast<std::uint32_t>(ms + 1) * 1000u;
     }
@@ -82,12 +84,12 @@ void led(Pair& pair, const Shape& shape, std::uint64_t seed, bool late, Tally& t
   tally.end();
 }
 
-void handled(Pair& pair, const Shape& shape, const Setting& setting, std::uint64_t seed, bool late, Tally& tally) {
-  Slide slide(shape, kHandMmS, seed);
+void run_held(Pair& pair, const Shape& shape, const Setting& setting, std::uint64_t seed, Ticks ticks, Tally& tally) {
+  Slide slide(shape, kHeldMmS, seed);
   std::vector<Vec3> way;
-  const double deeper = depth_for(setting, kHandN) - kDepthMm;
+  const double deeper = depth_for(setting, kHeldPushN) - kDepthMm;
   Vec3 before(0.0);
-  for (int ms = 0; ms <= kHandMs - kInMs; ++ms) {
+  for (int ms = 0; ms <= kHeldMs - kInMs; ++ms) {
     const Vec3 at = slide.next();
     if (ms == 0) before = shape.before(at);
     // Into the tissue; on a ball towards its middle, lest the hand pulls the bur round to the other side.
@@ -100,7 +102,7 @@ void handled(Pair& pair, const Shape& shape, const Setting& setting, std::uint64
   };
   Events events;
   Random stalls(seed), same(seed);
-  if (late) {
+  if (ticks == Ticks::late) {
     events.method = [&stalls](int ms, Pair&, lab::ClosedLoop& loop) { loop.stall_ms(stall_at(stalls, ms)); };
     events.exact = [&same](int ms, std::unique_ptr<Truth>&, lab::ClosedLoop& loop) {
       loop.stall_ms(stall_at(same, ms));
@@ -108,7 +110,7 @@ void handled(Pair& pair, const Shape& shape, const Setting& setting, std::uint64
   }
   pair.bring(before);
   tally.begin();
-  run_hand(pair, shape, setting, before, intent, kHandMs, seed, tally, events);
+  run_hand(pair, shape, setting, before, intent, kHeldMs, seed, tally, events);
   tally.end();
 }
 
@@ -118,7 +120,7 @@ Row row_of(const CaseRun& what) {
   Row row;
   row.method = key_of(what.method);
   row.case_name = what.key;
-  row.guard = what.guard ? "on" : "off";
+  row.guard = what.guard == GuardUse::on ? "on" : "off";
   name_setting(row, what.setting);
   row.bur_radius_mm = what.bur_radius_mm;
   row.voxel_mm = what.voxel_mm;
@@ -126,10 +128,11 @@ Row row_of(const CaseRun& what) {
   return row;
 }
 
-Row run_way(const CaseRun& what) {
+Row run_motion(const CaseRun& what) {
   const std::unique_ptr<Shape> shape = make_shape(shape_of(what.key), what.bur_radius_mm);
   auto scene = stability_scene(*shape, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
-  const bool tissues = what.key == "tissues", late = what.key == "late-ticks";
+  const bool tissues = what.key == "tissues";
+  const Ticks ticks = what.key == "late-ticks" ? Ticks::late : Ticks::on_time;
   if (tissues) two_tissues(*scene);
   Tally tally;
   Pair pair(*shape, scene);
@@ -137,9 +140,9 @@ Row run_way(const CaseRun& what) {
   const Budget budget(what);
   for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
     if (what.setting.in_loop()) {
-      handled(pair, *shape, what.setting, what.seed + run, late, tally);
+      run_held(pair, *shape, what.setting, what.seed + run, ticks, tally);
     } else {
-      led(pair, *shape, what.seed + run, late, tally);
+      run_scripted(pair, *shape, what.seed + run, ticks, tally);
     }
   }
   Row row = row_of(what);
@@ -225,7 +228,7 @@ Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::fu
     pair.bring(above);
     tally.begin();
     if (what.setting.in_loop()) {
-      const Vec3 deep = spot.centre - spot.normal * depth_for(what.setting, kHandN);
+      const Vec3 deep = spot.centre - spot.normal * depth_for(what.setting, kHeldPushN);
       const Intent intent = [&](int ms) { return above + (deep - above) * std::min(1.0, ms / double{kInMs}); };
       Events events;
       events.method = [&](int ms, Pair& p, lab::ClosedLoop&) {
@@ -237,7 +240,7 @@ Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::fu
         truth = shape.truth_after();
         truth->start(pose);
       };
-      run_hand(pair, shape, what.setting, above, intent, kHandMs, what.seed + run, tally, events);
+      run_hand(pair, shape, what.setting, above, intent, kHeldMs, what.seed + run, tally, events);
     } else {
       led([&](int ms, double down) {
         if (ms == kLedGoneMs) gives_way(pair);
@@ -255,7 +258,7 @@ Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::fu
 }  // namespace
 
 Row run_vanishing(const CaseRun& what) {
-  const Pitfall shape(what.bur_radius_mm);
+  const SuddenHole shape(what.bur_radius_mm);
   constexpr double kLedMm = 0.005;  // a tick, on downwards
   const auto gives_way = [&shape](Pair& pair) {
     if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the pitfall");
@@ -267,16 +270,16 @@ Row run_vanishing(const CaseRun& what) {
 }
 
 Row run_fragment(const CaseRun& what) {
-  const LoosePlate shape(what.bur_radius_mm);
+  const DetachablePlate shape(what.bur_radius_mm);
   double off_ms = 0.0;
-  const auto cuts_loose = [&shape](Pair& pair) {
+  const auto detaches = [&shape](Pair& pair) {
     if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the cut");
     const auto names = find_loose_pieces(pair.state().volume(), pair.state().volume().cut_bricks());
     if (names.empty()) throw std::runtime_error("the plate is not loose");
-    pair.name_piece(names.front());
+    pair.name_fragment(names.front());
     pair.replace(shape.truth_after(), shape.bur_radius_mm());
   };
-  Row row = run_giving_way(what, shape, cuts_loose, [&off_ms](const Led& to) {
+  Row row = run_giving_way(what, shape, detaches, [&off_ms](const Led& to) {
     int last = kLedGoneMs;  // with a force
     for (int ms = 1; ms <= kLedMs; ++ms)
       if (length(to(ms, 0.0).force_n) > 0.0) last = ms;
@@ -330,7 +333,7 @@ Row run_weight(const CaseRun& what) {
     const Intent intent = [&](int ms) { return begin + (bottom - begin) * std::min(1.0, ms / double{kInMs}); };
     pair.bring(begin);
     tally.begin();
-    run_hand(pair, *corner, setting, begin, intent, kHandMs, what.seed + run, tally);
+    run_hand(pair, *corner, setting, begin, intent, kHeldMs, what.seed + run, tally);
     tally.end();
   }
   Row row = row_of(what);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTiltMost = 0.14;  // sideways part of a push into a hollow: 8 degrees along each axis
 
-Vec3 direction(const Frame& frame, double x, double y, double z) { return frame.direction(unit(Vec3(x, y, z))); }
+Vec3 unit_direction(const Frame& frame, Vec3 local) { return frame.direction(unit(local)); }
 
 /// A place on one of the benches' own shapes.
 class ShapePlace : public PressPlace {
@@ -59,7 +59,7 @@ class CornerPlace : public ShapePlace {
     // Three walls at right angles about the frame's z, their corner 1.5 mm below its origin.
     const Vec3 at(0.0, 0.0, std::sqrt(3.0) * r() - 1.5);
     const Vec3 into =
-        direction(frame_, random.between(-kTiltMost, kTiltMost), random.between(-kTiltMost, kTiltMost), -1.0);
+        unit_direction(frame_, Vec3(random.between(-kTiltMost, kTiltMost), random.between(-kTiltMost, kTiltMost), -1.0));
     return {frame_.to_world(at), -frame_.z, into, Vec3(0.0), Vec3(0.0)};
   }
 };
@@ -72,7 +72,7 @@ class GroovePlace : public ShapePlace {
     // The groove is as deep as its shape makes it, its apex half of that below the frame's origin; 60 degrees.
     const double deep = std::max(2.5, 2.2 * r());
     const Vec3 at(0.0, random.between(-1.5, 1.5), 2.0 * r() - 0.5 * deep);
-    const Vec3 into = direction(frame_, random.between(-kTiltMost, kTiltMost), 0.0, -1.0);
+    const Vec3 into = unit_direction(frame_, Vec3(random.between(-kTiltMost, kTiltMost), 0.0, -1.0));
     return {frame_.to_world(at), -frame_.z, into, frame_.y, Vec3(0.0)};
   }
 };
@@ -172,7 +172,7 @@ class PitPlace : public PressPlace {
   Press press(std::uint64_t seed) const override {
     Random random(seed);
     const Frame& f = pit_.frame();
-    const Vec3 into = direction(f, random.between(-0.4, 0.4), random.between(-0.4, 0.4), -1.0);
+    const Vec3 into = unit_direction(f, Vec3(random.between(-0.4, 0.4), random.between(-0.4, 0.4), -1.0));
     return {f.origin + into * pit_.play(), -f.z, into, Vec3(0.0), Vec3(0.0)};
   }
 
@@ -196,7 +196,7 @@ class ChannelPlace : public PressPlace {
   Press press(std::uint64_t seed) const override {
     Random random(seed);
     const Frame f = Frame::of(hole_->axis(), {0.3, 1.0, 0.2}, hole_->bottom());
-    const Vec3 into = direction(f, random.between(-0.5, 0.5), random.between(-0.5, 0.5), -1.0);
+    const Vec3 into = unit_direction(f, Vec3(random.between(-0.5, 0.5), random.between(-0.5, 0.5), -1.0));
     return {hole_->bottom() + into * SurfaceContact::kClearanceMm, -hole_->axis(), into, Vec3(0.0), Vec3(0.0)};
   }
 

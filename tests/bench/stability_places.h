@@ -10,15 +10,13 @@
 
 namespace cusp::bench {
 
-/// The six: face, edge, corner, groove, pit, channel.
+/// The places of kPressCases:
 ///   edge     on a face, the ball's centre 0.05 to 0.2 mm beside where it would begin to roll over an outer edge of 90
 ///            degrees. On the edge itself no press is steady for any method: what holds it there is a ridge.
 ///   corner   of three walls, along their diagonal and up to 11 degrees off it
 ///   groove   of 60 degrees, on both walls
 ///   pit      a bowl 2 % wider than the bur: the bur lies in it with hundreds of points about it
 ///   channel  the bur's own: at the bottom of the hole that it has cut, and against its wall
-inline constexpr std::string_view kPressNames[] = {"face", "edge", "corner", "groove", "pit", "channel"};
-
 /// Where one presses, by seed.
 struct Press {
   Vec3 touch{0.0};                // the exact proxy while pressed

@@ -12,8 +12,6 @@ namespace cusp::bench {
 namespace {
 
 constexpr int kSeeds = 5, kFewSeeds = 2;
-/// How far out the exact proxy is put to see how fine k_max itself is.
-constexpr double kOutMm = 1e-4;
 
 KMaxCase k_max_case(const CaseRun& what) {
   KMaxCase out;
@@ -30,19 +28,18 @@ KMaxCase k_max_case(const CaseRun& what) {
 }
 
 /// k_max of the exact proxy, which no method, guard or voxel changes: found once.
-const KMax& exact_k_max(const CaseRun& what, double out_mm = 0.0, bool every = false) {
-  using Key = std::tuple<std::string, double, double, double, double, double, std::string, std::uint64_t, double, bool>;
+const KMax& exact_k_max(const CaseRun& what, KMaxSearch search = KMaxSearch::spot_checks) {
+  using Key = std::tuple<std::string, double, double, double, double, double, std::string, std::uint64_t, KMaxSearch>;
   static std::map<Key, KMax> known;
   const Setting& s = what.setting;
   const Key key{std::string(what.key), what.bur_radius_mm, s.mass_kg, s.damping_ns_per_m, s.friction_n, s.delay_ms,
-                std::string(s.grip),   what.seed,           out_mm,    every};
+                std::string(s.grip),   what.seed,           search};
   auto found = known.find(key);
   if (found == known.end()) {
     KMaxCase exact = k_max_case(what);
     exact.method.reset();
-    exact.guard = false;
-    exact.out_mm = out_mm;
-    exact.every = every;
+    exact.guard = GuardUse::off;
+    exact.search = search;
     found = known.emplace(key, find_k_max(exact)).first;
   }
   return found->second;
@@ -57,8 +54,8 @@ KMaxSets k_max_sets(PressBench& bench, const KMaxCase& own, const CaseRun& what)
     set.seed += static_cast<std::uint64_t>(i);
     KMaxCase with = own;
     with.first_seed = k_max_case(set).first_seed;
-    with.every = true;
-    return KMaxPair{find_k_max(bench, with, near), exact_k_max(set, 0.0, true)};
+    with.search = KMaxSearch::every_place;
+    return KMaxPair{find_k_max(bench, with, near), exact_k_max(set, KMaxSearch::every_place)};
   });
 }
 
@@ -84,8 +81,6 @@ Row press_row(const CaseRun& what) {
   }
   row.cycle_um = found.own.cycle_um;
   row.cycle_hz = found.own.cycle_hz;
-  // Where sets are taken they show how fine the measure is.
-  if (!what.settle) row.k_exact_out_n_per_mm = exact_k_max(what, kOutMm).k_max_n_per_mm;
   // At half of what it may be, with every seed that stands in it.
   const double half = 0.5 * std::min(row.k_max_n_per_mm, row.k_exact_n_per_mm);
   row.runs = own.seeds * found.sets;
@@ -94,14 +89,14 @@ Row press_row(const CaseRun& what) {
   bench.use(own);
   KMaxCase exact = own;
   exact.method.reset();
-  exact.guard = false;
+  exact.guard = GuardUse::off;
   PressBench reference(exact);
   row.energy_mj = row.energy_exact_mj = row.force_step_mn = row.guard_step_mn = row.penetration_um = 0.0;
   row.stuck_ms = 0.0;
   for (int set = 0; set < found.sets; ++set)
     for (int nth = 0; nth < own.seeds; ++nth) {
       const std::uint64_t seed = own.first_seed + static_cast<std::uint64_t>(set * kSeeds + nth);
-      const PressRun run = bench.run(half, seed, false, true);
+      const PressRun run = bench.run(half, seed, {.compare_exact = true});
       row.energy_mj = std::max(row.energy_mj, run.energy_mj);
       row.energy_exact_mj = std::max(row.energy_exact_mj, reference.run(half, seed).energy_mj);
       row.force_step_mn = std::max(row.force_step_mn, run.force_step_mn);

@@ -15,15 +15,6 @@ namespace {
 constexpr double kGravity = 9.81;  // N/kg
 constexpr int kWindowMs = static_cast<int>(lab::Steadiness::kWindowS * 1000.0);
 
-StepInput input_of(const lab::Reading& reading) {
-  StepInput input;
-  input.x = reading.x;
-  input.y = reading.y;
-  input.z = reading.z;
-  input.elapsed_us = reading.elapsed_us;
-  return input;
-}
-
 /// Force times travel of a millisecond without an answer.
 double late_mj_of(const lab::LoopTick& tick) {
   return tick.answers == 0 ? length(tick.held_n) * length(tick.to_mm - tick.from_mm) : 0.0;
@@ -33,7 +24,7 @@ double larger(double a, double b) { return std::isnan(a) ? b : std::max(a, b); }
 
 /// The hand's way and its rest: calls tick(ms) for each millisecond, after telling the plant what the hand intends.
 template <class Tick>
-lab::Steadiness hold_and_go(lab::ClosedLoop& loop, const Intent& intent, int ms, Tick&& tick) {
+lab::Steadiness run_intent(lab::ClosedLoop& loop, const Intent& intent, int ms, Tick&& tick) {
   lab::Steadiness steady;
   for (int t = 0; t < ms + kHoldMs; ++t) {
     const Vec3 now = intent(std::min(t, ms)), next = intent(std::min(t + 1, ms));
@@ -45,12 +36,12 @@ lab::Steadiness hold_and_go(lab::ClosedLoop& loop, const Intent& intent, int ms,
 
 }  // namespace
 
-std::shared_ptr<Scene> stability_scene(const Shape& shape, Method method, double voxel_mm, bool guard,
+std::shared_ptr<Scene> stability_scene(const Shape& shape, Method method, double voxel_mm, GuardUse guard,
                                        double delay_ms) {
   auto scene = scene_of(shape, method, voxel_mm);
   for (TissueFeel& feel : scene->tissues) feel = {kStabilityNPerMm, 1.0};
-  scene->guard = guard ? GuardSettings{} : unguarded();
-  if (guard) {
+  scene->guard = guard == GuardUse::on ? GuardSettings{} : unguarded();
+  if (guard == GuardUse::on) {
     scene->guard.limit_n = lab::falcon(0.1, 2.0, 0.0).limit_n;
     scene->guard.delay_ms = delay_ms;
   }
@@ -102,20 +93,19 @@ void Tally::begin() {
   run_late_mj_ = 0.0;
 }
 
-void Tally::add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double bur_radius_mm,
-                double near_mm) {
+void Tally::add(const StepOutput& out, const Exact& exact, const Contact& contact) {
   ++ticks_;
-  const bool apart = !(length(out.proxy_mm - exact.pose_mm) <= near_mm);
-  run_.push_back({out.force_n, exact_n, out.guard_acts != 0, apart, exact.vanished});
+  const bool apart = !(length(out.proxy_mm - exact.pose_mm) <= contact.near_mm);
+  run_.push_back({out.force_n, contact.exact_n, out.guard_acts != 0, apart, exact.vanished});
   if (out.faulted) {
     // The proxy waits for the re-arm: that is no jam.
     note_stuck();
   } else {
     stuck_.add(exact.pose_mm, out.proxy_mm);
   }
-  penetration_.add(clearance_mm);
-  gave(out);
-  if (!(clearance_mm > -bur_radius_mm)) through_ = true;
+  penetration_.add(contact.clearance_mm);
+  add_force(out);
+  if (!(contact.clearance_mm > -contact.bur_radius_mm)) through_ = true;
 }
 
 void Tally::interrupt() {
@@ -154,20 +144,20 @@ void Tally::note_stuck() {
   stuck_ = {};
 }
 
-void Tally::gave(const StepOutput& out) { force_max_n_ = std::max(force_max_n_, length(out.force_n)); }
+void Tally::add_force(const StepOutput& out) { force_max_n_ = std::max(force_max_n_, length(out.force_n)); }
 
-void Tally::loop(const lab::LoopTick& tick) {
+void Tally::add_loop(const lab::LoopTick& tick) {
   energy_.add(tick);
   left_.add(tick.held_any, tick.energy_mj - late_mj_of(tick));
   run_late_mj_ += late_mj_of(tick);
 }
 
-void Tally::exact_loop(const lab::LoopTick& tick) {
+void Tally::add_exact_loop(const lab::LoopTick& tick) {
   exact_energy_.add(tick);
   exact_left_.add(tick.held_any, tick.energy_mj - late_mj_of(tick));
 }
 
-void Tally::rest(const lab::Steadiness& steady) {
+void Tally::add_rest(const lab::Steadiness& steady) {
   const double um = 1000.0 * steady.peak_to_peak_mm();
   if (std::isnan(cycle_um_) || um > cycle_um_) {
     cycle_um_ = um;
@@ -175,7 +165,7 @@ void Tally::rest(const lab::Steadiness& steady) {
   }
 }
 
-void Tally::exact_rest(const lab::Steadiness& steady) {
+void Tally::add_exact_rest(const lab::Steadiness& steady) {
   exact_cycle_um_ = larger(exact_cycle_um_, 1000.0 * steady.peak_to_peak_mm());
 }
 
@@ -254,9 +244,12 @@ StepOutput Pair::tick(const StepInput& given, Tally& tally) {
   const Exact exact = truth_->follow(input.position_mm());
   const double k = stiffness ? stiffness(exact, out) : kStabilityNPerMm;
   exact_n_ = exact.contact ? k * (exact.pose_mm - input.position_mm()) : Vec3(0.0);
-  tally.add(out, exact, exact_n_, truth_->clearance_mm(out.proxy_mm), radius_mm_,
-            std::max(0.05, state_.volume().grid().voxel_mm));
-  if (behind && behind(out.proxy_mm)) tally.passed();
+  tally.add(out, exact,
+            {.exact_n = exact_n_,
+             .clearance_mm = truth_->clearance_mm(out.proxy_mm),
+             .bur_radius_mm = radius_mm_,
+             .near_mm = std::max(0.05, state_.volume().grid().voxel_mm)});
+  if (behind && behind(out.proxy_mm)) tally.mark_passed();
   return out;
 }
 
@@ -266,25 +259,25 @@ void run_hand(Pair& pair, const Shape& shape, const Setting& setting, Vec3 start
   const Vec3 phase(random.between(0.0, 1.0), random.between(0.0, 1.0), random.between(0.0, 1.0));
   {
     lab::ClosedLoop loop(setting.device(), setting.transport(seed), setting.hand(), start, phase);
-    tally.rest(hold_and_go(loop, intent, ms, [&](int t) {
+    tally.add_rest(run_intent(loop, intent, ms, [&](int t) {
       if (events.method) events.method(t, pair, loop);
       const lab::LoopTick tick = loop.tick(
           [&](const lab::Reading& reading) { return pair.tick(pair.rearmed(input_of(reading)), tally).force_n; });
-      tally.loop(tick);
+      tally.add_loop(tick);
       return tick;
     }));
   }
   std::unique_ptr<Truth> own = shape.truth();
   own->start(start);
   lab::ClosedLoop loop(setting.device(), setting.transport(seed), setting.hand(), start, phase);
-  tally.exact_rest(hold_and_go(loop, intent, ms, [&](int t) {
+  tally.add_exact_rest(run_intent(loop, intent, ms, [&](int t) {
     if (events.exact) events.exact(t, own, loop);
     const lab::LoopTick tick = loop.tick([&](const lab::Reading& reading) {
       const Exact exact = own->follow(reading.position_mm());
       const double k = pair.stiffness ? pair.stiffness(exact, StepOutput{}) : kStabilityNPerMm;
       return exact.contact ? k * (exact.pose_mm - reading.position_mm()) : Vec3(0.0);
     });
-    tally.exact_loop(tick);
+    tally.add_exact_loop(tick);
     return tick;
   }));
 }

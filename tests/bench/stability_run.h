@@ -11,6 +11,7 @@
 #include "engine/lab/measures.h"
 #include "engine/step/step.h"
 #include "tests/bench/motions.h"
+#include "tests/bench/options.h"
 #include "tests/bench/rows.h"
 #include "tests/bench/shapes.h"
 #include "tests/modules.h"
@@ -20,7 +21,7 @@ namespace cusp::bench {
 inline constexpr double kStabilityNPerMm = 1.0;  // K of all tissue, unless a case has its own
 
 /// scene_of with the guard as a session has it, or with every part of it off.
-std::shared_ptr<Scene> stability_scene(const Shape& shape, Method method, double voxel_mm, bool guard,
+std::shared_ptr<Scene> stability_scene(const Shape& shape, Method method, double voxel_mm, GuardUse guard,
                                        double delay_ms = 0.0);
 
 /// A device and the hand in front of it.
@@ -51,19 +52,24 @@ class Tally {
   /// Where an exact minimum vanishes, both go on to another face, and the method may do so a little sooner or later:
   /// the ticks in which they stand apart for that (kSooner before, kLater after at most) are a first contact, no force
   /// step.
-  void add(const StepOutput& out, const Exact& exact, Vec3 exact_n, double clearance_mm, double bur_radius_mm,
-           double near_mm);
+  struct Contact {
+    Vec3 exact_n{0.0};
+    double clearance_mm = 0.0;
+    double bur_radius_mm = 0.0;
+    double near_mm = 0.0;
+  };
+  void add(const StepOutput& out, const Exact& exact, const Contact& contact);
   static constexpr int kSooner = 50, kLater = 100;
   /// Of a tick that add() was not told of: what the hand got.
-  void gave(const StepOutput& out);
+  void add_force(const StepOutput& out);
   /// The method's pivot stands where only a way through tissue leads.
-  void passed() { through_ = true; }
+  void mark_passed() { through_ = true; }
   /// A swap, a re-arm: the next rise is none.
   void interrupt();
-  void loop(const lab::LoopTick& tick);
-  void exact_loop(const lab::LoopTick& tick);
-  void rest(const lab::Steadiness& steady);
-  void exact_rest(const lab::Steadiness& steady);
+  void add_loop(const lab::LoopTick& tick);
+  void add_exact_loop(const lab::LoopTick& tick);
+  void add_rest(const lab::Steadiness& steady);
+  void add_exact_rest(const lab::Steadiness& steady);
   /// The run is over.
   void end();
 
@@ -120,7 +126,7 @@ class Pair {
   Vec3 exact_n() const { return exact_n_; }
 
   /// A piece that has been cut loose, named to the step in the next inputs, as the loop does.
-  void name_piece(std::uint32_t name) { named_ = {static_cast<std::uint16_t>(0x8000u | name >> 15), static_cast<std::uint16_t>(name & 0x7fffu)}; }
+  void name_fragment(std::uint32_t name) { named_ = {static_cast<std::uint16_t>(0x8000u | name >> 15), static_cast<std::uint16_t>(name & 0x7fffu)}; }
 
   /// K of the exact proxy where the tissue is not all alike, by the contact point (its ball's lowest) and what the
   /// method answered.

@@ -11,12 +11,12 @@ KMaxSpread spread_of(const std::vector<double>& values) {
   return {sorted[sorted.size() / 2], values.front(), sorted.front(), sorted.back()};
 }
 
-bool unsettled(bool guard, double own, double exact) {
-  if (guard && own > exact) return false;
+bool unsettled(GuardUse guard, double own, double exact) {
+  if (guard == GuardUse::on && own > exact) return false;
   return std::fabs(own - exact) > kSettledShare * exact;
 }
 
-KMaxSets settle(bool guard, const KMaxPair& first, int most_sets, const std::function<KMaxPair(int)>& nth) {
+KMaxSets settle(GuardUse guard, const KMaxPair& first, int most_sets, const std::function<KMaxPair(int)>& nth) {
   KMaxSets out;
   std::vector<KMax> own{first.own};
   std::vector<double> own_k{first.own.k_max_n_per_mm}, exact_k{first.exact.k_max_n_per_mm};

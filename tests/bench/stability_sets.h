@@ -36,10 +36,10 @@ struct KMaxSets {
 KMaxSpread spread_of(const std::vector<double>& values);
 
 /// True when a first set is not enough. guard: a method behind its guard is there to bear more; only less is off.
-bool unsettled(bool guard, double own_n_per_mm, double exact_n_per_mm);
+bool unsettled(GuardUse guard, double own_n_per_mm, double exact_n_per_mm);
 
 /// first: as quickly found. nth(i): of set i, from 0 (the first set's seeds again), place by place. most_sets: how many
 /// sets an unsettled cell takes, odd; 1: the first one stands.
-KMaxSets settle(bool guard, const KMaxPair& first, int most_sets, const std::function<KMaxPair(int)>& nth);
+KMaxSets settle(GuardUse guard, const KMaxPair& first, int most_sets, const std::function<KMaxPair(int)>& nth);
 
 }  // namespace cusp::bench

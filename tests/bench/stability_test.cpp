@@ -15,7 +15,7 @@
 namespace cusp::bench {
 namespace {
 
-CaseRun case_of(std::string_view key, Method method, bool guard, std::int64_t runs, Setting setting = {}) {
+CaseRun case_of(std::string_view key, Method method, GuardUse guard, std::int64_t runs, Setting setting = {}) {
   CaseRun out;
   out.key = key;
   out.method = method;
@@ -34,7 +34,7 @@ Setting held(std::string_view grip) {
 
 TEST(ThinWall, holds_the_surface_proxy_from_every_side_at_up_to_a_metre_a_second) {
   // 10,000 in the results; as many here as take a second.
-  const Row row = run_case(case_of("thin-wall", Method::surface, true, 1500));
+  const Row row = run_case(case_of("thin-wall", Method::surface, GuardUse::on, 1500));
   EXPECT_EQ(row.runs, 1500);
   EXPECT_EQ(row.passed_through, 0);
   EXPECT_EQ(row.stuck, 0);
@@ -46,15 +46,15 @@ TEST(ThinWall, holds_the_surface_proxy_from_every_side_at_up_to_a_metre_a_second
 TEST(ThinWall, lets_the_penalty_through_for_it_has_no_memory_of_the_side_it_came_from) {
   // McNeely et al. 1999: "the tool can pass through thin features". If this ends, the literature's failure is not in
   // it.
-  const Row row = run_case(case_of("thin-wall", Method::penalty, true, 40));
+  const Row row = run_case(case_of("thin-wall", Method::penalty, GuardUse::on, 40));
   EXPECT_GT(row.passed_through, 10) << "the penalty no longer falls through: what has changed?";
 }
 
 TEST(Pivot, alone_lets_the_bur_into_the_tissue_by_its_radius) {
   // The paper's literal reading: a voxel is free when the pivot is. The bur of 0.25 mm sinks in by as much.
-  const Row pivot = run_case(case_of("voxel-size", Method::occupancy_pivot, false, 1));
+  const Row pivot = run_case(case_of("voxel-size", Method::occupancy_pivot, GuardUse::off, 1));
   EXPECT_GT(pivot.penetration_um, 200.0) << "the pivot-only proxy no longer overlaps: what has changed?";
-  const Row whole = run_case(case_of("voxel-size", Method::occupancy, false, 1));
+  const Row whole = run_case(case_of("voxel-size", Method::occupancy, GuardUse::off, 1));
   EXPECT_LT(whole.penetration_um, 1000.0 * whole.voxel_mm);
 }
 
@@ -72,54 +72,54 @@ TEST(Delay, of_3_ms_makes_an_unguarded_loop_ring_that_the_guard_keeps_still) {
   const PressRun bare = bench.run(kStabilityNPerMm, 1);
   EXPECT_NE(bare.verdict, lab::Steadiness::Verdict::steady) << "the unguarded loop no longer rings: what has changed?";
   EXPECT_GT(bare.cycle_um, kMostCycleUm);
-  what.guard = true;
+  what.guard = GuardUse::on;
   bench.use(what);
   EXPECT_EQ(bench.run(kStabilityNPerMm, 1).verdict, lab::Steadiness::Verdict::steady);
 }
 
 TEST(Faults, take_the_force_away_within_a_tick_and_give_it_back_when_re_armed) {
   for (const std::string_view key : {"jump", "nan", "infinite", "out-of-range", "device-gone"}) {
-    const Row row = run_case(case_of(key, Method::surface, true, 1));
+    const Row row = run_case(case_of(key, Method::surface, GuardUse::on, 1));
     EXPECT_LE(row.zero_ms, kMostZeroMs) << key;
     EXPECT_GE(row.back_share, 0.95) << key;
     EXPECT_LE(row.back_ms, 300.0) << key;  // the ramp's 200 ms, and what the slew takes
     EXPECT_LE(row.guard_step_mn, kMostGuardStepMn) << key;
   }
-  EXPECT_LE(run_case(case_of("frozen", Method::surface, true, 1)).zero_ms, kMostFrozenMs);
+  EXPECT_LE(run_case(case_of("frozen", Method::surface, GuardUse::on, 1)).zero_ms, kMostFrozenMs);
 }
 
 TEST(Faults, are_seen_when_there_is_no_guard_so_the_case_can_fail) {
   // A device that repeats itself, and one that jumps, are the guard's alone to notice.
-  EXPECT_TRUE(std::isnan(run_case(case_of("frozen", Method::surface, false, 1)).zero_ms));
-  const Row jump = run_case(case_of("jump", Method::surface, false, 1));
+  EXPECT_TRUE(std::isnan(run_case(case_of("frozen", Method::surface, GuardUse::off, 1)).zero_ms));
+  const Row jump = run_case(case_of("jump", Method::surface, GuardUse::off, 1));
   EXPECT_TRUE(std::isnan(jump.zero_ms));
   EXPECT_GT(jump.force_max_n, 5.0);
 }
 
 TEST(Exchange, of_specimen_or_bur_in_contact_does_not_kick) {
   for (const std::string_view key : {"specimen-exchange", "bur-exchange"}) {
-    const Row row = run_case(case_of(key, Method::surface, true, 1));
-    EXPECT_EQ(breaks_of(row), std::vector<Breaks>{}) << key;
+    const Row row = run_case(case_of(key, Method::surface, GuardUse::on, 1));
+    EXPECT_EQ(failures_of(row), std::vector<FailureKind>{}) << key;
     EXPECT_LT(row.guard_step_mn, 50.0) << key;  // the ramp: 0.3 N over 200 ms
   }
 }
 
 TEST(StartInside, comes_up_through_the_ramp) {
-  const Row row = run_case(case_of("start-inside", Method::surface, true, 10));
-  EXPECT_EQ(breaks_of(row), std::vector<Breaks>{});
+  const Row row = run_case(case_of("start-inside", Method::surface, GuardUse::on, 10));
+  EXPECT_EQ(failures_of(row), std::vector<FailureKind>{});
 }
 
 TEST(Tissue, that_vanishes_under_load_lets_go_and_does_not_kick) {
   for (const std::string_view grip : {"scripted", "firm"}) {
     const Row row =
-        run_case(case_of("vanishing", Method::surface, true, 2, grip == "scripted" ? Setting{} : held(grip)));
-    EXPECT_EQ(breaks_of(row), std::vector<Breaks>{}) << grip;
+        run_case(case_of("vanishing", Method::surface, GuardUse::on, 2, grip == "scripted" ? Setting{} : held(grip)));
+    EXPECT_EQ(failures_of(row), std::vector<FailureKind>{}) << grip;
   }
 }
 
 TEST(LateTicks, feed_no_more_than_force_times_the_hand_s_travel_in_them_besides_what_the_exact_proxy_feeds) {
   // Ticks 1 to 49 ms late. Measured: 0.07 mJ in all, nothing left of it.
-  const Row row = run_case(case_of("late-ticks", Method::surface, true, 1, held("soft")));
+  const Row row = run_case(case_of("late-ticks", Method::surface, GuardUse::on, 1, held("soft")));
   EXPECT_GT(row.late_mj, 0.1) << "ticks were late";
   EXPECT_LE(row.energy_left_mj, row.energy_mj);
   EXPECT_LE(row.energy_left_mj, row.energy_exact_mj + kMostFedMj);
@@ -128,9 +128,9 @@ TEST(LateTicks, feed_no_more_than_force_times_the_hand_s_travel_in_them_besides_
 TEST(Fragment, cut_loose_under_the_bur_goes_within_100_ms) {
   // Its last brick is gone 32 ticks after it was named. Measured: 32, 32 and 16 ms.
   for (const Method method : {Method::surface, Method::occupancy, Method::gradient}) {
-    const Row row = run_case(case_of("fragment", method, true, 2));
+    const Row row = run_case(case_of("fragment", method, GuardUse::on, 2));
     EXPECT_GT(row.zero_ms, 1.0) << "it was there and then it was not";
-    EXPECT_LE(row.zero_ms, kMostLooseMs) << key_of(method);
+    EXPECT_LE(row.zero_ms, kMostFragmentMs) << key_of(method);
     EXPECT_EQ(row.stuck, 0) << key_of(method);
   }
 }
@@ -140,24 +140,24 @@ TEST(Fragment, that_is_still_felt_after_it_has_gone_is_seen) {
   row.case_name = "fragment";
   row.grip = "scripted";
   row.voxel_mm = 0.1;
-  EXPECT_EQ(breaks_of(row), std::vector<Breaks>{Breaks::stays_on});
+  EXPECT_EQ(failures_of(row), std::vector<FailureKind>{FailureKind::stays_on});
   row.zero_ms = 32.0;
-  EXPECT_TRUE(breaks_of(row).empty());
+  EXPECT_TRUE(failures_of(row).empty());
 }
 
 TEST(Weight, of_the_grip_rests_in_a_corner_with_nobody_holding_it) {
-  const Row row = run_case(case_of("grip-weight", Method::surface, true, 2, held("none")));
-  EXPECT_EQ(breaks_of(row), std::vector<Breaks>{});
+  const Row row = run_case(case_of("grip-weight", Method::surface, GuardUse::on, 2, held("none")));
+  EXPECT_EQ(failures_of(row), std::vector<FailureKind>{});
 }
 
 TEST(Tasks, of_the_paper_leave_no_vibration_in_the_surface_proxy_s_force) {
-  for (const CaseName& task : kTaskCases) {
+  for (std::string_view task : kTaskCases) {
     const Row row = run_case([&] {
-      CaseRun out = case_of(task.key, Method::surface, true, 1);
+      CaseRun out = case_of(task, Method::surface, GuardUse::on, 1);
       out.bur_radius_mm = 0.5;
       return out;
     }());
-    EXPECT_LT(row.vibration_mn, kMostVibrationMn) << task.key;  // measured: 0, 0.00004, 1.4
+    EXPECT_LT(row.vibration_mn, kMostVibrationMn) << task;  // measured: 0, 0.00004, 1.4
   }
 }
 
@@ -176,37 +176,37 @@ TEST(Verdict, names_each_way_to_break) {
   Row row;
   row.case_name = "tissues";
   row.voxel_mm = 0.1;
-  EXPECT_TRUE(breaks_of(row).empty());
+  EXPECT_TRUE(failures_of(row).empty());
   const auto with = [&row](auto&& set) {
     Row bad = row;
     set(bad);
-    return breaks_of(bad);
+    return failures_of(bad);
   };
-  using List = std::vector<Breaks>;
-  EXPECT_EQ(with([](Row& r) { r.passed_through = 1; }), List{Breaks::through});
-  EXPECT_EQ(with([](Row& r) { r.penetration_um = 101.0; }), List{Breaks::overlap});
-  EXPECT_EQ(with([](Row& r) { r.stuck = 1; }), List{Breaks::stuck});
-  EXPECT_EQ(with([](Row& r) { r.force_step_mn = 51.0; }), List{Breaks::kicks});
-  EXPECT_EQ(with([](Row& r) { r.guard_step_mn = 310.0; }), List{Breaks::kicks});
+  using List = std::vector<FailureKind>;
+  EXPECT_EQ(with([](Row& r) { r.passed_through = 1; }), List{FailureKind::through});
+  EXPECT_EQ(with([](Row& r) { r.penetration_um = 101.0; }), List{FailureKind::overlap});
+  EXPECT_EQ(with([](Row& r) { r.stuck = 1; }), List{FailureKind::stuck});
+  EXPECT_EQ(with([](Row& r) { r.force_step_mn = 51.0; }), List{FailureKind::kicks});
+  EXPECT_EQ(with([](Row& r) { r.guard_step_mn = 310.0; }), List{FailureKind::kicks});
   EXPECT_EQ(with([](Row& r) {
               r.cycle_um = 120.0;
               r.cycle_exact_um = 20.0;
             }),
-            List{Breaks::rings});
+            List{FailureKind::rings});
   EXPECT_EQ(with([](Row& r) {
               r.energy_mj = 0.2;
               r.energy_exact_mj = 0.1;
             }),
-            List{Breaks::feeds});
+            List{FailureKind::feeds});
   EXPECT_EQ(with([](Row& r) {
               r.energy_mj = 0.9;  // but for late ticks
               r.energy_left_mj = 0.1;
               r.energy_exact_mj = 0.1;
             }),
             List{});
-  EXPECT_EQ(with([](Row& r) { r.vibration_mn = 11.0; }), List{Breaks::rings});
+  EXPECT_EQ(with([](Row& r) { r.vibration_mn = 11.0; }), List{FailureKind::rings});
   row.case_name = "jump";
-  EXPECT_EQ(breaks_of(row), List{Breaks::stays_on});
+  EXPECT_EQ(failures_of(row), List{FailureKind::stays_on});
   EXPECT_EQ(with([](Row& r) { r.zero_ms = 0.0; }), List{});
 }
 
@@ -238,7 +238,7 @@ TEST(Stability, writes_a_row_for_each_guard_that_holds_all_that_it_promises) {
 }
 
 TEST(Stability, finds_k_max_of_a_method_and_of_the_exact_proxy_in_the_same_hand) {
-  CaseRun what = case_of("face", Method::surface, false, 1, held("soft"));
+  CaseRun what = case_of("face", Method::surface, GuardUse::off, 1, held("soft"));
   what.budget_s = 0.1;
   const Row row = press_row(what);
   EXPECT_EQ(row.device, "m0.1-b2");

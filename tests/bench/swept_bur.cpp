@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/tool/swept.h"
 #include "tests/modules.h"
@@ -11,13 +12,12 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kShortMm = 0.02;       // between such places the least one and its neighbours tell the minimum
 constexpr double kStraightMm = 1e-4;    // off the straight line between its neighbours a place says nothing of a volume
 constexpr double kRootCubeMm = 0.64;
 
-constexpr double kEdgeCosine = 0.95;    // normals in a cube and in its parts that differ by more: an edge is in it
-constexpr int kLooks = 9;               // halvings of a column: to a thousandth of a cube
+constexpr double kCubeEdgeCosine = 0.95;    // normals in a cube and in its parts that differ by more: an edge is in it
+constexpr int kBisections = 9;               // halvings of a column: to a thousandth of a cube
 constexpr int kEdgeLevels = 1;          // halvings of a cube there
 
 /// Gauss's rule of eight points on [0, 1].
@@ -77,11 +77,15 @@ std::vector<Vec3> without_what_is_straight(const std::vector<Vec3>& places) {
   return out;
 }
 
-/// Area of a disc of `wide`, and of what a disc of rho <= wide adds that goes `aside` from the same middle.
-double area_of(double wide, double rho, double aside) {
-  const double disc = kPi * wide * wide;
+/// Area of a disc of radius `widest` and of a disc of radius `rho` <= widest that slides `aside` from the same centre.
+struct SlidDisc {
+  double widest, rho, aside;
+};
+double area_of(const SlidDisc& slid) {
+  const auto [wide, rho, aside] = slid;
+  const double disc = std::numbers::pi * wide * wide;
   if (aside == 0.0) return disc;
-  return disc + 2.0 * rho * aside + 0.5 * kPi * rho * rho -
+  return disc + 2.0 * rho * aside + 0.5 * std::numbers::pi * rho * rho -
          (rho * std::sqrt(wide * wide - rho * rho) + wide * wide * std::asin(rho / wide));
 }
 
@@ -131,7 +135,8 @@ void SweptBur::golden(std::size_t segment, Vec3 place, Least& least) const {
   if (d < least.distance) least = {d, 0.5 * (a + b), g};
 }
 
-void SweptBur::look(std::size_t from, std::size_t to, double low, double high, Vec3 place, double far, Least& least) const {
+void SweptBur::search(const Span& span, Vec3 place, double far, Least& least) const {
+  const auto [from, to, low, high] = span;
   // The distance changes by no more than the pivot moves: below that bound nothing between can be nearer.
   const double way = along_[to] - along_[from];
   if (0.5 * (low + high - way) >= std::min(least.distance, far) || least.distance <= -far) return;
@@ -144,9 +149,9 @@ void SweptBur::look(std::size_t from, std::size_t to, double low, double high, V
   const double d = head_distance(bur_, axis_, place - places_[middle], g);
   if (d < least.distance) least = {d, along_[middle], g};
   const bool lower = low < high;  // the likelier half first
-  if (lower) look(from, middle, low, d, place, far, least);
-  look(middle, to, d, high, place, far, least);
-  if (!lower) look(from, middle, low, d, place, far, least);
+  if (lower) search({from, middle, low, d}, place, far, least);
+  search({middle, to, d, high}, place, far, least);
+  if (!lower) search({from, middle, low, d}, place, far, least);
 }
 
 double SweptBur::distance_mm(Vec3 place, Vec3& gradient, double far_mm) const {
@@ -155,7 +160,7 @@ double SweptBur::distance_mm(Vec3 place, Vec3& gradient, double far_mm) const {
   Least least{low, 0.0, g};
   const double high = head_distance(bur_, axis_, place - places_.back(), g);
   if (high < low) least = {high, along_.back(), g};
-  look(0, places_.size() - 1, low, high, place, far_mm, least);
+  search({0, places_.size() - 1, low, high}, place, far_mm, least);
   gradient = least.gradient;
   if (std::fabs(least.distance) >= far_mm) return least.distance;
   // Beside the least of the places.
@@ -207,7 +212,7 @@ double SweptBur::split_mm3(const Frame& face, Vec3 middle, double half, Vec3 gra
   for (std::size_t i = 0; i < 8; ++i) {
     middles[i] = middle + small * Vec3(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
     parts[i].distance = distance_mm(face.to_world(middles[i]), parts[i].gradient, corner);
-    if (std::fabs(parts[i].distance) < corner) edge = edge || glm::dot(parts[i].gradient, gradient) < kEdgeCosine;
+    if (std::fabs(parts[i].distance) < corner) edge = edge || glm::dot(parts[i].gradient, gradient) < kCubeEdgeCosine;
   }
   const bool last = half <= leaf_mm * 1.001;
   // At an edge, and at a wall that an edge has left, a tangent plane is no surface: there the cubes are smaller, and
@@ -263,7 +268,7 @@ double SweptBur::columns_mm3(const Frame& face, Vec3 middle, double half) const 
     if ((at_low < 0.0) == (at_high < 0.0)) continue;
     const Vec3 begin = low;
     const bool low_in = at_low < 0.0;
-    for (int i = 0; i < kLooks; ++i) {
+    for (int i = 0; i < kBisections; ++i) {
       const Vec3 between = 0.5 * (low + high);
       ((inside(between) < 0.0) == low_in ? low : high) = between;
     }
@@ -317,7 +322,7 @@ double upright_mm3(const Bur& bur, double deep_mm, double aside_mm) {
         if (here.speed == 0.0) continue;
         // Convex: the outline grows to the widest place and shrinks from there.
         wide = std::max(wide, here.at.rho);
-        mm3 += weight * end / kPanels * here.speed * area_of(wide, here.at.rho, aside_mm);
+        mm3 += weight * end / kPanels * here.speed * area_of({wide, here.at.rho, aside_mm});
       }
     wide = std::max({widest, wide, along(piece, end).at.rho});
     if (end < 1.0) break;

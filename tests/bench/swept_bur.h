@@ -33,8 +33,12 @@ class SweptBur {
     Vec3 gradient;
   };
   double head(double at, Vec3 place, Vec3& gradient) const;
-  void look(std::size_t from, std::size_t to, double low, double high, Vec3 place, double far,
-            Least& least) const;
+  /// Places between two indices, with the distances at both.
+  struct Span {
+    std::size_t from, to;
+    double low, high;
+  };
+  void search(const Span& span, Vec3 place, double far, Least& least) const;
   void golden(std::size_t segment, Vec3 place, Least& least) const;
   struct Near {
     double distance = 0.0;

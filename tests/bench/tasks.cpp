@@ -17,16 +17,16 @@ namespace cusp::bench {
 namespace {
 
 constexpr Method kShown[] = {Method::surface, Method::occupancy};
-constexpr int kBatch = 250;  // ticks between looks at the clock, which costs as much as a tick
-constexpr std::size_t kTrackTicks = 4096;
+constexpr int kPaceBatch = 250;  // ticks between looks at the clock, which costs as much as a tick
+constexpr std::size_t kPaceTrackTicks = 4096;
 
 /// Ticks of a task, one after the other, without end.
-class Task {
+class TaskRunner {
  public:
-  Task(Method method, const Shape& face, std::string_view task) : method_(method), face_(face) {
+  TaskRunner(Method method, const Shape& face, std::string_view task) : method_(method), face_(face) {
     if (task == "perforation") return;
-    const auto inputs = task == "displacement" ? clear_inputs(face, kRateSpeedMmS, kClearMm, 1, kTrackTicks)
-                                               : slide_inputs(face, kRateSpeedMmS, 1, kTrackTicks);
+    const auto inputs = task == "displacement" ? clear_inputs(face, kRateSpeedMmS, 1, kPaceTrackTicks)
+                                               : slide_inputs(face, kRateSpeedMmS, 1, kPaceTrackTicks);
     lane_ = std::make_unique<Lane>(Lane{StepState(scene_of(face, method, kRateVoxelMm)), Track(inputs), {}});
     bring(lane_->state, step, face, face.before(inputs.front().position_mm()));
     lead(lane_->state, step, inputs.front().position_mm(), kRateSpeedMmS * 1e-3);
@@ -46,8 +46,8 @@ class Task {
         drill_ = std::make_unique<Perforation>(method_, face_, kRateVoxelMm, ++pass_);
         left_ = Perforation::kTicks;
       }
-      std::array<StepInput, kBatch> inputs;
-      const int n = std::min({left_, ticks - done, kBatch});
+      std::array<StepInput, kPaceBatch> inputs;
+      const int n = std::min({left_, ticks - done, kPaceBatch});
       for (int k = 0; k < n; ++k) inputs[static_cast<std::size_t>(k)] = drill_->next();
       const double start = core_time_s();
       for (int k = 0; k < n; ++k) step(drill_->state(), inputs[static_cast<std::size_t>(k)]);
@@ -82,7 +82,7 @@ std::string number(double v) {
 constexpr std::string_view kPaceNames = "method,task,time_s,updates_per_s";
 constexpr std::string_view kMotionNames = "method,task,time_s,x_mm,y_mm,z_mm,fx_n,fy_n,fz_n";
 
-std::string first_line(const std::string& commit, const std::string& machine) {
+std::string header_line(const std::string& commit, const std::string& machine) {
   return "# commit " + commit + ", machine " + machine + '\n';
 }
 
@@ -118,9 +118,9 @@ Result<void, RowsFailure> read_lines(const std::string& text, std::string_view n
 
 }  // namespace
 
-Vec3 hand_at(double t, double top_mm, double radius_mm) {
+Vec3 scripted_device_mm(double t, const TaskBlock& block) {
   constexpr double kTurn = 6.283185307179586;
-  const double rest = top_mm + radius_mm;
+  const double rest = block.top_mm + block.bur_radius_mm;
   if (t < kFreeS) {
     const double u = t / kFreeS;
     return {3.0 * std::sin(kTurn * u), 2.0 * std::sin(2.0 * kTurn * u), rest + 0.2 + 1.8 * std::sin(0.5 * kTurn * u)};
@@ -153,15 +153,15 @@ PaceReport record_pace() {
   PaceReport out{here.commit, here.machine, {}};
   const std::unique_ptr<Shape> face = make_shape("face", kPaperBurMm);
   for (const std::string_view task : {"displacement", "exploration", "perforation"}) {
-    std::vector<Task> runs;
+    std::vector<TaskRunner> runs;
     for (const Method method : kShown) runs.emplace_back(method, *face, task);
     for (int sample = 1; sample <= kSamplesATask; ++sample)
       for (std::size_t i = 0; i < runs.size(); ++i) {
         double spent = 0.0;
         std::int64_t ticks = 0;
         while (spent < kSampleS) {
-          spent += runs[i].run(kBatch);
-          ticks += kBatch;
+          spent += runs[i].run(kPaceBatch);
+          ticks += kPaceBatch;
         }
         out.samples.push_back(
             {std::string(key_of(kShown[i])), std::string(task), sample * kSampleS, static_cast<double>(ticks) / spent});
@@ -177,14 +177,14 @@ MotionReport record_motion() {
   for (const Method method : kShown) {
     StepState state(task_scene(method));
     const double r = kPaperBurMm;
-    const Vec3 begin = hand_at(0.0, top, r);
+    const Vec3 begin = scripted_device_mm(0.0, {top, r});
     lead(state, step, begin, 0.05);
     const int ticks = static_cast<int>((kFreeS + kExploreS + kDrillS) * 1000.0);
     for (int k = 1; k <= ticks; ++k) {
       const double t = k * 1e-3;
-      const Vec3 device = hand_at(t, top, r);
+      const Vec3 device = scripted_device_mm(t, {top, r});
       const std::string_view task = task_at(t);
-      const StepOutput now = step(state, input_at(device, task == "perforation"));
+      const StepOutput now = step(state, input_at(device, task == "perforation" ? Button::down : Button::up));
       if (k % static_cast<int>(kSampleS * 1000.0) == 0)
         out.samples.push_back({std::string(key_of(method)), std::string(task), t, device - begin, now.force_raw_n});
     }
@@ -193,14 +193,14 @@ MotionReport record_motion() {
 }
 
 std::string to_csv(const PaceReport& report) {
-  std::string out = first_line(report.commit, report.machine) + std::string(kPaceNames) + '\n';
+  std::string out = header_line(report.commit, report.machine) + std::string(kPaceNames) + '\n';
   for (const PaceSample& s : report.samples)
     out += s.method + ',' + s.task + ',' + number(s.time_s) + ',' + number(s.updates_per_s) + '\n';
   return out;
 }
 
 std::string to_csv(const MotionReport& report) {
-  std::string out = first_line(report.commit, report.machine) + std::string(kMotionNames) + '\n';
+  std::string out = header_line(report.commit, report.machine) + std::string(kMotionNames) + '\n';
   for (const MotionSample& s : report.samples) {
     out += s.method + ',' + s.task + ',' + number(s.time_s);
     for (int i = 0; i < 3; ++i) out += ',' + number(s.displacement_mm[i]);

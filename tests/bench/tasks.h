@@ -44,7 +44,11 @@ inline constexpr double kPaperBurMm = 0.5;
 /// The device point of a hand that moves freely, strokes the top of a block and drills into it, by the time in s.
 /// Smooth sines; a task has its seconds.
 inline constexpr double kFreeS = 2.0, kExploreS = 2.0, kDrillS = 2.5;
-Vec3 hand_at(double t, double top_mm, double radius_mm);
+struct TaskBlock {
+  double top_mm = 0.0;
+  double bur_radius_mm = 0.5;
+};
+Vec3 scripted_device_mm(double time_s, const TaskBlock& block);
 /// The block's scene: K = 1 N/mm, full wear at 0.25 N.
 std::shared_ptr<Scene> task_scene(Method method);
 

@@ -1,12 +1,15 @@
 /// What ticks took, measured round step() alone.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
 #include "tests/bench/rows.h"
 
 namespace cusp::bench {
+
+using Clock = std::chrono::steady_clock;
 
 /// Pre: not empty; 0 <= share <= 1. The smallest value that at least this share of them does not exceed; sorts.
 double percentile(std::vector<double>& values, double share);

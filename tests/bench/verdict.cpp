@@ -7,36 +7,36 @@
 
 namespace cusp::bench {
 
-std::vector<Breaks> breaks_of(const Row& row) {
-  std::vector<Breaks> out;
-  const auto is = [&out](Breaks b, bool broken) {
+std::vector<FailureKind> failures_of(const Row& row) {
+  std::vector<FailureKind> out;
+  const auto is = [&out](FailureKind b, bool broken) {
     if (broken) out.push_back(b);
   };
-  is(Breaks::through, row.passed_through > 0);
+  is(FailureKind::through, row.passed_through > 0);
   // Who falls through overlaps as well: once is enough.
-  is(Breaks::overlap, out.empty() && row.penetration_um > 1000.0 * row.voxel_mm);
-  is(Breaks::stuck, row.stuck > 0);
-  is(Breaks::kicks, row.force_step_mn > kMostStepMn || row.guard_step_mn > kMostGuardStepMn);
+  is(FailureKind::overlap, out.empty() && row.penetration_um > 1000.0 * row.voxel_mm);
+  is(FailureKind::stuck, row.stuck > 0);
+  is(FailureKind::kicks, row.force_step_mn > kMostStepMn || row.guard_step_mn > kMostGuardStepMn);
   // With k_max, the cycle is that of the first stiffness that fails: no failure of the row's.
-  const bool press = std::ranges::any_of(kPressCases, [&row](const CaseName& c) { return c.key == row.case_name; });
-  is(Breaks::rings, (!press && row.cycle_um > kMostCycleUm && row.cycle_um > 2.0 * row.cycle_exact_um) ||
+  const bool press = std::ranges::any_of(kPressCases, [&row](std::string_view c) { return c == row.case_name; });
+  is(FailureKind::rings, (!press && row.cycle_um > kMostCycleUm && row.cycle_um > 2.0 * row.cycle_exact_um) ||
                         row.vibration_mn > kMostVibrationMn);
   // Of each episode its own late ticks; a table that does not know them apart has those of the whole run.
   const double late = std::isnan(row.late_mj) ? 0.0 : row.late_mj;
   const double left = std::isnan(row.energy_left_mj) ? row.energy_mj - late : row.energy_left_mj;
-  is(Breaks::feeds, left > row.energy_exact_mj + kMostFedMj);
-  const bool fault = std::ranges::any_of(kFaultCases, [&row](const CaseName& c) { return c.key == row.case_name; });
+  is(FailureKind::feeds, left > row.energy_exact_mj + kMostFedMj);
+  const bool fault = std::ranges::any_of(kFaultCases, [&row](std::string_view c) { return c == row.case_name; });
   const bool exchange = row.case_name == "specimen-exchange" || row.case_name == "bur-exchange";
-  is(Breaks::stays_on,
+  is(FailureKind::stays_on,
      fault && !exchange && !(row.zero_ms <= (row.case_name == "frozen" ? kMostFrozenMs : kMostZeroMs)));
-  is(Breaks::stays_on, row.case_name == "fragment" && row.grip == "scripted" && !(row.zero_ms <= kMostLooseMs));
+  is(FailureKind::stays_on, row.case_name == "fragment" && row.grip == "scripted" && !(row.zero_ms <= kMostFragmentMs));
   return out;
 }
 
-std::string names_of(const std::vector<Breaks>& breaks) {
+std::string names_of(const std::vector<FailureKind>& failures) {
   std::string out;
-  for (const auto& [kind, name] : kBreaks)
-    if (std::ranges::find(breaks, kind) != breaks.end()) out.append(out.empty() ? "" : " ").append(name);
+  for (const auto& [kind, name] : kFailureKinds)
+    if (std::ranges::find(failures, kind) != failures.end()) out.append(out.empty() ? "" : " ").append(name);
   return out;
 }
 

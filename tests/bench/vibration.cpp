@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace cusp::bench {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 
 /// Bilinear transform of s^2 / (s^2 + sqrt(2) s + 1), by samples of 1 ms.
 void high_pass(std::vector<Vec3>& x) {
-  const double w = std::tan(kPi * kVibrationHz * 1e-3);
+  const double w = std::tan(std::numbers::pi * kVibrationHz * 1e-3);
   const double norm = 1.0 / (1.0 + std::sqrt(2.0) * w + w * w);
   const double b = norm, a1 = 2.0 * (w * w - 1.0) * norm, a2 = (1.0 - std::sqrt(2.0) * w + w * w) * norm;
   // As if what is first had been so for ever.

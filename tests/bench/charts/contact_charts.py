@@ -7,7 +7,7 @@ from tables import Missing, mean
 
 USUAL_VOXEL_MM = 10 / 128
 SPEED_MM_S = 50.0
-LEAST_ANGLE_DEG = 1e-4  # what is below stands at the frame's foot
+LEAST_ANGLE_DEG = 1e-4  # smaller values stand at the frame's foot
 
 # Other programs, built unmodified and measured elsewhere: 2-vCPU EPYC VM, g++ 12, -O3 -march=native, one pinned core,
 # 128^3 voxels in 10 mm, device point 0.3 mm below the offset surface. Speed: a slide at 50 mm/s. Angle: mean over face
@@ -50,11 +50,10 @@ def speed_against_accuracy(accuracy, rate, radius):
     sizes = "voxel size in mm beside the marks" if several else "voxels of 10/128 mm"
     fig = style.figure(
         860, 620, f"Speed against accuracy, ball bur of {radius} mm radius",
-        "Clean shapes: sliding at 50 mm/s, 0.3 mm below the offset surface, mean of face and sphere. Right is faster, down is "
-        "more exact.",
+        "Slides at 50 mm/s, 0.3 mm below the offset surface; mean of face and sphere. Right is faster, down is more exact.",
         f"Filled: {accuracy.machine}, commits {accuracy.commit[:10]} (angles) and {rate.commit[:10]} (rates), {sizes}. "
-        "Dashed: the front of the best.\nHollow: other programs, measured elsewhere on a 2-vCPU EPYC VM, 10/128 mm; "
-        "pressed: their angle is of presses, no slide was measured.")
+        "Dashed: Pareto front.\nHollow: other programs, measured elsewhere on a 2-vCPU EPYC VM, 10/128 mm. "
+        "(pressed): angle of presses, not of a slide.")
     axes = style.panel(fig, 76, 72, 836, 528)
     peers = [(name, speed, (face + sphere) / 2, pressed) for name, r, speed, face, sphere, pressed in PEERS if r == radius]
     style.decades(axes.xaxis, [PAPER_EXPLORATION] + [p[2] for p in shown] + [p[1] for p in peers])
@@ -90,7 +89,7 @@ def speed_against_accuracy(accuracy, rate, radius):
     for name, speed, angle, pressed in peers:
         room.label(speed, angle, name + (" (pressed)" if pressed else ""), 5, fontsize=9, color=QUIET)
     low, high = axes.get_ylim()
-    room.label(PAPER_EXPLORATION, low * (high / low) ** 0.28, "the paper, 2012: 62 k, accuracy not given", 4, fontsize=9,
+    room.label(PAPER_EXPLORATION, low * (high / low) ** 0.28, "the paper, 2012: 62 k, no accuracy given", 4, fontsize=9,
                color=QUIET)
     if several:
         for _, voxel, speed, angle in shown:
@@ -118,7 +117,7 @@ ABOVE = 1.25  # an error that much over the face's can be distinguished from it
 
 
 def order_of(series, floor):
-    """The fitted order of what the form adds to the face's error, as words; the two add up as squares do."""
+    """The fitted order of the error beyond the face's, as a label; errors add as squares."""
     floors = dict(floor)
     form = [(h, math.sqrt(e * e - floors[h] ** 2)) for h, e in series if h in floors and e > ABOVE * floors[h]]
     if len(form) > 1:
@@ -131,10 +130,9 @@ def order_of(series, floor):
 
 def error_against_voxel(accuracy):
     fig = style.figure(
-        860, 500, "Error of the surface proxy against the voxel size",
-        "Clean shapes, ball bur of 0.5 mm radius, presses and slides. A face has no form to miss: its error is what 16 bits of "
-        "s leave.",
-        f"{accuracy.source}. Circles: sphere. Squares: cylinder. Diamonds: face. Order: slope of what exceeds the face's error.")
+        860, 500, "Error of the surface proxy against voxel size",
+        "Ball bur of 0.5 mm radius, presses and slides. A face is exact at any voxel size: its error is the 16-bit rounding of s.",
+        f"{accuracy.source}. Circles: sphere. Squares: cylinder. Diamonds: face. Order: slope of the error beyond the face's.")
     for field, title, left in (("angle_deg_mean", "mean angle error, degrees", 76), ("depth_um_mean", "mean depth error, µm", 502)):
         axes = style.panel(fig, left, 72, left + 334, 420)
         floor = errors(accuracy, "face", field)
@@ -161,9 +159,9 @@ def error_against_voxel(accuracy):
 
 def cost_against_size(rate, scale):
     fig = style.figure(
-        860, 430, "What a tick and a scene cost",
-        "Clean shapes: exploring at 50 mm/s, voxels of 10/128 mm. Middle and right: a solid block, bur of 0.5 mm radius.",
-        f"{rate.machine}, commits {rate.commit[:10]} and {scale.commit[:10]}. Circles: surface proxy. Squares: occupancy proxy. "
+        860, 430, "Cost of a tick and memory of a scene",
+        "Left: face, sphere and cylinder at 50 mm/s, voxels of 10/128 mm. Middle and right: a solid block, bur of 0.5 mm radius.",
+        f"{rate.machine}, commits {rate.commit[:10]} (rates) and {scale.commit[:10]} (volumes). Circles: surface proxy. Squares: occupancy proxy. "
         "Middle: median over alternating blocks.")
     by_radius, by_edge, by_memory = (style.panel(fig, left, 76, left + 200, 350) for left in (70, 352, 632))
     lines = {}
@@ -190,7 +188,7 @@ def cost_against_size(rate, scale):
         axes.set_xlabel("voxels along an edge")
     most = max(1.5, 1.1 * max(c for _, volume, _ in lines.values() for _, c in volume))
     by_edge.set_ylim(0, math.ceil(2 * most) / 2)
-    by_edge.set_ylabel("a tick's cost, 128³ = 1")
+    by_edge.set_ylabel("cost of a tick, 128³ = 1")
     for bound in (0.8, 1.2):
         by_edge.axhline(bound, color=QUIET, lw=1, ls=(0, (3, 3)))
     by_edge.annotate("± 20 %", (128, 1.2), (0, 5), textcoords="offset points", color=QUIET, fontsize=9)

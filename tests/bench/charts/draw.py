@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Draws every chart and table of the bench from its CSV files.
 
-  draw.py FOLDER [--readme FILE] [--check]
+  draw.py FOLDER [--readme FILE ...] [--check]
 
 FOLDER holds the tables that `cusp-bench chart --out FOLDER` measured; charts (SVG) and tables (Markdown) are written beside
-them. --readme puts the tables between their marks in a README. --check writes nothing, and fails if a file differs.
+them. --readme puts each table between its marks in a README. --check writes nothing, and fails if a file differs.
 Exit status: 0 done, 1 failed with one line on stderr, 2 wrong usage.
 """
 import argparse
@@ -46,15 +46,22 @@ def draw_all(tables):
         "methods.md": markdown_tables.methods(t["accuracy"], t["rate"]),
         "stability.md": markdown_tables.stability(t["stability"]),
         "removal.md": markdown_tables.removal(t["removal"], t.get("removal-full")),
+        "figures.md": markdown_tables.figures(t),
     }
     if "stability-full" in t:
         out["stability-cells.svg"] = svg(stability_charts.stiffness_by_cell(t["stability-full"]))
     return out
 
 
+TABLES = ("methods", "stability", "removal", "figures")
+
+
 def placed(text, drawn, name):
-    """The README's text with each table between its two marks."""
-    for table in ("methods", "stability", "removal"):
+    """The README's text with each table between its two marks. Raises Missing without marks, or for a mark without its pair."""
+    shown = [table for table in TABLES if f"<!-- {table}: written by draw.py -->" in text or f"<!-- /{table} -->" in text]
+    if not shown:
+        raise Missing(f"{name}: no place for a table")
+    for table in shown:
         begin, end = f"<!-- {table}: written by draw.py -->\n", f"<!-- /{table} -->\n"
         if text.count(begin) != 1 or text.count(end) != 1:
             raise Missing(f"{name}: no place for the table of {table}")
@@ -63,7 +70,7 @@ def placed(text, drawn, name):
 
 
 def differing(files):
-    """The Markdown among these files that is another on the disk, and every file that is not there."""
+    """The Markdown files whose text on disk differs, and every file that is missing."""
     # Charts depend on the release of matplotlib; tables do not.
     return [str(f) for f, text in files.items()
             if not f.exists() or (f.suffix == ".md" and f.read_text(encoding="utf-8") != text)]
@@ -72,14 +79,14 @@ def differing(files):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--readme", type=pathlib.Path)
+    parser.add_argument("--readme", type=pathlib.Path, action="append", default=[])
     parser.add_argument("--check", action="store_true")
     args = parser.parse_args()
     try:
         drawn = draw_all(read_all(args.folder))
         files = {args.folder / name: text for name, text in drawn.items()}
-        if args.readme:
-            files[args.readme] = placed(args.readme.read_text(encoding="utf-8"), drawn, args.readme)
+        for readme in args.readme:
+            files[readme] = placed(readme.read_text(encoding="utf-8"), drawn, readme)
         if args.check:
             if names := differing(files):
                 raise Missing("not what the tables give: " + ", ".join(names))

@@ -1,4 +1,4 @@
-"""The README's three tables, each with the machine and commit that measured it."""
+"""The tables of the READMEs, each with the machine and commit that measured it."""
 import math
 
 from contact_charts import SPEED_MM_S, USUAL_VOXEL_MM
@@ -41,12 +41,12 @@ def methods(accuracy, rate):
             for cell, text in zip(cells, (short(1 / tick), f"{ratio:.2g}×", small(angle), small(depth), short(1 / drill))):
                 cell.append(text)
         rows.append([LABELS[method], *(" · ".join(cell) for cell in cells)])
-    head = ["ball bur r 0.25 · 0.5 mm, clean shapes", "exploring, updates/s", "over occupancy", "mean angle error, degrees",
+    head = ["ball bur r 0.25 · 0.5 mm", "exploring, updates/s", "over occupancy", "mean angle error, degrees",
             "mean depth error, µm", "drilling, updates/s"]
     return lines(head, rows) + (
         f"\n{accuracy.machine}, one core, commits {accuracy.commit[:10]} (accuracy) and {rate.commit[:10]} (rate): voxels of 10/128 mm, "
         "0.3 mm below the offset surface at 50 mm/s; rates are means over face, sphere and cylinder, errors over face and sphere; "
-        "drilling at 1 mm/s with all its upkeep.\n")
+        "drilling at 1 mm/s, all updates of the volume included.\n")
 
 
 def stability(table):
@@ -65,7 +65,7 @@ def stability(table):
         stuck = sum(int(r.number("stuck")) for r in found if r.holds("stuck"))
         cases = {}
         for r in found:
-            cases[r.text("case")] = cases.get(r.text("case"), True) and not r.text("breaks")
+            cases[r.text("case")] = cases.get(r.text("case"), True) and not r.text("failures")
         rows.append([
             LABELS[method], f"{min(ratios):.2g}× to {max(ratios):.2g}×",
             f"{sum(int(r.number('passed_through')) for r in walls)} of {sum(int(r.number('runs')) for r in walls)}",
@@ -73,9 +73,9 @@ def stability(table):
             f"{small(most(lambda r: r.number('force_step_p99_mn')))} · {small(most(lambda r: r.number('force_step_mn')))}",
             small(most(lambda r: r.number("energy_mj") - r.number("energy_exact_mj"))), small(most(lambda r: r.number("vibration_mn"))),
             f"{sum(cases.values())} of {len(cases)}"])
-    head = ["guard on", "stiffest stable wall over the exact proxy's", "fell through a 0.2 mm wall", "stuck", "force step p99 · most, mN",
-            "fed beyond the exact proxy, mJ", "vibration in the paper's tasks, mN", "cases survived"]
-    return lines(head, rows) + (f"\n{table.source}: 0.1 kg, 2 N s/m, 1 ms there and back [M]; the worst over every case, hand and voxel "
+    head = ["guard on", "largest stable stiffness over the exact proxy's", "fell through a 0.2 mm wall", "stuck for 50 ms", "force step p99 · most, mN",
+            "energy fed beyond the exact proxy, mJ", "vibration in the paper's tasks, mN", "cases without failure"]
+    return lines(head, rows) + (f"\n{table.source}: device of 0.1 kg and 2 N s/m (assumed), loop delay 1 ms; the worst over every case, grip and voxel "
                                 "size.\n")
 
 
@@ -111,17 +111,17 @@ def removal(table, full=None):
     wanted = [
         ("drilling speed, every pair of voxel, tick, direction, tissue, push and bur", "1 %", worst(resolved(table, "speed"), "error_percent"), percent, of_occupancy),
         (f"all {len(full.where(measure='speed', method='surface')) if full else 0} of the 1.0 mm round bur at 0.1 mm", "1 %", worst(resolved(full, "speed"), "error_percent"), percent, "–"),
-        ("half in one tissue, half in another: harmonic mean", "2 %", worst(resolved(table, "mixed"), "error_percent"), percent, "–"),
+        ("half in one tissue, half in another: against the harmonic mean", "2 %", worst(resolved(table, "mixed"), "error_percent"), percent, "–"),
         ("the same path in halves, or in other ticks: volume", "0.1 %", worst(resolved(table, "order"), "error_percent"), percent, "–"),
         ("volume of one stroke, with every shape of bur", "0.5 %", worst(resolved(table, "volume"), "error_percent"), percent, "–"),
         (f"with all {burs(full)} burs", "0.5 %", worst(resolved(full, "volume"), "error_percent"), percent, "–"),
-        ("shape left by known strokes at 1, 50 and 200 mm/s, mean", "0.5 µm", worst(resolved(table, "shape"), "deviation_um_mean"), um, "–"),
-        ("and at most", "10 µm", worst(resolved(table, "shape"), "deviation_um_max"), um, "–"),
-        (f"all {burs(full)} burs, mean", "0.5 µm", worst(resolved(full, "shape"), "deviation_um_mean"), um, "–"),
-        (f"all {burs(full)} burs, at most", "10 µm", worst(resolved(full, "shape"), "deviation_um_max"), um, "–"),
-        ("sliding while cutting: beyond what wear allows a tick, at most", "0.5 µm", worst(resolved(table, "slide"), "excess_um_max"), um, "–"),
-        ("a ridge between two cuts, after 40 passes over it", "5 µm", max(ridges, default=math.nan), um, "–"),
-        ("a cutting tick with the largest bur, p99", "250 µs", worst(resolved(table, "tick"), "tick_us_p99"), us,
+        ("shape left by known strokes at 1, 50 and 200 mm/s, mean deviation", "0.5 µm", worst(resolved(table, "shape"), "deviation_um_mean"), um, "–"),
+        ("shape left, maximum", "10 µm", worst(resolved(table, "shape"), "deviation_um_max"), um, "–"),
+        (f"all {burs(full)} burs, mean deviation", "0.5 µm", worst(resolved(full, "shape"), "deviation_um_mean"), um, "–"),
+        (f"all {burs(full)} burs, maximum", "10 µm", worst(resolved(full, "shape"), "deviation_um_max"), um, "–"),
+        ("sliding while cutting: excess over the wear of a tick, maximum", "0.5 µm", worst(resolved(table, "slide"), "excess_um_max"), um, "–"),
+        ("ridge between two cuts after 40 passes: height error", "5 µm", max(ridges, default=math.nan), um, "–"),
+        ("cutting tick with the largest bur, p99", "250 µs", worst(resolved(table, "tick"), "tick_us_p99"), us,
          us(worst(resolved(table, "tick", "occupancy"), "tick_us_p99"))),
     ]
     rows = []
@@ -130,11 +130,45 @@ def removal(table, full=None):
         if math.isnan(value) and of_full:
             continue
         rows.append([what, goal, reads(needed(value, "removal: " + what)), other])
-    head = ["the worst of", "wanted", "surface proxy (Cusp)", "occupancy proxy (the paper)"]
+    head = ["worst of", "goal", "surface proxy (Cusp)", "occupancy proxy (the paper)"]
     of_full = f" (--full: {full.commit[:10]})" if full and full.commit != table.commit else ""
-    return lines(head, rows) + (f"\n{table.source}{of_full}: clean blocks, round burs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 "
+    return lines(head, rows) + (f"\n{table.source}{of_full}: solid blocks, round burs of 0.5 to 2.3 mm and a fissure of 1.0 mm, voxels of 0.04 "
                                 f"to 0.2 mm; burs under three voxels of radius are left out. Shapes and volumes of strokes: {len(shaped)} burs.\n")
 
 
 def burs(full):
     return len({r.text("bur") for r in full.where(measure="shape")}) if full else 0
+
+
+def figures(tables):
+    """The bench README's summary: one row a quantity, for the surface proxy and the paper's method."""
+    accuracy, rate, scale, stability_table, cut = (tables[k] for k in ("accuracy", "rate", "scale", "stability", "removal"))
+
+    def of(rows, field, take, what):
+        values = [r.number(field) for r in rows if r.holds(field)]
+        return needed(take(values) if values else math.nan, f"figures: {what}")
+
+    def usual(table, method, **texts):
+        return [r for r in table.where(method=method, **texts) if r.is_near("bur_radius_mm", 0.5) and r.is_near("voxel_mm", USUAL_VOXEL_MM)]
+
+    rows = []
+    for what, cell in (
+            ("`rate`: own channel, updates/s, slowest",
+             lambda m: short(of(usual(rate, m, shape="channel"), "updates_per_s", min, "channel"))),
+            ("`rate`: tick exploring, p99, µs, worst",
+             lambda m: small(of(usual(rate, m, task="exploration"), "tick_us_p99", max, "tick"))),
+            ("`accuracy`: angle p95 on every shape but the channel, °, worst slide",
+             lambda m: small(of([r for r in usual(accuracy, m, motion="slide") if r.text("shape") != "channel"
+                                 and r.text("unresolved") != "true"], "angle_deg_p95", max, "angle"))),
+            ("`accuracy`: lag in the own channel, µm, mean · worst",
+             lambda m: small(of(usual(accuracy, m, shape="channel"), "lag_um_mean", mean, "lag")) + " · "
+             + small(of(usual(accuracy, m, shape="channel"), "lag_um_max", max, "lag"))),
+            ("`scale`: cost of a tick, 1024³ over 128³", lambda m: f"{of(scale.where(method=m, variant='whole-top'), 'cost_to_smallest', lambda v: v[-1], 'scale'):.2f}"),
+            ("`scale`: memory at 1024³, MB", lambda m: f"{of(scale.where(method=m), 'memory_mb', max, 'memory'):.0f}"),
+            ("`stability`: penetration, guard on, µm, worst",
+             lambda m: small(of([r for r in stability_table.where(method=m, guard="on") if r.text("unresolved") != "true"], "penetration_um", max, "penetration"))),
+            ("`removal`: drilling speed error, %, worst", lambda m: small(worst(resolved(cut, "speed", m), "error_percent"))),
+            ("`removal`: cutting tick, largest bur, p99, µs", lambda m: small(worst(resolved(cut, "tick", m), "tick_us_p99")))):
+        rows.append([what, cell("surface"), cell("occupancy")])
+    source = ", ".join(f"{name} {tables[name].commit[:10]}" for name in ("accuracy", "rate", "scale", "stability", "removal"))
+    return lines(["ball bur r 0.5 mm, voxels of 10/128 mm", LABELS["surface"], LABELS["occupancy"]], rows) + f"\n{rate.machine}; commits: {source}.\n"

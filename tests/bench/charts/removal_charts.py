@@ -8,7 +8,7 @@ from tables import Missing
 SHOWN = ("surface", "occupancy")
 LAYER_MM, BUR_MM, CLEAR_MM = 10 / 3, 0.5, 0.1  # of the block, its bur's radius, and what a slope stays clear of a seam
 TISSUES = ("dentine", "bone", "enamel")
-LEAST_PERCENT = 1e-3  # what is below stands at the frame's foot
+LEAST_PERCENT = 1e-3  # smaller values stand at the frame's foot
 GOALS = {"surface": 1.0, "occupancy": 5.0}  # percent; the occupancy method's along an axis
 
 
@@ -37,9 +37,8 @@ def depth_over_time(removal):
     end = max(r.number("time_s") for m in SHOWN for r in rows[m])
     fig = style.figure(
         860, 560, "Depth over time through three tissues",
-        "Full push, 1 kHz, a point every 25 ms; ball bur of 0.5 mm radius, 128³ voxels in 10 mm, three layers of 3.33 mm. Depth "
-        "downwards.",
-        f"{removal.source}. Whole, circles: surface proxy. Dashed, squares: occupancy proxy, the paper's method. Dotted: the wanted "
+        "Full push, 1 kHz, a point every 25 ms; ball bur of 0.5 mm radius, 128³ voxels in 10 mm, three layers of 3.33 mm.",
+        f"{removal.source}. Solid, circles: surface proxy. Dashed, squares: occupancy proxy, the paper's method. Dotted: wanted "
         "slopes.")
     axes = style.panel(fig, 76, 96, 836, 480)
     axes.set_xlim(0, 2 * math.ceil(end / 2) + 2)
@@ -76,11 +75,11 @@ def speed_error(removal):
             raise Missing(f"removal: speed of {method}")
     fig = style.figure(
         860, 520, "Error of the drilling speed against voxel size, tick and direction",
-        "Every pair of voxel, tick, direction, tissue, push and bur, a mark a run; read off the surface that is left. Logarithmic.",
-        f"{removal.source}. Circles: surface proxy, wanted within 1 %. Squares: occupancy proxy, 5 % along an axis. Hollow: radius "
-        "under 3 voxels.")
+        "Every pair of voxel, tick, direction, tissue, push and bur; one mark per run, read from the remaining surface.",
+        f"{removal.source}. Circles: surface proxy. Squares: occupancy proxy. Dashed: goals, 1 % and (along an axis) 5 %.\n"
+        "Hollow: radius under 3 voxels.")
     panels = (("voxel, mm", lambda r: f"{r.number('voxel_mm'):.2g}"), ("tick, ms", lambda r: f"{r.number('tick_ms'):g}"),
-              ("direction: along so many axes", lambda r: str(axes_along(r.text("direction")))))
+              ("direction: number of axes", lambda r: str(axes_along(r.text("direction")))))
     for i, (title, group_of) in enumerate(panels):
         axes = style.panel(fig, 76 + 264 * i, 96, 308 + 264 * i, 440)
         groups = sorted({group_of(r) for m in SHOWN for r in rows[m]}, key=float)

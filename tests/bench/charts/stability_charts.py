@@ -1,4 +1,4 @@
-"""Charts of stability: what breaks each method, the stiffest stable wall by damping, and by cell."""
+"""Charts of stability: the failures of each method, and the largest stable stiffness by damping and by cell."""
 import math
 
 import style
@@ -7,19 +7,19 @@ from matplotlib.patches import Rectangle
 from style import BLUE, COLOURS, GREEN, LABELS, MARKS, METHODS, QUIET, TEXT, VERMILION
 from tables import Missing
 
-# As tests/bench/stability_cases.h orders and names them.
+# The cases of tests/bench/stability_cases.h, in its order, with their labels.
 PRESSED = (("face", "face"), ("edge", "edge"), ("corner", "corner"), ("groove", "60° groove"), ("pit", "fitting pit"),
            ("channel", "own channel"))
-WAYS = (("thin-wall", "thin wall, 1 m/s"), ("tissues", "enamel to dentine"), ("vanishing", "tissue vanishes"),
-        ("islands", "islands left"), ("fragment", "fragment cut loose"), ("narrow-slot", "slot too narrow"),
+MOTIONS = (("thin-wall", "thin wall, 1 m/s"), ("tissues", "enamel to dentine"), ("vanishing", "tissue removed"),
+        ("islands", "islets on necks"), ("fragment", "fragment detached"), ("narrow-slot", "slot too narrow"),
         ("start-inside", "starts inside"), ("volume-edge", "edge of the volume"), ("voxel-size", "voxels 0.2 to 0.04"),
-        ("late-ticks", "ticks late to 50 ms"), ("grip-weight", "weight of the grip"))
-FAULTS = (("frozen", "frozen"), ("jump", "jumps 20 mm"), ("nan", "not a number"), ("infinite", "infinite"),
-          ("out-of-range", "out of range"), ("device-gone", "device vanishes"), ("specimen-exchange", "specimen exchanged"),
+        ("late-ticks", "ticks up to 50 ms late"), ("grip-weight", "weight of the grip"))
+FAULTS = (("frozen", "frozen"), ("jump", "jump of 20 mm"), ("nan", "not a number"), ("infinite", "infinite"),
+          ("out-of-range", "out of range"), ("device-gone", "device unplugged"), ("specimen-exchange", "specimen exchanged"),
           ("bur-exchange", "bur exchanged"))
-# As tests/bench/verdict.h names what broke, in the order of harm.
-BREAKS = {"through": "falls through", "overlap": "stands in tissue by more than a voxel", "stuck": "stuck for 50 ms",
-          "kicks": "kicks by more than 50 mN", "rings": "rings on", "feeds": "feeds the hand", "stays-on": "force stays on"}
+# The failures of tests/bench/verdict.h, most harmful first.
+FAILURES = {"through": "falls through", "overlap": "overlaps tissue by more than a voxel", "stuck": "stuck for 50 ms",
+            "kicks": "force step over 50 mN", "rings": "limit cycle", "feeds": "feeds energy to the hand", "stays-on": "force stays on"}
 # The device of the laboratory, in the hand that holds it (tests/bench/stability.cpp, usual_setting).
 USUAL = {"device": "m0.1-b2", "grip": "soft", "friction_n": "0", "delay_ms": "1"}
 # k_max over the exact proxy's: colours fall in lightness to both sides, so that grey shows it too.
@@ -30,7 +30,7 @@ SEARCH_END_N_PER_MM = 10.29  # of stability_kmax.h: what is stable there is stab
 
 
 def sign(axes, kind, x, y, h, colour):
-    """What failed, as a sign within a square of 2 h about a place. y points down."""
+    """Draws a failure's sign within a square of 2 h about a place. y points down."""
     def stroke(points, wide=1.3, dash="-"):
         axes.add_line(Line2D(*zip(*points), color=colour, lw=wide, ls=dash, solid_capstyle="round"))
 
@@ -53,7 +53,7 @@ def sign(axes, kind, x, y, h, colour):
         stroke([(x, y + h), (x, y - h)])
         stroke([(x - 0.55 * h, y - 0.4 * h), (x, y - h), (x + 0.55 * h, y - 0.4 * h)])
         stroke([(x - 0.8 * h, y + h), (x + 0.8 * h, y + h)])
-    elif kind == "stays-on":  # a bar that does not end
+    elif kind == "stays-on":  # two bars
         for side in (-0.45, 0.45):
             stroke([(x + side * h, y - 0.8 * h), (x + side * h, y + 0.8 * h)], 1.8)
     else:
@@ -65,28 +65,28 @@ def is_usual(row):
 
 
 def cell(stability, case, pressed, method, guard):
-    """(least k_max over the exact proxy's or NaN, stable to the search's end, what broke) of one cell of the map."""
+    """(least k_max over the exact proxy's or NaN, stable to the search's end, failures) of one cell of the map."""
     rows = [row for row in stability.where(method=method, case=case, guard=guard)
             if row.text("unresolved") != "true" and (not pressed or is_usual(row))]
     if not rows:
         raise Missing(f"stability: {method}, guard {guard}, in case {case}")
-    broke = {b for row in rows for b in row.text("breaks").split()}
-    unknown = broke - set(BREAKS)
+    failed = {b for row in rows for b in row.text("failures").split()}
+    unknown = failed - set(FAILURES)
     if unknown:
-        raise Missing(f"stability: no such break: {', '.join(sorted(unknown))}")
+        raise Missing(f"stability: no such failure: {', '.join(sorted(unknown))}")
     ratio, beyond = math.nan, False
     if pressed:
         least = min(rows, key=lambda r: r.number("k_max_n_per_mm") / r.number("k_exact_n_per_mm"))
         ratio = least.number("k_max_n_per_mm") / least.number("k_exact_n_per_mm")
         beyond = least.number("k_max_n_per_mm") >= SEARCH_END_N_PER_MM
-    return ratio, beyond, [b for b in BREAKS if b in broke]
+    return ratio, beyond, [b for b in FAILURES if b in failed]
 
 
 def draw_cell(axes, what, pressed, left, top, wide, high):
     ratio, beyond, broke = what
     x, y = left + wide / 2, top + high / 2
     if pressed:
-        # Who stands elsewhere than the exact proxy is stable there: that is no merit.
+        # A method that leaves the exact proxy is stable elsewhere: its stiffness does not count.
         _, fill, ink, _ = next(s for s in STEPS if ratio < s[0])
         if broke and broke[0] == "through":
             fill, ink = FAILED, SIGN
@@ -118,9 +118,9 @@ def legend(axes, left, top, right):
         axes.text(x + 28, top, text, va="center")
         x += 50 + 6.3 * len(text)
     top += 32
-    axes.text(left, top, "what failed", fontweight="bold", va="center")
+    axes.text(left, top, "failure", fontweight="bold", va="center")
     x = left + 92
-    for kind, text in (*BREAKS.items(), ("", "nothing")):
+    for kind, text in (*FAILURES.items(), ("", "nothing")):
         wide = 40 + 6.3 * len(text)
         if x + wide > right:
             x, top = left + 92, top + 24
@@ -132,7 +132,7 @@ def legend(axes, left, top, right):
 def stability_map(stability):
     known = {row.text("case") for row in stability.rows}
     groups = [(text, [c for c in cases if c[0] in known], pressed) for text, cases, pressed in
-              (("pressed to the limit", PRESSED, True), ("on its way, at 1 N/mm", WAYS, False), ("something goes wrong", FAULTS, False))]
+              (("pressed, k_max", PRESSED, True), ("in motion, at 1 N/mm", MOTIONS, False), ("faults and exchanges", FAULTS, False))]
     if not all(cases for _, cases, _ in groups):
         raise Missing("stability: cases")
     left, top, size, gap, between = 182, 212, 28, 12, 7
@@ -140,10 +140,10 @@ def stability_map(stability):
     bottom = top + 12 * size + 5 * between
     wide, high = right + 20, bottom + 128
     fig = style.figure(
-        wide, high, "Where each method breaks",
-        "The largest stable stiffness over the exact proxy's in the same hand, by colour and number; and what failed, by sign.",
-        f"{stability.source}. Device of 0.1 kg and 2 N s/m, 1 ms there and back; no, soft and firm grip, and led. +: stable to the "
-        "end of the search, 10.3 N/mm.")
+        wide, high, "Failures of each method by case",
+        "Colour and number: largest stable stiffness relative to the exact proxy with the same device and hand. Signs: failures.",
+        f"{stability.source}. 0.1 kg, 2 N s/m, loop delay 1 ms; grips none, soft, firm, and scripted motion. +: stable up to 10.3 N/mm, "
+        "where the search ends.")
     axes = fig.add_axes([0, 0, 1, 1])
     axes.set_axis_off()
     axes.set_xlim(0, wide)
@@ -194,10 +194,10 @@ def stiffness_against_damping(stability):
     apart = max(abs(row.number("k_max_n_per_mm") / row.number("k_exact_n_per_mm") - 1)
                 for row in damping_rows(stability) if row.number("k_exact_n_per_mm") > 0)
     fig = style.figure(
-        860, 500, "The stiffest stable wall, by the device's damping",
-        "Surface proxy on a face, no guard, no delay, 0.1 kg. Below a bound passivity is promised; Colgate's knows no encoder.",
-        f"{stability.source}. Encoder step {ENCODER_STEP_MM:.3g} mm, 1 kHz. Squares: firm grip. Circles: soft. Triangles: nobody "
-        f"holds it. The exact proxy's are within {100 * apart:.0f} %.")
+        860, 500, "Largest stable stiffness against the device's damping",
+        "Surface proxy on a face, guard off, no delay, 0.1 kg. Dashed and dotted: published passivity bounds; Colgate's has no encoder.",
+        f"{stability.source}. Encoder step {ENCODER_STEP_MM:.3g} mm, 1 kHz. Squares: firm grip. Circles: soft. Triangles: no "
+        f"grip. The exact proxy is within {100 * apart:.0f} %.")
     low, high, floor, roof = 0.3, 24.0, 0.5, 20.0
     damping = [low * (high / low) ** (i / 60) for i in range(61)]
     for friction, left, text in ((0.0, 76, "without friction"), (0.1, 492, "friction 0.1 N")):
@@ -214,10 +214,10 @@ def stiffness_against_damping(stability):
             axes.annotate("Abbott and Okamura", (high, abbott_okamura_n_per_mm(high, friction)), (-6, -16), textcoords="offset points",
                           ha="right")
         else:
-            axes.annotate("Abbott and Okamura: nothing is promised", (1, 0), (-10, 26), xycoords="axes fraction",
+            axes.annotate("Abbott and Okamura: bound is 0", (1, 0), (-10, 26), xycoords="axes fraction",
                           textcoords="offset points", ha="right", color=QUIET, fontsize=9)
         ends = []
-        for grip, label, colour, mark in (("firm", "firm grip", BLUE, "s"), ("soft", "soft grip", GREEN, "o"), ("none", "no hand", VERMILION, "^")):
+        for grip, label, colour, mark in (("firm", "firm grip", BLUE, "s"), ("soft", "soft grip", GREEN, "o"), ("none", "no grip", VERMILION, "^")):
             found = sorted((r.number("damping_n_s_m"), r.number("k_max_n_per_mm")) for r in damping_rows(stability)
                            if r.text("grip") == grip and r.number("friction_n") == friction)
             if len(found) < 2:
@@ -226,8 +226,8 @@ def stiffness_against_damping(stability):
             line = [p for p in found if p[1] >= floor]
             axes.plot(*zip(*line), marker=mark, ms=7.5, color=colour, lw=1.8)
             for b, k in found:
-                if k < floor:  # no stiffness holds still
-                    axes.annotate("none is", (b, floor), (9, 6), textcoords="offset points", color=QUIET, fontsize=9)
+                if k < floor:  # no stiffness is stable
+                    axes.annotate("none stable", (b, floor), (9, 6), textcoords="offset points", color=QUIET, fontsize=9)
                     axes.plot(b, floor * 1.06, "v", ms=7, color=colour)
             ends.append((*line[-1], label, "", TEXT))
         style.name_ends(axes, ends, gap=12)
@@ -260,10 +260,10 @@ def stiffness_by_cell(full):
         panels.append((label, cells))
         count += len(cells)
     fig = style.figure(
-        860, 640, "The stiffest stable wall over the exact proxy's, in every cell",
-        f"No guard. {count} cells: devices of 0.1 and 0.25 kg and 0.5 to 5 N s/m, three hands, friction, delay. Beyond 15 %: {beyond}.",
-        f"{full.source}. Hollow: {settled} cells by the medians of more sets of five seeds; by their first set {beyond_first} would be "
-        "beyond.")
+        860, 640, "Largest stable stiffness relative to the exact proxy, every cell",
+        f"Guard off. {count} cells: devices of 0.1 and 0.25 kg and 0.5 to 5 N s/m, three grips, friction, delay. Beyond 15 %: {beyond}.",
+        f"{full.source}. Hollow: {settled} cells by the median of five sets of five seeds; by the first set {beyond_first} are "
+        "beyond 15 %.")
     for i, (label, cells) in enumerate(panels):
         left, top = 76 + 258 * (i % 3), 344 if i >= 3 else 104
         axes = style.panel(fig, left, top, left + 244, top + 200)

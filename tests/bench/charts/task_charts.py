@@ -25,9 +25,9 @@ def rates_by_task(pace):
     rates = [row.number("updates_per_s") for row in pace.rows]
     fig = style.figure(
         860, 535, "Updates a second in the paper's three tasks",
-        "Clean block: sampled every 25 ms of stepping, one core; ball bur of 0.5 mm radius, 128³ voxels in 10 mm. Logarithmic.",
-        f"{pace.source}. Circles: surface proxy. Squares: occupancy proxy, the paper's method. Dashed: the paper's own, 2012.\n"
-        f"Slowest 25 ms of all: {style.short(min(rates))}.")
+        "Solid block, sampled every 25 ms of stepping, one core; ball bur of 0.5 mm radius, 128³ voxels in 10 mm.",
+        f"{pace.source}. Circles: surface proxy. Squares: occupancy proxy, the paper's method. Dashed: the paper, 2012.\n"
+        f"Slowest sample: {style.short(min(rates))}.")
     axes = style.panel(fig, 76, 96, 836, 440)
     axes.set_xlim(0, 3 * TASK_S)
     axes.set_xlabel("seconds")
@@ -66,8 +66,8 @@ def displacement_and_force(motion):
     ends = [max(row.number("time_s") for row in motion.where(task=task)) for task, _ in TASKS]
     fig = style.figure(
         860, 760, "Displacement and force on each axis through the three tasks",
-        "Clean block: the same hand, 1 kHz, a point every 25 ms; 1 N/mm, drilled at 1 mm/s at most. z points out of its top.",
-        f"{motion.source}. Ball bur of 0.5 mm radius, 128³ voxels in 10 mm. x dashed, y dotted, z whole.")
+        "Solid block, the same scripted motion at 1 kHz, a point every 25 ms; 1 N/mm, wear up to 1 mm/s. z points out of the top.",
+        f"{motion.source}. Ball bur of 0.5 mm radius, 128³ voxels in 10 mm. x dashed, y dotted, z solid.")
     looks = (("x", VERMILION, (0, (6, 3)), 1.4), ("y", GREEN, (0, (1, 2)), 1.6), ("z", BLUE, "-", 1.9))
     panels = (("displacement, mm", "surface", "{}_mm", -way, way, way / 2, 98), ("surface proxy, N", "surface", "f{}_n", -most / 2, most, most / 4, 304),
               ("occupancy proxy, N", "occupancy", "f{}_n", -most / 2, most, most / 4, 510))
