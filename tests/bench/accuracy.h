@@ -12,7 +12,7 @@ namespace cusp::bench {
 /// and 0.04 mm and burs of 1.15 and 3 mm on face and sphere, the voxels on the cylinder too.
 std::vector<Row> accuracy_rows(const Options& options);
 
-/// Prints them; an exit code of program.h.
+/// Prints or writes accuracy_rows and returns an exit code of program.h.
 int run_accuracy(const Options& options);
 
 }  // namespace cusp::bench

@@ -1,4 +1,4 @@
-// What is measured is what is wrong: a perfect method has no error, a broken one is caught.
+// A perfect method has no error; a broken one is reported.
 #include "tests/bench/accuracy.h"
 
 #include <gtest/gtest.h>
@@ -34,12 +34,12 @@ Stepper broken(const std::function<void(StepOutput&)>& how) {
   };
 }
 
-TEST(Accuracy, of_the_surface_proxy_passes_on_a_face_and_in_a_corner) {
+TEST(Accuracy, PassesTheSurfaceProxyOnAFaceAndInACorner) {
   EXPECT_TRUE(passes(measure_slide(*make_shape("face", 0.5), quick())));
   EXPECT_TRUE(passes(measure_slide(*make_shape("corner", 0.5), quick())));
 }
 
-TEST(Accuracy, catches_a_flipped_normal) {
+TEST(Accuracy, CatchesAFlippedNormal) {
   Measure what = quick();
   what.stepper = broken([](StepOutput& out) {
     out.force_raw_n = -out.force_raw_n;
@@ -51,7 +51,7 @@ TEST(Accuracy, catches_a_flipped_normal) {
   EXPECT_NEAR(row.depth_um_mean, 600.0, 0.5);  // 0.3 mm to the wrong side
 }
 
-TEST(Accuracy, catches_a_dropped_plane) {
+TEST(Accuracy, CatchesADroppedConstraint) {
   const auto shape = make_shape("corner", 0.5);
   // The normal of one wall: from a spot that touches no other.
   const auto truth = shape->truth();
@@ -70,7 +70,7 @@ TEST(Accuracy, catches_a_dropped_plane) {
   EXPECT_FALSE(passes(measure_slide(*shape, what)));
 }
 
-TEST(Accuracy, reads_half_a_degree_as_half_a_degree_and_a_micrometre_as_one) {
+TEST(Accuracy, ReadsHalfADegreeAndOneMicrometreAsSuch) {
   Measure what = quick();
   const auto shape = make_shape("face", 0.5);
   const Vec3 n = shape->tool_axis();
@@ -86,7 +86,7 @@ TEST(Accuracy, reads_half_a_degree_as_half_a_degree_and_a_micrometre_as_one) {
   EXPECT_NEAR(row.force_error_percent_rms, 100.0 * tilt, 0.05);
 }
 
-TEST(Accuracy, of_the_exact_proxy_itself_is_nothing_so_truth_is_taken_from_the_quantised_input) {
+TEST(Accuracy, FindsNoErrorInTheExactProxyOfTheQuantisedInput) {
   // A method that answers with the exact proxy of the very input it was given, on a shape that turns its normal.
   const auto shape = make_shape("sphere", 0.5);
   const auto truth = shape->truth();
@@ -107,13 +107,13 @@ TEST(Accuracy, of_the_exact_proxy_itself_is_nothing_so_truth_is_taken_from_the_q
   EXPECT_LT(std::fabs(row.force_step_excess_mn_p99), 1e-6);
 }
 
-TEST(Accuracy, counts_a_missing_force_as_wrong) {
+TEST(Accuracy, CountsAMissingForceAsNinetyDegrees) {
   Measure what = quick();
   what.stepper = broken([](StepOutput& out) { out.force_raw_n = Vec3(0.0); });
   EXPECT_DOUBLE_EQ(measure_slide(*make_shape("face", 0.5), what).angle_deg_mean, 90.0);
 }
 
-TEST(Accuracy, counts_what_is_not_a_number_as_far_off) {
+TEST(Accuracy, CountsNotANumberAsOneMetreOff) {
   Measure what = quick();
   what.stepper = broken([](StepOutput& out) { out.proxy_mm.y = std::nan(""); });
   const Row row = measure_slide(*make_shape("face", 0.5), what);
@@ -121,13 +121,13 @@ TEST(Accuracy, counts_what_is_not_a_number_as_far_off) {
   EXPECT_DOUBLE_EQ(row.depth_um_mean, 1e6);
 }
 
-TEST(Accuracy, of_the_occupancy_proxy_is_worse_than_that_of_the_surface_proxy) {
+TEST(Accuracy, RanksTheOccupancyProxyBelowTheSurfaceProxy) {
   const auto shape = make_shape("sphere", 0.5);
   EXPECT_GT(measure_slide(*shape, quick(Method::occupancy)).angle_deg_mean,
             50.0 * measure_slide(*shape, quick()).angle_deg_mean);  // measured: 17 against 0.01 degrees
 }
 
-TEST(Accuracy, calls_features_unresolved_that_are_thinner_than_two_and_a_half_voxels) {
+TEST(Accuracy, CallsFeaturesUnderTwoAndAHalfVoxelsUnresolved) {
   EXPECT_FALSE(make_shape("wall", 0.25)->unresolved(0.078125));  // 0.2 mm are 2.56 of them
   EXPECT_TRUE(make_shape("wall", 0.25)->unresolved(0.1));
   EXPECT_FALSE(make_shape("pit", 0.25)->unresolved(0.078125));  // 0.3 mm: 3.84
@@ -135,7 +135,7 @@ TEST(Accuracy, calls_features_unresolved_that_are_thinner_than_two_and_a_half_vo
   EXPECT_FALSE(make_shape("face", 0.25)->unresolved(0.2));
 }
 
-TEST(Accuracy, gives_a_row_for_each_that_is_asked_for) {
+TEST(Accuracy, GivesARowForEachMethodMotionAndSpeed) {
   Options options;
   options.methods = {"surface", "occupancy"};
   options.shapes = {"face"};

@@ -1,4 +1,4 @@
-/// What a state's method has looked at. The one place where a bench looks inside a state.
+/// Counters of the surface proxy's search. Only this header reads a state's inner members for the benches.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace cusp::bench {
 
-/// Most candidates that one search of the surface proxy has met so far; -1 for the other methods.
+/// Most candidates of one search so far; -1 for the other methods.
 std::int64_t most_candidates(StepState& state);
 
-/// Ticks so far that the surface proxy answered from the free space it knows, without a search; -1 for other methods.
+/// Ticks so far that the cached free space answered without a search; -1 for the other methods.
 std::int64_t answered_free(StepState& state);
 
 }  // namespace cusp::bench

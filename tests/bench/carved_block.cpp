@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kTouch = 1e-9;      // mm: a point this close to a face lies on it
 constexpr double kEdgeStep = 0.005;  // mm between points of an edge
-constexpr double kSlack = 0.012;     // mm: what is further away than this cannot bind within one step ...
+constexpr double kSlack = 0.012;     // mm: features beyond this cannot become active within one step ...
 constexpr double kTrust = 0.004;     // ... of this length
 constexpr double kNear = 0.08;       // mm: edge points are gathered this far beyond touch
-constexpr double kConformal = 0.02;  // mm: a bur that has no more room than this in a capsule touches it all round
+constexpr double kConformal = 0.02;  // mm: a bur with less play than this touches a capsule all round
 constexpr int kRing = 64;
 
 Vec3 on_axis(const Capsule& c, Vec3 p) {
@@ -104,7 +104,7 @@ bool CarvedBlock::project_onto(int face_a, int face_b, Vec3& p) const {
 }
 
 void CarvedBlock::trace_pair(int face_a, int face_b) {
-  // Seeds: where the other face changes sides between neighbours of a net over the capsule.
+  // Seeds: the sign of the other face changes between neighbours of a net over the capsule.
   const Capsule& c = capsules_[static_cast<std::size_t>(face_a)];
   const Frame f = frame_of(c, c.a);
   const double whole = length(c.b - c.a);
@@ -154,7 +154,7 @@ void CarvedBlock::trace(int face_a, int face_b, Vec3 seed) {
     p = next;
     return true;
   };
-  /// Where the edge ends between a point that stands and one that does not.
+  /// End of the edge between a remaining point and a removed one.
   const auto last_remaining = [&](Vec3 good, Vec3 bad) {
     for (int k = 0; k < 50; ++k) {
       Vec3 middle = 0.5 * (good + bad);
@@ -163,25 +163,25 @@ void CarvedBlock::trace(int face_a, int face_b, Vec3 seed) {
     }
     return good;
   };
-  std::vector<Vec3> run{seed};
+  std::vector<Vec3> points{seed};
   for (const double way : {kEdgeStep, -kEdgeStep}) {
     Vec3 p = seed;
     for (int k = 0; k < 20000; ++k) {
       const Vec3 from = p;
       if (!step(p, way)) break;
       if (!remains(p, face_a, face_b)) {
-        run.push_back(last_remaining(from, p));
+        points.push_back(last_remaining(from, p));
         break;
       }
       if (way > 0.0 && k > 3 && length(p - seed) < 0.9 * kEdgeStep) {
-        store_edge(run, Curve::closed);
+        store_edge(points, Curve::closed);
         return;
       }
-      run.push_back(p);
+      points.push_back(p);
     }
-    std::reverse(run.begin(), run.end());  // after the second way it runs forward again
+    std::reverse(points.begin(), points.end());  // the second reversal restores the order
   }
-  store_edge(run, Curve::open);
+  store_edge(points, Curve::open);
 }
 
 void CarvedBlock::store_edge(const std::vector<Vec3>& points, Curve curve) {
@@ -209,7 +209,7 @@ Vec3 CarvedBlock::refined(int i, Vec3 centre) const {
     const Vec3 at = e.at + s * slope + s * s * second - centre;
     const Vec3 d = slope + 2.0 * s * second;
     const double bend = glm::dot(d, d) + 2.0 * glm::dot(at, second);
-    if (bend < 1e-9) return e.at;  // no single foot: the bur lies in the edge's own curvature
+    if (bend < 1e-9) return e.at;  // no single foot: the bur lies at the centre of curvature
     s = std::clamp(s - glm::dot(at, d) / bend, back, on);
   }
   return e.at + s * slope + s * s * second;
@@ -219,7 +219,7 @@ CarvedBlock::Nearest CarvedBlock::nearest(Vec3 centre) const {
   const int n = static_cast<int>(capsules_.size());
   double in_air = -1e300;
   for (int f = -1; f < n; ++f) in_air = std::max(in_air, void_depth(f, centre, nullptr));
-  // In tissue: air is the union of convex bodies, so the nearest of them is as far as it looks.
+  // In tissue the nearest convex void gives the exact distance.
   if (in_air <= 0.0) return {in_air - radius_, false};
   Nearest best{1e300, false};
   for (int f = -1; f < n; ++f) {
@@ -347,7 +347,7 @@ Vec3 CarvedBlock::settle(Vec3 from, Vec3 q, double precision_mm) {
     gather(y);
     constraints(y, spaces_);
     Mat3 metric = Mat3(1.0) + bend_;
-    // An edge that the device point has all but passed leaves no minimum there; keep the metric one.
+    // Near an edge that the device point has almost passed there is no minimum; the plain metric continues.
     if (glm::determinant(metric) < 0.05 || metric[0][0] < 0.05 || metric[1][1] < 0.05 || metric[2][2] < 0.05)
       metric = Mat3(1.0);
     const Mat3 inverse = glm::inverse(metric);
@@ -356,7 +356,7 @@ Vec3 CarvedBlock::settle(Vec3 from, Vec3 q, double precision_mm) {
     const Vec3 way = found.c - y;
     const double far = length(way);
     bend_ = found.bend;
-    // Where two choices of what holds take turns, half steps end it.
+    // If two active sets alternate, half steps converge.
     const double share = pass < 40 ? 1.0 : 0.5;
     y = far > kTrust ? y + way * (kTrust / far) : y + way * share;
     if (far < precision_mm) break;

@@ -1,7 +1,6 @@
-/// What is left of a half space when balls have been swept through it along straight lines, exactly: its faces are the
-/// plane and the inner sides of capsules; its edges, where two of them meet, are traced to points 5 um apart that lie
-/// on both (between them, a parabola through three: 2 nm). All edges are convex, for each face bounds a convex
-/// emptiness. Specimen frame, mm.
+/// CarvedBlock is a half space minus capsules, exactly. Its faces are the plane and the inner sides of the capsules.
+/// Its edges are traced to points 5 um apart; a parabola through three of them errs by 2 nm. All edges are convex,
+/// because each face bounds a convex void. Frame: specimen. Unit: mm.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +19,17 @@ struct Capsule {
 
 class CarvedBlock {
  public:
-  /// Tissue: normal . p <= level. Capsules must not coincide along a stretch (a path's joints do). A ball of radius_mm
-  /// meets the plane; one thinner by thinner_mm meets what was cut: faces of capsules and all edges.
+  /// Tissue: normal . p <= level. Pre: no two capsules coincide along a stretch. A ball of radius_mm meets the plane.
+  /// A ball thinner by thinner_mm meets the cut faces and all edges.
   CarvedBlock(Vec3 normal, double level, std::vector<Capsule> capsules, double radius_mm, double thinner_mm);
 
   /// Distance from the ball's surface to the tissue, negative inside.
   double clearance_mm(Vec3 centre) const;
-  /// True when an edge is what is nearest.
+  /// True if the nearest feature is an edge.
   bool edge_nearest(Vec3 centre) const;
 
-  /// The local minimum of |c - q| over admissible centres, downhill from the admissible centre `from`, to precision_mm:
-  /// half spaces about where it stands, their curvature taken into the distance's own (Newton), in steps of at most 4
-  /// um.
+  /// The local minimum of |c - q| over admissible centres, downhill from the admissible centre `from`, to precision_mm.
+  /// Each Newton step solves over half spaces with their curvature and moves by at most 4 um.
   Vec3 settle(Vec3 from, Vec3 q, double precision_mm);
 
   const std::vector<Capsule>& capsules() const { return capsules_; }
@@ -46,8 +44,8 @@ class CarvedBlock {
     bool edge = false;
   };
   Nearest nearest(Vec3 centre) const;
-  double void_depth(int face, Vec3 p, Vec3* gradient) const;  // plane -1; positive in the emptiness
-  bool remains(Vec3 p, int face_a, int face_b) const;      // a point of these faces that nothing else took away
+  double void_depth(int face, Vec3 p, Vec3* gradient) const;  // plane -1; positive in the void
+  bool remains(Vec3 p, int face_a, int face_b) const;      // no other face has removed this point
   bool project_onto(int face_a, int face_b, Vec3& p) const;       // Newton to both faces
   void trace_pair(int face_a, int face_b);
   void trace(int face_a, int face_b, Vec3 seed);
@@ -77,7 +75,7 @@ class CarvedBlock {
   std::vector<int> near_;  // edge points about near_centre_
   Vec3 near_centre_{1e9};
   std::vector<HalfSpace> spaces_;
-  Mat3 bend_{0.0};  // of what held the last pose
+  Mat3 bend_{0.0};  // of the active constraints of the last pose
 };
 
 }  // namespace cusp::bench

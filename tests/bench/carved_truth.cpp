@@ -6,7 +6,7 @@ namespace cusp::bench {
 
 namespace {
 constexpr double kFreeMm = 1e-9;
-constexpr double kCarvedVanishedMm = 0.05;  // further than any sub-step leads along a surface
+constexpr double kCarvedVanishedMm = 0.05;  // mm: more than a sub-step moves along a surface
 }  // namespace
 
 Vec3 CarvedTruth::place(Vec3 centre) {
@@ -25,7 +25,7 @@ Exact CarvedTruth::follow(Vec3 device) {
   if (done_ == 0) memory_->running = &memory_->from(begin_, device);
   std::vector<CarvedMemory::Tick>& run = *memory_->running;
   if (done_ >= run.size() || run[done_].device != device) {
-    // New ground: on from the last tick, whose pose is all there is to know.
+    // The last tick's pose is the whole state, so the path continues from it.
     run.resize(done_);
     CarvedMemory::Tick tick;
     tick.device = device;

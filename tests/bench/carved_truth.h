@@ -1,5 +1,5 @@
-/// The exact proxy on a carved block. It is dear to compute (0.2 to 3 ms a tick), so what was followed once from a
-/// start is remembered: every method meets the same device points.
+/// The exact proxy on a carved block. A tick costs 0.2 to 3 ms, so CarvedMemory keeps each path: every method follows
+/// the same device points.
 #pragma once
 
 #include <map>
@@ -27,7 +27,7 @@ class CarvedTruth : public Truth {
   Exact move_to(Vec3 device) override { return move_to(device, kFine); }
 
  private:
-  static constexpr double kFine = 1e-8, kCoarse = 5e-4;  // mm: at the end of a tick, and on the way there
+  static constexpr double kFine = 1e-8, kCoarse = 5e-4;  // mm: at the end of a tick, and in its sub-steps
   Exact move_to(Vec3 device, double precision_mm);
 
   std::shared_ptr<CarvedBlock> block_;

@@ -14,7 +14,7 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kUnambiguousMm = 0.05;
-constexpr double kSearchStepMm = 0.05;      // a tick, while holes are chosen
+constexpr double kSearchStepMm = 0.05;      // a tick, while unambiguous_holes tests a hole
 constexpr double kNoPoseMm = 1000.0;  // lag of a proxy that is not a number
 constexpr double kHoleLeadMm = 0.02;      // a tick, into the hole and aside
 
@@ -30,20 +30,20 @@ std::vector<std::shared_ptr<const Hole>> unambiguous_holes(double r, HoleKind ki
     auto hole = std::make_shared<const Hole>(r, kind, seed, SurfaceContact::kClearanceMm);
     Random none(0);
     const Leg leg = hole->leg(none, nullptr);
-    bool meant = true;
+    bool unambiguous = true;
     for (const Other& other : kOthers) {
       const Hole like(r, kind, seed, other.clearance * SurfaceContact::kClearanceMm);
       const auto a = hole->truth(), b = like.truth();
       a->start(hole->bottom());
       b->start(hole->bottom());
       const Vec3 aside = hole->pull() * (other.pull - 1.0);
-      for (double s = 0.0; s < leg.length_mm && meant; s += kSearchStepMm) {
+      for (double s = 0.0; s < leg.length_mm && unambiguous; s += kSearchStepMm) {
         const Vec3 device = input_at(leg.at(s)).position_mm();
-        meant = length(a->follow(device).pose_mm - b->follow(device + aside).pose_mm) < kUnambiguousMm;
+        unambiguous = length(a->follow(device).pose_mm - b->follow(device + aside).pose_mm) < kUnambiguousMm;
       }
-      if (!meant) break;
+      if (!unambiguous) break;
     }
-    if (meant) out.push_back(std::move(hole));
+    if (unambiguous) out.push_back(std::move(hole));
   }
   return out;
 }

@@ -1,4 +1,4 @@
-/// The shape `channel`: thirty random holes in turn, as one row a kind.
+/// The shape `channel`: random holes in turn, one row for each HoleKind.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace cusp::bench {
 
-/// Holes that are meant: in some the exact bur stays in or slips out by a hair, and either is right. So only those
-/// count in which the exact proxy stands within 50 um of where it would at 1.5 or 0.6 of the clearance and at a pull of
-/// 0.95 or 1.05. From seed on, `count` of them.
+/// `count` holes from `seed` on whose exact answer is unambiguous. In a bistable hole a bur that stays in and a bur
+/// that slips out are both right. A hole counts if the exact proxy moves by less than 50 um at 1.5 and 0.6 of the
+/// clearance and at 0.95 and 1.05 of the pull.
 std::vector<std::shared_ptr<const Hole>> unambiguous_holes(double bur_radius_mm, HoleKind kind, std::uint64_t seed,
                                                      int count);
 
-/// Each hole: cut, the bur led to its end, pulled aside by 0.1 mm, out along the axis and back in. Lag: how much
-/// further behind the device point, along the axis, the method's proxy stands than the exact one.
+/// The bur moves to the end of each hole, 0.1 mm aside, out along the axis and back in. Lag: distance along the axis by
+/// which the method's proxy stands further behind the device point than the exact one.
 Row measure_channel(const std::vector<std::shared_ptr<const Hole>>& holes, const Measure& what);
 
 }  // namespace cusp::bench

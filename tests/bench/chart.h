@@ -1,5 +1,4 @@
-/// The verb `chart`: measures (or reads what was measured), and writes the tables of tests/bench/results. charts/draw.py
-/// draws them.
+/// The verb `chart`: measures or reads rows and writes the tables of tests/bench/results for charts/draw.py.
 #pragma once
 
 #include <map>
@@ -15,24 +14,24 @@ namespace cusp::bench {
 enum class ChartError : std::uint8_t { cannot_read, cannot_write };
 using ChartFailure = Failure<ChartError>;
 
-/// All that charts and tables are drawn from.
+/// The rows behind all charts and tables.
 struct Evidence {
   Report accuracy, rate, scale, stability, removal;
-  Report stability_full, removal_full;  // of --full, which takes long: kept where they are, never measured by chart
+  Report stability_full, removal_full;  // of --full; chart reads and never measures them
   PaceReport pace;
   MotionReport motion;
 };
 
 /// Runs every verb that makes rows.
 Evidence measure_all(const Options& options);
-/// Reads reports of --json, and the tables that chart writes; a folder stands for its tables. Rows find their kind by
-/// what they hold, so that one file may bring several.
+/// Reads reports of --json and tables of chart; a folder stands for its tables. The fields of a row decide its kind, so
+/// one file may hold several kinds.
 Result<Evidence, ChartFailure> read_evidence(const std::vector<std::string>& from);
 
 /// [name]: text of every CSV file that has rows. The same evidence, the same bytes.
 std::map<std::string, std::string> tables_of(const Evidence& evidence);
 
-/// Records pace and motion where nothing that was read holds them.
+/// Records pace and motion unless --from holds them.
 int run_chart(const Options& options);
 
 }  // namespace cusp::bench

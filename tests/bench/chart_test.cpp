@@ -1,4 +1,4 @@
-// The tables: the same rows, the same bytes; figures that are read are the ones written.
+// Tables: equal rows give equal bytes, and reading restores what was written.
 #include "tests/bench/chart.h"
 
 #include <gtest/gtest.h>
@@ -15,18 +15,20 @@
 namespace cusp::bench {
 namespace {
 
-Row accuracy_row(std::string_view method, std::string_view shape, double radius, double voxel, double rate,
-                 double angle) {
+struct MadeUp {
+  double radius_mm, voxel_mm, updates_per_s, angle_deg;
+};
+Row accuracy_row(std::string_view method, std::string_view shape, const MadeUp& made) {
   Row row;
   row.method = method;
   row.shape = shape;
   row.motion = "slide";
   row.speed_mm_s = 50.0;
-  row.bur_radius_mm = radius;
-  row.voxel_mm = voxel;
-  row.updates_per_s = rate;
-  row.angle_deg_mean = angle;
-  row.depth_um_mean = angle * 0.1;
+  row.bur_radius_mm = made.radius_mm;
+  row.voxel_mm = made.voxel_mm;
+  row.updates_per_s = made.updates_per_s;
+  row.angle_deg_mean = made.angle_deg;
+  row.depth_um_mean = made.angle_deg * 0.1;
   return row;
 }
 
@@ -79,10 +81,10 @@ Evidence made_up() {
         for (const std::string_view shape : {"face", "sphere", "cylinder"}) {
           const double form = shape == "face" ? 0.0 : 0.5 * voxel * voxel;
           out.accuracy.rows.push_back(
-              accuracy_row(method, shape, radius, voxel, rate * voxel, std::hypot(form, 0.001)));
+              accuracy_row(method, shape, {radius, voxel, rate * voxel, std::hypot(form, 0.001)}));
         }
     for (const double radius : {0.25, 0.5, 1.15}) {
-      Row row = accuracy_row(method, "sphere", radius, 10.0 / 128, rate / radius, kAbsent);
+      Row row = accuracy_row(method, "sphere", {radius, 10.0 / 128, rate / radius, kAbsent});
       row.depth_um_mean = kAbsent;
       row.task = "exploration";
       row.ratio_to_occupancy = 1.0;
@@ -96,14 +98,14 @@ Evidence made_up() {
     }
     for (const double voxel : {0.2, 0.1, 0.04})
       for (const std::string_view shape : {"face", "sphere"}) {
-        Row row = accuracy_row(method, shape, 0.5, voxel, rate * voxel, kAbsent);
+        Row row = accuracy_row(method, shape, {0.5, voxel, rate * voxel, kAbsent});
         row.depth_um_mean = kAbsent;
         row.task = "exploration";
         row.ratio_to_occupancy = 1.0;
         out.rate.rows.push_back(row);
       }
     for (const std::int64_t edge : {128, 256, 1024}) {
-      Row row = accuracy_row(method, "block", 0.5, 10.0 / 128, rate, kAbsent);
+      Row row = accuracy_row(method, "block", {0.5, 10.0 / 128, rate, kAbsent});
       row.depth_um_mean = kAbsent;
       row.task = "exploration";
       row.variant = "whole-top";
@@ -200,14 +202,14 @@ TEST(Chart, KeepsTheTablesOfAFullSweepApartAndFindsThemAgain) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Chart, names_commit_and_machine_in_every_file) {
+TEST(Chart, NamesCommitAndMachineInEveryFile) {
   for (const auto& [name, text] : tables_of(made_up())) {
     EXPECT_NE(text.find("A CPU"), std::string::npos) << name;
     EXPECT_NE(text.find("0123456789"), std::string::npos) << name;
   }
 }
 
-TEST(Chart, refuses_what_is_no_report) {
+TEST(Chart, RefusesAFileThatIsNoReport) {
   const auto path = std::filesystem::path(testing::TempDir()) / "cusp_no_report.csv";
   EXPECT_EQ(read_evidence({path.string()}).error().code, ChartError::cannot_read);
   std::ofstream(path) << "not,a,table\n1,2,3,4\n";
@@ -217,7 +219,7 @@ TEST(Chart, refuses_what_is_no_report) {
   std::filesystem::remove(path);
 }
 
-TEST(Chart, rows_of_one_report_go_to_their_kinds) {
+TEST(Chart, SortsTheRowsOfOneReportByKind) {
   const Evidence all = made_up();
   Report one = all.accuracy;
   one.rows.insert(one.rows.end(), all.rate.rows.begin(), all.rate.rows.end());
@@ -234,7 +236,7 @@ TEST(Chart, rows_of_one_report_go_to_their_kinds) {
   std::filesystem::remove(path);
 }
 
-TEST(Chart, tables_over_time_refuse_broken_lines) {
+TEST(Chart, RefusesBrokenLinesInTablesOverTime) {
   const PaceReport pace = made_up().pace;
   const std::string text = to_csv(pace);
   ASSERT_TRUE(pace_from_csv(text));

@@ -46,7 +46,7 @@ class Cut : public CutBlock {
   Vec3 home() const override { return frame_.to_world({0.0, 0.0, 14.0}); }
   double cutter_radius_mm() const override { return kCutterOverBur * bur_radius_mm(); }
 
-  /// On a ridge or a mouth a small bur's device point would lie beyond the edge, where no minimum is meant.
+  /// spot() avoids edges for a small bur, whose device point lies beyond the edge and has no minimum there.
   Spot spot(Random& random) const override {
     for (;;) {
       const Vec3 c = over(random.between(-kSide, kSide), random.between(-kSide, kSide), 1e-8);
@@ -58,7 +58,7 @@ class Cut : public CutBlock {
         d[i] = kStep;
         slope[i] = block_->clearance_mm(c + d) - block_->clearance_mm(c - d);
       }
-      // Two faces at once have no one normal: the slope across them is less than one.
+      // On two faces at once the gradient is shorter than one and no normal.
       if (length(slope) < 1.99 * kStep) continue;
       return {c, unit(slope)};
     }
@@ -91,8 +91,7 @@ class Cut : public CutBlock {
   }
 };
 
-/// What two crossing pairs of slots leave: an islet on a neck of 0.4 mm, 0.5 mm across at its top, with four sharp
-/// tips. A smaller bur goes to and fro over it.
+/// Two crossing pairs of slots leave an islet on a neck of 0.4 mm, 0.5 mm across at its top, with four sharp tips.
 class Islet : public CutBlock {
  public:
   explicit Islet(double r) : CutBlock("islet", r) {
@@ -148,7 +147,7 @@ namespace {
 constexpr double kSuddenHoleMm = 0.8;
 constexpr Vec3 kSuddenHoleTop(0.0, 0.0, 1.0), kSuddenHoleBottom(0.0, 0.0, -0.4);
 
-/// Below a hole's mouth a ball's centre may be within `play` of the hole's axis.
+/// A ball below the mouth of a hole: its centre stays within `play` of the axis.
 class InSuddenHole : public Truth {
  public:
   InSuddenHole(Vec3 bottom, Vec3 out, double play) : bottom_(bottom), out_(out), play_(play) {}

@@ -1,5 +1,5 @@
-/// Blocks that a bur has cut along known paths: `cut`, one scratch or three across each other that a smaller bur
-/// slides over, and the holes of `channel`, in which the bur that cut them is pulled out and pushed back.
+/// Blocks with known cuts: `cut` (one scratch or three crossing ones, explored by a smaller bur), the holes of
+/// `channel`, and faces that change under a bur.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,7 @@
 
 namespace cusp::bench {
 
-/// An oblique face and what has been swept through it. Cuts are made by cut_along in pieces of 0.1 mm, which together
-/// are the same capsule.
+/// An oblique face with capsules cut out of it. cut_along makes each cut in steps of 0.1 mm that join to one capsule.
 class CutBlock : public Shape {
  public:
   double distance_mm(Vec3 p) const override { return frame_.to_local(p).z; }
@@ -31,20 +30,20 @@ class CutBlock : public Shape {
   std::shared_ptr<CarvedMemory> memory_ = std::make_shared<CarvedMemory>();
 };
 
-/// Scratches of a bur half again as wide, 0.3 to 0.6 bur radii deep: one of them, whose edges are its mouth, or three
-/// that meet in a triangle, with ridges where two of them cross.
+/// Scratches of a bur 1.5 times as wide, 0.3 to 0.6 bur radii deep. single: one scratch. crossing: three in a triangle,
+/// with ridges where two cross.
 enum class CutKind : std::uint8_t { single, crossing };
 std::unique_ptr<Shape> make_cut(double bur_radius_mm, CutKind kind);
 
 /// An islet on a neck of 0.4 mm between four slots.
 std::unique_ptr<Shape> make_islet(double bur_radius_mm);
 
-/// A face that gives way under a bur that leans on it.
+/// A face whose tissue disappears under a pressing bur.
 class ChangingFace : public Shape {
  public:
-  /// False: the volume had no room.
+  /// Removes the tissue. False: the volume has no room for the cut.
   virtual bool give_way(StepState& state) const = 0;
-  /// Before, while pressing on it.
+  /// The exact proxy before give_way.
   std::unique_ptr<Truth> truth() const override { return face_->truth(); }
   virtual std::unique_ptr<Truth> truth_after() const = 0;
 
@@ -62,12 +61,12 @@ class ChangingFace : public Shape {
   std::unique_ptr<Shape> face_;
 };
 
-/// Out of it, while a bur presses on it, a hole of 1.6 mm is cut at once.
+/// give_way cuts a hole of 1.6 mm at once.
 class SuddenHole : public ChangingFace {
  public:
   explicit SuddenHole(double bur_radius_mm) : ChangingFace("sudden-hole", bur_radius_mm) {}
   bool give_way(StepState& state) const override;
-  /// In the hole, below its mouth.
+  /// The exact proxy inside the hole, below its mouth.
   std::unique_ptr<Truth> truth_after() const override;
 
   std::string key() const override { return face().key(); }
@@ -76,13 +75,13 @@ class SuddenHole : public ChangingFace {
   Spot spot(Random& random) const override;
 };
 
-/// A plate of 0.5 mm, its top in a face's plane, on a bridge to a block beside it; cut loose it floats under the bur.
+/// A plate of 0.5 mm with its top in the plane of the face, on a bridge to a block beside it.
 class DetachablePlate : public ChangingFace {
  public:
   explicit DetachablePlate(double bur_radius_mm) : ChangingFace("fragment", bur_radius_mm) {}
-  /// Cuts through the bridge: it is then for the step to let the plate go.
+  /// Cuts the bridge; the step then removes the fragment.
   bool give_way(StepState& state) const override;
-  /// Once it has gone: nothing there.
+  /// Empty space.
   std::unique_ptr<Truth> truth_after() const override;
 
   double distance_mm(Vec3 p) const override;
@@ -93,8 +92,8 @@ class DetachablePlate : public ChangingFace {
 enum class HoleKind { straight, oblique, slot };
 const char* name_of(HoleKind kind);
 
-/// A hole of the bur's own width, by seed: 0.4 to 1.3 mm deep along its axis, upright (within 5 degrees of the face's
-/// normal), oblique (10 to 70 degrees), or the latter across an older slot.
+/// A hole of the bur's own width, by seed: 0.4 to 1.3 mm deep along its axis. straight: within 5 degrees of the face's
+/// normal; oblique: 10 to 70 degrees; slot: oblique, across an older slot.
 class Hole : public CutBlock {
  public:
   Hole(double bur_radius_mm, HoleKind kind, std::uint64_t seed, double thinner_mm);
@@ -102,7 +101,7 @@ class Hole : public CutBlock {
   std::string variant() const override;
   Vec3 tool_axis() const override { return axis_; }
   Vec3 home() const override { return mouth_ + axis_ * 8.0; }
-  double cutter_radius_mm() const override { return 0.0; }  // the bur itself
+  double cutter_radius_mm() const override { return 0.0; }  // the bur cuts its own hole
   Spot spot(Random&) const override { return {bottom_, axis_}; }
   Leg leg(Random&, const Vec3*) const override;
   Vec3 before(Vec3) const override { return bottom_; }

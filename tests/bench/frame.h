@@ -1,4 +1,4 @@
-/// A shape's own axes in the specimen frame: x and y along it, z out of the tissue. Oblique to the grid on purpose.
+/// A shape's axes in the specimen frame: x and y along the surface, z out of the tissue, oblique to the grid.
 #pragma once
 
 #include <cmath>

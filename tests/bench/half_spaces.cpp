@@ -8,7 +8,7 @@ namespace cusp::bench {
 
 namespace {
 
-/// Up to three half spaces on whose boundaries the minimum lies, and how hard each pushes.
+/// The active set: up to three half spaces with their multipliers.
 struct Binding {
   Vec3 c{0.0};
   int count = 0;
@@ -16,7 +16,7 @@ struct Binding {
   std::array<double, 3> weight{};
 };
 
-/// Minimiser over the chosen boundaries; false when one would have to pull.
+/// Minimiser on the boundaries of the active set; false if a multiplier is negative.
 bool corner_of(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& few, Binding& on) {
   double m[3][4];
   for (int i = 0; i < on.count; ++i) {
@@ -47,7 +47,7 @@ bool corner_of(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& few, B
   return true;
 }
 
-/// Exact for a handful of half spaces: every choice of at most three boundaries is tried.
+/// Exact for a few half spaces: tries every active set of at most three.
 Binding nearest_of_few(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& few, const Binding& otherwise) {
   Binding best = otherwise;
   const Mat3 metric = glm::inverse(inverse);
@@ -75,7 +75,7 @@ Binding nearest_of_few(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>
 }  // namespace
 
 Found nearest_in(Vec3 z, const Mat3& inverse, const std::vector<HalfSpace>& spaces) {
-  // Adds the most violated one to a few until none is; those that do not bind may leave, for the distance only grows.
+  // Adds the most violated half space until none is violated. Inactive ones may leave, because the distance only grows.
   std::vector<HalfSpace> few;
   Binding on;
   on.c = z;

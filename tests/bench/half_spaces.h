@@ -1,5 +1,5 @@
-/// The nearest place in an intersection of half spaces, exactly: what an exact proxy's step comes to once the faces about it
-/// are told by planes. Any thread; not for the haptic one.
+/// nearest_in solves one step of an exact proxy: the nearest point of an intersection of half spaces, exactly.
+/// Thread: any but the haptic one; it allocates.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,14 @@ namespace cusp::bench {
 
 using Mat3 = glm::dmat3;
 
-/// n . c >= level is admissible; `bend` is how the normal turns: the second derivative of what it stands for, negated.
+/// n . c >= level is admissible. bend: negated second derivative of the surface that the half space replaces.
 struct HalfSpace {
   Vec3 n{0.0};
   double level = 0.0;
   Mat3 bend{0.0};
 };
 
-/// The minimum of (c - z) . H (c - z) over the half spaces' intersection, given H's inverse. bend: the sum of the
-/// binding ones' bends by their weights.
+/// The minimum of (c - z) . H (c - z) over the intersection, given H's inverse. bend: weighted sum over the active set.
 struct Found {
   Vec3 c{0.0};
   Mat3 bend{0.0};

@@ -11,8 +11,8 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kBlockS = 0.004;             // some 4,000 ticks of a fast method, 50 of a slow one
-constexpr int kMostBatch = 32;                // ticks between looks at the clock in a block without one
-constexpr std::size_t kTicksKept = 4u << 20;  // room taken before the run, so that none is taken in it
+constexpr int kMostBatch = 32;                // ticks between clock readings in an untimed block
+constexpr std::size_t kTicksKept = 4u << 20;  // reserved before the run, so that the run does not allocate
 
 double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 

@@ -1,4 +1,4 @@
-/// Scenes side by side on one thread, in short blocks that alternate, so that a drift of the machine hits all alike.
+/// Scenes that alternate in short blocks on one thread, so that a drift of the machine affects all alike.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace cusp::bench {
 
-/// Inputs that a lane goes through again and again, forth and back, so that the device never jumps.
+/// Inputs in a loop, forwards and backwards, so that the device never jumps.
 class Track {
  public:
   /// Pre: at least two.
@@ -28,17 +28,16 @@ class Track {
   std::size_t at_ = 0, step_ = 1;
 };
 
-/// What blocks of ticks took.
+/// Times of blocks of ticks.
 struct Pace {
-  TickTimes times;            // of the blocks with a clock round each step()
-  std::vector<double> rates;  // updates in a second of the core's time, of each block without one
-  std::int64_t untimed = 0;   // ticks of those
-  std::int64_t free = 0;      // of those, answered from known free space
+  TickTimes times;            // of the blocks that time each step()
+  std::vector<double> rates;  // updates per second of thread CPU time, of each untimed block
+  std::int64_t untimed = 0;   // ticks in untimed blocks
+  std::int64_t free = 0;      // of those, answered by the cached free space
 
   void append(const Pace& other);
-  /// Sets samples, updates_per_s (the median of the blocks without a clock in them, so that the clock's own 20 ns or so
-  /// are not counted; time that other programs had the core is not either) and tick_us_* (by the wall, with both) of
-  /// the row.
+  /// Sets samples, updates_per_s and tick_us_* of the row. updates_per_s is the median of the untimed blocks by thread
+  /// CPU time. tick_us_* are wall times and include the clock's own 20 ns.
   void fill(Row& row) const;
 };
 
@@ -48,11 +47,11 @@ struct Lane {
   Pace pace;
 };
 
-/// Goes through the lanes in turn, a block without a clock and one with, until budget_s a lane is spent, after as much
-/// again as a twentieth of it for warming up. Ends after a round, so that all lanes have as many blocks.
+/// Runs an untimed and a timed block of each lane in turn until budget_s a lane is spent, after a warm-up of a twentieth
+/// of it. All lanes get the same number of blocks.
 void run_lanes(std::span<Lane> lanes, double budget_s);
 
-/// Median over the blocks of one's rate over the other's. Pre: both have run together.
+/// Median over the blocks of the ratio of both rates. Pre: both have run in one run_lanes.
 double ratio_of(const Pace& pace, const Pace& to);
 
 double median(std::vector<double> values);

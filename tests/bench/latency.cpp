@@ -55,11 +55,11 @@ std::shared_ptr<const Scene> latency_scene() {
   Bur bur;
   bur.radius_mm = 0.5;
   scene->burs = {bur};
-  scene->guard.late_ms = 60'000;  // lateness is what is measured here: it must not end the run
+  scene->guard.late_ms = 60'000;  // the guard must not end a late run
   return scene;
 }
 
-/// Where the hand is after t seconds: circles of 1 mm at 10 mm/s, ever deeper, and to the next quarter every ten seconds.
+/// Device point after t seconds: deepening circles of 1 mm at 10 mm/s, in the next quarter of the block every 10 s.
 Vec3 circle_device_mm(double t) {
   const double round = std::fmod(t, 10.0);
   const int quarter = static_cast<int>(t / 10.0) % 4;
@@ -94,7 +94,7 @@ class ClockPort final : public HapticPort {
   double t_ = 0;
 };
 
-/// Times a port from outside, on the loop's own thread: how late its samples are, and what taking the force costs.
+/// Wraps a port and times, on the loop's thread, the lateness of its samples and the duration of write().
 class TimedPort final : public HapticPort {
  public:
   explicit TimedPort(HapticPort& port) : port_(port), own_clock_(port.limits().has_own_clock) {}

@@ -1,7 +1,6 @@
-/// The verb `latency`: how late the haptic loop's ticks begin and how long they take, in real time on this machine, with
-/// and without drawing going on. The loop, its mirror and the ports are the program's own; nothing is pinned or slowed.
-/// Rows: a port that sleeps to its deadline ("clock", as mouse and keys do), and the emulated Falcon with all of its
-/// driver ("emulated-falcon"), each with load off and on. The exchange with the device is timed apart from the tick.
+/// The verb `latency`: lateness and duration of the haptic loop's ticks in real time, with and without drawing.
+/// The loop, mirror and ports are the product's; no thread is pinned. Port "clock" sleeps to its deadline, as mouse and
+/// keys do. Port "emulated-falcon" runs the whole driver. The device exchange is timed apart from the tick.
 #pragma once
 
 #include <cstdint>
@@ -30,15 +29,15 @@ struct LatencyRow {
   double seconds = 0;        // of wall clock
   RealtimeGrant grant;
   std::uint64_t ticks = 0, missed = 0;
-  std::uint64_t late_samples = 0;  // of the device; of a port without a clock of its own none
-  Spread late_us;            // clock: after the deadline; device: after the millisecond since its last answer
-  Spread tick_us;            // step and hand-over, processor time of the thread
-  Spread exchange_us;        // handing the force to the device, by the clock
-  bool mirror_equal = true;  // the loop and its mirror came to the same state
+  std::uint64_t late_samples = 0;  // ticks without a new device sample; 0 for "clock"
+  Spread late_us;            // clock: after the deadline; device: after last answer + 1 ms
+  Spread tick_us;            // step and hand-over, thread CPU time
+  Spread exchange_us;        // write() of the port, wall time
+  bool mirror_equal = true;  // loop and mirror have equal hashes
   double frames_per_s = 0;   // of the load
 };
 
-/// One row in real time: `seconds` long. A load that cannot be drawn here gives none.
+/// One row in real time, `seconds` long. ticks is 0 if no OpenGL context can be made for Load::on.
 LatencyRow measure_latency(const std::string& port, Load load, double seconds);
 /// {"commit", "machine", "rows": [...]}
 std::string latency_json(const std::vector<LatencyRow>& rows);

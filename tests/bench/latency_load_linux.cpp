@@ -79,7 +79,7 @@ GLuint program() {
   return linked != 0 ? out : 0;
 }
 
-class Load final : public DrawingLoad {
+class EglDrawingLoad final : public DrawingLoad {
  public:
   /// False where there is no context.
   bool begin() {
@@ -88,7 +88,7 @@ class Load final : public DrawingLoad {
     thread_ = std::thread([this, works = std::move(works)]() mutable { draw(works); });
     return started.get();
   }
-  ~Load() override {
+  ~EglDrawingLoad() override {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
   }
@@ -163,7 +163,7 @@ class Load final : public DrawingLoad {
 }  // namespace
 
 std::unique_ptr<DrawingLoad> DrawingLoad::start() {
-  auto load = std::make_unique<Load>();
+  auto load = std::make_unique<EglDrawingLoad>();
   if (!load->begin()) return nullptr;
   return load;
 }

@@ -1,4 +1,4 @@
-// The verb in real time, for a moment: that its rows hold what they say. No figure of it is judged.
+// The fields of latency rows over a short real time. No figure is judged.
 #include "tests/bench/latency.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace cusp::bench {
 namespace {
 
-TEST(Latency, a_spread_is_read_off_its_histogram) {
+TEST(Latency, ReadsASpreadFromItsHistogram) {
   TimeHistogram times;
   for (int i = 0; i < 995; ++i) times.add_ns(2'000);
   for (int i = 0; i < 5; ++i) times.add_ns(100'000);
@@ -19,7 +19,7 @@ TEST(Latency, a_spread_is_read_off_its_histogram) {
   EXPECT_DOUBLE_EQ(spread.max, 100.0);
 }
 
-TEST(Latency, both_ports_tick_in_real_time_and_the_mirror_agrees) {
+TEST(Latency, TicksOnBothPortsAndAgreesWithTheMirror) {
   for (const char* port : {"clock", "emulated-falcon"}) {
     const LatencyRow row = measure_latency(port, Load::off, 0.3);
     EXPECT_GT(row.ticks, 0u) << port;
@@ -32,7 +32,7 @@ TEST(Latency, both_ports_tick_in_real_time_and_the_mirror_agrees) {
   }
 }
 
-TEST(Latency, its_json_says_which_rows_had_the_load) {
+TEST(Latency, NamesTheLoadInItsJson) {
   LatencyRow quiet, drawn;
   quiet.port = drawn.port = "clock";
   drawn.load = Load::on;

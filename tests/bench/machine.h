@@ -1,4 +1,4 @@
-/// Where and what was measured.
+/// Commit and CPU of a measurement.
 #pragma once
 
 #include <string>

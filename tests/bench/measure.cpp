@@ -15,9 +15,9 @@ namespace {
 constexpr double kDegrees = 57.295779513082320877;
 constexpr double kPressAboveMm = 0.05;        // where a press starts
 constexpr double kPressStepMm = 0.05;        // a tick: 50 mm/s
-constexpr double kNotFiniteMm = 1000.0;  // error that a proxy or a force counts with that is not a number
-constexpr int kPressRestTicks = 10;           // before a press is read: some methods arrive late
-constexpr int kFollowMost = 100;         // ticks; a method that has not followed by then is simply wrong
+constexpr double kNotFiniteMm = 1000.0;  // error of a value that is not a number
+constexpr int kPressRestTicks = 10;           // before the sample: some methods arrive late
+constexpr int kFollowMost = 100;         // ticks; a later method counts as wrong
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
@@ -34,7 +34,7 @@ StepOutput timed(const Measure& what, StepState& state, const StepInput& input, 
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Below the surface for as long as it may be a sample.
+/// True if the exact force is too small for a sample.
 bool too_small(const Exact& exact, Vec3 device) {
   return !exact.contact || length(exact.pose_mm - device) < kLeastSpringMm;
 }
@@ -117,7 +117,7 @@ Row measure_slide(const Shape& shape, const Measure& what) {
   times.reserve(static_cast<std::size_t>(what.most_ticks));
   const double near = std::max(0.05, what.voxel_mm);
   bool with_exact = false;
-  int following = -1;  // ticks since a minimum vanished in which the method stood with the exact proxy
+  int following = -1;  // ticks since a minimum vanished that the method shared; -1: none
   const auto end = Clock::now() + std::chrono::duration<double>(what.budget_s);
   for (std::int64_t tick = 0; tick < what.most_ticks; ++tick) {
     if (tick % 64 == 0 && Clock::now() >= end) break;

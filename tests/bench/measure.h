@@ -1,4 +1,4 @@
-/// One row of `accuracy`: a method driven along a motion, each tick held against the exact proxy.
+/// One row of `accuracy`: a method follows a motion, and each tick is compared with the exact proxy.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace cusp::bench {
 
-/// What is to be measured. stepper: the product's step unless a test breaks it.
+/// Settings of a measurement. stepper: the product's step, or a broken one in tests.
 struct Measure {
   Method method = Method::surface;
   double voxel_mm = 10.0 / 128;
@@ -20,15 +20,15 @@ struct Measure {
   Stepper stepper = [](StepState& state, const StepInput& input) { return step(state, input); };
 };
 
-/// Collects errors tick by tick. Angle: between forces; a method without force where there is one counts as 90 degrees.
-/// What is not a number counts as no force and as 1 m off.
+/// Errors, tick by tick. Angle: between forces; a missing force counts as 90 degrees. A value that is not a number
+/// counts as no force and as 1 m off.
 class Errors {
  public:
-  /// A tick that stands in the means. clearance: exact, of the method's proxy.
+  /// Adds a tick to the means. clearance_mm: exact, at the method's proxy.
   void add(const StepOutput& out, const Exact& exact, double clearance_mm);
-  /// A tick that does not, and breaks the sequence that force steps are taken from.
+  /// Leaves a tick out and interrupts the sequence of force steps.
   void skip() { steady_ = false; }
-  /// Exact force below 50 um of spring.
+  /// Leaves out a tick whose exact force is below 50 um of spring.
   void skip_small() {
     ++skipped_;
     skip();
@@ -56,15 +56,15 @@ class Errors {
 
 inline constexpr double kLeastSpringMm = 0.05;  // of the exact force, for a sample to count
 
-/// Ticks of 1 ms along the shape's slide. Where the exact minimum vanishes while the method stands with it, within a
-/// voxel (at least 50 um), the ticks until it does so again are counted apart, 100 at most.
+/// Ticks of 1 ms along the shape's slide. If the exact minimum vanishes while the method stands within a voxel (at least
+/// 50 um) of it, the ticks until the method follows, 100 at most, become follow_ticks.
 Row measure_slide(const Shape& shape, const Measure& what);
 
-/// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, and
-/// ten ticks to rest; the last tick is the sample. Tick times are those of the way down and of the rest.
+/// Presses at random spots: from 50 um above, at 50 mm/s along the normal, to kDepthMm below the offset surface, then ten
+/// ticks of rest. The last tick is the sample; tick times include all of them.
 Row measure_presses(const Shape& shape, const Measure& what);
 
-/// The row's names and sizes.
+/// A row with names and sizes, without results.
 Row row_of(const Shape& shape, const Measure& what, std::string_view motion);
 
 }  // namespace cusp::bench

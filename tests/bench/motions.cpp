@@ -5,8 +5,8 @@
 namespace cusp::bench {
 
 namespace {
-constexpr double kTransferMm = 1.0;    // a tick, on the way between measurements
-constexpr int kArriveTicks = 200;  // a method that is still on its way after these stays where it is
+constexpr double kTransferMm = 1.0;    // a tick, between measurements
+constexpr int kArriveTicks = 200;  // wait for a deferring method at most
 }  // namespace
 
 StepInput input_at(Vec3 device_mm, Button button) {

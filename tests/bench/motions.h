@@ -1,4 +1,4 @@
-/// How the device point moves: slides at a constant speed along a shape's legs, presses from just above a spot.
+/// Motions of the device point: slides at constant speed along the legs of a shape, and transfers between measurements.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ StepInput input_at(Vec3 device_mm, Button button = Button::up);
 
 StepInput input_of(const lab::Reading& reading);
 
-/// Endless; the same seed gives the same points.
+/// An endless slide; the same seed gives the same points.
 class Slide {
  public:
   Slide(const Shape& shape, double speed_mm_s, std::uint64_t seed);
@@ -36,13 +36,13 @@ class Slide {
   bool first_ = true;
 };
 
-/// Steps that are counted or broken on purpose go through here too.
+/// step(), or a test's replacement for it.
 using Stepper = std::function<StepOutput(StepState&, const StepInput&)>;
 
-/// Leads the bur straight from wherever it is and lets it arrive. Used between measurements.
+/// Moves the device point straight to to_mm and waits until a deferring method arrives.
 void lead(StepState& state, const Stepper& stepper, Vec3 to_mm, double per_tick_mm);
 
-/// Puts a fresh or used state at an admissible centre, by way of home.
+/// Moves a fresh or used state to an admissible centre by way of home().
 void bring(StepState& state, const Stepper& stepper, const Shape& shape, Vec3 centre);
 
 }  // namespace cusp::bench

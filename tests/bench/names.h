@@ -1,4 +1,4 @@
-/// Names of methods and shapes as files and command lines have them.
+/// Names of methods and shapes in files and on command lines.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// What was asked of a verb. Filters that are not given leave the verb's own set.
+/// Command-line options. An empty filter leaves the verb's own set.
 #pragma once
 
 #include <cmath>
@@ -28,17 +28,17 @@ struct Options {
   std::vector<std::string> directions;  // removal
   std::vector<double> ticks_ms;         // removal
   std::vector<double> alphas;           // removal
-  bool full = false;                    // removal: every combination, every bur; stability: k_max on every device
+  bool full = false;                    // removal: full product, every bur; stability: k_max on every device
   std::vector<double> speeds_mm_s;
   std::vector<double> bur_radii_mm;
   std::vector<double> voxels_mm;
   double seconds = 10.0;          // latency: of each row
   std::vector<std::string> loads; // latency: off, on
-  double budget_s = 1.0;          // wall clock a row; the number of presses and ticks follows from it
-  std::uint64_t seed = 1;         // of every random choice: the same seed, the same inputs
+  double budget_s = 1.0;          // wall clock of a row; sets the number of presses and ticks
+  std::uint64_t seed = 1;         // of every random choice
   std::string json;               // file, "-" for stdout, empty for a table
   std::string out;                // chart: folder
-  std::vector<std::string> from;  // chart: reports to take instead of measuring
+  std::vector<std::string> from;  // chart: files to read instead of measuring
 };
 
 inline bool asked(const std::vector<std::string>& filter, std::string_view value) {
@@ -51,7 +51,7 @@ inline bool asked(const std::vector<std::string>& filter, std::string_view value
 /// Within 0.5 %: 0.078 means 10/128.
 inline bool same(double a, double b) { return std::fabs(a - b) <= 0.005 * std::fabs(b); }
 
-/// The verb's own values, or those asked for: a voxel size or a bur that is no default may be asked for as well.
+/// The verb's own values, or the filter's with near values replaced by the standard ones.
 inline std::vector<double> chosen(const std::vector<double>& filter, const std::vector<double>& standard) {
   if (filter.empty()) return standard;
   std::vector<double> out;

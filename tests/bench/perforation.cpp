@@ -6,15 +6,15 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kFullForceN = 0.25;  // at K = 1 N/mm: full wear from 0.25 mm of spring on
-constexpr double kDrillLeadMm = 0.3;       // of the device point before the bur: always full wear
-constexpr double kCoverMm = 0.3;      // over the ball when the clock starts, more than the band
-constexpr double kLeadStepMm = 0.05;  // a tick, on the way there
+constexpr double kPerforationFullForceN = 0.25;  // at 1 N/mm full wear begins at 0.25 mm of spring
+constexpr double kDrillLeadMm = 0.3;       // of the device point ahead of the bur: full wear
+constexpr double kCoverMm = 0.3;      // of tissue over the ball at the start, more than the band
+constexpr double kLeadStepMm = 0.05;  // a tick, during the approach
 constexpr int kSettleTicks = 100;
 
 std::shared_ptr<const Scene> drilling_scene(Method method, const Shape& face, double voxel_mm) {
   auto scene = scene_of(face, method, voxel_mm);
-  scene->full_force_n = kFullForceN;
+  scene->full_force_n = kPerforationFullForceN;
   for (TissueFeel& feel : scene->tissues) feel = {1.0, kAdvanceMmS};
   return scene;
 }
@@ -28,7 +28,7 @@ Perforation::Perforation(Method method, const Shape& face, double voxel_mm, std:
   const double r = face.bur_radius_mm();
   inwards_ = -spot.normal;
   start_ = spot.centre + inwards_ * (2.0 * r + kCoverMm);
-  // The way there is cut at once; the bur goes in, begins to cut, and settles.
+  // cut_along opens the approach at once; the bur enters, begins to cut and settles.
   cut_along(state_, 0, spot.centre - inwards_ * (2.0 * r), start_);
   lead(state_, step, face.home(), kLeadStepMm);
   lead(state_, step, spot.centre - inwards_ * (2.0 * r), kLeadStepMm);

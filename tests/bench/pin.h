@@ -1,19 +1,17 @@
-/// What the operating system is asked for: one core, the time had on it, and the memory held.
+/// Requests to the operating system: one core, thread CPU time, resident memory.
 #pragma once
 
 #include <optional>
 
 namespace cusp::bench {
 
-/// Keeps this thread on the last core it may use, so that no measurement moves; that core, or nullopt where the system
-/// refuses.
+/// Pins this thread to the last core that it may use. Returns the core; nullopt if the system refuses.
 std::optional<int> pin_to_core();
 
-/// Time that this thread has had on a core, in seconds: other programs' share of it is not counted. Costs about 0.2 us.
+/// CPU time of this thread, seconds. A call costs about 0.2 us.
 double core_time_s();
 
-/// Memory that this process holds in RAM, in MB (10^6 bytes), after what was freed has gone back; nullopt where the
-/// system does not tell.
+/// Resident memory of this process after malloc_trim, MB (10^6 bytes); nullopt if /proc is not readable.
 std::optional<double> resident_mb();
 
 }  // namespace cusp::bench

@@ -22,7 +22,7 @@ double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::
 
 }  // namespace
 
-Profile::Profile(std::vector<Vec2> corners, double radius_mm) : corners_(std::move(corners)), radius_(radius_mm) {
+PlaneProfile::PlaneProfile(std::vector<Vec2> corners, double radius_mm) : corners_(std::move(corners)), radius_(radius_mm) {
   for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
     const Vec2 d = (corners_[i + 1] - corners_[i]) / size(corners_[i + 1] - corners_[i]);
     Segment next;
@@ -45,7 +45,7 @@ Profile::Profile(std::vector<Vec2> corners, double radius_mm) : corners_(std::mo
       arc.b = next.a;
       segments_.push_back(arc);
     } else {
-      // An inner corner: what the bur touched last ends where it meets the new piece's line.
+      // An inner corner: the last segment ends on the line of the new one.
       const double level = glm::dot(next.normal, next.a);
       for (;;) {
         assert(!segments_.empty());
@@ -74,14 +74,14 @@ Profile::Profile(std::vector<Vec2> corners, double radius_mm) : corners_(std::mo
   }
 }
 
-double Profile::distance_mm(Vec2 p) const {
+double PlaneProfile::distance_mm(Vec2 p) const {
   double best = 1e300, side = 1.0;
   for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
     const Vec2 d = corners_[i + 1] - corners_[i];
     const double t = std::clamp(glm::dot(p - corners_[i], d) / glm::dot(d, d), 0.0, 1.0);
     const double far = size(p - (corners_[i] + t * d));
     if (far > best + 1e-12) continue;
-    // At a corner both pieces are as near; tissue is where the sum of their normals points away from.
+    // At a corner both segments are equally near; the sum of their normals points out of the tissue.
     Vec2 normal = left_of(d / size(d));
     Vec2 at = corners_[i];
     if (t == 1.0 && i + 2 < corners_.size()) {
@@ -98,14 +98,14 @@ double Profile::distance_mm(Vec2 p) const {
   return side >= 0.0 ? best : -best;
 }
 
-Profile::On Profile::foot(std::size_t i, Vec2 q, Vec2 from) const {
+PlaneProfile::On PlaneProfile::foot(std::size_t i, Vec2 q, Vec2 from) const {
   const Segment& p = segments_[i];
   if (!p.arc) {
     const Vec2 d = p.b - p.a;
     const double t = std::clamp(glm::dot(q - p.a, d) / glm::dot(d, d), 0.0, 1.0);
     return {i, t == 1.0 ? p.b : p.a + t * d, p.normal};
   }
-  // Downhill from where it is: towards the device point's direction, the shorter way round, as far as the arc goes.
+  // Downhill: towards the direction of the device point, the shorter turn, within the arc.
   const Vec2 at = from - p.middle, to = q - p.middle;
   const double here = p.from - wrapped(p.from - std::atan2(at.y, at.x));
   const double turn = wrapped(std::atan2(to.y, to.x) - here);
@@ -114,7 +114,7 @@ Profile::On Profile::foot(std::size_t i, Vec2 q, Vec2 from) const {
   return {i, p.middle + radius_ * n, n};
 }
 
-bool Profile::downhill(const Segment& p, End end, Vec2 q) const {
+bool PlaneProfile::downhill(const Segment& p, End end, Vec2 q) const {
   const Vec2 at = end == End::start ? p.a : p.b;
   Vec2 along;
   if (p.arc) {
@@ -127,7 +127,7 @@ bool Profile::downhill(const Segment& p, End end, Vec2 q) const {
   return glm::dot(q - at, along) > 0.0;
 }
 
-Profile::On Profile::slide(On on, Vec2 q) const {
+PlaneProfile::On PlaneProfile::slide(On on, Vec2 q) const {
   for (std::size_t pass = 0; pass < 2 * segments_.size(); ++pass) {
     on = foot(on.segment, q, on.at);
     const Segment& p = segments_[on.segment];
@@ -145,7 +145,7 @@ Profile::On Profile::slide(On on, Vec2 q) const {
   return on;
 }
 
-Profile::On Profile::nearest(Vec2 q) const {
+PlaneProfile::On PlaneProfile::nearest(Vec2 q) const {
   On best;
   double least = 1e300;
   for (std::size_t i = 0; i < segments_.size(); ++i) {

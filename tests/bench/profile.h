@@ -1,5 +1,5 @@
-/// A tissue boundary drawn in a plane as straight pieces, endless along the third axis, and the curve that the centre
-/// of a bur of radius r cannot cross: offset pieces, arcs about outer corners, trimmed at inner ones.
+/// A tissue boundary as straight segments in a plane, endless along the third axis, and its offset curve, which the
+/// centre of a bur of radius r cannot cross: offset segments, arcs about outer corners, trimmed at inner corners.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@ namespace cusp::bench {
 
 using Vec2 = glm::dvec2;
 
-class Profile {
+class PlaneProfile {
  public:
-  /// Corners from left to right with the tissue on the right hand of the way; first and last reach far out of sight.
-  Profile(std::vector<Vec2> corners, double radius_mm);
+  /// Corners from left to right, tissue to the right of the direction of travel; the first and last lie far outside.
+  PlaneProfile(std::vector<Vec2> corners, double radius_mm);
 
   double distance_mm(Vec2 p) const;  // signed, negative in tissue, exact
 
@@ -30,7 +30,7 @@ class Profile {
   struct Segment {
     bool arc = false;
     Vec2 a{0.0}, b{0.0};          // ends
-    Vec2 normal{0.0};             // of a straight piece
+    Vec2 normal{0.0};             // of a straight segment
     Vec2 middle{0.0};             // of an arc, clockwise from a to b
     double from = 0.0, to = 0.0;  // its angles, falling
   };

@@ -24,7 +24,7 @@ Vec2 flat(Vec3 local) { return {local.x, local.z}; }
 
 class ProfileTruth : public Truth {
  public:
-  ProfileTruth(const Profile& profile, const Frame& frame, double radius)
+  ProfileTruth(const PlaneProfile& profile, const Frame& frame, double radius)
       : profile_(profile), frame_(frame), radius_(radius) {}
   double clearance_mm(Vec3 centre) const override {
     return profile_.distance_mm(flat(frame_.to_local(centre))) - radius_;
@@ -60,11 +60,11 @@ class ProfileTruth : public Truth {
   }
 
  private:
-  const Profile& profile_;
+  const PlaneProfile& profile_;
   const Frame& frame_;
   double radius_;
   bool held_ = false;
-  Profile::On on_;
+  PlaneProfile::On on_;
 };
 
 class ProfileShape : public Shape {
@@ -83,14 +83,14 @@ class ProfileShape : public Shape {
   }
   Vec3 before(Vec3 first) const override {
     const Vec3 p = frame_.to_local(first);
-    const Profile::On on = profile_.nearest(flat(p));
+    const PlaneProfile::On on = profile_.nearest(flat(p));
     return frame_.to_world({on.at.x, p.y, on.at.y}) + frame_.direction({on.normal.x, 0.0, on.normal.y}) * kAboveProfileMm;
   }
   /// On a straight piece, or on an arc where kDepthMm below it is still one nearest point of it.
   Spot spot(Random& random) const override {
     const auto& pieces = profile_.segments();
     for (;;) {
-      const Profile::Segment& p =
+      const PlaneProfile::Segment& p =
           pieces[static_cast<std::size_t>(random.between(0.0, static_cast<double>(pieces.size())))];
       const double y = random.between(-kAlong, kAlong);
       if (p.arc) {
@@ -144,7 +144,7 @@ class ProfileShape : public Shape {
   virtual std::vector<Vec2> way_on(Random& random, Vec2 at) const = 0;
 
  private:
-  Profile profile_;
+  PlaneProfile profile_;
   Frame frame_;
   Vec3 axis_;
 };
@@ -259,7 +259,7 @@ class NarrowSlot : public ProfileShape {
 
  private:
   static constexpr double kHalf = 0.6, kLift = 0.5;
-  Profile slot_;
+  PlaneProfile slot_;
   double under() const { return bur_radius_mm() - kDepthMm; }
   double side(Random& random) const { return bur_radius_mm() + random.between(0.3, 1.2); }
 };

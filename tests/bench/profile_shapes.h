@@ -1,4 +1,4 @@
-/// Shapes drawn in a plane: outer edge of 90 degrees, groove of 60, step of 0.5 mm.
+/// Extruded shapes: outer edge of 90 degrees, groove of 60 degrees, step of 0.5 mm, rim of the volume, narrow slot.
 #pragma once
 
 #include <memory>

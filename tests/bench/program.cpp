@@ -29,12 +29,12 @@ struct Verb {
 constexpr Verb kVerbs[] = {
     {"accuracy", "every contact method against the exact proxy of a ball bur", run_accuracy, false},
     {"rate", "updates a second of every method in displacement, exploration and perforation", run_rate, false},
-    {"scale", "what a tick and a scene cost as the volume grows from 128^3 to 1024^3 voxels", run_scale, false},
-    {"stability", "where every method, its guard on and off, becomes unstable, falls through, jams or kicks",
+    {"scale", "cost of a tick and memory of a scene from 128^3 to 1024^3 voxels", run_scale, false},
+    {"stability", "largest stable stiffness and failures of every method, guard on and off",
      run_stability, false},
-    {"removal", "how fast and how exactly every method cuts, and what a cutting tick costs", run_removal, false},
-    {"latency", "how late ticks begin and how long they take in real time, with and without drawing", run_latency, false},
-    {"chart", "all of it, or what --from names, as the tables that charts/draw.py draws", run_chart, true},
+    {"removal", "drilling speed, exactness of the cut and cost of a cutting tick", run_removal, false},
+    {"latency", "lateness and duration of ticks in real time, with and without drawing", run_latency, false},
+    {"chart", "measures every verb, or reads --from, and writes the tables for charts/draw.py", run_chart, true},
 };
 
 void add_options(CLI::App& app, Options& options, const Verb& verb) {
@@ -59,7 +59,7 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
       ->check(CLI::IsMember(std::vector<std::string>{"on", "off"}));
   app.add_option("--device", options.devices, "stability: m0.1-b2 is 0.1 kg and 2 N s/m (repeatable)")
       ->check(CLI::IsMember(device_names()));
-  app.add_option("--grip", options.grips, "stability: none, soft, firm; scripted: no hand in the loop (repeatable)")
+  app.add_option("--grip", options.grips, "stability: none, soft, firm; or scripted, without a hand (repeatable)")
       ->check(CLI::IsMember(std::vector<std::string>{"none", "soft", "firm", "scripted"}));
   app.add_option("--friction-n", options.frictions_n, "stability: Coulomb friction of the device, 0 or 0.1 (repeatable)")
       ->check(CLI::Range(0.0, 10.0));
@@ -69,7 +69,7 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
   const std::vector<std::string> tissues(kRemovalTissues.begin(), kRemovalTissues.end());
   app.add_option("--measure", options.measures, "removal: only this (repeatable)")->check(CLI::IsMember(measures));
   app.add_option("--tissue", options.tissues, "removal: only this tissue (repeatable)")->check(CLI::IsMember(tissues));
-  app.add_option("--direction", options.directions, "removal: only this way of drilling, -z or +x-y (repeatable)")
+  app.add_option("--direction", options.directions, "removal: only this feed direction, -z or +x-y (repeatable)")
       ->check(CLI::IsMember(direction_names()));
   app.add_option("--tick-ms", options.ticks_ms, "removal: lengths of a tick (repeatable)")->check(CLI::Range(0.1, 50.0));
   app.add_option("--alpha", options.alphas, "removal: wear coefficients (repeatable)")->check(CLI::Range(0.01, 1.0));
@@ -94,7 +94,7 @@ void add_options(CLI::App& app, Options& options, const Verb& verb) {
 }  // namespace
 
 int run_program(std::vector<std::string> args) {
-  CLI::App app{"Cusp's evidence: how fast, how exact and how stable each contact method is", "cusp-bench"};
+  CLI::App app{"Measures speed, accuracy, stability and removal of each contact method", "cusp-bench"};
   app.require_subcommand(1);
   Options options;
   const Verb* chosen_verb = nullptr;

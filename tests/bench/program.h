@@ -1,4 +1,4 @@
-/// The program cusp-bench: reads the command line and hands over to a verb.
+/// The program cusp-bench: parses the command line and runs a verb.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// Random numbers that are the same everywhere: splitmix64.
+/// splitmix64: the same random numbers on every machine.
 #pragma once
 
 #include <cstdint>

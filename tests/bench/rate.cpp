@@ -17,7 +17,7 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr std::size_t kRateTrackTicks = 4096;  // 0.2 m of way; its inputs stay in the second cache
+constexpr std::size_t kRateTrackTicks = 4096;  // 0.2 m; the inputs fit the second-level cache
 constexpr int kPerforationBlock = 250;
 constexpr int kHolesAKind = 4;
 
@@ -62,7 +62,7 @@ Row rate_row(Method method, const Shape& shape, std::string_view task, double vo
   return row;
 }
 
-/// What they took into the rows, and how they compare to the occupancy proxy, where it ran as well.
+/// Writes the paces into the rows, with ratios if the occupancy proxy ran.
 void fill_rates(std::vector<Row>& rows, const std::vector<Method>& methods, const std::vector<const Pace*>& paces) {
   for (std::size_t i = 0; i < rows.size(); ++i) paces[i]->fill(rows[i]);
   for (std::size_t reference = 0; reference < methods.size(); ++reference) {
@@ -101,8 +101,7 @@ std::vector<Row> slide_rows(const Shape& shape, std::string_view task, double sp
   return rows;
 }
 
-/// In and out of holes that the bur cut, pulled aside by 0.1 mm: from the end to where the ball's centre passes the
-/// face.
+/// In and out of holes that the bur cut, 0.1 mm aside, from the end until the centre of the ball passes the face.
 std::vector<Row> channel_rate_rows(double radius, HoleKind kind, double speed, double voxel_mm, const Options& options) {
   const std::vector<Method> methods = methods_asked(options);
   const auto holes = unambiguous_holes(radius, kind, options.seed, kHolesAKind);
@@ -138,7 +137,7 @@ std::vector<Row> channel_rate_rows(double radius, HoleKind kind, double speed, d
   return rows;
 }
 
-/// Blocks of ticks instead of milliseconds, because each pass has an end; the passes start at other spots.
+/// Blocks have a fixed number of ticks, because each pass ends; passes start at different spots.
 std::vector<Row> perforation_rows(const Shape& face, double voxel_mm, const Options& options) {
   const std::vector<Method> methods = methods_asked(options);
   std::vector<Pace> all(methods.size());
@@ -199,7 +198,7 @@ std::vector<StepInput> slide_inputs(const Shape& shape, double speed_mm_s, std::
 
 std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, std::uint64_t seed, std::size_t ticks) {
   const auto lifted = [&shape](Vec3 p) {
-    // The surface's normal: the gradient of its distance, which is exact near it.
+    // The gradient of the distance is the normal; the distance is exact near the surface.
     constexpr double kStep = 1e-4;
     Vec3 n(0.0);
     for (int a = 0; a < 3; ++a) {
@@ -209,7 +208,7 @@ std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, std::
     }
     return p + unit(n) * (shape.bur_radius_mm() + kClearMm - shape.distance_mm(p));
   };
-  // Further out a way round a shape is longer: the slide below goes as much slower.
+  // Around a convex shape the lifted path is longer, so the slide below is slower by the same ratio.
   Slide trial(shape, speed_mm_s, seed);
   double below = 0.0, above = 0.0;
   Vec3 last = trial.next();
@@ -231,7 +230,7 @@ std::vector<Row> rate_rows(const Options& options) {
   for (const RateTask& task : standard_tasks()) {
     if (!asked(options.tasks, task.task) || !asked(options.shapes, task.shape)) continue;
     if (!asked(options.motions, "slide") && task.task != "perforation") continue;
-    // The tasks at other voxel sizes are there for the chart: sizes that were asked for stand with the first ones.
+    // Tasks at other voxel sizes serve the chart; filters apply to the first ones.
     const bool usual = task.voxels_mm.size() == 1;
     if (!usual && !(options.voxels_mm.empty() && options.bur_radii_mm.empty())) continue;
     for (const double voxel : usual ? chosen(options.voxels_mm, task.voxels_mm) : task.voxels_mm)

@@ -1,8 +1,7 @@
-/// The verb `rate`: how many updates a second each method comes to in the paper's three tasks (its figure 13), all
-/// methods side by side in one run on one core. 10/128 mm voxels, 128^3 in 10 mm.
-/// Displacement: 50 mm/s, 0.1 mm clear of the surface. Exploration: slides at 50 mm/s, 0.3 mm below the offset surface,
-/// and in and out of the bur's own channel. Perforation: the bur wholly in tissue, advancing 1 mm/s at ticks of 1 ms,
-/// with all the upkeep that the step does.
+/// The verb `rate`: updates a second of each method in the paper's three tasks (its figure 13). All methods alternate in
+/// one run on one core, with voxels of 10/128 mm, 128^3 in 10 mm.
+/// Displacement: 50 mm/s, kClearMm outside the offset surface. Exploration: slides at 50 mm/s, kDepthMm below it, and
+/// through the bur's own channel. Perforation: the bur in tissue, 1 mm/s at ticks of 1 ms, updates of the volume included.
 #pragma once
 
 #include <memory>
@@ -20,11 +19,11 @@ inline constexpr double kClearMm = 0.1;
 inline constexpr double kRateSpeedMmS = 50.0;
 inline constexpr double kAdvanceMmS = 1.0;
 
-/// Device points of a slide, `clear_mm` outside the offset surface when given, else where the shape's way leads.
+/// Inputs of a slide along the shape's legs; clear_inputs stays kClearMm outside the offset surface.
 std::vector<StepInput> slide_inputs(const Shape& shape, double speed_mm_s, std::uint64_t seed, std::size_t ticks);
 std::vector<StepInput> clear_inputs(const Shape& shape, double speed_mm_s, std::uint64_t seed, std::size_t ticks);
 
-/// A bur that drills straight into a face, from where it is wholly in tissue on.
+/// A bur that drills straight into a face and starts wholly in tissue.
 class Perforation {
  public:
   static constexpr int kTicks = 2000;  // 2 mm

@@ -1,4 +1,4 @@
-// What rate and scale measure is what they say: speeds, clearances, advance and blocks, without a clock.
+// Inputs of rate and scale: speeds, clearances, advance and blocks, without a clock.
 #include "tests/bench/rate.h"
 
 #include <gtest/gtest.h>
@@ -15,26 +15,26 @@ namespace {
 
 constexpr double kVoxel = 10.0 / 128;
 
-TEST(Track, goes_forth_and_back_one_input_at_a_time) {
+TEST(Track, GoesForthAndBackOneInputAtATime) {
   std::vector<StepInput> inputs(4);
   for (int i = 0; i < 4; ++i) inputs[static_cast<std::size_t>(i)].x = i;
   Track track(inputs);
   for (const int expected : {0, 1, 2, 3, 2, 1, 0, 1, 2, 3, 2}) EXPECT_EQ(track.next().x, expected);
 }
 
-TEST(Pace, takes_the_median_of_its_blocks_and_compares_block_by_block) {
+TEST(Pace, TakesTheMedianOfBlocksAndComparesBlockByBlock) {
   EXPECT_DOUBLE_EQ(median({3.0, 1.0, 2.0}), 2.0);
   EXPECT_DOUBLE_EQ(median({4.0, 1.0, 2.0, 3.0}), 2.5);
   Pace a, b;
   a.rates = {10.0, 20.0, 90.0};
-  b.rates = {5.0, 10.0, 10.0};  // the machine was quick in the third block: the ratio of medians would be the same here
+  b.rates = {5.0, 10.0, 10.0};  // the third block is fast for a alone
   EXPECT_DOUBLE_EQ(ratio_of(a, b), 2.0);
 }
 
 class Displacement : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Shapes, Displacement, testing::Values("face", "sphere", "cylinder"));
 
-TEST_P(Displacement, stays_a_tenth_of_a_millimetre_clear_at_fifty_millimetres_a_second) {
+TEST_P(Displacement, StaysATenthOfAMillimetreClearAtFiftyMillimetresASecond) {
   const auto shape = make_shape(GetParam(), 0.25);
   const auto inputs = clear_inputs(*shape, kRateSpeedMmS, 3, 500);
   double way = 0.0;
@@ -46,7 +46,7 @@ TEST_P(Displacement, stays_a_tenth_of_a_millimetre_clear_at_fifty_millimetres_a_
   EXPECT_NEAR(way / 499.0, 0.05, 0.0005);
 }
 
-TEST_P(Displacement, touches_nothing) {
+TEST_P(Displacement, TouchesNothing) {
   const auto shape = make_shape(GetParam(), 0.25);
   StepState state(scene_of(*shape, Method::surface, kVoxel));
   for (const StepInput& input : clear_inputs(*shape, kRateSpeedMmS, 3, 200))
@@ -56,7 +56,7 @@ TEST_P(Displacement, touches_nothing) {
 class Drilling : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, Drilling, testing::Values(Method::surface, Method::occupancy));
 
-TEST_P(Drilling, advances_a_millimetre_a_second_wholly_in_tissue) {
+TEST_P(Drilling, AdvancesAMillimetreASecondInTissue) {
   const auto face = make_shape("face", 0.25);
   Perforation run(GetParam(), *face, kVoxel, 1);
   const Vec3 from = run.state().last().proxy_mm;
@@ -67,14 +67,14 @@ TEST_P(Drilling, advances_a_millimetre_a_second_wholly_in_tissue) {
     wear += out.advance_mm;
     EXPECT_FALSE(out.overflow);
   }
-  // The surface's bur keeps up to micrometres. The paper's wears along the grid's axes and diagonals, not along the
-  // way, and falls behind on this slant of 12 degrees: measured 0.85 of wear, 0.70 of way.
+  // The surface proxy keeps up to micrometres. The paper's method wears along the axes and diagonals of the grid and
+  // falls behind on this slant of 12 degrees: measured 0.85 of wear, 0.70 of path.
   const bool surface = GetParam() == Method::surface;
   EXPECT_NEAR(wear, 1.0, surface ? 0.002 : 0.2);
   EXPECT_NEAR(length(run.state().last().proxy_mm - from), 1.0, surface ? 0.002 : 0.35);
 }
 
-TEST(Rate, rows_name_method_task_bur_and_their_ratio) {
+TEST(Rate, NamesMethodTaskBurAndRatioInItsRows) {
   Options options;
   options.budget_s = 0.002;
   options.tasks = {"exploration"};
@@ -98,7 +98,7 @@ TEST(Rate, rows_name_method_task_bur_and_their_ratio) {
   EXPECT_GT(rows[1].ratio_to_occupancy, 0.0);
 }
 
-TEST(Rate, without_the_occupancy_proxy_there_is_no_ratio) {
+TEST(Rate, GivesNoRatioWithoutTheOccupancyProxy) {
   Options options;
   options.budget_s = 0.002;
   options.tasks = {"perforation"};
@@ -109,7 +109,7 @@ TEST(Rate, without_the_occupancy_proxy_there_is_no_ratio) {
   EXPECT_TRUE(std::isnan(rows[0].ratio_to_occupancy));
 }
 
-TEST(Rate, explores_every_kind_of_channel) {
+TEST(Rate, ExploresEveryKindOfChannel) {
   Options options;
   options.budget_s = 0.002;
   options.shapes = {"channel"};
@@ -126,7 +126,7 @@ TEST(Rate, explores_every_kind_of_channel) {
 class Blocks : public testing::TestWithParam<Reading> {};
 INSTANTIATE_TEST_SUITE_P(Readings, Blocks, testing::Values(Reading::banded, Reading::filled));
 
-TEST_P(Blocks, are_the_same_as_sampled_voxel_by_voxel) {
+TEST_P(Blocks, EqualTheVoxelByVoxelSampling) {
   for (const int edge : {40, 64}) {
     const auto sparse = solid_block(edge, kVoxel, GetParam());
     VoxelVolume dense(sparse->grid());
@@ -145,7 +145,7 @@ TEST_P(Blocks, are_the_same_as_sampled_voxel_by_voxel) {
   }
 }
 
-TEST(Blocks, of_a_thousand_voxels_along_an_edge_stay_under_400_mb) {
+TEST(Blocks, StayUnder400MbAtAThousandVoxelsAlongAnEdge) {
   const double small = static_cast<double>(solid_block(128, kVoxel, Reading::banded)->bytes());
   const auto block = solid_block(256, kVoxel, Reading::banded);
   const double middle = static_cast<double>(block->bytes());
@@ -157,7 +157,7 @@ TEST(Blocks, of_a_thousand_voxels_along_an_edge_stay_under_400_mb) {
   EXPECT_LT(middle * 4.35 * 4.35 + cuts, 400e6);  // what the step adds does not grow: cusp-bench scale measures it all
 }
 
-TEST(Blocks, are_slid_over_at_fifty_millimetres_a_second_within_their_top) {
+TEST(Blocks, AreSlidOverWithinTheirTopAtFiftyMillimetresASecond) {
   const auto inputs = block_inputs({3.0, 0.5, 2.0, 50.0}, 5, 4000);
   ASSERT_EQ(inputs.size(), 4000u);
   for (std::size_t k = 0; k < inputs.size(); ++k) {

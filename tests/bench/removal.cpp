@@ -24,7 +24,7 @@ std::string_view tissue_name(Tissue tissue) {
   return "";
 }
 
-/// Radius under three voxels: what the field says of such a bowl is outside every goal.
+/// Under three voxels of radius the field does not resolve the bowl.
 bool unresolved(const Cutter& cutter, double voxel_mm) { return cutter.bur.radius_mm < 3.0 * voxel_mm; }
 
 Row speed_row(std::string_view measure, const DrillRun& run) {
@@ -48,7 +48,7 @@ void fill_speed(Row& row, const DrillSpeed& speed) {
   row.deepest_mm_s = speed.by_deepest_mm_s;
   row.volume_mm_s = speed.by_volume_mm_s;
   row.samples = speed.ticks;
-  // The worse of the two; where the bur is too small for its volume to be read, its deepest place alone.
+  // The worse of both readings; an unresolved bur has only the deepest one.
   row.measured_mm_s = speed.by_deepest_mm_s;
   if (!row.unresolved && !std::isnan(speed.by_volume_mm_s) &&
       std::fabs(speed.by_volume_mm_s - row.target_mm_s) > std::fabs(speed.by_deepest_mm_s - row.target_mm_s))
@@ -64,8 +64,8 @@ void add_speeds(const Options& options, Method method, std::vector<Row>& rows) {
   }
 }
 
-/// The seam lies along the way, turned about it: half of the bur in each tissue, to a part of a voxel. Whose voxels they
-/// are there counts: the target is the harmonic mean over what the front has before it.
+/// The seam contains the feed direction and divides the bur in halves, to a part of a voxel. The target is the harmonic
+/// mean over the voxels ahead of the front.
 void add_mixed(const Options& options, Method method, std::vector<Row>& rows) {
   const RemovalTissue &soft = kRemovalMaterials[0], &hard = kRemovalMaterials[2];
   for (const Direction& d : directions())
@@ -85,25 +85,25 @@ void add_mixed(const Options& options, Method method, std::vector<Row>& rows) {
     }
 }
 
-Row path_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Path way) {
+Row path_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Path path) {
   Row row;
   row.method = key_of(Method::surface);
   row.measure = measure;
   row.bur = cutter.name;
   row.bur_radius_mm = cutter.bur.radius_mm;
   row.voxel_mm = voxel_mm;
-  row.direction = key_of(way);
+  row.direction = key_of(path);
   row.tick_ms = 1.0;
   row.unresolved = unresolved(cutter, voxel_mm);
   return row;
 }
 
-/// One stroke of a known way: the surface that is left, and the volume that is gone.
-Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Path way, double speed_mm_s) {
-  Row row = path_row(measure, cutter, voxel_mm, way);
+/// One stroke along a known path: remaining surface and removed volume.
+Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, Path path, double speed_mm_s) {
+  Row row = path_row(measure, cutter, voxel_mm, path);
   row.speed_mm_s = speed_mm_s;
-  const std::vector<Vec3> points = points_of(way, cutter, {.speed_mm_s = speed_mm_s});
-  const RemainingSurface left = lead_along(cutter, voxel_mm, way, points, 1.0, 1);
+  const std::vector<Vec3> points = points_of(path, cutter, {.speed_mm_s = speed_mm_s});
+  const RemainingSurface left = lead_along(cutter, voxel_mm, path, points, 1.0, 1);
   row.removed_mm3 = left.removed_mm3;
   if (measure == "shape") {
     row.deviation_um_mean = left.mean_um;
@@ -112,13 +112,13 @@ Row stroke_row(std::string_view measure, const Cutter& cutter, double voxel_mm, 
     row.samples = left.points;
     row.skipped = left.edges;
   } else {
-    row.exact_mm3 = exact_removed_mm3(cutter, way, points);
+    row.exact_mm3 = exact_removed_mm3(cutter, path, points);
     row.error_percent = 100.0 * (row.removed_mm3 / row.exact_mm3 - 1.0);
   }
   return row;
 }
 
-/// A row for each cutter; one whose head and neck another one before it has gets that one's figures.
+/// A row for each cutter. A cutter with the head and neck of an earlier one copies its figures.
 template <class RowOf>
 void each_head(BurSet burs, std::vector<Row>& rows, RowOf&& row_of_head) {
   const std::vector<Cutter> cutters = shape_cutters(burs);
@@ -148,9 +148,9 @@ void add_shapes(const Options& options, std::vector<Row>& out) {
   for (const double voxel : chosen(options.voxels_mm, {kPaperVoxelMm}))
     each_head(options.full ? BurSet::whole_catalogue : BurSet::one_per_shape, rows, [&](const Cutter& cutter) {
       std::vector<Row> own;
-      for (const Path way : {Path::straight, Path::curved, Path::tilted})
+      for (const Path path : {Path::straight, Path::curved, Path::tilted})
         for (const double speed : chosen(options.speeds_mm_s, {1.0, 50.0, 200.0}))
-          own.push_back(stroke_row("shape", cutter, voxel, way, speed));
+          own.push_back(stroke_row("shape", cutter, voxel, path, speed));
       return own;
     });
   std::ranges::move(rows, std::back_inserter(out));
@@ -162,9 +162,9 @@ void add_volumes(const Options& options, std::vector<Row>& out) {
   for (const double voxel : chosen(options.voxels_mm, {kPaperVoxelMm}))
     each_head(options.full ? BurSet::whole_catalogue : BurSet::one_per_shape, rows, [&](const Cutter& cutter) {
       std::vector<Row> own;
-      for (const Path way : {Path::drilled, Path::sideways, Path::straight, Path::curved, Path::tilted})
+      for (const Path path : {Path::drilled, Path::sideways, Path::straight, Path::curved, Path::tilted})
         for (const double speed : chosen(options.speeds_mm_s, {50.0}))
-          own.push_back(stroke_row("volume", cutter, voxel, way, speed));
+          own.push_back(stroke_row("volume", cutter, voxel, path, speed));
       return own;
     });
   std::ranges::move(rows, std::back_inserter(out));
@@ -173,20 +173,20 @@ void add_volumes(const Options& options, std::vector<Row>& out) {
 void add_orders(std::vector<Row>& rows) {
   const Cutter cutter = round_cutter(1.0);
   constexpr double kSpeed = 25.0, kCornerMm = 0.1;
-  for (const Path way : {Path::straight, Path::curved}) {
+  for (const Path path : {Path::straight, Path::curved}) {
     double whole = 0.0;
-    struct Led {
+    struct Stroke {
       double tick_ms;
       int parts;
     };
-    for (const Led led : {Led{1.0, 1}, Led{1.0, 2}, Led{0.25, 1}, Led{4.0, 1}}) {
-      Row& row = rows.emplace_back(path_row("order", cutter, kPaperVoxelMm, way));
-      row.tick_ms = led.tick_ms;
+    for (const Stroke stroke : {Stroke{1.0, 1}, Stroke{1.0, 2}, Stroke{0.25, 1}, Stroke{4.0, 1}}) {
+      Row& row = rows.emplace_back(path_row("order", cutter, kPaperVoxelMm, path));
+      row.tick_ms = stroke.tick_ms;
       row.speed_mm_s = kSpeed;
-      row.variant = led.parts == 1 ? "whole" : "halves";
-      row.removed_mm3 = lead_along(cutter, kPaperVoxelMm, way,
-                                   points_of(way, cutter, {kSpeed, led.tick_ms, kCornerMm}), led.tick_ms,
-                                   led.parts)
+      row.variant = stroke.parts == 1 ? "whole" : "halves";
+      row.removed_mm3 = lead_along(cutter, kPaperVoxelMm, path,
+                                   points_of(path, cutter, {kSpeed, stroke.tick_ms, kCornerMm}), stroke.tick_ms,
+                                   stroke.parts)
                             .removed_mm3;
       if (whole == 0.0) whole = row.removed_mm3;
       row.error_percent = 100.0 * (row.removed_mm3 / whole - 1.0);

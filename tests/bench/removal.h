@@ -1,9 +1,12 @@
-/// The verb `removal`: whether the cut obeys push, tissue and bur in the same measure, whatever the voxel, the tick and the
-/// direction, read off the surface that is left. What --measure names:
-/// speed: drilling speed over voxel, tick, direction, tissue, alpha and bur: all pairs, or --full the whole product for
-/// one bur and voxel; depth: through three materials, as the paper's figure 15; hand: the same with a hand's push; mixed: half in one tissue, half in another; density: eq. (6);
-/// shape, volume, order: what known strokes leave, with a bur of every shape in the catalogue (--full: with every bur), in
-/// parts and other ticks; slide, ridge: cutting while sliding; tick: cost.
+/// The verb `removal`: does the cut depend on push, tissue and bur alone, and not on voxel, tick and direction?
+/// The remaining surface gives the answer. --measure names:
+///   speed   drilling speed over all pairs of voxel, tick, direction, tissue, alpha and bur; --full: the whole product
+///           for one bur and voxel
+///   depth   through three materials, as the paper's figure 15
+///   mixed   half of the bur in one tissue, half in another
+///   shape, volume, order   known strokes of a bur of every shape (--full: every bur), in halves and at other ticks
+///   slide, ridge   cutting while sliding
+///   tick    cost of a cutting tick
 #pragma once
 
 #include <array>
@@ -31,33 +34,32 @@ inline constexpr std::array<RemovalTissue, 3> kRemovalMaterials = {
 struct Direction {
   std::string name;
   Vec3 unit{0.0};
-  int axes = 1;  // that it goes along at once
+  int axes = 1;  // number of axes with a component
 };
 const std::vector<Direction>& directions();
 std::vector<std::string> direction_names();
 
-/// Burs whose speed is measured: 0.5, 1.0 and 2.3 mm round ones, led tip first, and a fissure of 1.0 mm, tip first and
-/// sideways.
+/// Burs of `speed`: round ones of 0.5, 1.0 and 2.3 mm, tip first, and a fissure of 1.0 mm, tip first and sideways.
 std::vector<Cutter> removal_cutters();
 
-/// The burs whose shape and volume are looked at: the round ones of `speed`, and of every other shape in the catalogue
-/// one of middling size; or all of the catalogue. Their names hold the shape's key.
+/// Burs of `shape` and `volume`. one_per_shape: the round ones of `speed` and one of middle size of every other shape.
+/// Names contain the shape's key.
 enum class BurSet : std::uint8_t { one_per_shape, whole_catalogue };
 std::vector<Cutter> shape_cutters(BurSet burs);
 
-/// A ball of every diameter that the catalogue has round burs of, smallest first: the ridge is kept under each.
+/// A ball of every diameter of the catalogue's round burs, smallest first.
 std::vector<Cutter> ridge_cutters();
 
 inline constexpr double kPaperVoxelMm = 10.0 / 128;
 inline constexpr double kLargestBurMm = 2.3;
 
-/// A run in one material all over, at one push.
+/// A run in one material at one push.
 DrillRun run_in(Method method, const Cutter& cutter, double voxel_mm, const RemovalTissue& material, double alpha);
 
-/// The runs of `speed`, before they are run: every pair of factors, or the full product.
+/// The runs of `speed`: every pair of factors, or with --full the full product.
 std::vector<DrillRun> speed_runs(const Options& options, Method method);
 
-/// The paper's perforation: through 3.33 mm of each material in a cube of 10 mm, every 25 ms. No clock: the same everywhere.
+/// The paper's perforation: 3.33 mm of each material in a cube of 10 mm, a row every 25 ms. Deterministic.
 inline constexpr double kLayerMm = 10.0 / 3.0;
 inline constexpr double kDepthBurMm = 0.5;  // "0.5 mm spherical drill bit", read as the larger of the two that it can mean
 void add_depths(Method method, std::vector<Row>& rows);

@@ -1,4 +1,4 @@
-// The paper's second test: a perforation through three materials (its figure 15).
+// The paper's figure 15: a perforation through three materials.
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +11,9 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kAheadMm = 0.3;      // of the device point before the bur: always full wear
+constexpr double kAheadMm = 0.3;      // of the device point ahead of the bur: full wear
 constexpr double kDepthVoxelMm = 10.0 / 128;
-constexpr double kEndMm = 9.6;        // before the bur comes out below
+constexpr double kEndMm = 9.6;        // before the bur leaves the block
 
 /// A cube of 10 mm, dentine over bone over enamel, its top at z = 0.
 std::shared_ptr<Scene> layered_scene(Method method) {

@@ -20,13 +20,13 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kStandOffMm = 0.2;      // of the bur before the face, where a run begins
+constexpr double kStandOffMm = 0.2;      // mm from bur to face at the start
 constexpr double kApproachMm = 0.02;     // a tick
-constexpr double kDrillPaddingVoxels = 4.0;   // empty, on every side of the grid
-constexpr double kAroundVoxels = 4.0;    // tissue beyond what the bur reaches, and
+constexpr double kDrillPaddingVoxels = 4.0;   // empty voxels on every side
+constexpr double kAroundVoxels = 4.0;    // tissue around the reach of the bur, plus kAroundMm
 constexpr double kAroundMm = 0.2;
-constexpr double kSideShare = 0.9;       // of the radius that a bur goes in sideways, at most: the neck stays outside
-constexpr int kLeastLayers = 10;         // voxels that a stroke through voxels goes, at least
+constexpr double kSideShare = 0.9;       // of the radius: deepest sideways stroke, with the neck outside
+constexpr int kLeastLayers = 10;         // shortest stroke of a method on voxels
 
 /// From the pivot to the furthest point of the head towards `direction`.
 double furthest(const Bur& bur, Vec3 axis, Vec3 direction) {
@@ -40,12 +40,12 @@ double furthest(const Bur& bur, Vec3 axis, Vec3 direction) {
 
 Vec3 axis_of(const DrillRun& run) { return run.cutter.feed == Feed::sideways ? across(run.direction) : -run.direction; }
 
-/// Distance of a ball of tissue with a flat face: behind the face (along `in`) and within `radius` of `middle`.
-double half_ball(Vec3 p, Vec3 in, Vec3 middle, double radius) {
-  return std::max(-glm::dot(p, in), length(p - middle) - radius);
+/// Distance to half a ball of tissue about the origin, behind the face with the inward normal `in`.
+double half_ball(Vec3 p, Vec3 in, double radius) {
+  return std::max(-glm::dot(p, in), length(p) - radius);
 }
 
-/// Where the cut's own field passes through zero on the line from `from` along `in`; looked for within `reach` of it.
+/// Zero of the cut's field on the line from `from` along `in`, within `reach`; kAbsent if there is none.
 double surface_on_line(const Volume& volume, Vec3 from, Vec3 in, double reach) {
   const Grid& grid = volume.grid();
   const auto depth = [&](double s) {  // positive in the cut, mm
@@ -66,7 +66,7 @@ double surface_on_line(const Volume& volume, Vec3 from, Vec3 in, double reach) {
   return 0.5 * (in_cut + in_tissue);
 }
 
-/// How far the bur's line is free of voxels, from `from` on: where the first voxel that is there begins.
+/// Distance along the bur's line, from `from` on, to the first solid voxel.
 double voxels_on_line(const Volume& volume, double from, Vec3 in) {
   const Grid& grid = volume.grid();
   const double part = 0.02 * grid.voxel_mm;
@@ -78,7 +78,7 @@ double voxels_on_line(const Volume& volume, double from, Vec3 in) {
   }
 }
 
-/// Depth at which the bur has taken so much.
+/// Depth at which the exact bur has removed mm3.
 double depth_of(const Cutter& cutter, double mm3, double about) {
   double low = 0.5 * about, high = 1.5 * about;
   for (int i = 0; i < 60; ++i) {
@@ -88,13 +88,13 @@ double depth_of(const Cutter& cutter, double mm3, double about) {
   return 0.5 * (low + high);
 }
 
-/// The surface that is left after this many ticks: what is gone, and how deep.
+/// Removed volume and deepest point of the surface.
 struct Remaining {
   double mm3 = 0.0;
   double deepest_mm = 0.0;
 };
 Remaining remaining_after(const StepState& state, Vec3 device, Vec3 in, double about) {
-  // On a copy: the button up carves what is still pending, and would end the stroke.
+  // A copy takes the button-up tick, which carves the pending sweep and ends the stroke.
   const std::vector<std::byte> bytes = state.save();
   std::optional<StepState> copy = StepState::restore(std::make_shared<Scene>(state.scene()), bytes);
   step(*copy, input_at(device, Button::up));
@@ -123,7 +123,7 @@ Cutter fissure_cutter(double diameter_mm, Feed feed) {
   out.name = "fissure" + out.name.substr(out.name.find(' ')) + (feed == Feed::sideways ? " side" : " end");
   out.bur.name = out.name;
   out.bur.head = flat_head(r, r, kFissureMm).value_or(Profile{});
-  // So thin that it stays over the face while the flank goes in.
+  // A thin neck stays outside while the flank enters.
   if (feed == Feed::sideways) out.bur.neck_radius_mm = out.bur.shank_radius_mm = kThinNeckMm;
   out.feed = feed;
   out.flank_mm = kFissureMm;
@@ -134,15 +134,14 @@ std::shared_ptr<Scene> drill_scene(const DrillRun& run) {
   const double stroke = run.stroke_mm;
   const double reach = head_reach(run.cutter.bur);
   const double around = std::sqrt(reach * reach + stroke * stroke) + kAroundVoxels * run.voxel_mm + kAroundMm;
-  // Seen from the face, the bur ends `furthest` before its pivot: the middle of what it reaches lies on the face.
   const Vec3 in = run.direction;
   const int n = 2 * static_cast<int>(std::ceil(around / run.voxel_mm + kBandVoxels + kDrillPaddingVoxels)) + 1;
-  // Off the grid's own planes by parts of a voxel.
+  // The origin lies parts of a voxel off the grid planes.
   const Grid grid{IVec3(n), run.voxel_mm, Vec3(-0.5 * (n - 1) * run.voxel_mm) + Vec3(0.137, -0.211, 0.173) * run.voxel_mm};
   auto scene = std::make_shared<Scene>();
   scene->method = run.method;
   scene->specimen = carved::specimen(
-      grid, reading_of(run.method), [&](Vec3 p) { return half_ball(p, in, Vec3(0.0), around); }, run.tissue);
+      grid, reading_of(run.method), [&](Vec3 p) { return half_ball(p, in, around); }, run.tissue);
   scene->burs = {run.cutter.bur};
   scene->tool_axis = axis_of(run);
   for (std::size_t t = 0; t < kTissueCodes; ++t) scene->tissues[t] = {1.0, run.speed_mm_s[t]};
@@ -165,7 +164,7 @@ double front_of_voxels_mm_s(const DrillRun& run) {
   const Grid& grid = specimen.grid();
   const Vec3 in = run.direction, u = across(in), w = glm::cross(in, u);
   const double r = run.cutter.bur.radius_mm;
-  // The front seen along the way: a disc, each part of which goes the same way through the tissue.
+  // Seen along the feed, the front is a disc whose parts all move equally far.
   constexpr int kAcross = 200, kPlaces = 50;
   double way_mm = 0.0, time_s = 0.0;
   for (int k = 0; k < kPlaces; ++k) {

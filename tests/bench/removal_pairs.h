@@ -1,5 +1,5 @@
-/// Runs that together hold every pair of values of any two factors: as many as the two largest factors ask for, instead of
-/// the whole product. The same everywhere.
+/// All-pairs design: runs that contain every pair of values of any two factors. Their number is about the product of the
+/// two largest factors. Deterministic.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,7 @@
 
 namespace cusp::bench {
 
-/// [run][factor]: which value. levels: how many values each factor has, at least one. Rows are filled where a factor's
-/// values are used up; every pair is in at least one of them.
+/// [run][factor]: index of a value. levels: number of values of each factor, at least one.
 std::vector<std::vector<int>> all_pairs(std::span<const int> levels, std::uint64_t seed = 1);
 
 }  // namespace cusp::bench

@@ -16,73 +16,73 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kBallBlockHalfMm = 2.6;          // of a ball's block, across; half as deep
-constexpr double kRoundMm = 0.6;         // of tissue about another bur's way
-constexpr double kEdgeVoxels = 3.0;      // nearer to the face than this a cell sees the mouth's edge
+constexpr double kBallBlockHalfMm = 2.6;          // mm; half width of a ball's block
+constexpr double kRoundMm = 0.6;         // mm of tissue about the path of another bur
+constexpr double kEdgeVoxels = 3.0;      // voxels; nearer to the face a cell contains the edge of the mouth
 constexpr double kPathMm = 2.4;
-constexpr double kObliqueAsideMm = 0.2;         // of an oblique way, a millimetre
-constexpr double kTurnMm = 1.2;          // radius of a curved one
+constexpr double kObliqueAsideMm = 0.2;         // mm aside per millimetre of an oblique path
+constexpr double kTurnMm = 1.2;          // mm; radius of a curved path
 constexpr double kSidewaysMm = 1.5;
-constexpr double kBeginMm = 0.02;        // of the bur behind the face, where a way begins
-constexpr double kBelow = 0.5;           // radii of a ball's pivot behind the face, where it ends
-constexpr double kFallMm = 0.5;          // that a way goes down with another bur
-constexpr double kInMm = 0.05;           // a tick, on the way in along the axis
-constexpr double kSurfaceEdgeCosine = 0.9;      // normals a voxel and a half apart that differ by more: an edge lies between
+constexpr double kBeginMm = 0.02;        // mm of the bur behind the face at the start
+constexpr double kBelow = 0.5;           // radii of a ball's pivot behind the face at the end
+constexpr double kFallMm = 0.5;          // mm of descent along the path with another bur
+constexpr double kInMm = 0.05;           // mm a tick during the entry
+constexpr double kSurfaceEdgeCosine = 0.9;      // normals 1.5 voxels apart that differ by more have an edge between them
 constexpr double kOnSkinVoxels = 0.05;
 
-bool upright(Path way) { return way == Path::drilled || way == Path::sideways; }
+bool upright(Path path) { return path == Path::drilled || path == Path::sideways; }
 
 Frame path_frame() { return Frame::of(kPathUp, {1.0, 0.51, 0.0}, Vec3(0.0)); }
 
-Vec3 path_axis(Path way) {
+Vec3 path_axis(Path path) {
   const Frame f = path_frame();
-  return way == Path::tilted ? unit(f.direction({0.3, 0.45, 0.84})) : f.z;
+  return path == Path::tilted ? unit(f.direction({0.3, 0.45, 0.84})) : f.z;
 }
 
-/// How a bur goes in, by its head and axis: lengths along the face's normal.
+/// Depths of a bur at its path's end, along the normal of the face, mm.
 struct Depths {
-  double low = 0.0;   // of the head's lowest place below the pivot
-  double sunk = 0.0;  // of that place behind the face, at the way's end
-  double fall = 0.0;  // of which the way itself goes down
+  double low = 0.0;   // from the pivot to the lowest point of the head
+  double sunk = 0.0;  // of that point behind the face at the end
+  double fall = 0.0;  // part of sunk that the path descends
 };
-Depths depths_of(const Cutter& cutter, Path way) {
+Depths depths_of(const Cutter& cutter, Path path) {
   const Bur& bur = cutter.bur;
   if (bur.head.ball()) {
     const double sunk = (1.0 + kBelow) * bur.radius_mm;
-    return {bur.radius_mm, sunk, upright(way) ? 0.0 : sunk - kBeginMm};
+    return {bur.radius_mm, sunk, upright(path) ? 0.0 : sunk - kBeginMm};
   }
   const Frame f = path_frame();
-  const Vec3 axis = path_axis(way);
+  const Vec3 axis = path_axis(path);
   const double low = -glm::dot(head_furthest(bur, axis, -f.z), f.z);
-  // The lowest place of the head's upper end: it stays out, and with it the neck.
+  // The lowest point of the head's upper end stays outside, and with it the neck.
   const double cosine = glm::dot(axis, f.z);
   const double rim = bur.head.piece(bur.head.size() - 1).from.rho;
   const double top = bur.head.high() * cosine - rim * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   const double sunk = std::min(low + top - kHeadOutMm, kDeepestMm);
-  return {low, sunk, upright(way) ? 0.0 : std::min(kFallMm, 0.5 * sunk)};
+  return {low, sunk, upright(path) ? 0.0 : std::min(kFallMm, 0.5 * sunk)};
 }
 
-double length_of(Path way) { return way == Path::drilled ? 0.0 : way == Path::sideways ? kSidewaysMm : kPathMm; }
+double length_of(Path path) { return path == Path::drilled ? 0.0 : path == Path::sideways ? kSidewaysMm : kPathMm; }
 
-/// Where a way leads, `s` mm from its beginning.
-Vec3 point_on(Path way, double s, const Depths& depths) {
+/// Place `s` mm from the beginning of a path.
+Vec3 point_on(Path path, double s, const Depths& depths) {
   const Frame f = path_frame();
   const double fall = depths.fall / kPathMm;
   const double begin = depths.low - (depths.sunk - depths.fall);
-  if (upright(way)) return f.to_world({s - 0.5 * length_of(way), 0.0, begin});
-  const double along = s / std::sqrt(1.0 + fall * fall + (way == Path::curved ? 0.0 : kObliqueAsideMm * kObliqueAsideMm));
+  if (upright(path)) return f.to_world({s - 0.5 * length_of(path), 0.0, begin});
+  const double along = s / std::sqrt(1.0 + fall * fall + (path == Path::curved ? 0.0 : kObliqueAsideMm * kObliqueAsideMm));
   const double z = begin - fall * along;
   const double a = along / kTurnMm;
-  if (way == Path::curved) return f.to_world({kTurnMm * std::sin(a), kTurnMm * (std::cos(a) - 1.0) + 0.6, z});
+  if (path == Path::curved) return f.to_world({kTurnMm * std::sin(a), kTurnMm * (std::cos(a) - 1.0) + 0.6, z});
   return f.to_world({along - 1.2, kObliqueAsideMm * (along - 1.0), z});
 }
 
-/// Device points, a millisecond apart, that lead a bur to just before where its way begins; the first is clear of the face.
-/// None is there twice: a bur that stands still presses on nothing, and its stroke is over.
-std::vector<Vec3> entry_points(const Cutter& cutter, Path way, Vec3 to) {
-  const Vec3 axis = path_axis(way);
-  if (cutter.bur.head.ball() && !upright(way)) return {to + path_frame().z * (2.0 * kBeginMm)};
-  const Depths depths = depths_of(cutter, way);
+/// Device points of the entry, one a tick; the first is clear of the face. None repeats, because a bur at rest ends its
+/// stroke.
+std::vector<Vec3> entry_points(const Cutter& cutter, Path path, Vec3 to) {
+  const Vec3 axis = path_axis(path);
+  if (cutter.bur.head.ball() && !upright(path)) return {to + path_frame().z * (2.0 * kBeginMm)};
+  const Depths depths = depths_of(cutter, path);
   const double deep = (depths.sunk - depths.fall) / glm::dot(axis, path_frame().z) + 2.0 * kBeginMm;
   const int ticks = static_cast<int>(deep / kInMm) + 1;
   std::vector<Vec3> out;
@@ -91,9 +91,9 @@ std::vector<Vec3> entry_points(const Cutter& cutter, Path way, Vec3 to) {
   return out;
 }
 
-/// All places of the pivot, in order, none twice.
-std::vector<Vec3> places_of(const Cutter& cutter, Path way, const std::vector<Vec3>& points) {
-  std::vector<Vec3> out = entry_points(cutter, way, points.front());
+/// All places of the pivot, in order, without repetition.
+std::vector<Vec3> places_of(const Cutter& cutter, Path path, const std::vector<Vec3>& points) {
+  std::vector<Vec3> out = entry_points(cutter, path, points.front());
   out.insert(out.end(), points.begin(), points.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
@@ -101,28 +101,28 @@ std::vector<Vec3> places_of(const Cutter& cutter, Path way, const std::vector<Ve
 
 }  // namespace
 
-std::vector<Vec3> points_of(Path way, const Cutter& cutter, const Feeding& feeding) {
+std::vector<Vec3> points_of(Path path, const Cutter& cutter, const Feeding& feeding) {
   const double each = feeding.speed_mm_s * feeding.tick_ms * 1e-3, corner_mm = feeding.corner_mm;
-  const Depths depths = depths_of(cutter, way);
+  const Depths depths = depths_of(cutter, path);
   std::vector<Vec3> out;
-  const auto count = static_cast<int>(length_of(way) / each + 1e-6);
+  const auto count = static_cast<int>(length_of(path) / each + 1e-6);
   for (int i = 0; i <= count; ++i) {
     const double s = i * each;
     if (corner_mm > 0.0) {
       const double low = std::floor(s / corner_mm + 1e-9) * corner_mm;
-      const Vec3 a = point_on(way, low, depths), b = point_on(way, low + corner_mm, depths);
+      const Vec3 a = point_on(path, low, depths), b = point_on(path, low + corner_mm, depths);
       out.push_back(a + (b - a) * ((s - low) / corner_mm));
     } else {
-      out.push_back(point_on(way, s, depths));
+      out.push_back(point_on(path, s, depths));
     }
     out.back() = input_at(out.back()).position_mm();
   }
   return out;
 }
 
-std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double voxel_mm, Path way) {
+std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double voxel_mm, Path path) {
   const Frame f = path_frame();
-  // In the face's own axes, behind it.
+  // Box of tissue in the axes of the face.
   Vec3 low(-kBallBlockHalfMm), high(kBallBlockHalfMm, kBallBlockHalfMm, 0.0);
   Grid grid;
   if (cutter.bur.head.ball()) {
@@ -133,13 +133,13 @@ std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double vo
     low = Vec3(1e300);
     high = Vec3(-1e300);
     const double reach = head_reach(cutter.bur) + kRoundMm, across = cutter.bur.radius_mm + kRoundMm;
-    for (const Vec3& p : places_of(cutter, way, points_of(way, cutter, {.speed_mm_s = 50.0}))) {
-      // An upright head is as wide as it is; a leaning one reaches out by its length.
-      const Vec3 about(way == Path::tilted ? Vec3(reach) : Vec3(across));
+    for (const Vec3& p : places_of(cutter, path, points_of(path, cutter, {.speed_mm_s = 50.0}))) {
+      // A leaning head reaches aside by its length.
+      const Vec3 about(path == Path::tilted ? Vec3(reach) : Vec3(across));
       low = glm::min(low, f.to_local(p) - about);
       high = glm::max(high, f.to_local(p) + about);
     }
-    low.z = -depths_of(cutter, way).sunk - kRoundMm;
+    low.z = -depths_of(cutter, path).sunk - kRoundMm;
     high.z = 0.0;
     Vec3 first(1e300), last(-1e300);
     for (int i = 0; i < 8; ++i) {
@@ -159,26 +159,26 @@ std::shared_ptr<Scene> soft_scene(const Cutter& cutter, Method method, double vo
   scene->method = method;
   scene->specimen = carved::specimen(grid, reading_of(method), distance, [](Vec3) { return Tissue::dentine; });
   scene->burs = {cutter.bur};
-  scene->tool_axis = path_axis(way);
+  scene->tool_axis = path_axis(path);
   for (TissueFeel& feel : scene->tissues) feel = {1.0, 1e5};
   scene->full_force_n = 1e-9;
   scene->guard = unguarded();
   return scene;
 }
 
-RemainingSurface lead_along(const Cutter& cutter, double voxel_mm, Path way, const std::vector<Vec3>& points, double tick_ms,
+RemainingSurface lead_along(const Cutter& cutter, double voxel_mm, Path path, const std::vector<Vec3>& points, double tick_ms,
                      int halves) {
-  StepState state(soft_scene(cutter, Method::surface, voxel_mm, way));
+  StepState state(soft_scene(cutter, Method::surface, voxel_mm, path));
   const auto tick_us = static_cast<std::uint32_t>(tick_ms * 1000.0 + 0.5);
   const std::size_t part = (points.size() + static_cast<std::size_t>(halves) - 1) / static_cast<std::size_t>(halves);
   const Frame f = path_frame();
   Button button = Button::up;
-  for (const Vec3& p : entry_points(cutter, way, points.front())) {
+  for (const Vec3& p : entry_points(cutter, path, points.front())) {
     step(state, input_at(p, button));
     button = Button::down;
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // At a half's end the button is up for a tick, where the bur stands.
+    // The button is up for a tick at the end of a half.
     if (i > 0 && i % part == 0) step(state, input_at(points[i - 1], Button::up));
     StepInput input = input_at(points[i], Button::down);
     input.elapsed_us = tick_us;
@@ -189,7 +189,7 @@ RemainingSurface lead_along(const Cutter& cutter, double voxel_mm, Path way, con
   RemainingSurface out;
   const Volume& volume = state.volume();
   out.removed_mm3 = removed_solid(volume).total_mm3();
-  const SweptBur swept(cutter.bur, state.scene().tool_axis, places_of(cutter, way, points));
+  const SweptBur swept(cutter.bur, state.scene().tool_axis, places_of(cutter, path, points));
   double sum = 0.0;
   for (const std::int32_t brick : volume.cut_bricks()) {
     const IVec3 corner = volume.specimen().brick_at(brick) * kBrickEdge;
@@ -204,7 +204,7 @@ RemainingSurface lead_along(const Cutter& cutter, double voxel_mm, Path way, con
         for (int k = 0; k < 6 && !edge; ++k) {
           Vec3 beside = p.point_mm, other(0.0);
           beside[k % 3] += (k < 3 ? 1.5 : -1.5) * voxel_mm;
-          // On the tissue's side: within the hole a wall that a rim has left has no normal.
+          // Only on the tissue side: inside the hole a wall cut by a rim has no normal.
           edge = swept.distance_mm(beside, other) > -kOnSkinVoxels * voxel_mm && glm::dot(normal, other) < kSurfaceEdgeCosine;
         }
         if (edge) {
@@ -224,10 +224,10 @@ RemainingSurface lead_along(const Cutter& cutter, double voxel_mm, Path way, con
   return out;
 }
 
-double exact_removed_mm3(const Cutter& cutter, Path way, const std::vector<Vec3>& points) {
-  if (upright(way))
-    return upright_mm3(cutter.bur, depths_of(cutter, way).sunk, length_of(way));
-  return SweptBur(cutter.bur, path_axis(way), places_of(cutter, way, points)).volume_mm3(path_frame());
+double exact_removed_mm3(const Cutter& cutter, Path path, const std::vector<Vec3>& points) {
+  if (upright(path))
+    return upright_mm3(cutter.bur, depths_of(cutter, path).sunk, length_of(path));
+  return SweptBur(cutter.bur, path_axis(path), places_of(cutter, path, points)).volume_mm3(path_frame());
 }
 
 }  // namespace cusp::bench

@@ -1,4 +1,4 @@
-// What is run: the burs, the ways and which of them together.
+// Burs, directions and combinations of the removal runs.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -85,7 +85,7 @@ std::vector<Cutter> shape_cutters(BurSet burs) {
   for (const auto& [shape, entries] : by_shape)
     for (std::size_t i = every ? 0 : entries.size() / 2; i < entries.size(); ++i) {
       Bur bur = entries[i]->bur;
-      // Leaning, the neck of a ball would touch the mouth.
+      // A thin neck does not touch the mouth when a ball leans.
       if (bur.head.ball()) bur.neck_radius_mm = bur.shank_radius_mm = kThinNeckMm;
       out.push_back({fmt::format("{} {} {:.1f}", bur.name, shape, 2.0 * bur.radius_mm), bur});
       if (!every) break;
@@ -97,7 +97,7 @@ std::vector<DrillRun> speed_runs(const Options& options, Method method) {
   const std::vector<double> voxels = chosen(options.voxels_mm, options.full ? std::vector{kFullVoxelMm} : kVoxelsMm);
   const std::vector<double> ticks = chosen(options.ticks_ms, kTicksMs), alphas = chosen(options.alphas, kAlphas);
   std::vector<Cutter> cutters = options.full ? std::vector{round_cutter(kFullBurMm)} : removal_cutters();
-  // The paper's bur is a ball.
+  // The paper's method has ball burs only.
   if (reading_of(method) == Reading::filled) std::erase_if(cutters, [](const Cutter& c) { return !c.bur.head.ball(); });
   if (!options.bur_radii_mm.empty()) {
     cutters.clear();

@@ -1,4 +1,4 @@
-// Sliding while cutting, ridges between cuts, and what a cutting tick costs.
+// Cutting while sliding, ridges between cuts, and the cost of a cutting tick.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,27 +17,27 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kCircleMm = 1.0;     // of the hand's circle
-constexpr double kSlidePressMm = 0.12;     // of the device point below the face's offset surface, at first
-constexpr double kTremorMm = 0.02;    // of the hand, 9 Hz, and
-constexpr double kNoiseMm = 0.002;    // of its device, from tick to tick
+constexpr double kCircleMm = 1.0;     // mm; radius of the circle
+constexpr double kSlidePressMm = 0.12;     // mm of the device point below the offset surface at the start
+constexpr double kTremorMm = 0.02;    // mm; amplitude of the tremor, 9 Hz
+constexpr double kNoiseMm = 0.002;    // mm; noise of the device from tick to tick
 constexpr double kSlideS = 1.5;
 constexpr double kRidgeWearMmS = 1e-3;
 constexpr int kRidgeRestTicks = 100;
-constexpr int kSkip = 3;              // every so many ticks the exact excess is looked for
+constexpr int kSkip = 3;              // the exact excess is computed every kSkip ticks
 
-/// Where the bur has been, as far as removal goes; found by place.
+/// The swept ball of all cutting ticks so far.
 class SweptPath {
  public:
   SweptPath(double radius, double face_mm, Vec3 up) : radius_(radius), face_(face_mm), up_(up) {}
   void add(Vec3 a, Vec3 b) { segments_.push_back({a, b}); }
-  /// Turns to what can matter within a bur of y.
+  /// Selects the segments within reach of y.
   void gather(Vec3 y) {
     near_.clear();
     for (const Segment& s : segments_)
       if (distance(s, y) < 2.0 * radius_ + 0.01) near_.push_back(s);
   }
-  /// How far a place lies in what was tissue: from the face and from all that the bur swept. Negative outside.
+  /// Depth of a place in the tissue before this tick: distance to the face and to the swept ball; negative outside.
   double depth(Vec3 x) const {
     double d = face_ - glm::dot(x, up_);
     for (const Segment& s : near_) {
@@ -62,7 +62,7 @@ class SweptPath {
   std::vector<Segment> segments_, near_;
 };
 
-/// How far the surface goes back where a ball comes to y: the deepest place of the ball's surface in what was tissue.
+/// Recession of the surface for a ball at y: the largest depth of a point of the ball's surface.
 double recession(SweptPath& way, Vec3 y, double radius, Vec3 up) {
   way.gather(y);
   const Frame f = Frame::of(up, {1.0, 0.51, 0.0}, Vec3(0.0));

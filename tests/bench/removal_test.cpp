@@ -1,4 +1,4 @@
-// What the verb `removal` measures, in little: and that each measure sees it when a rule is broken.
+// The measures of `removal` at small size; each measure also reports a broken rule.
 #include "tests/bench/removal.h"
 
 #include <gtest/gtest.h>
@@ -21,20 +21,25 @@
 namespace cusp::bench {
 namespace {
 
-DrillRun run_of(double diameter_mm, double voxel_mm, double tick_ms, std::string_view direction, double alpha, double speed) {
+struct DrillCase {
+  double diameter_mm, voxel_mm, tick_ms;
+  std::string_view direction;
+  double alpha, speed_mm_s;
+};
+DrillRun run_of(const DrillCase& drilled) {
   DrillRun run;
-  run.cutter = round_cutter(diameter_mm);
-  run.voxel_mm = voxel_mm;
-  run.tick_ms = tick_ms;
+  run.cutter = round_cutter(drilled.diameter_mm);
+  run.voxel_mm = drilled.voxel_mm;
+  run.tick_ms = drilled.tick_ms;
   for (const Direction& d : directions())
-    if (d.name == direction) run.direction = d.unit;
-  run.alpha = alpha;
-  run.speed_mm_s.fill(speed);
-  run.target_mm_s = alpha * speed;
+    if (d.name == drilled.direction) run.direction = d.unit;
+  run.alpha = drilled.alpha;
+  run.speed_mm_s.fill(drilled.speed_mm_s);
+  run.target_mm_s = drilled.alpha * drilled.speed_mm_s;
   return run;
 }
 
-TEST(AllPairs, are_in_the_runs_of_every_two_factors) {
+TEST(AllPairs, StandInTheRunsOfEveryTwoFactors) {
   for (const std::vector<int>& levels : {std::vector<int>{26, 4, 3, 3, 4, 5}, {2, 2}, {3, 1, 7, 2}, {4}}) {
     const auto runs = all_pairs(levels);
     for (std::size_t a = 0; a < levels.size(); ++a)
@@ -54,7 +59,7 @@ TEST(AllPairs, are_in_the_runs_of_every_two_factors) {
   EXPECT_EQ(all_pairs(levels), all_pairs(levels));
 }
 
-TEST(RemovalRuns, hold_every_bur_in_every_direction_and_the_full_product_of_one) {
+TEST(RemovalRuns, HoldEveryBurInEveryDirectionAndTheFullProductOfOne) {
   Options options;
   std::set<std::pair<std::string, double>> seen;
   for (const DrillRun& run : speed_runs(options, Method::surface))
@@ -65,11 +70,11 @@ TEST(RemovalRuns, hold_every_bur_in_every_direction_and_the_full_product_of_one)
   EXPECT_EQ(speed_runs(options, Method::surface).size(), 3u * 26 * 3 * 4);
 }
 
-TEST(RemovalSpeed, of_the_surface_method_is_the_tissues_by_volume_and_by_depth) {
+TEST(RemovalSpeed, EqualsTheTissuesSpeedByVolumeAndByDepth) {
   // Measured within 0.1 %: the goal is 1 %.
-  const DrillRun runs[] = {run_of(1.0, 10.0 / 128, 1.0, "-z", 1.0, 1.2),  run_of(2.3, 0.2, 4.0, "+x-y+z", 1.0, 0.8),
-                           run_of(1.0, 0.1, 0.25, "+x+y", 0.5, 0.8),      run_of(0.5, 10.0 / 128, 1.0, "-y", 0.25, 0.5),
-                           run_of(1.0, 0.2, 1.0, "+y-z", 0.1, 1.2)};
+  const DrillRun runs[] = {run_of({1.0, 10.0 / 128, 1.0, "-z", 1.0, 1.2}),  run_of({2.3, 0.2, 4.0, "+x-y+z", 1.0, 0.8}),
+                           run_of({1.0, 0.1, 0.25, "+x+y", 0.5, 0.8}),      run_of({0.5, 10.0 / 128, 1.0, "-y", 0.25, 0.5}),
+                           run_of({1.0, 0.2, 1.0, "+y-z", 0.1, 1.2})};
   for (const DrillRun& run : runs) {
     const DrillSpeed speed = drill(run);
     const double goal = 0.01 * run.target_mm_s;
@@ -79,9 +84,9 @@ TEST(RemovalSpeed, of_the_surface_method_is_the_tissues_by_volume_and_by_depth) 
   }
 }
 
-TEST(RemovalSpeed, of_a_fissure_bur_is_the_tissues_tip_first_and_sideways) {
+TEST(RemovalSpeed, EqualsTheTissuesSpeedForAFissureBurTipFirstAndSideways) {
   for (const Feed feed : {Feed::tip_first, Feed::sideways}) {
-    DrillRun run = run_of(1.0, 0.1, 1.0, feed == Feed::sideways ? "+x-y" : "-z", 1.0, 1.2);
+    DrillRun run = run_of({1.0, 0.1, 1.0, feed == Feed::sideways ? "+x-y" : "-z", 1.0, 1.2});
     run.cutter = fissure_cutter(1.0, feed);
     const DrillSpeed speed = drill(run);
     EXPECT_NEAR(speed.by_deepest_mm_s, 1.2, 0.012) << run.cutter.name;
@@ -89,16 +94,16 @@ TEST(RemovalSpeed, of_a_fissure_bur_is_the_tissues_tip_first_and_sideways) {
   }
 }
 
-TEST(RemovalSpeed, of_a_flat_end_on_a_diagonal_is_the_tissues_at_short_ticks) {
-  // 0.125 um a tick: a face's normal that is longer than 1 by 1e-5 adds 5 nm to each (measured then 3.9 %; now 0.04 %).
-  DrillRun run = run_of(1.0, 0.1, 0.25, "-x-z", 1.0, 0.5);
+TEST(RemovalSpeed, EqualsTheTissuesSpeedForAFlatEndOnADiagonalAtShortTicks) {
+  // 0.125 um a tick: a face normal longer than 1 by 1e-5 adds 5 nm to each, 3.9 %. Measured 0.04 %.
+  DrillRun run = run_of({1.0, 0.1, 0.25, "-x-z", 1.0, 0.5});
   run.cutter = fissure_cutter(1.0, Feed::tip_first);
   run.stroke_mm = 0.15;
   EXPECT_NEAR(drill(run).by_deepest_mm_s, 0.5, 0.005);
 }
 
-TEST(RemovalSpeed, is_seen_to_be_wrong_where_the_tissue_is_faster_than_said) {
-  DrillRun run = run_of(1.0, 0.1, 1.0, "-z", 1.0, 1.2);
+TEST(RemovalSpeed, ShowsATissueThatIsFasterThanItsTarget) {
+  DrillRun run = run_of({1.0, 0.1, 1.0, "-z", 1.0, 1.2});
   run.target_mm_s = 1.0;
   run.stroke_mm = 0.3;
   const DrillSpeed speed = drill(run);
@@ -106,20 +111,19 @@ TEST(RemovalSpeed, is_seen_to_be_wrong_where_the_tissue_is_faster_than_said) {
   EXPECT_NEAR(speed.by_volume_mm_s, 1.2, 0.012);
 }
 
-TEST(RemovalSpeed, of_the_papers_method_is_its_own_along_an_axis) {
+TEST(RemovalSpeed, EqualsThePapersSpeedAlongAnAxisForTheOccupancyProxy) {
   // Paper, section 4: 1.2, 0.8 and 0.5 mm/s at 10/128 mm and 1 ms. Strides of a voxel; measured within 2.1 %.
   for (const double v : {1.2, 0.8, 0.5}) {
-    DrillRun run = run_of(1.0, 10.0 / 128, 1.0, "-z", 1.0, v);
+    DrillRun run = run_of({1.0, 10.0 / 128, 1.0, "-z", 1.0, v});
     run.method = Method::occupancy;
     EXPECT_NEAR(drill(run).by_deepest_mm_s, v, 0.05 * v) << v;
   }
 }
 
-TEST(RemovalSpeed, over_two_tissues_is_the_harmonic_mean_of_the_voxels_that_it_meets) {
-  // The voxels' own seam stands up to half a voxel beside the one that was asked for: up to 4 % of the speed. A front of
-  // points that stay where they are misses that.
+TEST(RemovalSpeed, IsTheHarmonicMeanOfTheVoxelsItMeetsOverTwoTissues) {
+  // The seam of the voxels lies up to half a voxel beside the requested one, which is up to 4 % of the speed.
   for (const char* direction : {"-z", "-x+y+z"}) {
-    DrillRun run = run_of(1.0, 10.0 / 128, 1.0, direction, 1.0, 1.2);
+    DrillRun run = run_of({1.0, 10.0 / 128, 1.0, direction, 1.0, 1.2});
     run.speed_mm_s[index_of(Tissue::enamel)] = 0.5;
     const Vec3 seam = across(run.direction);
     run.tissue = [seam](Vec3 p) { return glm::dot(p, seam) > 0.0 ? Tissue::dentine : Tissue::enamel; };
@@ -131,18 +135,18 @@ TEST(RemovalSpeed, over_two_tissues_is_the_harmonic_mean_of_the_voxels_that_it_m
   }
 }
 
-TEST(RemovalShape, is_the_swept_bur_of_known_strokes) {
+TEST(RemovalShape, EqualsTheSweptBurOfKnownStrokes) {
   const Cutter cutter = round_cutter(1.0);
-  for (const Path way : {Path::straight, Path::curved}) {
-    const RemainingSurface left = lead_along(cutter, 10.0 / 128, way, points_of(way, cutter, {.speed_mm_s = 50.0}), 1.0, 1);
+  for (const Path path : {Path::straight, Path::curved}) {
+    const RemainingSurface left = lead_along(cutter, 10.0 / 128, path, points_of(path, cutter, {.speed_mm_s = 50.0}), 1.0, 1);
     EXPECT_GT(left.points, 200);
-    EXPECT_LT(left.mean_um, 0.5) << key_of(way);  // measured 0.06 and 0.07
-    EXPECT_LT(left.most_um, 10.0) << key_of(way);
+    EXPECT_LT(left.mean_um, 0.5) << key_of(path);  // measured 0.06 and 0.07
+    EXPECT_LT(left.most_um, 10.0) << key_of(path);
   }
 }
 
-TEST(RemovalShape, of_a_wide_bur_led_fast_is_the_swept_bur) {
-  // Some thousands of points lie near it: were they what a tick may look at, it would stay 0.4 mm behind.
+TEST(RemovalShape, EqualsTheSweptBurForAWideFastBur) {
+  // Thousands of points lie near it. A search that omits some leaves the bur 0.4 mm behind.
   const Cutter cutter = round_cutter(2.3);
   const RemainingSurface left =
       lead_along(cutter, 10.0 / 128, Path::straight, points_of(Path::straight, cutter, {.speed_mm_s = 200.0}), 1.0, 1);
@@ -151,9 +155,8 @@ TEST(RemovalShape, of_a_wide_bur_led_fast_is_the_swept_bur) {
   EXPECT_LT(left.most_um, 10.0);
 }
 
-TEST(RemovalShape, of_a_hole_that_an_acute_rim_leaves_is_the_swept_bur) {
-  // By the head's own depth the wall stood 3.2 um too near and 1.3 % of the volume was missing; now 0.03 um, 0.38 %, of
-  // which most is at the edges.
+TEST(RemovalShape, EqualsTheSweptBurForAnAcuteRim) {
+  // Measured 0.03 um and 0.38 % of volume, mostly at the edges. The head's own depth alone gives 3.2 um and 1.3 %.
   const Cutter cutter{"35", catalogue_bur("35")->bur};
   const auto points = points_of(Path::drilled, cutter, {.speed_mm_s = 50.0});
   const RemainingSurface left = lead_along(cutter, 10.0 / 128, Path::drilled, points, 1.0, 1);
@@ -163,28 +166,27 @@ TEST(RemovalShape, of_a_hole_that_an_acute_rim_leaves_is_the_swept_bur) {
   EXPECT_NEAR(left.removed_mm3 / exact_removed_mm3(cutter, Path::drilled, points), 1.0, 0.005);
 }
 
-TEST(RemovalShape, of_a_bur_that_is_no_ball_is_the_swept_bur_upright_or_leaning) {
+TEST(RemovalShape, EqualsTheSweptBurForOtherHeadsUprightOrLeaning) {
   struct Stroke {
     const char* number;
-    Path way;
+    Path path;
   };
   // Measured: mean 0.03 to 0.15 um, at most 4.6; volume within 0.1 %.
-  // The long taper lies near thousands of points: a tick that may not look at all of them cuts nothing (-1.7 % volume).
+  // The long taper lies near thousands of points; a search that omits some loses 1.7 % of the volume.
   for (const Stroke& stroke : {Stroke{"330", Path::curved}, {"57", Path::drilled}, {"329", Path::tilted}, {"847-016", Path::straight}}) {
     const Cutter cutter{stroke.number, catalogue_bur(stroke.number)->bur};
-    const auto points = points_of(stroke.way, cutter, {.speed_mm_s = 50.0});
-    const RemainingSurface left = lead_along(cutter, 10.0 / 128, stroke.way, points, 1.0, 1);
+    const auto points = points_of(stroke.path, cutter, {.speed_mm_s = 50.0});
+    const RemainingSurface left = lead_along(cutter, 10.0 / 128, stroke.path, points, 1.0, 1);
     EXPECT_GT(left.points, 500) << stroke.number;
     EXPECT_LT(left.mean_um, 0.5) << stroke.number;
     EXPECT_LT(left.most_um, 10.0) << stroke.number;
-    const double exact = exact_removed_mm3(cutter, stroke.way, points);
+    const double exact = exact_removed_mm3(cutter, stroke.path, points);
     EXPECT_NEAR(left.removed_mm3, exact, 0.005 * exact) << stroke.number;
   }
 }
 
-TEST(RemovalShape, is_no_deeper_than_a_leaning_neck_lets_the_bur_go_at_any_speed) {
-  // Round "2" leans by 33 degrees; towards its way's end the neck, 0.3 mm wide, comes to the mouth. A neck to which the
-  // head's own past gave room went 15 um in at 1 mm/s, where it comes nearer by 0.3 um a tick, and at 200 mm/s.
+TEST(RemovalShape, IsNoDeeperThanALeaningNeckAllowsAtAnySpeed) {
+  // Round "2" leans by 33 degrees; at the end of the path its neck, 0.3 mm wide, reaches the mouth and stops the bur.
   const Cutter cutter{"2", catalogue_bur("2")->bur};
   for (const double speed : {1.0, 50.0, 200.0}) {
     StepState state(soft_scene(cutter, Method::surface, 10.0 / 128, Path::tilted));
@@ -197,8 +199,8 @@ TEST(RemovalShape, is_no_deeper_than_a_leaning_neck_lets_the_bur_go_at_any_speed
   }
 }
 
-TEST(RemovalShape, is_seen_to_be_wrong_where_the_bur_was_not_the_one_that_is_meant) {
-  // A hundredth of a millimetre wider: the walls stand off by half of that, and 2 % of the volume are missing.
+TEST(RemovalShape, ShowsABurOfTheWrongDiameter) {
+  // A bur 0.02 mm wider removes 2 % more volume.
   Cutter cutter = round_cutter(1.0), wider = round_cutter(1.02);
   const auto points = points_of(Path::straight, cutter, {.speed_mm_s = 50.0});
   const RemainingSurface left = lead_along(cutter, 10.0 / 128, Path::straight, points, 1.0, 1);
@@ -206,7 +208,7 @@ TEST(RemovalShape, is_seen_to_be_wrong_where_the_bur_was_not_the_one_that_is_mea
   EXPECT_NEAR(left.removed_mm3 / exact_removed_mm3(cutter, Path::straight, points), 1.0, 0.005);
 }
 
-TEST(RemovalShape, is_looked_at_with_a_bur_of_every_shape_or_with_all_of_them) {
+TEST(RemovalShape, CoversEveryShapeOrTheWholeCatalogue) {
   const auto named = [](const std::vector<Cutter>& cutters, std::string_view shape) {
     return std::ranges::count_if(cutters, [&](const Cutter& c) { return c.name.find(shape) != std::string::npos; });
   };
@@ -214,7 +216,7 @@ TEST(RemovalShape, is_looked_at_with_a_bur_of_every_shape_or_with_all_of_them) {
   EXPECT_EQ(shape_cutters(BurSet::whole_catalogue).size(), bur_catalogue().size());
 }
 
-TEST(RemovalOrder, halves_and_other_ticks_leave_the_same_volume) {
+TEST(RemovalOrder, LeavesTheSameVolumeInHalvesAndAtOtherTickLengths) {
   const Cutter cutter = round_cutter(1.0);
   const auto volume = [&](double tick_ms, int parts) {
     return lead_along(cutter, 0.1, Path::curved, points_of(Path::curved, cutter, {25.0, tick_ms, 0.1}), tick_ms, parts).removed_mm3;
@@ -224,18 +226,17 @@ TEST(RemovalOrder, halves_and_other_ticks_leave_the_same_volume) {
   EXPECT_NEAR(volume(4.0, 1), whole, 0.001 * whole);
 }
 
-TEST(RemovalSlide, takes_little_more_than_wear_allows) {
+TEST(RemovalSlide, TakesLittleMoreThanWearAllows) {
   const SlideExcess excess = slide_cutting(round_cutter(2.3), 0.1, {.speed_mm_s = 50.0}, 1);
-  EXPECT_GT(excess.depth_um, 1.0) << "it cut";
+  EXPECT_GT(excess.depth_um, 1.0) << "the bur did not cut";
   EXPECT_LT(excess.p99_um, 1.0);  // measured 0.48
-  // The worst of five seeds, 0.70 where contact alone said how deep the bur stood; 0.24 now.
+  // The worst of five seeds: measured 0.24.
   EXPECT_LT(slide_cutting(round_cutter(0.5), 10.0 / 128, {.speed_mm_s = 50.0}, 3).most_um, 0.5);
 }
 
-TEST(RemovalRidge, keeps_its_edge_under_forty_cutting_passes) {
-  // The field rounds it by up to a third of a voxel, and a bur that went by it shaved 33 um; an exact ball, led straight
-  // from place to place, shaves 1.9 of 1.0 mm at 50 mm/s. Measured 1.0 to 1.1 before, and no more after; where every nanometre
-  // of wear entered in its own tick 19.9, 18.1, 1.6, 19.3 and 30.3.
+TEST(RemovalRidge, KeepsItsEdgeUnderFortyCuttingPasses) {
+  // The field rounds the ridge by up to a third of a voxel. An exact ball on straight steps at 50 mm/s shaves 1.9 um.
+  // Measured 1.0 to 1.1 um before and after the passes.
   struct Passes {
     double diameter_mm, speed_mm_s;
   };
@@ -246,12 +247,11 @@ TEST(RemovalRidge, keeps_its_edge_under_forty_cutting_passes) {
   }
 }
 
-TEST(RemovalRidge, is_felt_with_its_edge_where_the_bur_is_small_and_voxels_are_fine) {
-  // 8.3 before: felt while the edges about the bur were still being made out.
+TEST(RemovalRidge, IsFeltWithItsEdgeByASmallBurOnFineVoxels) {
   EXPECT_LT(ridge_between(round_cutter(0.5), 0.04, 50.0).felt_um, 5.0);  // measured 1.2
 }
 
-TEST(RemovalRidge, is_looked_at_with_every_round_bur_of_the_catalogue) {
+TEST(RemovalRidge, CoversEveryRoundBurOfTheCatalogue) {
   std::set<double> looked_at;
   for (const Cutter& cutter : ridge_cutters()) looked_at.insert(cutter.bur.radius_mm);
   EXPECT_EQ(looked_at.size(), ridge_cutters().size());
@@ -278,7 +278,7 @@ double slope_in(const std::vector<Row>& rows, std::size_t layer) {
   return (n * td - t * d) / (n * tt - t * t);
 }
 
-TEST(RemovalDepth, goes_through_the_papers_materials_at_their_speeds) {
+TEST(RemovalDepth, GrowsAtTheSpeedsOfThePapersMaterials) {
   std::vector<Row> rows;
   add_depths(Method::surface, rows);
   EXPECT_NEAR(rows[1].time_s - rows[0].time_s, 0.025, 1e-9);

@@ -13,7 +13,7 @@ constexpr double kAboveRoundMm = 0.05;  // mm: where a press starts, above its s
 constexpr double kRoundHomeMm = 14.0;   // mm from the middle: no bur of 3 mm touches the 10 mm box there
 constexpr double kSphereMm = 4.0, kCylinderMm = 2.0, kPitOverBur = 1.2, kWallMm = 0.2;
 
-/// Truth of a shape whose clearance has one foot: given by two functions of the shape.
+/// Exact proxy of a shape that gives distance_mm and proxy in closed form.
 template <class S>
 class OneSheet : public Truth {
  public:
@@ -41,7 +41,7 @@ class RoundShape : public Shape {
   Frame frame_ = oblique_frame();
 };
 
-/// Points of a disc, chosen evenly.
+/// A uniform random point of a disc.
 Vec3 in_disc(Random& random, double radius) {
   const double rho = radius * std::sqrt(random.between(0.0, 1.0));
   const double phi = random.between(0.0, 6.283185307179586);
@@ -63,7 +63,7 @@ class Flat : public RoundShape {
     return thickness_ > 0.0 ? std::fabs(z + thickness_ / 2.0) - thickness_ / 2.0 : z;
   }
   double thinnest_mm() const override { return thickness_; }
-  /// Never through the wall: the sheet above it is the one that the bur comes from.
+  /// Always above the wall, where the bur comes from.
   Vec3 proxy(Vec3 q) const {
     const double under = bur_radius_mm() - frame_.to_local(q).z;
     return under > 0.0 ? q + frame_.z * under : q;
@@ -90,7 +90,7 @@ class Flat : public RoundShape {
   double thickness_;
 };
 
-/// A flat face, enamel on one side of a plane across it and dentine on the other. Ways lead to and fro over the joint.
+/// A flat face with enamel on one side of a plane and dentine on the other. Legs cross the joint.
 class Joint : public Flat {
  public:
   explicit Joint(double bur_radius_mm) : Flat("joint", bur_radius_mm, 0.0) {}

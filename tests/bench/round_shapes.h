@@ -1,4 +1,4 @@
-/// Shapes whose admissible centres have one sheet: plane, sphere, pit, cylinder, wall and inner corner.
+/// Shapes with a closed-form proxy: plane, joint of two tissues, sphere, pit, cylinder, wall and inner corner.
 #pragma once
 
 #include <memory>

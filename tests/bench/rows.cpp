@@ -22,7 +22,7 @@ bool present(std::int64_t v) { return v >= 0; }
 bool present(const std::string& v) { return !v.empty(); }
 bool present(bool) { return true; }
 
-/// Six figures are more than any of them means, and keep files short.
+/// Six digits keep the files short and exceed every uncertainty.
 double rounded(double v) {
   if (v == 0.0 || !std::isfinite(v)) return v;
   std::ostringstream text;

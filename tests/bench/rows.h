@@ -1,4 +1,4 @@
-/// What a measurement came to: one flat row for each method, shape, motion, bur and voxel size, as JSON and CSV.
+/// Results of a measurement: one flat row for each method, shape, motion, bur and voxel size, as JSON and CSV.
 #pragma once
 
 #include <cmath>
@@ -21,43 +21,43 @@ struct Row {
   std::string case_name;           // stability: "case", see stability_cases.h
   std::string sweep;               // full: a row of --full, which has tables of its own
   std::string guard;               // stability: on, off
-  std::string device;              // stability: falcon-like, or what the laboratory's device was
-  std::string grip;                // stability: none, soft, firm; scripted where no hand was in the loop
-  double mass_kg = kAbsent;        // stability: of the device that moves
-  double damping_n_s_m = kAbsent;  // stability: of the device
-  double friction_n = kAbsent;     // stability: of the device, Coulomb
+  std::string device;              // stability: m0.1-b2 is 0.1 kg and 2 N s/m
+  std::string grip;                // stability: none, soft, firm; scripted: no hand in the loop
+  double mass_kg = kAbsent;        // stability: moving mass of the device
+  double damping_n_s_m = kAbsent;  // stability: damping of the device
+  double friction_n = kAbsent;     // stability: Coulomb friction of the device
   double delay_ms = kAbsent;       // stability: from sample to force
   std::string shape;               // face, sphere, pit, cylinder, edge, corner, groove, step, wall, cut, channel
   std::string variant;             // of a cut: single, crossing; of a channel: straight, oblique, slot
   std::string motion;              // press, slide
   std::string task;                // rate: displacement, exploration, perforation
-  std::string measure;             // removal: speed, hand, mixed, density, depth, shape, volume, order, slide, ridge, tick
+  std::string measure;             // removal: speed, mixed, depth, shape, volume, order, slide, ridge, tick
   std::string bur;                // removal: its name, with the diameter
   std::string tissue;              // removal
-  std::string direction;           // removal: +x-y, or the way that the bur is led
+  std::string direction;           // removal: +x-y, or the path of the bur
   double tick_ms = kAbsent;        // removal: length of a tick
   double alpha = kAbsent;          // removal: wear coefficient of eq. (4)
-  double target_mm_s = kAbsent;    // removal: what the speed should be, and what it is on the surface that is left
+  double target_mm_s = kAbsent;    // removal: expected speed, and the speed of the remaining surface
   double measured_mm_s = kAbsent;
-  double error_percent = kAbsent;  // removal: of what is measured, against its target
-  double deepest_mm_s = kAbsent;   // removal: the speed by the deepest place alone, and by the volume alone
+  double error_percent = kAbsent;  // removal: of the measured value against its target
+  double deepest_mm_s = kAbsent;   // removal: speed by the deepest point, and by the volume
   double volume_mm_s = kAbsent;
-  double time_s = kAbsent;         // removal: of a moment of the paper's perforation, and
-  double depth_mm = kAbsent;       // how deep the bur's tip is by then
+  double time_s = kAbsent;         // removal: time in the paper's perforation
+  double depth_mm = kAbsent;       // depth of the tip at time_s
   double removed_mm3 = kAbsent;    // removal
-  double exact_mm3 = kAbsent;      // removal: what the exact bur takes on the same way
-  double deviation_um_mean = kAbsent;  // removal: of the surface that is left from the swept bur's
+  double exact_mm3 = kAbsent;      // removal: volume of the exact bur on the same path
+  double deviation_um_mean = kAbsent;  // removal: remaining surface against the swept bur's
   double deviation_um_max = kAbsent;
-  std::string place;               // removal: of deviation_um_max, mm: x along the way, z out of the face
-  double excess_um_p99 = kAbsent;  // removal: how much further the surface went back in a tick than wear allows
+  std::string place;               // removal: place of deviation_um_max, mm: x along the path, z out of the face
+  double excess_um_p99 = kAbsent;  // removal: recession of the surface in a tick beyond the wear
   double excess_um_max = kAbsent;
-  double ridge_um = kAbsent;       // removal: how far an edge between cuts stands below the exact one
+  double ridge_um = kAbsent;       // removal: height of a ridge below the exact one
   double speed_mm_s = kAbsent;
   double bur_radius_mm = kAbsent;
   double voxel_mm = kAbsent;
   std::int64_t seed = -1;
   bool unresolved = false;          // a feature thinner than 2.5 voxels, or a radius below 3: outside every goal
-  std::int64_t samples = -1;        // ticks (slide) or presses that stand in the means
+  std::int64_t samples = -1;        // ticks (slide) or presses in the means
   std::int64_t skipped = -1;        // not averaged: exact force below 50 um of spring
   double angle_deg_mean = kAbsent;  // between the method's force and the exact one
   double angle_deg_p95 = kAbsent;
@@ -65,9 +65,9 @@ struct Row {
   double depth_um_mean = kAbsent;  // |exact signed clearance| of the bur at the method's proxy
   double depth_um_p95 = kAbsent;
   double depth_um_max = kAbsent;
-  double lag_um_mean = kAbsent;  // channel: how much further behind the device, along the axis, than the exact proxy
+  double lag_um_mean = kAbsent;  // channel: lag behind the exact proxy along the axis
   double lag_um_max = kAbsent;
-  std::int64_t lag_worst_seed = -1;  // of the hole that lag_um_max comes from: --seed with it begins there
+  std::int64_t lag_worst_seed = -1;  // seed of the hole of lag_um_max
   double pose_um_mean = kAbsent;     // distance between the method's proxy and the exact one
   double pose_um_max = kAbsent;
   double force_error_percent_rms = kAbsent;   // |force - exact| over the exact force's rms
@@ -75,10 +75,10 @@ struct Row {
   double follow_ticks = kAbsent;              // where the exact minimum vanishes: ticks until the method follows, mean
   std::int64_t infeasible_ticks = -1;
   std::int64_t max_candidates = -1;
-  std::int64_t runs = -1;             // stability: approaches, presses or ways, of which samples are the ticks
-  double k_max_n_per_mm = kAbsent;    // stability: see the laboratory's measures.h for this and all that follow
+  std::int64_t runs = -1;             // stability: approaches, presses or motions; samples counts their ticks
+  double k_max_n_per_mm = kAbsent;    // stability: this and the following as in engine/lab/measures.h
   double k_exact_n_per_mm = kAbsent;  // k_max of the exact proxy on the same shape, with the same hand and device
-  std::int64_t k_sets = -1;           // sets of seeds whose medians k_max and k_exact are; where there are more than one:
+  std::int64_t k_sets = -1;           // sets of seeds whose medians k_max and k_exact are; above 1:
   double k_first_n_per_mm = kAbsent;  // k_max of the first set, and from least to most
   double k_least_n_per_mm = kAbsent;
   double k_most_n_per_mm = kAbsent;
@@ -87,26 +87,26 @@ struct Row {
   double k_exact_most_n_per_mm = kAbsent;
   double energy_mj = kAbsent;
   double energy_exact_mj = kAbsent;
-  double late_mj = kAbsent;   // force times travel in the milliseconds that went without an answer
-  double energy_left_mj = kAbsent;        // energy_mj, of each episode less its own force times travel in such milliseconds
+  double late_mj = kAbsent;   // force times travel in milliseconds without a controller output
+  double energy_left_mj = kAbsent;        // energy_mj without that of each episode's late milliseconds
   double energy_exact_left_mj = kAbsent;  // the same of the exact proxy
-  double cycle_um = kAbsent;  // where the hand rests; with k_max, at the first stiffness that fails
+  double cycle_um = kAbsent;  // at rest; with k_max at the first failing stiffness
   double cycle_hz = kAbsent;
   double cycle_exact_um = kAbsent;  // of the exact proxy in the same loop
-  double force_max_n = kAbsent;     // most that the hand got
+  double force_max_n = kAbsent;     // largest rendered force
   double force_step_mn = kAbsent;   // the largest
   double force_step_p99_mn = kAbsent;
   double guard_step_mn = kAbsent;
-  double penetration_um = kAbsent;   // deepest the bur stood in tissue at the method's proxy, exactly
-  std::int64_t passed_through = -1;  // runs in which the bur's pivot got into the tissue, or behind it
+  double penetration_um = kAbsent;   // largest exact overlap at the method's proxy
+  std::int64_t passed_through = -1;  // runs whose pivot entered the tissue or passed behind it
   std::int64_t stuck = -1;           // times
   double stuck_ms = kAbsent;         // the longest
-  double vibration_mn = kAbsent;     // the three tasks: peak to peak of the force above 20 Hz, the exact one's off
+  double vibration_mn = kAbsent;     // tasks: peak to peak of force less exact force above 20 Hz
   double zero_ms = kAbsent;     // faults: from the first faulty input until the force is zero for good; absent: never;
                                 // fragment: from the cut
-  double back_ms = kAbsent;     // faults: from re-arming until the force is within 5 % of what it comes to
+  double back_ms = kAbsent;     // faults: from re-arming until within 5 % of the final force
   double back_share = kAbsent;  // faults: of the exact force, half a second after re-arming
-  std::string failures;           // stability: what counts as a failure (verdict.h), names between spaces
+  std::string failures;           // stability: kinds of verdict.h, separated by spaces
   double updates_per_s = kAbsent;
   double tick_us_p50 = kAbsent;
   double tick_us_p99 = kAbsent;
@@ -256,7 +256,7 @@ void for_each_field(R& row, Visit&& visit) {
 }
 
 struct Report {
-  std::string commit;   // of the working tree, "unknown" outside a repository
+  std::string commit;   // of the tree; "unknown" outside a repository
   std::string machine;  // the CPU's name
   std::vector<Row> rows;
 };
@@ -264,7 +264,7 @@ struct Report {
 enum class RowsError : std::uint8_t { cannot_open, not_json, wrong_type };
 using RowsFailure = Failure<RowsError>;
 
-/// A report about here and now, without rows.
+/// A report of this tree and machine, without rows.
 Report empty_report();
 
 std::string to_json(const Report& report);
@@ -273,15 +273,15 @@ Result<Report, RowsFailure> from_json(const std::string& text);
 Result<void, RowsFailure> print_json(const Report& report, const std::string& path);
 Result<Report, RowsFailure> read_json(const std::string& path);
 
-/// First line "# commit …, machine …", then the names of what any row holds, then a line for each row.
+/// First line "# commit …, machine …", then the names of all fields that any row holds, then a line for each row.
 std::string to_csv(const Report& report);
 Result<Report, RowsFailure> from_csv(const std::string& text);
 
-/// For a person: a column for each of the main figures; absent ones as a dash.
+/// The main figures in columns; absent ones as a dash.
 void print_table(const std::vector<Row>& rows, std::ostream& out);
 
-/// The end of a verb: the rows as JSON to the file that was asked for ("-": stdout), or as print() shows them to a
-/// person where none was. The program's exit code; says on stderr what failed.
+/// Writes the rows as JSON to the file `json` ("-": stdout), or prints them with print() if it is empty. Returns the exit
+/// code and reports a failure on stderr.
 int write_report(const Report& report, const std::string& json, void (*print)(const std::vector<Row>&));
 
 }  // namespace cusp::bench

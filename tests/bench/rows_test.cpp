@@ -1,4 +1,4 @@
-// Files of rows, and what the program answers to a command line.
+// Files of rows, and exit codes of the program.
 #include "tests/bench/rows.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ void expect_equal(const Report& a, const Report& b) {
   }
 }
 
-TEST(Rows, come_back_from_json_and_from_csv) {
+TEST(Rows, ComeBackFromJsonAndFromCsv) {
   const auto json = from_json(to_json(some()));
   ASSERT_TRUE(json);
   expect_equal(some(), *json);
@@ -61,14 +61,14 @@ TEST(Rows, come_back_from_json_and_from_csv) {
   expect_equal(some(), *csv);
 }
 
-TEST(Rows, leave_out_what_is_absent_and_keep_a_zero) {
+TEST(Rows, LeaveOutAbsentFieldsAndKeepAZero) {
   const std::string text = to_json(some());
   EXPECT_NE(text.find("\"infeasible_ticks\": 0"), std::string::npos);
   EXPECT_EQ(text.find("lag_um_mean"), std::string::npos);
   EXPECT_EQ(text.find("null"), std::string::npos);
 }
 
-TEST(Rows, that_are_no_json_or_of_wrong_types_are_refused) {
+TEST(Rows, AreRefusedIfTheyAreNoJsonOrHaveWrongTypes) {
   EXPECT_EQ(from_json("{").error().code, RowsError::not_json);
   EXPECT_EQ(from_json("[]").error().code, RowsError::not_json);
   EXPECT_EQ(from_json(R"({"rows": [{"samples": "many"}]})").error().code, RowsError::wrong_type);
@@ -77,7 +77,7 @@ TEST(Rows, that_are_no_json_or_of_wrong_types_are_refused) {
   EXPECT_EQ(from_csv("method,samples\nsurface,many\n").error().code, RowsError::wrong_type);
 }
 
-TEST(TickTimes, give_percentiles_that_so_many_do_not_exceed) {
+TEST(TickTimes, GivePercentilesByTheNearestRank) {
   TickTimes times;
   for (int i = 1; i <= 1000; ++i) times.add_ns(i * 1000);
   Row row;
@@ -88,7 +88,7 @@ TEST(TickTimes, give_percentiles_that_so_many_do_not_exceed) {
   EXPECT_NEAR(row.updates_per_s, 1000.0 / 0.5005, 1e-3);  // 1 + 2 + … + 1000 us
 }
 
-TEST(Program, answers_wrong_usage_with_2_and_help_with_0) {
+TEST(Program, AnswersWrongUsageWith2AndHelpWith0) {
   EXPECT_EQ(run_program({}), kUsage);
   EXPECT_EQ(run_program({"polish"}), kUsage);
   EXPECT_EQ(run_program({"accuracy", "--method", "best"}), kUsage);
@@ -99,7 +99,7 @@ TEST(Program, answers_wrong_usage_with_2_and_help_with_0) {
   EXPECT_EQ(run_program({"accuracy", "--help"}), kDone);
 }
 
-TEST(Program, fails_with_1_when_its_file_cannot_be_written) {
+TEST(Program, FailsWith1IfItsFileCannotBeWritten) {
   EXPECT_EQ(run_program({"accuracy", "--shape", "face", "--method", "surface", "--motion", "press", "--voxel-mm", "0.2",
                          "--bur-radius-mm", "0.5", "--budget-s", "0.001", "--json", "/nowhere/rows.json"}),
             kFailed);

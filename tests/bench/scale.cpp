@@ -21,7 +21,7 @@ constexpr int kEdges[] = {128, 256, 512, 1024};
 constexpr double kBurMm = 0.5;
 constexpr double kSameWayMm = 4.0;
 constexpr double kFromEdgeMm = 1.0;         // of the block, so that the bur stays on its top
-constexpr std::size_t kScaleTrackTicks = 16384;  // 0.8 m of way
+constexpr std::size_t kScaleTrackTicks = 16384;  // 0.8 m
 
 double box_distance(Vec3 p, double half) {
   const Vec3 q = glm::abs(p) - half;
@@ -39,7 +39,7 @@ std::shared_ptr<const Scene> block_scene(int edge, Method method, double voxel_m
 }
 
 void print_scale(const std::vector<Row>& rows) {
-  fmt::print("{:<16}{:<11}{:>14}{:>12}{:>9}{:>9}{:>11}{:>11}\n", "method", "way", "voxels", "updates/s", "p50 us",
+  fmt::print("{:<16}{:<11}{:>14}{:>12}{:>9}{:>9}{:>11}{:>11}\n", "method", "variant", "voxels", "updates/s", "p50 us",
              "p99", "cost/128^3", "memory MB");
   for (const Row& r : rows)
     fmt::print("{:<16}{:<11}{:>14}{:>12.0f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n", r.method, r.variant, r.volume_voxels,
@@ -120,7 +120,7 @@ std::vector<Row> scale_rows(const Options& options) {
               const double top = solid_block_half_mm(kEdges[i], voxel);
               const double half_way = same ? kSameWayMm : top - kFromEdgeMm;
               Track track(block_inputs({top, radius, half_way, speed}, options.seed, kScaleTrackTicks));
-              // From above, and down to where the way begins.
+              // From above, down to the first point.
               const Vec3 first = track.next().position_mm();
               lead(states[i], step, {first.x, first.y, top + 2.0 * radius + 1.0}, 1.0);
               lead(states[i], step, first, speed * 1e-3);

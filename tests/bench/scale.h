@@ -1,5 +1,5 @@
-/// The verb `scale`: what a tick and a scene cost as the volume grows at the same voxel size: solid blocks of 128^3 to
-/// 1024^3 voxels of 10/128 mm, a bur of 0.5 mm sliding at 50 mm/s 0.3 mm below the offset surface of the top.
+/// The verb `scale`: cost of a tick and memory of a scene in solid blocks of 128^3 to 1024^3 voxels of 10/128 mm. A bur of
+/// 0.5 mm slides at 50 mm/s, kDepthMm below the offset surface of the top.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace cusp::bench {
 
-/// A solid cube of dentine in a box of edge^3 voxels about the origin, built brick by brick; its faces stand 6.75
-/// voxels inside the box: four empty voxels and the band.
+/// A solid cube of dentine in a box of edge_voxels^3 about the origin. Its faces lie 6.75 voxels inside the box: four
+/// empty voxels and the band.
 std::shared_ptr<const Specimen> solid_block(int edge_voxels, double voxel_mm, Reading reading);
 /// Half of its edge.
 double solid_block_half_mm(int edge_voxels, double voxel_mm);
@@ -27,9 +27,8 @@ struct BlockSlide {
 };
 std::vector<StepInput> block_inputs(const BlockSlide& slide, std::uint64_t seed, std::size_t ticks);
 
-/// Variants: "same-way" goes over the same 8 mm of every block, "whole-top" over all of each block's top. The sizes
-/// take turns in short blocks; cost_to_smallest is the median over them of the tick's cost over the smallest volume's.
-/// memory_mb: RAM that specimen and state took, by the process's resident set.
+/// Variant "same-way" covers the same 8 mm of every block, "whole-top" the whole top. The sizes alternate in run_lanes;
+/// cost_to_smallest is ratio_of to the smallest. memory_mb: growth of resident memory by specimen and state.
 std::vector<Row> scale_rows(const Options& options);
 int run_scale(const Options& options);
 

@@ -1,5 +1,5 @@
-/// The specimens that methods are measured on. Each is known in closed form, stands obliquely to the grid and off its
-/// planes, and knows where a bur goes on it. Specimen frame, mm.
+/// The shapes that methods are measured on. Each has a closed form, stands obliquely to the grid and gives the motions of
+/// a bur on it. Frame: specimen. Unit: mm.
 ///
 /// Grid: 128^3 voxels in 10 mm at a voxel of 10/128 mm; at any other size as many as 10 mm need, more where a shape
 /// with its band and four empty voxels on every side would not fit. The shape ends where the padding begins.
@@ -19,13 +19,13 @@ namespace cusp::bench {
 
 inline constexpr double kDepthMm = 0.3;  // of the device point below the offset surface
 
-/// Where a press begins: a centre of the bur that touches, and the way out there.
+/// Start of a press: a touching centre of the bur and the outward normal.
 struct Spot {
   Vec3 centre{0.0};
   Vec3 normal{0.0};
 };
 
-/// A piece of a slide: device points by the length travelled.
+/// One leg of a slide: device points by travelled length.
 struct Leg {
   double length_mm = 0.0;
   std::function<Vec3(double)> at;
@@ -47,7 +47,7 @@ class Shape {
   virtual double distance_mm(Vec3 p) const = 0;
   /// Of the place, before any cut.
   virtual Tissue tissue(Vec3) const { return Tissue::dentine; }
-  /// True: the grid's every voxel is tissue, and the shape ends where the grid does.
+  /// True: every voxel of the grid is tissue.
   virtual bool fills_grid() const { return false; }
   /// Half edge of the cube about the origin that must hold tissue and its band; 0: as much as 10 mm give.
   virtual double half_mm() const { return 0.0; }
@@ -62,20 +62,20 @@ class Shape {
 
   /// Unit, from the ball to the shank: away from the tissue.
   virtual Vec3 tool_axis() const = 0;
-  /// A centre far above everything; from it, straight lines lead to just above every spot.
+  /// A centre far above the shape, with free straight lines to just above every spot.
   virtual Vec3 home() const = 0;
 
   /// Bur that cuts (cut, channel), as a second one in Scene::burs; 0: none.
   virtual double cutter_radius_mm() const { return 0.0; }
-  /// Does to a fresh state what has been done to the specimen. False: the volume had no room.
+  /// Makes the shape's cuts in a fresh state. False: the volume has no room.
   virtual bool prepare(StepState&) const { return true; }
 
   virtual std::unique_ptr<Truth> truth() const = 0;
 
   /// A random place to press.
   virtual Spot spot(Random& random) const = 0;
-  /// Where a slide's device point goes on from `from` (the end of the leg before; nullptr: the first leg). The first
-  /// point lies kDepthMm below the offset surface unless the shape's way leads over an edge.
+  /// The next leg from `from`, the end of the last one; nullptr: the first leg. The first point lies kDepthMm below the
+  /// offset surface unless the leg crosses an edge.
   virtual Leg leg(Random& random, const Vec3* from) const = 0;
   /// An admissible centre from which a straight line leads into the first point of a slide.
   virtual Vec3 before(Vec3 first) const = 0;

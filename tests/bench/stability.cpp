@@ -16,7 +16,7 @@ namespace cusp::bench {
 namespace {
 
 constexpr double kUsualVoxelMm = 10.0 / 128;
-/// Of the budget, what a row of kMotionCases takes: there are hundreds.
+/// Share of the budget of a row of kMotionCases, of which there are hundreds, and of the thin wall.
 constexpr double kMotionShare = 0.4, kWallShare = 12.0;
 
 struct Device {
@@ -24,12 +24,12 @@ struct Device {
 };
 constexpr Device kDevices[] = {{0.1, 0.5}, {0.1, 2.0}, {0.1, 5.0}, {0.25, 0.5}, {0.25, 2.0}, {0.25, 5.0}};
 
-/// True when another device, friction or delay than the usual one was asked for.
+/// True if the options name a device, friction or delay.
 bool asks_for_a_device(const Options& options) {
   return options.full || !options.devices.empty() || !options.frictions_n.empty() || !options.delays_ms.empty();
 }
 
-/// These grips, where asked for, on the usual device or those asked for.
+/// The selected grips on the usual device or the selected ones.
 std::vector<Setting> settings_of(const std::vector<std::string_view>& grips, const Options& options) {
   const Setting usual = usual_setting();
   const auto of = [&options](double one, std::vector<double> all) { return options.full ? all : std::vector{one}; };
@@ -53,19 +53,17 @@ std::vector<Setting> settings_of(const std::vector<std::string_view>& grips, con
   return out;
 }
 
-/// Hands of a case of ways.
+/// Grips of a motion case.
 std::vector<std::string_view> grips_of(std::string_view key) {
   if (key == "thin-wall" || key == "start-inside") return {"scripted"};
   if (key == "grip-weight") return {"none", "soft"};
   return {"scripted", "soft", "firm"};
 }
 
-/// What a method's k_max may be off the exact proxy's.
+/// Goal for the relative difference of k_max from the exact proxy's.
 constexpr double kKMaxShare = 0.15;
 
-/// k_max over the exact proxy's, by place, method and guard: how many cells needed more than a set of seeds, how many
-/// are off, by what the rows have and by the first set alone, and how far the exact proxy's own k_max goes from set to
-/// set.
+/// Prints k_max over the exact proxy's by place, method and guard, with the spread over sets of seeds.
 void print_ratios(const std::vector<Row>& rows) {
   struct Ratios {
     std::vector<double> own, first;
@@ -96,8 +94,8 @@ void print_ratios(const std::vector<Row>& rows) {
   const auto off = [](const std::vector<double>& ratios) {
     return std::ranges::count_if(ratios, [](double r) { return std::fabs(r - 1.0) > kKMaxShare; });
   };
-  fmt::print("\nk_max over the exact proxy's; more: cells with the medians of five sets of seeds; first: beyond 15 % by the "
-             "first set alone; spread: of the exact proxy's own k_max from set to set, at most\n");
+  fmt::print("\nk_max over the exact proxy's. more: cells with medians of five sets of seeds. first: beyond 15 % by the first "
+             "set alone. spread: largest spread of the exact proxy's k_max over sets\n");
   fmt::print("{:<9}{:<17}{:<6}{:>6}{:>6}{:>6}{:>8}{:>8}{:>8}{:>7}{:>7}{:>9}{:>12}{:>9}\n", "case", "method", "guard", "cells",
              "none", "more", "min", "median", "max", ">15 %", "first", "spread", "mJ beyond", "mJ");
   for (auto& [key, of] : all) {
@@ -130,13 +128,13 @@ void print_stability(const std::vector<Row>& rows) {
     if (!std::isnan(r.zero_ms))
       fmt::print("  zero after {} ms, back after {} to {}", number(r.zero_ms), number(r.back_ms), number(r.back_share));
     if (!std::isnan(r.energy_left_mj))
-      fmt::print("  {:.3f} mJ, exact {:.3f}, less force times late travel", r.energy_left_mj, r.energy_exact_left_mj);
+      fmt::print("  {:.3f} mJ, exact {:.3f}, less late energy", r.energy_left_mj, r.energy_exact_left_mj);
     fmt::print("\n");
   }
   print_ratios(rows);
 }
 
-/// What the picture of damping shows: the surface proxy on a face, without a guard and without delay.
+/// Rows of the damping chart: the surface proxy on a face, guard off, no delay.
 void sweep_damping(CaseRun what, const Options& options, std::vector<Row>& rows) {
   if (!asked(options.cases, "face") || !asked(options.methods, key_of(Method::surface)) ||
       !asked(options.guards, "off") || !options.voxels_mm.empty() || !options.bur_radii_mm.empty())
@@ -179,7 +177,7 @@ std::vector<Row> measured_rows(const Options& options) {
   what.seed = options.seed;
   what.budget_s = options.budget_s;
   what.settle = options.full;
-  // Methods of one reading share a specimen: they follow each other.
+  // Methods of one reading share a specimen, so they run in sequence.
   const auto each = [&](std::string_view key, const std::vector<Setting>& settings, const std::vector<double>& voxels,
                         auto&& run) {
     if (!asked(options.cases, key)) return;
@@ -199,9 +197,9 @@ std::vector<Row> measured_rows(const Options& options) {
         }
       }
   };
-  const std::vector<std::string_view> soft{"soft"}, every{"none", "soft", "firm"}, led{"scripted"};
+  const std::vector<std::string_view> soft{"soft"}, every{"none", "soft", "firm"}, scripted{"scripted"};
   for (std::string_view name : kPressCases)
-    // Hundreds of points about the bur in its pit; one bur for the rest.
+    // The pit has hundreds of contact points at 0.5 mm.
     for (const double radius : chosen(options.bur_radii_mm, {name == "pit" ? 0.5 : 0.25})) {
       what.bur_radius_mm = radius;
       each(name, settings_of(options.grips.empty() && !options.full ? soft : every, options), voxels_of(name, options),
@@ -223,10 +221,10 @@ std::vector<Row> measured_rows(const Options& options) {
     for (std::string_view name : kMotionCases)
       each(name, settings_of(grips_of(name), options), voxels_of(name, options), way);
     for (std::string_view name : kFaultCases)
-      each(name, settings_of(led, options), voxels_of(name, options), run_case);
+      each(name, settings_of(scripted, options), voxels_of(name, options), run_case);
   }
   what.bur_radius_mm = 0.5;
-  for (std::string_view name : kTaskCases) each(name, settings_of(led, options), {kUsualVoxelMm}, run_case);
+  for (std::string_view name : kTaskCases) each(name, settings_of(scripted, options), {kUsualVoxelMm}, run_case);
   return rows;
 }
 

@@ -1,4 +1,4 @@
-/// What methods are put through in `stability`, a row for each case, guard and hand. In the order of the map.
+/// The cases of `stability`, in the order of the stability map.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@ namespace cusp::bench {
 /// Stiffness swept to the limit (stability_kmax.h).
 inline constexpr std::array<std::string_view, 6> kPressCases = {
     "face", "edge", "corner", "groove", "pit", "channel"};
-/// Ways at one stiffness.
+/// Motions at one stiffness.
 inline constexpr std::array<std::string_view, 11> kMotionCases = {
     "thin-wall", "tissues", "vanishing", "islands", "fragment", "narrow-slot", "start-inside", "volume-edge",
     "voxel-size", "late-ticks", "grip-weight"};
-/// What a device or a session does wrong while the bur is in contact.
+/// Faults of the device and exchanges by the session while the bur is in contact.
 inline constexpr std::array<std::string_view, 8> kFaultCases = {
     "frozen", "jump", "nan", "infinite", "out-of-range", "device-gone", "specimen-exchange", "bur-exchange"};
-/// The paper's three.
+/// The paper's tasks.
 inline constexpr std::array<std::string_view, 3> kTaskCases = {
     "displacement", "exploration", "perforation"};
 
 inline constexpr std::int64_t kMostRuns = 10000;
 
-/// What a row is measured with.
+/// Settings of one row.
 struct CaseRun {
   std::string_view key;
   Method method = Method::surface;
@@ -35,10 +35,10 @@ struct CaseRun {
   Setting setting;
   double voxel_mm = 10.0 / 128;
   double bur_radius_mm = 0.25;
-  double budget_s = 1.0;  // of the core's time: no further run is begun after it; one always is
+  double budget_s = 1.0;  // CPU time after which no further run begins; one always runs
   std::int64_t most_runs = kMostRuns;
   std::uint64_t seed = 1;
-  bool settle = false;  // a k_max that five seeds leave open is found again with more (stability_sets.h)
+  bool settle = false;  // an open k_max takes more seeds (stability_sets.h)
 };
 
 /// One row. Pre: the key is of kMotionCases, kFaultCases or kTaskCases.

@@ -1,5 +1,4 @@
-// What goes wrong at the device or in the session while the bur presses on a face; and the paper's three tasks, whose
-// force is looked through for vibration.
+// Faults of the device and exchanges by the session on a face, and vibration in the paper's tasks.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,13 +21,13 @@ constexpr double kBackShare = 0.95;
 constexpr double kJumpMm = 20.0;
 constexpr double kLargerBur = 1.5;
 
-Vec3 somewhere(Random& random) {
+Vec3 random_direction(Random& random) {
   const double z = random.between(-1.0, 1.0), phi = random.between(0.0, 6.283185307179586);
   const double rho = std::sqrt(1.0 - z * z);
   return {rho * std::cos(phi), rho * std::sin(phi), z};
 }
 
-/// The device's sample while it is faulty. held: its last good place.
+/// A faulty sample of the device. held: its last good position.
 Sample faulty(std::string_view key, Vec3 now, Vec3 held, Vec3 jump) {
   Sample sample;
   sample.status = Sample::Status::fresh;
@@ -50,12 +49,12 @@ Sample faulty(std::string_view key, Vec3 now, Vec3 held, Vec3 jump) {
   return sample;
 }
 
-/// From the first faulty input until the force is zero and stays so, and from re-arming until it is within 5 % of what
-/// it comes to, in ms; and the share of the exact force that it then is.
+/// zero: ms from the first faulty input until the force stays zero. back: ms from re-arming until it is within 5 % of its
+/// final value. share: that value over the exact force.
 struct Times {
   double zero = 0.0, back = 0.0, share = 1e9;
   void longer(const Times& other) {
-    // What never happens is not a number, and stays so.
+    // NaN means never, and remains NaN.
     zero = std::isnan(zero) || std::isnan(other.zero) ? kAbsent : std::max(zero, other.zero);
     back = std::isnan(back) || std::isnan(other.back) ? kAbsent : std::max(back, other.back);
     share = std::min(share, other.share);
@@ -68,10 +67,10 @@ Times one_fault(const CaseRun& what, const Shape& face, const std::shared_ptr<co
   const Spot spot = face.spot(random);
   const Vec3 touch = spot.centre + spot.normal * 0.05;
   const Vec3 aside = unit(spot.centre - face.home() + spot.normal * glm::dot(face.home() - spot.centre, spot.normal));
-  const Vec3 jump = somewhere(random) * kJumpMm;
+  const Vec3 jump = random_direction(random) * kJumpMm;
   const int in = static_cast<int>((0.05 + kDepthMm) / 0.05);
   const int begins = in + kSettleMs + static_cast<int>(random.between(0.0, 20.0));
-  // The device goes to and fro across the face at 20 mm/s, whatever is heard of it.
+  // The real device moves to and fro across the face at 20 mm/s during the fault too.
   const auto place = [&](int ms) {
     const int turn = ms % 100;
     const double to = kSlideMm * (turn < 50 ? turn : 100 - turn);
@@ -95,7 +94,7 @@ Times one_fault(const CaseRun& what, const Shape& face, const std::shared_ptr<co
     StepInput input = quantise(sample, kTickUs, last);
     if (ms == rearm) input.buttons |= StepInput::kRearm;
     last = input;
-    // What a faulty place is compared with means nothing; what the hand gets does.
+    // A faulty position has no exact proxy; only the rendered force counts.
     const StepOutput answer = wrong ? pair.tick(input, faulty_ticks) : pair.tick(input, tally);
     const double given = length(answer.force_n);
     if (wrong) {
@@ -116,13 +115,13 @@ Times one_fault(const CaseRun& what, const Shape& face, const std::shared_ptr<co
   return out;
 }
 
-/// The specimen is exchanged for one with a thin wall in the same place, or the bur for a larger one.
+/// Exchanges the specimen for one with a thin wall, or the bur for a larger one.
 void one_exchange(const CaseRun& what, const Shape& face, const std::shared_ptr<const Scene>& scene, std::uint64_t seed,
                   Tally& tally) {
   Random random(seed);
   const Spot spot = face.spot(random);
   const Vec3 touch = spot.centre + spot.normal * 0.05;
-  const Vec3 aside = unit(glm::cross(spot.normal, somewhere(random)));
+  const Vec3 aside = unit(glm::cross(spot.normal, random_direction(random)));
   const bool bur = what.key == "bur-exchange";
   const int in = static_cast<int>((0.05 + kDepthMm) / 0.05), exchange = in + kSettleMs;
   const std::unique_ptr<Shape> other =
@@ -150,7 +149,7 @@ void one_exchange(const CaseRun& what, const Shape& face, const std::shared_ptr<
   tally.end();
 }
 
-/// The top of the block, and nothing else of it.
+/// Exact proxy of the top of the block.
 class BlockTop : public Truth {
  public:
   BlockTop(double top_mm, double radius_mm) : rest_(top_mm + radius_mm) {}
@@ -189,7 +188,7 @@ Row run_fault(const CaseRun& what) {
   row.shape = "face";
   tally.fill(row);
   if (what.key == "jump" && what.guard == GuardUse::off) {
-    // Led round the specimen and through it: the endless face is no truth for that.
+    // The jump leads through the specimen, where the endless face is no truth.
     Row only = row_of(what);
     only.shape = row.shape;
     only.runs = row.runs;
@@ -225,7 +224,7 @@ Row run_task(const CaseRun& what) {
     const StepInput input = input_at(scripted_device_mm(t, {top, r}), t > kFreeS + kExploreS ? Button::down : Button::up);
     const StepOutput out = step(state, input);
     const Exact pose = exact.follow(input.position_mm());
-    // A bur that drills has no exact proxy here: the way it goes has nothing above 3 Hz of its own.
+    // Drilling has no exact proxy; its scripted motion has nothing above 3 Hz.
     const Vec3 force = pose.contact && !drills ? kStabilityNPerMm * (pose.pose_mm - out.device_mm) : Vec3(0.0);
     beyond.push_back(out.force_n - force);
     if (t > from && !drills) tally.add(out, pose, {force, exact.clearance_mm(out.proxy_mm), r, 0.1});
@@ -237,7 +236,7 @@ Row run_task(const CaseRun& what) {
   if (!drills) tally.fill(row);
   row.samples = static_cast<std::int64_t>(whole * 1000.0);
   row.runs = 1;
-  // The hand's own way has corners in the first eighth of exploring and drilling.
+  // The scripted motion has corners in the first eighth of exploring and drilling.
   row.vibration_mn = 1000.0 * vibration_n(beyond, static_cast<std::size_t>((from + 0.2 * whole) * 1000.0),
                                           static_cast<std::size_t>((from + 0.98 * whole) * 1000.0));
   return row;

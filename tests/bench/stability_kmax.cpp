@@ -12,17 +12,17 @@ namespace {
 
 using Verdict = lab::Steadiness::Verdict;
 
-constexpr double kStartAboveMm = 0.25;  // where the way down begins
-constexpr double kReadyMm = 0.02;  // a tick, on the last bit of the way there
-constexpr double kLostMm = 10.0;   // off the touch, besides the press's own depth: the device has left the place
-constexpr double kRestMm = 1e-12;  // rounding in a solver that starts where it ended
-// A proxy further off is elsewhere. Across the push: a bur that has slipped off an edge. Along it: a pivot that
-// overlaps in a groove stands two bur radii too deep, which is its fault but not elsewhere.
+constexpr double kStartAboveMm = 0.25;  // mm above the touch where a run begins
+constexpr double kReadyMm = 0.02;  // mm a tick at the end of the approach
+constexpr double kLostMm = 10.0;   // mm beyond the press depth: the device has left the place
+constexpr double kRestMm = 1e-12;  // mm; rounding of a solver at rest
+// mm; a proxy further off has left the place. Across the push: a bur off an edge. Along it: a pivot that overlaps in a
+// groove stands two bur radii too deep, which is an overlap and no departure.
 constexpr double kLostAsideMm = 0.5, kLostThroughMm = 1.5;
 constexpr int kRampTicks = 300;  // longer than GuardSettings::ramp_in_ms
 constexpr int kMostApproachTicks = 200;
 constexpr int kConfirmPlaces = 10;  // of the grid: 20 %
-constexpr int kConfirmStride = 8;   // below those: places of the grid that this divides
+constexpr int kConfirmStride = 8;   // below those: places that this divides
 
 StepInput rearmed(Vec3 device) {
   StepInput out = input_at(device);
@@ -37,7 +37,7 @@ struct PressBench::Inner {
     exact = place->truth();
   }
 
-  /// The state to run on: one for all stiffnesses without a guard, one for each with it.
+  /// Makes the state: one for all stiffnesses with the guard off, one for each with it on.
   void make_state(double k) {
     if (state && (what.guard == GuardUse::off || k == guarded_k)) return;
     guarded_k = k;
@@ -54,7 +54,7 @@ struct PressBench::Inner {
   }
 
   KMaxCase what;
-  double guarded_k = 0.0;  // of the state, with the guard on
+  double guarded_k = 0.0;  // stiffness of the state, with the guard on
   std::unique_ptr<PressPlace> place;
   std::unique_ptr<Truth> exact;
   std::unique_ptr<StepState> state;
@@ -230,12 +230,12 @@ double k_at(int place) { return kKMaxFloor * std::pow(kKMaxFactor, place); }
 
 namespace {
 
-/// What a stiffness of the grid comes to, over the seeds: the first that fails.
+/// Tries stiffnesses of the grid with all seeds until one fails.
 class Tries {
  public:
   Tries(PressBench& bench, const KMaxCase& what) : bench_(bench), what_(what) {}
   bool fails(int place) {
-    // The seed that failed last is the likeliest to fail next.
+    // The seed that failed last is tried first.
     for (int i = 0; i < what_.seeds; ++i) {
       const int nth = i == 0 ? likely_ : i == likely_ ? 0 : i;
       ++runs_;
@@ -251,7 +251,7 @@ class Tries {
     out.beyond = first_failing >= kKMaxPlaces;
     out.k_max_n_per_mm = first_failing > 0 ? k_at(std::min(first_failing, kKMaxPlaces) - 1) : 0.0;
     if (!out.beyond && fails(first_failing)) {
-      // Again, to its end, for what it looks like.
+      // Repeats the run to its end for the cycle and the reason.
       const PressRun run = bench_.run(k_at(first_failing), seed_of(likely_));
       ++runs_;
       out.reason = run.verdict;
@@ -279,7 +279,7 @@ KMax find_k_max(PressBench& bench, const KMaxCase& what, double near_n_per_mm) {
   Tries tries(bench, what);
   int low = -1, high = kKMaxPlaces;
   if (near_n_per_mm >= kKMaxFloor) {
-    // Outwards from the guess in growing strides, until one place holds and a higher one fails.
+    // Outwards from the guess in doubling strides, until one place passes and a higher one fails.
     int at = static_cast<int>(std::lround(std::log(near_n_per_mm / kKMaxFloor) / std::log(kKMaxFactor)));
     for (int stride = 1; low < 0 || high == kKMaxPlaces; stride *= 2) {
       if (at < 0 || at >= kKMaxPlaces) break;
@@ -299,7 +299,7 @@ KMax find_k_max(PressBench& bench, const KMaxCase& what, double near_n_per_mm) {
       const int middle = (low + high) / 2;
       (tries.fails(middle) ? high : low) = middle;
     }
-    // Below: a place that fails begins the search anew beneath it.
+    // A failure below restarts the search beneath it.
     again = false;
     for (int place = high - 2; place >= 0 && !again; --place) {
       if (what.search == KMaxSearch::spot_checks && high - place > kConfirmPlaces && place % kConfirmStride != 0) continue;

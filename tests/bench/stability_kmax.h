@@ -1,19 +1,18 @@
-/// How stiff a wall may be before a hand and a device ring on it (k_max), for a contact method and for the exact proxy
-/// of the same shape, in the laboratory's closed loop.
+/// k_max: the largest stiffness at which hand and device are stable on a wall, for a contact method and for the exact
+/// proxy of the same shape, in the laboratory's closed loop.
 ///
-/// A run: from just above its place the device is led at 50 mm/s until the controller gives a first force; there it is
-/// let go at that speed, and the hand goes on until it presses with 1 N (a grip's spring; without a grip a push that
-/// grows as a wall of that stiffness would ask of 50 mm/s); then it presses for 2 s. The final 0.8 s decide
-/// (lab::Steadiness). Where a shape holds nothing sideways and nobody holds the device, a rail does: on a frictionless
-/// face the rest of a force quantum makes it drift, which is no vibration.
+/// Run: the device moves at kApproachMmS from above the place until the controller renders a first force. Then the drive
+/// releases it, and the hand continues until it presses with kPressN: by the grip's spring, or without a grip by a push
+/// that grows as if against that wall at kApproachMmS. It presses for kPressS; lab::Steadiness judges the final 0.8 s.
+/// Without a grip a rail holds the free directions, because on a frictionless face the force quantum makes the device
+/// drift.
 ///
-/// k_max: of the grid 0.05 N/mm times powers of 1.02, the last stiffness before the first at which a seed fails. Found
-/// by bisection on the grid, and confirmed by looking below what it found: at every place of the 20 % beneath, at every
-/// eighth of the grid below that, the same ones whatever was found. A failure met there takes its place. What fails only
-/// between those is missed, unless every place is asked for.
+/// k_max is the last stiffness of the grid kKMaxFloor * kKMaxFactor^n before the first at which a seed fails. Bisection
+/// finds it. spot_checks then tries every place of the 20 % below and every eighth place beneath; a failure there
+/// replaces the result. A failure only between those places is missed unless every_place is set.
 ///
-/// Stiffness is a factor on the force of a scene of 1 N/mm (without friction the force is linear in it), so that
-/// specimen, cuts and state are made once for all stiffnesses; with the guard on the scene has it itself.
+/// The stiffness is a factor on the force of a scene of 1 N/mm, because without friction the force is linear in it. So
+/// one specimen and state serve all stiffnesses. With the guard on, the scene itself has the stiffness.
 #pragma once
 
 #include <memory>
@@ -46,7 +45,7 @@ struct KMaxCase {
   double bur_radius_mm = 0.5;
   double voxel_mm = 10.0 / 128;
   lab::DeviceSettings device;
-  lab::TransportSettings transport;  // its seed is the run's
+  lab::TransportSettings transport;  // run() sets the seed
   lab::Grip grip = lab::kNoGrip;
   int seeds = 5;
   std::uint64_t first_seed = 1;
@@ -57,14 +56,14 @@ struct KMaxCase {
 struct PressRun {
   lab::Steadiness::Verdict verdict = lab::Steadiness::Verdict::steady;
   double cycle_um = 0.0, cycle_hz = 0.0;  // peak to peak and frequency over the final 0.8 s
-  double window_mj = 0.0;                 // net energy out of the wall in it
+  double window_mj = 0.0;                 // net energy out of the wall in those 0.8 s
   double energy_mj = 0.0;                 // lab::ContactEnergy over the whole run
   // Of a method, where asked for:
   double force_step_mn = 0.0, guard_step_mn = 0.0;
   double penetration_um = 0.0;
-  double off_um = 0.0;  // farthest from the exact proxy at the same device point
+  double off_um = 0.0;  // largest distance from the exact proxy at the same device point
   int stuck_ms = 0;
-  bool left = false;  // the proxy ended elsewhere: slipped off an edge, fell through, flew off; counts as moving
+  bool left = false;  // the proxy ended elsewhere: off an edge, behind the wall, away; counts as moves
 };
 
 /// stop_early: a run ends when it has failed. compare_exact: the run also fills the differences from the exact proxy.
@@ -73,7 +72,7 @@ struct PressOptions {
   bool compare_exact = false;
 };
 
-/// A place and what answers there, made once and run at many stiffnesses, on many devices. One thread at a time.
+/// A place with its method, made once for many stiffnesses and devices. Thread: one at a time.
 class PressBench {
  public:
   explicit PressBench(const KMaxCase& what);
@@ -95,13 +94,13 @@ class PressBench {
 };
 
 struct KMax {
-  double k_max_n_per_mm = 0.0;                                         // 0: the lowest already fails
-  bool beyond = false;                                                 // nothing failed up to the grid's end
+  double k_max_n_per_mm = 0.0;                                         // 0: the lowest place fails
+  bool beyond = false;                                                 // no failure up to the grid's end
   lab::Steadiness::Verdict reason = lab::Steadiness::Verdict::steady;  // of the first stiffness that fails
   double cycle_um = 0.0, cycle_hz = 0.0;                               // there
-  bool left = false;                                                   // there, the bur left the place
-  std::uint64_t seed = 0;                                              // that fails there
-  int runs = 0;                                                        // how many it took
+  bool left = false;                                                   // the bur left the place there
+  std::uint64_t seed = 0;                                              // seed that fails there
+  int runs = 0;                                                        // number of runs
 };
 
 constexpr std::string_view key_of(lab::Steadiness::Verdict v) noexcept {
@@ -118,13 +117,13 @@ constexpr std::string_view key_of(lab::Steadiness::Verdict v) noexcept {
   return "steady";
 }
 
-double k_at(int place);  // of the grid
+double k_at(int place);  // stiffness of the grid, N/mm
 
-/// With a bench of the same place and method. near (N/mm): a guess, such as the exact proxy's; it saves half of the
-/// runs and does not change what is confirmed. 0: none.
+/// Pre: the bench has the same place and method. near_n_per_mm: a guess, such as the exact proxy's k_max; it saves half of
+/// the runs and changes no check. 0: none.
 KMax find_k_max(PressBench& bench, const KMaxCase& what, double near_n_per_mm = 0.0);
 KMax find_k_max(const KMaxCase& what);
-/// By the definition, place by place from the lowest: for tests.
+/// k_max by its definition, place by place from the lowest. bench_kmax_test compares find_k_max with it.
 KMax scan_k_max(PressBench& bench, const KMaxCase& what);
 
 

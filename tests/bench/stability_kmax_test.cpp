@@ -1,4 +1,4 @@
-// The search for k_max: places, runs and grid. What it says of the methods is stability_test.cpp's.
+// The search for k_max: places, runs and grid.
 #include "tests/bench/stability_kmax.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ KMaxCase cell(std::string_view place, std::optional<Method> method) {
   return c;
 }
 
-TEST(PressPlace, holds_the_exact_proxy_where_it_says_and_lets_it_down_freely) {
+TEST(PressPlace, HoldsTheExactProxyAtItsTouchAndLeavesTheApproachFree) {
   for (const std::string_view name : kPressCases)
     for (const double r : {0.25, 0.5}) {
       const auto place = PressPlace::make(name, r);
@@ -53,7 +53,7 @@ TEST(PressPlace, holds_the_exact_proxy_where_it_says_and_lets_it_down_freely) {
   EXPECT_EQ(PressPlace::make("elsewhere", 0.5), nullptr);
 }
 
-TEST(PressPlace, exact_proxy_in_the_fitting_pit_is_one_that_the_tissue_admits) {
+TEST(PressPlace, AdmitsTheExactProxyInTheFittingPit) {
   // Blind: 4000 points of the ball against the tissue's own distance, for device points all about the place.
   const double r = 0.5;
   const auto place = PressPlace::make("pit", r);
@@ -76,7 +76,7 @@ TEST(PressPlace, exact_proxy_in_the_fitting_pit_is_one_that_the_tissue_admits) {
   }
 }
 
-TEST(PressRun, is_the_same_for_the_same_seed_and_differs_for_another) {
+TEST(PressRun, RepeatsForTheSameSeedAndDiffersForAnother) {
   KMaxCase c = cell("face", std::nullopt);
   PressBench bench(c);
   const PressRun a = bench.run(1.0, 1), other = bench.run(1.0, 2), b = bench.run(1.0, 1);
@@ -85,7 +85,7 @@ TEST(PressRun, is_the_same_for_the_same_seed_and_differs_for_another) {
   EXPECT_NE(a.cycle_um, other.cycle_um);
 }
 
-TEST(PressRun, of_the_surface_proxy_does_not_depend_on_what_the_bench_ran_before) {
+TEST(PressRun, DoesNotDependOnEarlierRunsOfTheBench) {
   KMaxCase c = cell("groove", Method::surface);
   PressBench bench(c), fresh(c);
   bench.run(8.0, 3);  // rings
@@ -96,7 +96,7 @@ TEST(PressRun, of_the_surface_proxy_does_not_depend_on_what_the_bench_ran_before
   EXPECT_NEAR(a.energy_mj, b.energy_mj, 1e-9);
 }
 
-TEST(PressRun, with_the_guard_on_does_not_depend_on_what_the_bench_ran_before) {
+TEST(PressRun, DoesNotDependOnEarlierRunsWithTheGuardOn) {
   KMaxCase c = cell("face", Method::surface);
   c.guard = GuardUse::on;
   PressBench bench(c), fresh(c);
@@ -110,7 +110,7 @@ TEST(PressRun, with_the_guard_on_does_not_depend_on_what_the_bench_ran_before) {
   EXPECT_NEAR(a.guard_step_mn, b.guard_step_mn, 1e-6);
 }
 
-TEST(PressRun, is_steady_on_a_soft_wall_and_rings_on_one_far_too_stiff) {
+TEST(PressRun, IsSteadyOnASoftWallAndRingsOnAStiffOne) {
   KMaxCase c = cell("face", std::nullopt);
   PressBench bench(c);
   EXPECT_EQ(bench.run(0.3, 1).verdict, Verdict::steady);
@@ -120,7 +120,7 @@ TEST(PressRun, is_steady_on_a_soft_wall_and_rings_on_one_far_too_stiff) {
   EXPECT_GT(stiff.window_mj, 0.01);
 }
 
-TEST(PressRun, feels_the_same_on_a_face_through_the_surface_proxy_as_through_the_exact_one) {
+TEST(PressRun, FeelsTheSameThroughTheSurfaceProxyAsThroughTheExactOne) {
   KMaxCase exact = cell("face", std::nullopt), surface = cell("face", Method::surface);
   PressBench a(exact), b(surface);
   for (const double k : {0.3, 1.0}) {
@@ -134,7 +134,7 @@ TEST(PressRun, feels_the_same_on_a_face_through_the_surface_proxy_as_through_the
   }
 }
 
-TEST(KMax, is_what_the_definition_finds_place_by_place) {
+TEST(KMax, EqualsTheScanOfEveryPlace) {
   for (const double damping : {2.0, 5.0}) {
     KMaxCase c = cell("face", std::nullopt);
     c.device.damping_ns_per_m = damping;
@@ -152,7 +152,7 @@ TEST(KMax, is_what_the_definition_finds_place_by_place) {
   }
 }
 
-TEST(KMax, falls_with_delay_and_rises_with_damping) {
+TEST(KMax, FallsWithDelayAndRisesWithDamping) {
   KMaxCase c = cell("face", std::nullopt);
   PressBench bench(c);
   double last = 1e9;
@@ -172,7 +172,7 @@ TEST(KMax, falls_with_delay_and_rises_with_damping) {
   }
 }
 
-TEST(KMax, of_nobody_holding_a_device_that_damps_too_little_is_none) {
+TEST(KMax, IsZeroForAnUnheldDeviceWithTooLittleDamping) {
   // 0.25 kg and 0.5 N s/m: a touch rings for seconds (2 m / b = 1 s) at every stiffness.
   KMaxCase c = cell("face", std::nullopt);
   c.grip = lab::kNoGrip;
@@ -183,7 +183,7 @@ TEST(KMax, of_nobody_holding_a_device_that_damps_too_little_is_none) {
   EXPECT_EQ(k.reason, Verdict::moves);
 }
 
-TEST(KMax, of_the_surface_proxy_is_that_of_the_exact_one_and_of_the_occupancy_proxy_is_not) {
+TEST(KMax, EqualsTheExactOneForTheSurfaceProxyAndNotForTheOccupancyProxy) {
   for (const std::string_view place : {"face", "corner", "groove"})
     for (const double friction : {0.0, 0.1}) {
       KMaxCase exact = cell(place, std::nullopt);
@@ -202,7 +202,7 @@ TEST(KMax, of_the_surface_proxy_is_that_of_the_exact_one_and_of_the_occupancy_pr
     }
 }
 
-TEST(KMax, of_a_penalty_that_a_press_goes_through_is_none_because_it_left) {
+TEST(KMax, IsZeroForAPenaltyThatThePressPasses) {
   // At 0.05 N/mm 1 N stands 20 mm deep: a shell of points that lies wholly in tissue pushes nowhere.
   KMaxCase c = cell("face", Method::penalty);
   const KMax k = find_k_max(c);
@@ -217,7 +217,7 @@ KMax found(double k) {
   return out;
 }
 
-TEST(KMaxSets, leave_a_cell_that_agrees_with_one_set) {
+TEST(KMaxSets, LeaveACellThatAgreesWithOneSet) {
   int asked = 0;
   const auto more = [&asked](int) { return ++asked, KMaxPair{found(9.0), found(9.0)}; };
   for (const double own : {0.91, 1.0, 1.09}) {
@@ -233,7 +233,7 @@ TEST(KMaxSets, leave_a_cell_that_agrees_with_one_set) {
   EXPECT_EQ(asked, 0);
 }
 
-TEST(KMaxSets, give_the_medians_of_five_where_the_first_is_off_by_more_than_a_tenth) {
+TEST(KMaxSets, GiveTheMediansOfFiveIfTheFirstIsOffByMoreThanATenth) {
   // By hand: the medians of these are 1.2 and 1.1, which no set has together; the first set is found anew as well.
   const double own[] = {1.5, 1.0, 1.2, 1.3, 1.1}, exact[] = {1.0, 1.1, 1.3, 0.9, 1.2};
   const auto more = [&](int i) { return KMaxPair{found(own[i]), found(exact[i])}; };

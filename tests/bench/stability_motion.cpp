@@ -1,4 +1,4 @@
-// Cases in which a bur goes its way: led by script, or by a hand in the laboratory's loop.
+// Cases of motion: scripted, or by a hand in the laboratory's closed loop.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -15,14 +15,14 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kSpeedMmS = 50.0;  // led
-constexpr double kHeldMmS = 20.0;   // a hand's intent
-constexpr double kDownMm = 0.05;    // a tick, on the way in
+constexpr double kSpeedMmS = 50.0;  // of scripted motion
+constexpr double kHeldMmS = 20.0;   // of a hand's intent
+constexpr double kDownMm = 0.05;    // mm a tick during the approach
 constexpr int kMotionTicks = 2000, kHeldMs = 1800, kInMs = 200;
-constexpr double kHeldPushN = 0.5;  // what a hand presses with
+constexpr double kHeldPushN = 0.5;  // N; push of a hand
 constexpr int kStallEveryMs = 150, kMostLateMs = 50;
 
-/// Runs until the budget is spent or as many are done as are wanted; one at least.
+/// Allows runs until the CPU budget is spent or most_runs are done; one at least.
 class Budget {
  public:
   explicit Budget(const CaseRun& what) : end_(core_time_s() + what.budget_s), most_(what.most_runs) {}
@@ -47,7 +47,7 @@ constexpr double kEnamelNPerMm = 2.0;
 
 void two_tissues(Scene& scene) { scene.tissues[index_of(Tissue::enamel)].stiffness_n_per_mm = kEnamelNPerMm; }
 
-/// A boundary between tissues is known to a voxel only: nearer than that, the exact proxy takes the method's K.
+/// Tissues are known by the voxel, so near their boundary the exact proxy takes the method's stiffness.
 void two_tissues(Pair& pair, const Shape& shape, double voxel_mm) {
   pair.stiffness = [&shape, voxel_mm, axis = shape.tool_axis()](const Exact& exact, const StepOutput& out) {
     const Frame frame = oblique_frame();
@@ -60,7 +60,7 @@ void two_tissues(Pair& pair, const Shape& shape, double voxel_mm) {
 
 enum class Ticks : std::uint8_t { on_time, late };
 
-/// How long the host is deaf from each millisecond on: 1 to 49 ms, every 150 ms.
+/// Length of the stall that begins at ms: 1 to 49 ms every 150 ms, else 0.
 int stall_at(Random& random, int ms) {
   return ms % kStallEveryMs == kStallEveryMs - 1 ? static_cast<int>(random.between(1.0, kMostLateMs)) : 0;
 }
@@ -92,7 +92,7 @@ void run_held(Pair& pair, const Shape& shape, const Setting& setting, std::uint6
   for (int ms = 0; ms <= kHeldMs - kInMs; ++ms) {
     const Vec3 at = slide.next();
     if (ms == 0) before = shape.before(at);
-    // Into the tissue; on a ball towards its middle, lest the hand pulls the bur round to the other side.
+    // Into the tissue. On a sphere towards its centre, or the hand pulls the bur round it.
     const Vec3 in = shape.name() == "sphere" ? unit(at - shape.before(at)) : -shape.tool_axis();
     way.push_back(at + in * deeper);
   }
@@ -175,7 +175,7 @@ Row run_thin_wall(const CaseRun& what) {
     const Vec3 aim(rho * std::cos(side), rho * std::sin(side), 0.0);
     const double before = std::min((r + kAboveMm) / cosine, kAsideBeforeMm / std::max(sine, 1e-9));
     const double beyond = std::min(kBeyondMm / cosine, kAsideMm / std::max(sine, 1e-9));
-    // Flat ways would begin below where the bur is clear of the wall.
+    // A flat approach starts higher, so that the bur begins clear of the wall.
     const Vec3 lifted(0.0, 0.0, std::max(0.0, r + 0.1 - cosine * before));
     const Vec3 from = frame.to_world(aim - way * before + lifted), to = frame.to_world(aim + way * beyond);
     lead(pair.state(), step, from, kFastestMm);
@@ -190,7 +190,7 @@ Row run_thin_wall(const CaseRun& what) {
       through = through || pair.behind(out.proxy_mm);
     }
     tally.end();
-    // Back the way it came; or, from behind the wall, round it.
+    // The bur returns along its path, or round the wall from behind it.
     if (through) {
       for (const Vec3 p : {frame.to_local(to) + Vec3(14.0, 0.0, 0.0), Vec3(18.0, 0.0, 8.0), Vec3(0.0, 0.0, 8.0)})
         lead(pair.state(), step, frame.to_world(p), 1.0);
@@ -209,12 +209,12 @@ Row run_thin_wall(const CaseRun& what) {
 
 namespace {
 
-constexpr int kGoneMs = 600, kLedGoneMs = 150, kLedMs = 500;  // a face gives way after; a led run lasts
+constexpr int kGoneMs = 600, kLedGoneMs = 150, kLedMs = 500;  // ms until give_way; length of a scripted run
 
-/// How a device point is led: `down` mm below where it began, by the millisecond.
+/// Moves the scripted device point `down` mm below its beginning in millisecond ms.
 using Led = std::function<StepOutput(int ms, double down)>;
 
-/// A bur leans on a face that gives way: a hand, or the device point led as `led` has it.
+/// A bur presses on a ChangingFace by a hand, or by the scripted motion `led`.
 Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::function<void(Pair&)>& gives_way,
                    const std::function<void(const Led&)>& led) {
   const auto scene = stability_scene(shape, what.method, what.voxel_mm, what.guard, what.setting.delay_ms);
@@ -259,7 +259,7 @@ Row run_giving_way(const CaseRun& what, const ChangingFace& shape, const std::fu
 
 Row run_vanishing(const CaseRun& what) {
   const SuddenHole shape(what.bur_radius_mm);
-  constexpr double kLedMm = 0.005;  // a tick, on downwards
+  constexpr double kLedMm = 0.005;  // mm a tick downwards
   const auto gives_way = [&shape](Pair& pair) {
     if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the pitfall");
     pair.replace(shape.truth_after(), shape.bur_radius_mm());
@@ -275,12 +275,12 @@ Row run_fragment(const CaseRun& what) {
   const auto detaches = [&shape](Pair& pair) {
     if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the cut");
     const auto names = find_loose_pieces(pair.state().volume(), pair.state().volume().cut_bricks());
-    if (names.empty()) throw std::runtime_error("the plate is not loose");
+    if (names.empty()) throw std::runtime_error("the plate is not detached");
     pair.name_fragment(names.front());
     pair.replace(shape.truth_after(), shape.bur_radius_mm());
   };
   Row row = run_giving_way(what, shape, detaches, [&off_ms](const Led& to) {
-    int last = kLedGoneMs;  // with a force
+    int last = kLedGoneMs;  // last millisecond with a force
     for (int ms = 1; ms <= kLedMs; ++ms)
       if (length(to(ms, 0.0).force_n) > 0.0) last = ms;
     off_ms = last == kLedMs ? kAbsent : std::fmax(off_ms, last + 1 - kLedGoneMs);
@@ -327,7 +327,7 @@ Row run_weight(const CaseRun& what) {
   const Budget budget(what);
   for (std::uint64_t run = 0; budget.more(static_cast<std::int64_t>(run)); ++run) {
     Random random(what.seed + run);
-    // Somewhere above the three walls' corner; a hand lets it rest there.
+    // A hand lowers the bur into the corner of three walls and lets it rest there.
     const Vec3 bottom = corner->before(corner->tool_axis() * -5.0);
     const Vec3 begin = bottom + corner->tool_axis() * random.between(0.2, 0.6);
     const Intent intent = [&](int ms) { return begin + (bottom - begin) * std::min(1.0, ms / double{kInMs}); };

@@ -16,7 +16,7 @@ constexpr double kTiltMost = 0.14;  // sideways part of a push into a hollow: 8 
 
 Vec3 unit_direction(const Frame& frame, Vec3 local) { return frame.direction(unit(local)); }
 
-/// A place on one of the benches' own shapes.
+/// A place on a Shape.
 class ShapePlace : public PressPlace {
  public:
   ShapePlace(std::string_view name, double r) : shape_(make_shape(name, r)) {}
@@ -109,7 +109,7 @@ class FittingPit : public Shape {
   double ball_;
 };
 
-/// A ball in a bowl hardly wider: about the bowl's middle its centre is free by `play`; higher up it rolls on the rim.
+/// A ball in a slightly wider bowl: its centre is free within `play` of the middle; higher up it rolls on the rim.
 class InBowl : public Truth {
  public:
   InBowl(const Frame& frame, double bowl, double ball) : frame_(frame), bowl_(bowl), ball_(ball) {}
@@ -141,8 +141,7 @@ class InBowl : public Truth {
 
 std::unique_ptr<Truth> FittingPit::truth() const { return std::make_unique<InBowl>(frame_, ball_, bur_radius_mm()); }
 
-/// A ball in a hole of its own width, deep below its mouth: its centre may be within `play` of a segment that begins at
-/// the bottom and leads out.
+/// A ball in a hole of its own width: its centre stays within `play` of the ray from the bottom outwards.
 class InHole : public Truth {
  public:
   InHole(Vec3 bottom, Vec3 out, double play) : bottom_(bottom), out_(out), play_(play) {}

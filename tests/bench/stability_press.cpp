@@ -1,4 +1,4 @@
-// How stiff a wall may be in one place, for a method and for the exact proxy; and what is met at half of that.
+// k_max of a method and of the exact proxy in one place, and the other measures at half of it.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -27,7 +27,7 @@ KMaxCase k_max_case(const CaseRun& what) {
   return out;
 }
 
-/// k_max of the exact proxy, which no method, guard or voxel changes: found once.
+/// k_max of the exact proxy, cached: no method, guard or voxel changes it.
 const KMax& exact_k_max(const CaseRun& what, KMaxSearch search = KMaxSearch::spot_checks) {
   using Key = std::tuple<std::string, double, double, double, double, double, std::string, std::uint64_t, KMaxSearch>;
   static std::map<Key, KMax> known;
@@ -45,7 +45,7 @@ const KMax& exact_k_max(const CaseRun& what, KMaxSearch search = KMaxSearch::spo
   return found->second;
 }
 
-/// Of the first set, and of more where that leaves it open and `what` wants them.
+/// k_max of the first set of seeds, and of more sets if that is unsettled and `what.settle` is set.
 KMaxSets k_max_sets(PressBench& bench, const KMaxCase& own, const CaseRun& what) {
   const KMaxPair first{find_k_max(bench, own), exact_k_max(what)};
   const double near = first.own.k_max_n_per_mm;
@@ -81,7 +81,7 @@ Row press_row(const CaseRun& what) {
   }
   row.cycle_um = found.own.cycle_um;
   row.cycle_hz = found.own.cycle_hz;
-  // At half of what it may be, with every seed that stands in it.
+  // At half of the smaller k_max, with every seed.
   const double half = 0.5 * std::min(row.k_max_n_per_mm, row.k_exact_n_per_mm);
   row.runs = own.seeds * found.sets;
   row.passed_through = row.stuck = 0;

@@ -22,7 +22,7 @@ double late_mj_of(const lab::LoopTick& tick) {
 
 double larger(double a, double b) { return std::isnan(a) ? b : std::max(a, b); }
 
-/// The hand's way and its rest: calls tick(ms) for each millisecond, after telling the plant what the hand intends.
+/// Sets the hand's intent of each millisecond and calls tick(ms), for the motion and the rest.
 template <class Tick>
 lab::Steadiness run_intent(lab::ClosedLoop& loop, const Intent& intent, int ms, Tick&& tick) {
   lab::Steadiness steady;
@@ -98,7 +98,7 @@ void Tally::add(const StepOutput& out, const Exact& exact, const Contact& contac
   const bool apart = !(length(out.proxy_mm - exact.pose_mm) <= contact.near_mm);
   run_.push_back({out.force_n, contact.exact_n, out.guard_acts != 0, apart, exact.vanished});
   if (out.faulted) {
-    // The proxy waits for the re-arm: that is no jam.
+    // A latched fault holds the proxy, which does not count as stuck.
     note_stuck();
   } else {
     stuck_.add(exact.pose_mm, out.proxy_mm);
@@ -113,7 +113,7 @@ void Tally::interrupt() {
 }
 
 void Tally::note_steps() {
-  // From a tick that stood apart back to where that began, and on to where it ends.
+  // Skips the ticks around a vanished minimum in which both proxies stand apart.
   const std::size_t n = run_.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (!run_[i].vanished) continue;
@@ -127,7 +127,7 @@ void Tally::note_steps() {
   steps_.interrupt();
   bool acted = false;
   for (const Moment& m : run_) {
-    // A rise from a force that the guard held down is the guard's as well.
+    // The guard also owns the rise after a tick that it limited.
     const bool guarded = m.acted || acted;
     if (m.skip && !guarded) steps_.interrupt();
     const auto step = steps_.add(m.force_n, m.exact_n, guarded);

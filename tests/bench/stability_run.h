@@ -1,5 +1,5 @@
-/// A run of `stability`: a method (behind its guard, or without) and the exact proxy of the same shape at the same
-/// device points, tick by tick; the device point led, or in the laboratory's closed loop with a hand.
+/// A run of `stability`: a method and the exact proxy of the same shape at the same device points, tick by tick. The
+/// device point is scripted, or a hand moves it in the laboratory's closed loop.
 #pragma once
 
 #include <functional>
@@ -18,21 +18,21 @@
 
 namespace cusp::bench {
 
-inline constexpr double kStabilityNPerMm = 1.0;  // K of all tissue, unless a case has its own
+inline constexpr double kStabilityNPerMm = 1.0;  // stiffness of all tissue, unless a case has its own
 
-/// scene_of with the guard as a session has it, or with every part of it off.
+/// scene_of with the guard of a session, or with every part of it off.
 std::shared_ptr<Scene> stability_scene(const Shape& shape, Method method, double voxel_mm, GuardUse guard,
                                        double delay_ms = 0.0);
 
-/// A device and the hand in front of it.
+/// A device and the hand that holds it.
 struct Setting {
   double mass_kg = 0.1, damping_ns_per_m = 2.0, friction_n = 0.0, delay_ms = 0.0;
-  /// none, soft, firm; scripted: the device point is led, no hand and no device are in the loop.
+  /// none, soft, firm; scripted: no hand and no device are in the loop.
   std::string_view grip = "scripted";
   bool weighs = false;  // gravity pulls at the device
 
   bool in_loop() const { return grip != "scripted"; }
-  lab::DeviceSettings device() const;  // falcon's encoder, force quantum and limit
+  lab::DeviceSettings device() const;  // with the Falcon's encoder, force quantum and limit
   lab::Grip hand() const;
   lab::TransportSettings transport(std::uint64_t seed) const;
 };
@@ -41,17 +41,13 @@ void name_setting(Row& row, const Setting& setting);
 /// "m0.1-b2": kilograms, N s/m.
 std::string device_name(double mass_kg, double damping_ns_per_m);
 
-/// What was met in the runs of one row.
+/// Largest measures over the runs of one row.
 class Tally {
  public:
   /// A run begins.
   void begin();
-  /// A tick. exact_n: force of the exact proxy. clearance_mm: exact, of the bur at the method's proxy. vanished: the
-  /// exact minimum ceased to be in it. near_mm: as far as this from the exact proxy the method stands with it.
-  ///
-  /// Where an exact minimum vanishes, both go on to another face, and the method may do so a little sooner or later:
-  /// the ticks in which they stand apart for that (kSooner before, kLater after at most) are a first contact, no force
-  /// step.
+  /// exact_n: force of the exact proxy. clearance_mm: exact, at the method's proxy. near_mm: within this distance the
+  /// method stands with the exact proxy.
   struct Contact {
     Vec3 exact_n{0.0};
     double clearance_mm = 0.0;
@@ -59,12 +55,14 @@ class Tally {
     double near_mm = 0.0;
   };
   void add(const StepOutput& out, const Exact& exact, const Contact& contact);
+  /// Ticks before and after a vanished exact minimum in which the method may move to the next face at another time. They
+  /// are a first contact and no force step.
   static constexpr int kSooner = 50, kLater = 100;
-  /// Of a tick that add() was not told of: what the hand got.
+  /// Adds the rendered force of a tick without an exact proxy.
   void add_force(const StepOutput& out);
-  /// The method's pivot stands where only a way through tissue leads.
+  /// The pivot is behind the tissue.
   void mark_passed() { through_ = true; }
-  /// A swap, a re-arm: the next rise is none.
+  /// The next force step does not count (exchange, re-arm).
   void interrupt();
   void add_loop(const lab::LoopTick& tick);
   void add_exact_loop(const lab::LoopTick& tick);
@@ -76,7 +74,7 @@ class Tally {
   void fill(Row& row);
 
  private:
-  /// What a force step is taken from. skip: no step to here; ends: none from here.
+  /// Input of a force step. skip: no step to this tick; ends: no step from it.
   struct Moment {
     Vec3 force_n{0.0}, exact_n{0.0};
     bool acted = false, apart = false, vanished = false, skip = false, ends = false;
@@ -98,8 +96,8 @@ class Tally {
   bool through_ = false, was_stuck_ = false;
 };
 
-/// How long a method has been stuck: behind the exact proxy for 50 ms, not merely late by some after it jumped. The
-/// watch looks 50 ms back, and so counts the 49 before a jump as well. 0: not stuck.
+/// Time for which a method stays behind the exact proxy, ms; 0 below 50 ms. lab::StuckWatch looks 50 ms back and so also
+/// counts the 49 ms before a jump, which this subtracts.
 int stuck_for_ms(const lab::StuckWatch& watch);
 int stuck_for_ms(int watched_ms);
 
@@ -113,25 +111,23 @@ class Pair {
   Truth& truth() { return *truth_; }
   double bur_radius_mm() const { return radius_mm_; }
 
-  /// Both stand at an admissible centre, clear of everything, with the guard's ramp behind them.
+  /// Moves both to an admissible centre without contact and waits for the guard's ramp.
   void bring(Vec3 centre);
-  /// Another exact proxy, which starts where the one before stood (a cut, an exchange).
+  /// Replaces the exact proxy after a cut or an exchange; the new one starts at the pose of the old one.
   void replace(std::unique_ptr<Truth> truth, double bur_radius_mm);
   /// The input, with a re-arm where a fault has lasted for kRearmTicks.
   StepInput rearmed(StepInput input);
-  /// A step, and a move of the exact proxy, into the tally. Where the exact minimum vanishes, the ticks until the
-  /// method stands with the new one again (100 at most) are a first contact, and no force step.
+  /// Steps the method and the exact proxy and adds the tick to the tally.
   StepOutput tick(const StepInput& input, Tally& tally);
   /// Force of the exact proxy in the last tick.
   Vec3 exact_n() const { return exact_n_; }
 
-  /// A piece that has been cut loose, named to the step in the next inputs, as the loop does.
+  /// Names a detached fragment to the step in the next inputs, as the loop does.
   void name_fragment(std::uint32_t name) { named_ = {static_cast<std::uint16_t>(0x8000u | name >> 15), static_cast<std::uint16_t>(name & 0x7fffu)}; }
 
-  /// K of the exact proxy where the tissue is not all alike, by the contact point (its ball's lowest) and what the
-  /// method answered.
+  /// Stiffness of the exact proxy in mixed tissue, from the exact contact and the method's output; empty: 1 N/mm.
   std::function<double(const Exact&, const StepOutput&)> stiffness;
-  /// Where the pivot has no business to be.
+  /// True behind the tissue, where the pivot must not be; empty: never.
   std::function<bool(Vec3)> behind;
 
  private:
@@ -140,29 +136,29 @@ class Pair {
   std::unique_ptr<Truth> truth_;
   double radius_mm_;
   Vec3 exact_n_{0.0};
-  std::vector<std::uint16_t> named_;  // halves of a name that are still to be said
+  std::vector<std::uint16_t> named_;  // halves of the name not yet sent
   int faulted_ = 0;
 };
 
-/// A hand's intent at a millisecond of its way: device points that it would go through if nothing were there.
+/// Device point that the hand intends at millisecond ms, as if in free space.
 using Intent = std::function<Vec3(int ms)>;
 
-/// What happens in a hand's run besides.
+/// Events during a hand's run, for the method's loop and the exact proxy's loop.
 struct Events {
   std::function<void(int ms, Pair& pair, lab::ClosedLoop& loop)> method;  // nullptr: nothing
   std::function<void(int ms, std::unique_ptr<Truth>& truth, lab::ClosedLoop& loop)> exact;
 };
 
-/// A latched fault is re-armed after so many ticks, as somebody at the desk would.
+/// Ticks after which rearmed() re-arms a latched fault, as an operator does.
 inline constexpr int kRearmTicks = 100;
 
-/// A hand follows `intent` for so many milliseconds and then holds still for kHoldMs. First the method (with the exact
-/// proxy at the same device points), then the exact proxy on its own in the same loop. Both begin at `start`.
+/// A hand follows `intent` for `ms` milliseconds and then rests for kHoldMs. The method runs first, with the exact proxy
+/// at the same device points; then the exact proxy runs in a loop of its own. Both begin at `start`.
 inline constexpr int kHoldMs = 2000;
 void run_hand(Pair& pair, const Shape& shape, const Setting& setting, Vec3 start, const Intent& intent, int ms,
               std::uint64_t seed, Tally& tally, const Events& events = {});
 
-/// How deep behind the surface a hand has to mean to be so that it presses with force_n on stiffness K.
+/// Intended depth behind the surface at which a hand presses with force_n on a wall of k_n_per_mm.
 double depth_for(const Setting& setting, double force_n, double k_n_per_mm = kStabilityNPerMm);
 
 }  // namespace cusp::bench

@@ -1,9 +1,9 @@
-/// k_max of a cell beside the exact proxy's, with more seeds where five are too few to compare them.
+/// k_max of a cell and of the exact proxy, with more seeds if five do not settle the ratio.
 ///
-/// Five seeds leave k_max itself uncertain where the net energy of a window goes up and down about its bound
-/// (README.md, "How fine k_max is"). Where the first set gives a ratio that is off by more than kSettledShare, both are
-/// found anew with kMostSets sets of five seeds, at every place of the grid as the definition has it, and the cell's
-/// figures are the medians of the sets. The rule is the same for every cell, and looks at the first set alone.
+/// Near the limit the net energy of a window crosses its bound of 0.01 mJ several times, so k_max depends on the seeds:
+/// the exact proxy's own k_max spreads by 13 to 29 % over five sets. If the ratio of the first set differs from 1 by more
+/// than kSettledShare, both are found again with kMostSets sets of five seeds by KMaxSearch::every_place, and the medians
+/// count. The rule is the same for every cell and depends on the first set alone.
 #pragma once
 
 #include <functional>
@@ -16,30 +16,30 @@ namespace cusp::bench {
 inline constexpr double kSettledShare = 0.10;  // of the exact proxy's k_max
 inline constexpr int kMostSets = 5;            // odd: the median is one of them
 
-/// Of one set of seeds.
+/// Result of one set of seeds.
 struct KMaxPair {
   KMax own, exact;
 };
 
-/// What several sets came to, N/mm.
+/// k_max over several sets, N/mm.
 struct KMaxSpread {
   double median = 0.0, first = 0.0, least = 0.0, most = 0.0;
 };
 
 struct KMaxSets {
   int sets = 1;
-  KMax own;  // of the set that is the median
+  KMax own;  // of the median set
   KMaxSpread own_spread, exact_spread;
 };
 
-/// Pre: values are there, an odd number of them.
+/// Pre: an odd number of values.
 KMaxSpread spread_of(const std::vector<double>& values);
 
-/// True when a first set is not enough. guard: a method behind its guard is there to bear more; only less is off.
+/// True if the first set is not enough. With the guard on a larger k_max is expected; only a smaller one is unsettled.
 bool unsettled(GuardUse guard, double own_n_per_mm, double exact_n_per_mm);
 
-/// first: as quickly found. nth(i): of set i, from 0 (the first set's seeds again), place by place. most_sets: how many
-/// sets an unsettled cell takes, odd; 1: the first one stands.
+/// first: by spot checks. nth(i): set i by every place; set 0 has the seeds of the first. most_sets: odd number of sets of
+/// an unsettled cell; 1: the first result counts.
 KMaxSets settle(GuardUse guard, const KMaxPair& first, int most_sets, const std::function<KMaxPair(int)>& nth);
 
 }  // namespace cusp::bench

@@ -1,5 +1,4 @@
-// What breaks, breaks here: where the literature says that a method fails it has to fail, and what is to survive
-// survives. Runs are counted, never timed.
+// Methods fail where the literature says so, and the surface proxy does not fail. Runs are counted, never timed.
 #include "tests/bench/stability.h"
 
 #include <gtest/gtest.h>
@@ -32,8 +31,8 @@ Setting held(std::string_view grip) {
   return out;
 }
 
-TEST(ThinWall, holds_the_surface_proxy_from_every_side_at_up_to_a_metre_a_second) {
-  // 10,000 in the results; as many here as take a second.
+TEST(ThinWall, HoldsTheSurfaceProxyFromEverySideUpToAMetreASecond) {
+  // 7,581 in the results; as many here as take a second.
   const Row row = run_case(case_of("thin-wall", Method::surface, GuardUse::on, 1500));
   EXPECT_EQ(row.runs, 1500);
   EXPECT_EQ(row.passed_through, 0);
@@ -43,22 +42,21 @@ TEST(ThinWall, holds_the_surface_proxy_from_every_side_at_up_to_a_metre_a_second
   EXPECT_LE(row.guard_step_mn, kMostGuardStepMn);
 }
 
-TEST(ThinWall, lets_the_penalty_through_for_it_has_no_memory_of_the_side_it_came_from) {
-  // McNeely et al. 1999: "the tool can pass through thin features". If this ends, the literature's failure is not in
-  // it.
+TEST(ThinWall, LetsThePenaltyThrough) {
+  // McNeely et al. 1999: "the tool can pass through thin features". A pass here means that the case is too weak.
   const Row row = run_case(case_of("thin-wall", Method::penalty, GuardUse::on, 40));
-  EXPECT_GT(row.passed_through, 10) << "the penalty no longer falls through: what has changed?";
+  EXPECT_GT(row.passed_through, 10) << "the penalty no longer falls through";
 }
 
-TEST(Pivot, alone_lets_the_bur_into_the_tissue_by_its_radius) {
+TEST(Pivot, OverlapsTissueByTheBurRadius) {
   // The paper's literal reading: a voxel is free when the pivot is. The bur of 0.25 mm sinks in by as much.
   const Row pivot = run_case(case_of("voxel-size", Method::occupancy_pivot, GuardUse::off, 1));
-  EXPECT_GT(pivot.penetration_um, 200.0) << "the pivot-only proxy no longer overlaps: what has changed?";
+  EXPECT_GT(pivot.penetration_um, 200.0) << "the pivot-only proxy no longer overlaps";
   const Row whole = run_case(case_of("voxel-size", Method::occupancy, GuardUse::off, 1));
   EXPECT_LT(whole.penetration_um, 1000.0 * whole.voxel_mm);
 }
 
-TEST(Delay, of_3_ms_makes_an_unguarded_loop_ring_that_the_guard_keeps_still) {
+TEST(Delay, Of3MsMakesALoopRingThatTheGuardKeepsSteady) {
   Setting setting = held("soft");
   setting.delay_ms = 3.0;
   KMaxCase what;
@@ -70,14 +68,14 @@ TEST(Delay, of_3_ms_makes_an_unguarded_loop_ring_that_the_guard_keeps_still) {
   what.grip = setting.hand();
   PressBench bench(what);
   const PressRun bare = bench.run(kStabilityNPerMm, 1);
-  EXPECT_NE(bare.verdict, lab::Steadiness::Verdict::steady) << "the unguarded loop no longer rings: what has changed?";
+  EXPECT_NE(bare.verdict, lab::Steadiness::Verdict::steady) << "the unguarded loop no longer rings";
   EXPECT_GT(bare.cycle_um, kMostCycleUm);
   what.guard = GuardUse::on;
   bench.use(what);
   EXPECT_EQ(bench.run(kStabilityNPerMm, 1).verdict, lab::Steadiness::Verdict::steady);
 }
 
-TEST(Faults, take_the_force_away_within_a_tick_and_give_it_back_when_re_armed) {
+TEST(Faults, ZeroTheForceWithinATickAndRestoreItAfterReArming) {
   for (const std::string_view key : {"jump", "nan", "infinite", "out-of-range", "device-gone"}) {
     const Row row = run_case(case_of(key, Method::surface, GuardUse::on, 1));
     EXPECT_LE(row.zero_ms, kMostZeroMs) << key;
@@ -88,15 +86,15 @@ TEST(Faults, take_the_force_away_within_a_tick_and_give_it_back_when_re_armed) {
   EXPECT_LE(run_case(case_of("frozen", Method::surface, GuardUse::on, 1)).zero_ms, kMostFrozenMs);
 }
 
-TEST(Faults, are_seen_when_there_is_no_guard_so_the_case_can_fail) {
-  // A device that repeats itself, and one that jumps, are the guard's alone to notice.
+TEST(Faults, AreMissedWithoutTheGuard) {
+  // Only the guard detects a frozen or jumping device.
   EXPECT_TRUE(std::isnan(run_case(case_of("frozen", Method::surface, GuardUse::off, 1)).zero_ms));
   const Row jump = run_case(case_of("jump", Method::surface, GuardUse::off, 1));
   EXPECT_TRUE(std::isnan(jump.zero_ms));
   EXPECT_GT(jump.force_max_n, 5.0);
 }
 
-TEST(Exchange, of_specimen_or_bur_in_contact_does_not_kick) {
+TEST(Exchange, OfSpecimenOrBurInContactMakesNoForceStep) {
   for (const std::string_view key : {"specimen-exchange", "bur-exchange"}) {
     const Row row = run_case(case_of(key, Method::surface, GuardUse::on, 1));
     EXPECT_EQ(failures_of(row), std::vector<FailureKind>{}) << key;
@@ -104,12 +102,12 @@ TEST(Exchange, of_specimen_or_bur_in_contact_does_not_kick) {
   }
 }
 
-TEST(StartInside, comes_up_through_the_ramp) {
+TEST(StartInside, RaisesTheForceThroughTheRamp) {
   const Row row = run_case(case_of("start-inside", Method::surface, GuardUse::on, 10));
   EXPECT_EQ(failures_of(row), std::vector<FailureKind>{});
 }
 
-TEST(Tissue, that_vanishes_under_load_lets_go_and_does_not_kick) {
+TEST(Tissue, RemovedUnderLoadMakesNoForceStep) {
   for (const std::string_view grip : {"scripted", "firm"}) {
     const Row row =
         run_case(case_of("vanishing", Method::surface, GuardUse::on, 2, grip == "scripted" ? Setting{} : held(grip)));
@@ -117,25 +115,25 @@ TEST(Tissue, that_vanishes_under_load_lets_go_and_does_not_kick) {
   }
 }
 
-TEST(LateTicks, feed_no_more_than_force_times_the_hand_s_travel_in_them_besides_what_the_exact_proxy_feeds) {
-  // Ticks 1 to 49 ms late. Measured: 0.07 mJ in all, nothing left of it.
+TEST(LateTicks, FeedNoMoreThanForceTimesTravelBeyondTheExactProxy) {
+  // Ticks 1 to 49 ms late. Measured: 0.07 mJ in all, 0 without the late milliseconds.
   const Row row = run_case(case_of("late-ticks", Method::surface, GuardUse::on, 1, held("soft")));
-  EXPECT_GT(row.late_mj, 0.1) << "ticks were late";
+  EXPECT_GT(row.late_mj, 0.1) << "no tick was late";
   EXPECT_LE(row.energy_left_mj, row.energy_mj);
   EXPECT_LE(row.energy_left_mj, row.energy_exact_mj + kMostFedMj);
 }
 
-TEST(Fragment, cut_loose_under_the_bur_goes_within_100_ms) {
-  // Its last brick is gone 32 ticks after it was named. Measured: 32, 32 and 16 ms.
+TEST(Fragment, LosesItsForceWithin100MsOfDetaching) {
+  // The step removes the last brick 32 ticks after the name. Measured: 32, 32 and 16 ms.
   for (const Method method : {Method::surface, Method::occupancy, Method::gradient}) {
     const Row row = run_case(case_of("fragment", method, GuardUse::on, 2));
-    EXPECT_GT(row.zero_ms, 1.0) << "it was there and then it was not";
+    EXPECT_GT(row.zero_ms, 1.0) << "no force before the cut";
     EXPECT_LE(row.zero_ms, kMostFragmentMs) << key_of(method);
     EXPECT_EQ(row.stuck, 0) << key_of(method);
   }
 }
 
-TEST(Fragment, that_is_still_felt_after_it_has_gone_is_seen) {
+TEST(Fragment, IsAFailureIfItIsStillFeltAfterDetaching) {
   Row row;
   row.case_name = "fragment";
   row.grip = "scripted";
@@ -145,12 +143,12 @@ TEST(Fragment, that_is_still_felt_after_it_has_gone_is_seen) {
   EXPECT_TRUE(failures_of(row).empty());
 }
 
-TEST(Weight, of_the_grip_rests_in_a_corner_with_nobody_holding_it) {
+TEST(Weight, RestsInACornerWithoutAHand) {
   const Row row = run_case(case_of("grip-weight", Method::surface, GuardUse::on, 2, held("none")));
   EXPECT_EQ(failures_of(row), std::vector<FailureKind>{});
 }
 
-TEST(Tasks, of_the_paper_leave_no_vibration_in_the_surface_proxy_s_force) {
+TEST(Tasks, LeaveNoVibrationInTheSurfaceProxysForce) {
   for (std::string_view task : kTaskCases) {
     const Row row = run_case([&] {
       CaseRun out = case_of(task, Method::surface, GuardUse::on, 1);
@@ -161,7 +159,7 @@ TEST(Tasks, of_the_paper_leave_no_vibration_in_the_surface_proxy_s_force) {
   }
 }
 
-TEST(Vibration, is_what_goes_faster_than_20_hz) {
+TEST(Vibration, IsTheForceAbove20Hz) {
   const auto sine = [](double hz, double amplitude) {
     std::vector<Vec3> out;
     for (int i = 0; i < 2000; ++i) out.push_back({amplitude * std::sin(6.283185307179586 * hz * i * 1e-3), 0.3, 0.0});
@@ -172,7 +170,7 @@ TEST(Vibration, is_what_goes_faster_than_20_hz) {
   EXPECT_LT(vibration_n(sine(2.0, 0.01), 500, 1500), 1e-5);            // (2/20)^4 of it
 }
 
-TEST(Verdict, names_each_way_to_break) {
+TEST(Verdict, NamesEachKindOfFailure) {
   Row row;
   row.case_name = "tissues";
   row.voxel_mm = 0.1;
@@ -210,14 +208,14 @@ TEST(Verdict, names_each_way_to_break) {
   EXPECT_EQ(with([](Row& r) { r.zero_ms = 0.0; }), List{});
 }
 
-TEST(Stability, refuses_what_is_no_case_guard_grip_or_device) {
+TEST(Stability, RefusesAnUnknownCaseGuardGripOrDevice) {
   EXPECT_EQ(run_program({"stability", "--case", "anvil"}), kUsage);
   EXPECT_EQ(run_program({"stability", "--guard", "maybe"}), kUsage);
   EXPECT_EQ(run_program({"stability", "--grip", "iron"}), kUsage);
   EXPECT_EQ(run_program({"stability", "--device", "m9-b9"}), kUsage);
 }
 
-TEST(Stability, writes_a_row_for_each_guard_that_holds_all_that_it_promises) {
+TEST(Stability, WritesACompleteRowForEachGuard) {
   const auto path = std::filesystem::path(testing::TempDir()) / "cusp_stability.json";
   ASSERT_EQ(run_program({"stability", "--case", "nan", "--method", "surface", "--json", path.string()}), kDone);
   const auto report = read_json(path.string());
@@ -237,7 +235,7 @@ TEST(Stability, writes_a_row_for_each_guard_that_holds_all_that_it_promises) {
   std::filesystem::remove(path);
 }
 
-TEST(Stability, finds_k_max_of_a_method_and_of_the_exact_proxy_in_the_same_hand) {
+TEST(Stability, FindsKMaxOfMethodAndExactProxyWithTheSameHand) {
   CaseRun what = case_of("face", Method::surface, GuardUse::off, 1, held("soft"));
   what.budget_s = 0.1;
   const Row row = press_row(what);

@@ -12,11 +12,11 @@ namespace cusp::bench {
 
 namespace {
 
-constexpr double kShortMm = 0.02;       // between such places the least one and its neighbours tell the minimum
-constexpr double kStraightMm = 1e-4;    // off the straight line between its neighbours a place says nothing of a volume
+constexpr double kShortMm = 0.02;       // mm; at this spacing the nearest place and its neighbours give the minimum
+constexpr double kStraightMm = 1e-4;    // mm; places this near to a straight line do not change the volume
 constexpr double kRootCubeMm = 0.64;
 
-constexpr double kCubeEdgeCosine = 0.95;    // normals in a cube and in its parts that differ by more: an edge is in it
+constexpr double kCubeEdgeCosine = 0.95;    // a cube contains an edge if normals differ by more
 constexpr int kBisections = 9;               // halvings of a column: to a thousandth of a cube
 constexpr int kEdgeLevels = 1;          // halvings of a cube there
 
@@ -31,7 +31,7 @@ constexpr std::array<std::array<double, 2>, 8> kGauss = {{{0.019855071751231884,
                                                           {0.980144928248768116, 0.050614268145188130}}};
 constexpr int kPanels = 64;
 
-/// An outline as pieces, each growing or shrinking throughout; of a ball two quarters.
+/// The outline as monotone pieces; a ball has two quarters.
 std::vector<OutlinePiece> outline_of(const Bur& bur) {
   std::vector<OutlinePiece> out;
   if (bur.head.ball()) {
@@ -42,7 +42,7 @@ std::vector<OutlinePiece> outline_of(const Bur& bur) {
   return out;
 }
 
-/// Of a piece, at u in [0, 1]: its place, and how fast t goes with u.
+/// Point of a piece at u in [0, 1], and dt/du.
 struct OnPiece {
   OnHalf at;
   double speed;
@@ -51,14 +51,14 @@ OnPiece along(const OutlinePiece& piece, double u) {
   if (piece.radius == 0.0)
     return {{piece.from.t + (piece.to.t - piece.from.t) * u, piece.from.rho + (piece.to.rho - piece.from.rho) * u},
             piece.to.t - piece.from.t};
-  // By the angle from the tip's direction, so that the tip's pole is no root of the integrand.
+  // The angle from the tip's direction avoids a root of the integrand at the tip.
   const auto angle = [&](OnHalf p) { return std::atan2(p.rho - piece.centre.rho, -(p.t - piece.centre.t)); };
   const double a = angle(piece.from), b = angle(piece.to), now = a + (b - a) * u;
   return {{piece.centre.t - piece.radius * std::cos(now), piece.centre.rho + piece.radius * std::sin(now)},
           piece.radius * std::sin(now) * (b - a)};
 }
 
-/// The same way, where it turns.
+/// The turning points of a path.
 std::vector<Vec3> without_what_is_straight(const std::vector<Vec3>& places) {
   std::vector<Vec3> out{places.front()};
   for (std::size_t from = 0; from + 1 < places.size();) {
@@ -114,7 +114,7 @@ void SweptBur::golden(std::size_t segment, Vec3 place, Least& least) const {
   const Vec3 way = places_[segment + 1] - places_[segment];
   Vec3 g;
   head_distance(bur_, axis_, place - places_[segment], g);
-  if (glm::dot(g, way) <= 0.0) return;  // and that end has been looked at
+  if (glm::dot(g, way) <= 0.0) return;  // search() has tried that end
   head_distance(bur_, axis_, place - places_[segment + 1], g);
   if (glm::dot(g, way) >= 0.0) return;
   double x = b - kRatio * (b - a), y = a + kRatio * (b - a), fx = head(x, place, g), fy = head(y, place, g);
@@ -148,7 +148,7 @@ void SweptBur::search(const Span& span, Vec3 place, double far, Least& least) co
   Vec3 g;
   const double d = head_distance(bur_, axis_, place - places_[middle], g);
   if (d < least.distance) least = {d, along_[middle], g};
-  const bool lower = low < high;  // the likelier half first
+  const bool lower = low < high;  // the nearer half first
   if (lower) search({from, middle, low, d}, place, far, least);
   search({middle, to, d, high}, place, far, least);
   if (!lower) search({from, middle, low, d}, place, far, least);
@@ -215,8 +215,8 @@ double SweptBur::split_mm3(const Frame& face, Vec3 middle, double half, Vec3 gra
     if (std::fabs(parts[i].distance) < corner) edge = edge || glm::dot(parts[i].gradient, gradient) < kCubeEdgeCosine;
   }
   const bool last = half <= leaf_mm * 1.001;
-  // At an edge, and at a wall that an edge has left, a tangent plane is no surface: there the cubes are smaller, and
-  // columns are followed to where they leave it.
+  // Near an edge, and near a wall left by an edge, a tangent plane is no surface. There smaller cubes and columns are
+  // used.
   const bool finer = last && edge && edge_levels > 0 && !undercuts_;
   double sum = 0.0;
   for (std::size_t i = 0; i < 8; ++i) {

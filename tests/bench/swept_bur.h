@@ -1,5 +1,5 @@
-/// What a bur's head has swept, by brute force over its way from the exact profile: truth for what carving leaves. It
-/// shares the profile with the carving and nothing else. Lengths in mm; for benches and tests, not for the haptic thread.
+/// The volume swept by a bur's head, by brute force over its path from the exact profile: the truth for carving, with
+/// which it shares only the profile. Unit: mm. Thread: any but the haptic one.
 #pragma once
 
 #include <vector>
@@ -10,26 +10,24 @@
 
 namespace cusp::bench {
 
-/// The pivot goes straight from place to place, the axis stays.
+/// The pivot moves straight from place to place with a fixed axis.
 class SweptBur {
  public:
   /// Pre: two places at least, axis unit.
   SweptBur(const Bur& bur, Vec3 axis, std::vector<Vec3> places);
 
-  /// Signed distance to what was swept; inside it is the least of the distances to the heads, which is no deeper than the
-  /// true one. Exact to 0.01 um where the places are under 0.02 mm apart, else to kGoldenMm. Beyond far_mm, either way, it
-  /// may be any value beyond.
+  /// Signed distance to the swept volume; inside, the least distance to the heads, which is no deeper than the true one.
+  /// Exact to 0.01 um for places under 0.02 mm apart, else to kGoldenMm. Beyond +-far_mm any value beyond it may return.
   double distance_mm(Vec3 place, Vec3& gradient, double far_mm = 1e300) const;
   static constexpr double kGoldenMm = 1e-8;
 
-  /// Volume of what was swept behind a face (z < 0 of the frame), by cubes down to leaf_mm that the surface's tangent
-  /// plane cuts, and once more with half of that, extrapolated. Error with 0.04 mm: 2e-5, 1e-4 for an inverted cone
-  /// (swept_bur_test.cpp).
+  /// Swept volume behind a face (z < 0 of the frame): cubes down to leaf_mm cut by the tangent plane, extrapolated from
+  /// leaf_mm and half of it. Relative error at 0.04 mm: 2e-5, 1e-4 for an inverted cone (swept_bur_test.cpp).
   double volume_mm3(const Frame& face, double leaf_mm = 0.04) const;
 
  private:
   struct Least {
-    double distance, at;  // at: along the way
+    double distance, at;  // at: length along the path
     Vec3 gradient;
   };
   double head(double at, Vec3 place, Vec3& gradient) const;
@@ -51,13 +49,13 @@ class SweptBur {
   Bur bur_;
   Vec3 axis_;
   std::vector<Vec3> places_;
-  bool undercuts_ = false;      // a rim that is less than a right angle leaves the walls: within them no distance is near
-  std::vector<double> along_;  // length of the way up to each place
+  bool undercuts_ = false;      // an acute rim leaves walls, inside which distances are too large
+  std::vector<double> along_;  // path length at each place
 };
 
-/// Closed forms, of a bur upright on a face: what it has taken when its tip is `deep` behind the face, led down along its
-/// axis and then sideways by `aside_mm` (0, or its radius at least). Discs and strips exactly, their sum over the depth by
-/// Gauss's rule on each piece of the outline, to 1e-9 of it. Pre: deep no more than the head's length.
+/// Closed form of the volume that an upright bur removes: down along its axis to deep_mm, then sideways by aside_mm (0, or
+/// at least its radius). Discs and strips are exact; Gauss's rule on each part of the outline sums them to 1e-9.
+/// Pre: deep_mm at most the length of the head.
 double upright_mm3(const Bur& bur, double deep_mm, double aside_mm);
 
 /// Share of the unit cube about the origin that lies where n·x < level; closed form.

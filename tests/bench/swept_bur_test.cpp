@@ -1,4 +1,4 @@
-// The exact swept bur: against closed forms, and against looking at each place on the way.
+// The exact swept bur against closed forms and against every place of the path.
 #include "tests/bench/swept_bur.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Bur catalogue(const char* number) {
   return entry == nullptr ? Bur{} : entry->bur;
 }
 
-TEST(ShareOfACube, behind_a_plane_is_its_closed_form) {
+TEST(ShareOfACube, BehindAPlaneEqualsItsClosedForm) {
   // A half by symmetry; a slab; a corner's pyramid of edges 0.3: 0.3^3 / 6.
   EXPECT_NEAR(share_behind(unit({0.3, -0.5, 0.8}), 0.0), 0.5, 1e-12);
   EXPECT_NEAR(share_behind({0.0, 0.0, -1.0}, 0.2), 0.7, 1e-12);
@@ -35,7 +35,7 @@ TEST(ShareOfACube, behind_a_plane_is_its_closed_form) {
   EXPECT_EQ(share_behind({0.0, 0.0, 1.0}, -0.6), 0.0);
 }
 
-TEST(UprightVolume, is_the_textbooks) {
+TEST(UprightVolume, EqualsTheTextbooks) {
   // Ball of 0.5, 0.75 deep: half a ball and a cylinder; then a stadium. Cylinder of 0.5: discs and strips.
   const Bur ball = catalogue("2"), fissure = catalogue("57"), cone = catalogue("35");
   const double r = 0.5, half_ball = 2.0 / 3.0 * kPi * r * r * r;
@@ -48,7 +48,7 @@ TEST(UprightVolume, is_the_textbooks) {
   EXPECT_LT(upright_mm3(cone, 0.8, 1.5), (kPi * r * r + 2.0 * r * 1.5) * 0.8);
 }
 
-TEST(SweptBur, is_as_near_as_the_nearest_place_on_the_way_says) {
+TEST(SweptBur, IsAsNearAsTheNearestPlaceOnThePath) {
   // Every 0.1 um of the way: what lies between is nearer by less than half of that, and hardly.
   Random random(11);
   const Vec3 axis = unit({0.3, 0.45, 0.84});
@@ -69,14 +69,14 @@ TEST(SweptBur, is_as_near_as_the_nearest_place_on_the_way_says) {
       const double d = swept.distance_mm(place, gradient);
       EXPECT_LE(d, least + 1e-9) << number;
       EXPECT_GE(d, least - 5e-5) << number;
-      // Told that only less matters, it answers with something beyond.
+      // With far_mm the result is beyond it on the same side.
       const double far = 0.5 * std::fabs(d), bound = swept.distance_mm(place, gradient, far);
       EXPECT_TRUE(std::fabs(bound) >= far && (bound > 0.0) == (d > 0.0)) << number;
     }
   }
 }
 
-TEST(SweptBur, volume_by_cubes_is_the_closed_form) {
+TEST(SweptBur, HasTheVolumeOfTheClosedForm) {
   // Measured within 1.5e-5; within 4e-5 for the inverted cone, whose rim leaves walls that no head stays behind.
   const Frame face = Frame::of({0.11, 0.18, 1.0}, {1.0, 0.51, 0.0}, {0.013, 0.02, -0.03});
   for (const char* number : {"2", "35", "57", "330"}) {
@@ -95,7 +95,7 @@ TEST(SweptBur, volume_by_cubes_is_the_closed_form) {
   }
 }
 
-TEST(SweptBur, that_stays_before_the_face_takes_nothing) {
+TEST(SweptBur, TakesNothingInFrontOfTheFace) {
   const Bur bur = catalogue("57");
   const SweptBur swept(bur, {0.0, 0.0, 1.0}, {{0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}});
   EXPECT_EQ(swept.volume_mm3(Frame{}), 0.0);

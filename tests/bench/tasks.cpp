@@ -17,10 +17,10 @@ namespace cusp::bench {
 namespace {
 
 constexpr Method kShown[] = {Method::surface, Method::occupancy};
-constexpr int kPaceBatch = 250;  // ticks between looks at the clock, which costs as much as a tick
+constexpr int kPaceBatch = 250;  // ticks between clock readings, which cost as much as a tick
 constexpr std::size_t kPaceTrackTicks = 4096;
 
-/// Ticks of a task, one after the other, without end.
+/// An endless sequence of ticks of one task.
 class TaskRunner {
  public:
   TaskRunner(Method method, const Shape& face, std::string_view task) : method_(method), face_(face) {
@@ -67,7 +67,7 @@ class TaskRunner {
   int left_ = 0;
 };
 
-constexpr double kTouchMm = 0.4;  // how deep the device point goes while exploring
+constexpr double kTouchMm = 0.4;  // mm of the device point below the surface while exploring
 
 std::string_view task_at(double t) {
   return t < kFreeS ? "displacement" : t < kFreeS + kExploreS ? "exploration" : "perforation";
@@ -132,7 +132,7 @@ Vec3 scripted_device_mm(double t, const TaskBlock& block) {
             rest + 0.2 - (0.2 + deep) * std::min(1.0, 8.0 * u)};
   }
   const double u = (t - kFreeS - kExploreS) / kDrillS;
-  // A little ahead of what the bur can wear, and leaning to one side and the other.
+  // Slightly faster than the wear, with sideways motion.
   return {0.25 * std::sin(2.0 * kTurn * u), 0.15 * std::sin(3.0 * kTurn * u),
           rest - 0.3 * std::min(1.0, 8.0 * u) - kDrillS * u};
 }

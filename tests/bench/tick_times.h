@@ -1,4 +1,4 @@
-/// What ticks took, measured round step() alone.
+/// Durations of ticks, measured around step() alone.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace cusp::bench {
 
 using Clock = std::chrono::steady_clock;
 
-/// Pre: not empty; 0 <= share <= 1. The smallest value that at least this share of them does not exceed; sorts.
+/// The nearest-rank percentile; sorts the values. Pre: not empty, 0 <= share <= 1.
 double percentile(std::vector<double>& values, double share);
 
 class TickTimes {

@@ -8,8 +8,8 @@ namespace cusp::bench {
 
 struct Exact {
   Vec3 pose_mm{0.0};
-  bool contact = false;   // the proxy is not at the device point
-  bool vanished = false;  // in this tick the minimum that held the proxy ceased to be, and it went to another
+  bool contact = false;   // the proxy differs from the device point
+  bool vanished = false;  // in this tick the proxy's minimum vanished and it moved to another
 };
 
 class Truth {
@@ -18,16 +18,16 @@ class Truth {
 
   virtual ~Truth() = default;
 
-  /// Signed clearance of the bur's ball: distance from its surface to the tissue, negative inside. Cuts are met with
-  /// the surface proxy's own clearance (SurfaceContact::kClearanceMm) where the shape has any.
+  /// Distance from the surface of the ball to the tissue, negative inside. Cut shapes include the surface proxy's own
+  /// clearance, SurfaceContact::kClearanceMm, so that the method is compared and not its clearance.
   virtual double clearance_mm(Vec3 centre) const = 0;
 
-  /// Device point and proxy at an admissible centre.
+  /// Sets device point and proxy. Pre: centre is admissible.
   virtual void start(Vec3 centre) {
     device_ = centre;
     exact_ = {place(centre), false, false};
   }
-  /// The device point has moved straight from where it was.
+  /// Moves the device point straight to `device`, in kSubSteps.
   virtual Exact follow(Vec3 device) {
     Exact out;
     const Vec3 from = device_;
@@ -44,7 +44,7 @@ class Truth {
   const Exact& exact() const { return exact_; }
 
  protected:
-  /// Forgets the past: the nearest admissible centre, which is where the proxy stands from now on.
+  /// Sets the proxy to the nearest admissible centre, without memory.
   virtual Vec3 place(Vec3 centre) = 0;
   void keep(const Exact& exact) { exact_ = exact; }
   /// One sub-step.

@@ -1,5 +1,5 @@
-// The exact proxy against finite differences, against the tissue itself, and against a search that knows only whether a
-// centre is admissible. CUSP_TOLERANCE_ZERO=1 prints the residuals by failing every bound.
+// The exact proxy against finite differences, the tissue itself, and a blind search over admissible centres.
+// CUSP_TOLERANCE_ZERO=1 prints the residuals by failing every bound.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,7 +74,7 @@ void along(const Shape& shape, int ticks, double speed_mm_s, See see) {
 
 class TruthOf : public testing::TestWithParam<Case> {};
 
-TEST_P(TruthOf, touches_the_tissue_and_pushes_along_the_clearances_gradient) {
+TEST_P(TruthOf, TouchesTheTissueAndPushesAlongTheGradientOfClearance) {
   const auto shape = shape_of(GetParam());
   double angle = 0.0, depth = 0.0;
   int smooth = 0, held = 0;
@@ -83,7 +83,7 @@ TEST_P(TruthOf, touches_the_tissue_and_pushes_along_the_clearances_gradient) {
     ++held;
     depth = std::max(depth, std::fabs(truth.clearance_mm(exact.pose_mm)) * 1000.0);
     const Vec3 g = slope_of(truth, exact.pose_mm);
-    if (std::fabs(length(g) - 1.0) > 1e-5) return;  // on two faces at once the gradient is between them
+    if (std::fabs(length(g) - 1.0) > 1e-5) return;  // on two faces at once the gradient lies between them
     ++smooth;
     const Vec3 push = exact.pose_mm - device;
     angle = std::max(angle, std::atan2(length(glm::cross(push, g)), glm::dot(push, g)) * 57.29578);
@@ -96,7 +96,7 @@ TEST_P(TruthOf, touches_the_tissue_and_pushes_along_the_clearances_gradient) {
   EXPECT_LE(angle, bound(1e-5));  // degrees; measured 3e-7, on a cut
 }
 
-TEST_P(TruthOf, holds_a_ball_that_contains_no_tissue_and_would_with_a_hair_more) {
+TEST_P(TruthOf, HoldsTheLargestBallWithoutTissue) {
   const auto shape = shape_of(GetParam());
   // 40,000 directions are 1.3 % of a radius apart: between two of them a ball dips less than 2e-5 of its radius.
   std::vector<Vec3> rays;
@@ -119,7 +119,7 @@ TEST_P(TruthOf, holds_a_ball_that_contains_no_tissue_and_would_with_a_hair_more)
   EXPECT_GE(seen, 40);
 }
 
-TEST_P(TruthOf, is_where_a_blind_search_ends_that_only_asks_what_is_admissible) {
+TEST_P(TruthOf, IsWhereABlindSearchEnds) {
   const auto shape = shape_of(GetParam());
   Random random(11);
   Vec3 c(0.0), last(0.0);
@@ -137,7 +137,7 @@ TEST_P(TruthOf, is_where_a_blind_search_ends_that_only_asks_what_is_admissible) 
       last = device;
       return;
     }
-    // Small random moves, kept when they are admissible and lead nearer to a device point that comes along in 8 parts.
+    // Keeps small random moves that are admissible and approach the device point, which moves in 8 parts.
     for (int part = 1; part <= 8; ++part) {
       const Vec3 q = last + (device - last) * (part / 8.0);
       int poor = 0;
@@ -158,7 +158,7 @@ TEST_P(TruthOf, is_where_a_blind_search_ends_that_only_asks_what_is_admissible) 
       }
     }
     last = device;
-    // Where a minimum vanishes, or is about to, the search may leave a little sooner or later.
+    // Near a vanishing minimum the search may leave it earlier or later.
     calm = exact.vanished ? 0 : calm + 1;
     if (length(c - exact.pose_mm) > 0.03 && calm < 8) {
       c = exact.pose_mm;
@@ -170,7 +170,7 @@ TEST_P(TruthOf, is_where_a_blind_search_ends_that_only_asks_what_is_admissible) 
     nearer = std::max(nearer, -more);
   });
   EXPECT_GE(compared, 40);
-  // um of spring. A blind search stops short in corners and in a hole of 1 um clearance; it never gets past the truth.
+  // um of spring. A blind search stops short in corners and in a hole of 1 um clearance; it never passes the truth.
   EXPECT_LE(further, bound(hole ? 30.0 : 10.0));  // measured 16 and 5.2
   EXPECT_LE(nearer, bound(0.03));
 }
@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(EveryShape, TruthOf,
                            return name;
                          });
 
-TEST(Truth, of_a_press_starts_at_the_spot_and_stays_at_the_nearest_point_of_a_smooth_shape) {
+TEST(Truth, StaysAtTheNearestPointOfASmoothShapeInAPress) {
   for (const char* name : {"face", "sphere", "pit", "cylinder", "wall"}) {
     const auto shape = make_shape(name, 0.25);
     const auto truth = shape->truth();
@@ -203,7 +203,7 @@ TEST(Truth, of_a_press_starts_at_the_spot_and_stays_at_the_nearest_point_of_a_sm
   }
 }
 
-TEST(Truth, leaves_the_upper_face_of_an_edge_only_where_its_minimum_ends) {
+TEST(Truth, LeavesTheUpperFaceOfAnEdgeOnlyWhereItsMinimumEnds) {
   // A bur of 0.25 mm, device point 0.05 mm below the top: over the edge the top's nearest point ceases to be one.
   const auto shape = make_shape("edge", 0.25);
   int vanished = 0;
@@ -216,7 +216,7 @@ TEST(Truth, leaves_the_upper_face_of_an_edge_only_where_its_minimum_ends) {
   EXPECT_EQ(rolled, 0);
 }
 
-TEST(Truth, of_a_bur_in_its_own_hole_leaves_it_the_clearance_and_no_more) {
+TEST(Truth, LeavesABurInItsOwnHoleTheClearanceAndNoMore) {
   const Hole hole(0.25, HoleKind::straight, 4, 0.001);
   const auto truth = hole.truth();
   truth->start(hole.bottom());
@@ -226,7 +226,7 @@ TEST(Truth, of_a_bur_in_its_own_hole_leaves_it_the_clearance_and_no_more) {
   EXPECT_NEAR(length(exact.pose_mm - up), 0.001, bound(2e-6));  // 1 um aside; a ring of 64: 1.2 nm more at most
 }
 
-TEST(Input, is_quantised_to_a_tenth_of_a_micrometre) {
+TEST(Input, IsQuantisedToATenthOfAMicrometre) {
   const StepInput input = input_at({0.12344, -1.00006, 2.5});
   EXPECT_EQ(input.x, 1234);
   EXPECT_EQ(input.y, -10001);

@@ -13,15 +13,15 @@ std::vector<FailureKind> failures_of(const Row& row) {
     if (broken) out.push_back(b);
   };
   is(FailureKind::through, row.passed_through > 0);
-  // Who falls through overlaps as well: once is enough.
+  // Falling through includes overlapping.
   is(FailureKind::overlap, out.empty() && row.penetration_um > 1000.0 * row.voxel_mm);
   is(FailureKind::stuck, row.stuck > 0);
   is(FailureKind::kicks, row.force_step_mn > kMostStepMn || row.guard_step_mn > kMostGuardStepMn);
-  // With k_max, the cycle is that of the first stiffness that fails: no failure of the row's.
+  // A row with k_max holds the cycle of the first failing stiffness, which is no failure of the row.
   const bool press = std::ranges::any_of(kPressCases, [&row](std::string_view c) { return c == row.case_name; });
   is(FailureKind::rings, (!press && row.cycle_um > kMostCycleUm && row.cycle_um > 2.0 * row.cycle_exact_um) ||
                         row.vibration_mn > kMostVibrationMn);
-  // Of each episode its own late ticks; a table that does not know them apart has those of the whole run.
+  // energy_left_mj excludes each episode's late ticks; without it the late energy of the whole run is subtracted.
   const double late = std::isnan(row.late_mj) ? 0.0 : row.late_mj;
   const double left = std::isnan(row.energy_left_mj) ? row.energy_mj - late : row.energy_left_mj;
   is(FailureKind::feeds, left > row.energy_exact_mj + kMostFedMj);

@@ -14,7 +14,7 @@ void high_pass(std::vector<Vec3>& x) {
   const double w = std::tan(std::numbers::pi * kVibrationHz * 1e-3);
   const double norm = 1.0 / (1.0 + std::sqrt(2.0) * w + w * w);
   const double b = norm, a1 = 2.0 * (w * w - 1.0) * norm, a2 = (1.0 - std::sqrt(2.0) * w + w * w) * norm;
-  // As if what is first had been so for ever.
+  // Initial state: the first sample for all time before.
   Vec3 x1 = x.empty() ? Vec3(0.0) : x.front(), x2 = x1, y1(0.0), y2(0.0);
   for (Vec3& v : x) {
     const Vec3 y = b * (v - 2.0 * x1 + x2) - a1 * y1 - a2 * y2;

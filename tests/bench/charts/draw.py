@@ -22,7 +22,7 @@ from tables import Missing, read_all
 
 
 def svg(figure):
-    """The same figure, the same text: neither date nor random ids."""
+    """The figure as SVG without date and random ids, so that equal figures give equal text."""
     out = io.StringIO()
     figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
     style.plt.close(figure)
@@ -30,7 +30,7 @@ def svg(figure):
 
 
 def draw_all(tables):
-    """[name]: text of every file. Raises Missing, which names the rows that are not there."""
+    """[name]: text of every file. Raises Missing with the names of missing rows."""
     t = tables
     out = {
         "speed-accuracy-r025.svg": svg(contact_charts.speed_against_accuracy(t["accuracy"], t["rate"], 0.25)),

@@ -80,7 +80,7 @@ def stability(table):
 
 
 def worst(rows, field):
-    """The largest size of a value; NaN where there is none."""
+    """The largest absolute value of a field; NaN if no row holds it."""
     return max((abs(r.number(field)) for r in rows if r.holds(field)), default=math.nan)
 
 
@@ -89,7 +89,7 @@ def resolved(table, measure, method="surface"):
 
 
 def removal(table, full=None):
-    """full: the rows of `removal --full`, each below the line that it widens; None where it was not run."""
+    """The table of removal. full: rows of `removal --full`, each below the row that it extends; None without them."""
     def percent(value):
         return f"{value:.2g} %"
 
@@ -107,7 +107,7 @@ def removal(table, full=None):
         of_occupancy += "; along the axes at 1 ms and full push " + percent(along)
     ridges = [r.number("ridge_um") for r in resolved(table, "ridge") if r.holds("ridge_um")]
     shaped = {r.text("bur") for r in table.where(measure="shape")}
-    # what, goal, of which table, value of the surface proxy, how it reads, the occupancy method's
+    # quantity, goal, value of the surface proxy, its format, the occupancy method's value
     wanted = [
         ("drilling speed, every pair of voxel, tick, direction, tissue, push and bur", "1 %", worst(resolved(table, "speed"), "error_percent"), percent, of_occupancy),
         (f"all {len(full.where(measure='speed', method='surface')) if full else 0} of the 1.0 mm round bur at 0.1 mm", "1 %", worst(resolved(full, "speed"), "error_percent"), percent, "–"),

@@ -6,14 +6,14 @@ from style import COLOURS, MARKS, QUIET, TEXT
 from tables import Missing
 
 SHOWN = ("surface", "occupancy")
-LAYER_MM, BUR_MM, CLEAR_MM = 10 / 3, 0.5, 0.1  # of the block, its bur's radius, and what a slope stays clear of a seam
+LAYER_MM, BUR_MM, CLEAR_MM = 10 / 3, 0.5, 0.1  # thickness of a layer, radius of the bur, distance of a slope from a seam
 TISSUES = ("dentine", "bone", "enamel")
 LEAST_PERCENT = 1e-3  # smaller values stand at the frame's foot
 GOALS = {"surface": 1.0, "occupancy": 5.0}  # percent; the occupancy method's along an axis
 
 
 def axes_along(direction):
-    """How many axes a direction as "+x-y" goes along."""
+    """Number of axes in a direction such as "+x-y"."""
     return sum(direction.count(a) for a in "xyz")
 
 
@@ -76,8 +76,8 @@ def speed_error(removal):
     fig = style.figure(
         860, 520, "Error of the drilling speed against voxel size, tick and direction",
         "Every pair of voxel, tick, direction, tissue, push and bur; one mark per run, read from the remaining surface.",
-        f"{removal.source}. Circles: surface proxy. Squares: occupancy proxy. Dashed: goals, 1 % and (along an axis) 5 %.\n"
-        "Hollow: radius under 3 voxels.")
+        f"{removal.source}. Circles: surface proxy, goal 1 %. Squares: occupancy proxy, goal 5 % along an axis. Hollow: radius under "
+        "3 voxels.")
     panels = (("voxel, mm", lambda r: f"{r.number('voxel_mm'):.2g}"), ("tick, ms", lambda r: f"{r.number('tick_ms'):g}"),
               ("direction: number of axes", lambda r: str(axes_along(r.text("direction")))))
     for i, (title, group_of) in enumerate(panels):

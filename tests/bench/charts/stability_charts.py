@@ -22,11 +22,11 @@ FAILURES = {"through": "falls through", "overlap": "overlaps tissue by more than
             "kicks": "force step over 50 mN", "rings": "limit cycle", "feeds": "feeds energy to the hand", "stays-on": "force stays on"}
 # The device of the laboratory, in the hand that holds it (tests/bench/stability.cpp, usual_setting).
 USUAL = {"device": "m0.1-b2", "grip": "soft", "friction_n": "0", "delay_ms": "1"}
-# k_max over the exact proxy's: colours fall in lightness to both sides, so that grey shows it too.
+# k_max over the exact proxy's. Lightness falls to both sides, so that the chart reads in grey.
 STEPS = ((0.5, "#D55E00", "white", "under 0.5"), (0.85, "#F3B27A", TEXT, "0.5 to 0.85"), (1.15, "#EEF1F4", TEXT, "as the exact proxy"),
          (1.75, "#8FC1E3", TEXT, "1.15 to 1.75"), (math.inf, "#0072B2", "white", "over 1.75"))
 FAILED, FINE, SIGN, NOTHING = "#FBE3D2", "#F7F8FA", "#8A3B00", "#AEB6BE"
-SEARCH_END_N_PER_MM = 10.29  # of stability_kmax.h: what is stable there is stable to the end of the search
+SEARCH_END_N_PER_MM = 10.29  # end of the grid of stability_kmax.h
 
 
 def sign(axes, kind, x, y, h, colour):
@@ -181,12 +181,12 @@ TICK_S = 1e-3
 
 
 def colgate_n_per_mm(damping_ns_per_m):
-    """Colgate and Schenkel 1997: a wall on a sampled device is passive below K = 2 b / T."""
+    """Colgate and Schenkel 1997: a sampled device renders a passive wall below K = 2 b / T."""
     return 2 * damping_ns_per_m / TICK_S / 1000
 
 
 def abbott_okamura_n_per_mm(damping_ns_per_m, friction_n):
-    """Abbott and Okamura 2005: read by an encoder, below min(2 b / T, 2 f / encoder step)."""
+    """Abbott and Okamura 2005: with an encoder, below min(2 b / T, 2 f / encoder step)."""
     return min(colgate_n_per_mm(damping_ns_per_m), 2 * friction_n / ENCODER_STEP_MM)
 
 

@@ -1,4 +1,4 @@
-"""What all charts share: how a method looks, headings, axes, and places for labels. Colours: Okabe and Ito."""
+"""Shared by all charts: colours and marks of methods, headings, axes, label placement. Colours: Okabe and Ito."""
 import math
 
 import matplotlib
@@ -29,7 +29,7 @@ plt.rcParams.update({
 
 
 def figure(wide, high, title, below, footing):
-    """A figure of so many pixels with its title, one sentence below it, and lines at its foot."""
+    """A figure of wide x high pixels with a title, a subtitle and a footing."""
     fig = plt.figure(figsize=(wide * PX, high * PX))
     fig.text(20 / wide, 1 - 30 / high, title, fontsize=13.5, fontweight="bold")
     fig.text(20 / wide, 1 - 50 / high, below, fontsize=9.5, color=QUIET)
@@ -46,7 +46,7 @@ def panel(fig, left, top, right, bottom):
 
 
 def short(value):
-    """62 k, 1.5 M, 0.25: as people read numbers."""
+    """Three digits with a unit prefix: 62 k, 1.5 M, 0.25."""
     for unit, name in ((1e6, " M"), (1e3, " k")):
         if abs(value) >= unit * 0.9995:
             return f"{value / unit:.3g}{name}"
@@ -70,7 +70,7 @@ def lettered(axis, low, high, at):
 
 
 def apart(places, least):
-    """Moves places on a line, in their order, until neighbours are at least so far apart; the group keeps its middle."""
+    """Moves places on a line until neighbours are at least `least` apart; order and middle stay."""
     order = sorted(range(len(places)), key=lambda i: places[i])
     out = list(places)
     for before, i in zip(order, order[1:]):
@@ -93,7 +93,7 @@ def name_ends(axes, ends, gap=9, line=15):
 
 
 class Room:
-    """Where labels may stand: boxes already taken, in points. The first free place of a ring about a point is taken."""
+    """Label placement: keeps the occupied boxes, in points."""
 
     def __init__(self, axes):
         self.axes, self.boxes = axes, []
@@ -104,7 +104,7 @@ class Room:
         self.boxes.append((px - half, py - half, px + half, py + half))
 
     def take_line(self, points):
-        """A line as small boxes along it, so that labels stand beside it."""
+        """Occupies a line by small boxes along it."""
         pixels = [self.axes.transData.transform(p) for p in points]
         for (ax, ay), (bx, by) in zip(pixels, pixels[1:]):
             steps = max(1, round(math.hypot(bx - ax, by - ay) / 3))
@@ -124,7 +124,7 @@ class Room:
         return out
 
     def label(self, x, y, text, reach, **font):
-        """The label stands beside the point, on the ring and side that overlap least; a line leads to a far one."""
+        """Places a label beside a point on the ring and side with the least overlap; a line leads to a distant label."""
         label = self.axes.annotate(text, (x, y), (0, 0), textcoords="offset points", ha="center", va="center", **font)
         extent = label.get_window_extent(self.renderer)
         half_w, half_h = extent.width / 2 + 2, extent.height / 2 + 1

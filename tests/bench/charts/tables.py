@@ -8,11 +8,11 @@ OPTIONAL = ("stability-full", "removal-full")
 
 
 class Missing(Exception):
-    """Rows that a chart or table needs are not there. Nothing is drawn without them."""
+    """Rows that a chart or table needs are missing; nothing is drawn."""
 
 
 class Row(dict):
-    """A field that the row does not hold is "" as text and NaN as a number."""
+    """A row; an absent field is "" as text and NaN as a number."""
 
     def text(self, name):
         return self.get(name, "")
@@ -41,7 +41,7 @@ class Table:
 
 
 def read(path):
-    """The first line is "# commit …, machine …". Raises Missing if it is another."""
+    """Reads a table with the first line "# commit …, machine …". Raises Missing for any other file."""
     with open(path, newline="", encoding="utf-8") as file:
         head = file.readline().strip()
         if not head.startswith("# commit ") or ", machine " not in head:
@@ -65,7 +65,7 @@ def read_all(folder):
 
 
 def mean(values):
-    """Of what is no NaN; NaN where there is nothing."""
+    """Mean of the values that are not NaN; NaN if there are none."""
     there = [v for v in values if not math.isnan(v)]
     return sum(there) / len(there) if there else math.nan
 
