@@ -261,7 +261,7 @@ Row run_vanishing(const CaseRun& what) {
   const SuddenHole shape(what.bur_radius_mm);
   constexpr double kLedMm = 0.005;  // mm a tick downwards
   const auto gives_way = [&shape](Pair& pair) {
-    if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the pitfall");
+    if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the hole");
     pair.replace(shape.truth_after(), shape.bur_radius_mm());
   };
   return run_giving_way(what, shape, gives_way, [](const Led& to) {
