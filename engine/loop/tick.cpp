@@ -7,8 +7,6 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr std::uint64_t kMarkTicks = 1000;  // once a second at 1 kHz
-
 double softest_of(const Scene& scene) {
   const Specimen& specimen = *scene.specimen;
   std::array<bool, kTissueCodes> there{};

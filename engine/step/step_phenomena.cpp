@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/step/methods.h"
-#include "engine/volume/hash.h"
 
 namespace cusp::engine {
 
@@ -81,13 +80,6 @@ void rest(PhenomenaState& state, double dt_s, StepOutput& out) noexcept {
   advance(state.spindle, state.settings, 0.0, 0.0, kStallRadiusMm, dt_s);
   static_cast<void>(advance(state.heat, {0.0, 0.0, false, dt_s}));
   tell(state, out);
-}
-
-void add_to(Hash64& hash, const PhenomenaState& state) noexcept {
-  hash.add_double(state.spindle.rpm);
-  hash.add_double(state.heat.rise_k);
-  hash.add(static_cast<std::uint64_t>(state.vibration.phase) | std::uint64_t{state.spindle.stalled} << 32 |
-           std::uint64_t{state.heat.over} << 33);
 }
 
 }  // namespace cusp::engine

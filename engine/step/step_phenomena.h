@@ -11,7 +11,6 @@
 namespace cusp::engine {
 
 struct Tick;
-class Hash64;
 
 struct PhenomenaState {
   explicit PhenomenaState(const Scene& scene) noexcept;
@@ -37,7 +36,5 @@ void work(PhenomenaState& state, const Scene& scene, const StepInput& input, Vec
 
 /// Of a tick without force (a fault): runs down, cools down.
 void rest(PhenomenaState& state, double dt_s, StepOutput& out) noexcept;
-
-void add_to(Hash64& hash, const PhenomenaState& state) noexcept;
 
 }  // namespace cusp::engine
