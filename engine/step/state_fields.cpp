@@ -151,7 +151,7 @@ class Reader {
 bool in_range(const StepState::Inner& s) noexcept {
   const std::size_t burs = s.scene->burs.size();
   if (s.last.bur >= burs || index_of(s.last.tissue) >= kTissueCodes || s.guard.fault > Fault::stale) return false;
-  if (s.owed_piece.bur >= burs || s.owed_piece.next < -1) return false;
+  if (s.pending_sweep.bur >= burs || s.pending_sweep.next < -1) return false;
   for (std::size_t i = 0; i < s.memory.size(); ++i) {
     const std::int32_t head = s.memory.segment(i).by.head;
     if (head < CutMemory::Sweeper::kBall || head >= static_cast<std::int32_t>(burs)) return false;

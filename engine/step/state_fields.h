@@ -75,15 +75,15 @@ void visit(Fields& f, T& guard) {
   visit(f, passivity);
 }
 
-template <class Fields, MaybeConst<StepState::Inner::Owed> T>
-void visit(Fields& f, T& owed) {
-  auto& [from, to, axis, bur, start_carved, next] = owed;
-  f("owed_piece.from", from);
-  f("owed_piece.to", to);
-  f("owed_piece.axis", axis);
-  f("owed_piece.bur", bur);
-  f("owed_piece.start_carved", start_carved);
-  f("owed_piece.next", next);
+template <class Fields, MaybeConst<StepState::Inner::PendingSweep> T>
+void visit(Fields& f, T& sweep) {
+  auto& [from, to, axis, bur, start_carved, next] = sweep;
+  f("pending_sweep.from", from);
+  f("pending_sweep.to", to);
+  f("pending_sweep.axis", axis);
+  f("pending_sweep.bur", bur);
+  f("pending_sweep.start_carved", start_carved);
+  f("pending_sweep.next", next);
 }
 
 template <class Fields, MaybeConst<PhenomenaState> T>
@@ -128,54 +128,54 @@ void visit(Fields& f, T& memory) {
   }
 }
 
-template <class Fields, MaybeConst<LeavingPiece::Entry> T>
+template <class Fields, MaybeConst<FragmentRemoval::Entry> T>
 void visit(Fields& f, T& entry) {
   auto& [brick, voxels] = entry;
-  f("leaving.entry.brick", brick);
-  for (auto& slice : voxels.slice) f("leaving.entry.voxels", slice);
+  f("fragment_removal.entry.brick", brick);
+  for (auto& slice : voxels.slice) f("fragment_removal.entry.voxels", slice);
 }
 /// A brick and eight slices.
-inline constexpr std::size_t kLeavingEntryBytes = 4 + 8 * 8;
+inline constexpr std::size_t kFragmentEntryBytes = 4 + 8 * 8;
 
 /// bricks: of the specimen.
-template <class Fields, MaybeConst<LeavingPiece> T>
-void visit(Fields& f, T& leaving, int bricks) {
-  std::uint16_t half = leaving.half();
-  f("leaving.half", half);
-  const std::size_t count = f.size("leaving.entries", leaving.entries().size(), kLeavingEntryBytes);
+template <class Fields, MaybeConst<FragmentRemoval> T>
+void visit(Fields& f, T& removal, int bricks) {
+  std::uint16_t half = removal.half();
+  f("fragment_removal.half", half);
+  const std::size_t count = f.size("fragment_removal.entries", removal.entries().size(), kFragmentEntryBytes);
   if constexpr (std::is_const_v<T>) {
-    for (const LeavingPiece::Entry& entry : leaving.entries()) visit(f, entry);
+    for (const FragmentRemoval::Entry& entry : removal.entries()) visit(f, entry);
   } else {
-    std::vector<LeavingPiece::Entry> entries(leaving.entries().begin(), leaving.entries().end());
+    std::vector<FragmentRemoval::Entry> entries(removal.entries().begin(), removal.entries().end());
     entries.resize(count);
-    for (LeavingPiece::Entry& entry : entries) visit(f, entry);
-    if (!leaving.load(half, entries, bricks)) f.refuse();
+    for (FragmentRemoval::Entry& entry : entries) visit(f, entry);
+    if (!removal.load(half, entries, bricks)) f.refuse();
   }
 }
 
-/// Which parts of the cut's surface are sharp, brick by brick in index order. Pre: the surface's volume has been visited.
+/// Which parts of the cut's surface are resolved, brick by brick in index order. Pre: the surface's volume has been visited.
 template <class Fields, MaybeConst<SurfaceContact> T>
 void visit(Fields& f, T& surface, const Volume& volume, int bricks) {
   const CutSurface& cut = surface.cut_surface();
-  bool sharpens = cut.sharpens();
-  f("surface.sharpens", sharpens);
+  bool resolves = cut.resolves();
+  f("surface.resolves", resolves);
   constexpr bool kWrites = !std::is_const_v<T>;
-  std::vector<CutSurface::Parts> sharp(kWrites ? static_cast<std::size_t>(bricks) : 0);  // [brick]
+  std::vector<CutSurface::Parts> resolved(kWrites ? static_cast<std::size_t>(bricks) : 0);  // [brick]
   for (int brick = 0; brick < bricks; ++brick) {
     if (!volume.has_cut(brick)) continue;
-    CutSurface::Parts parts = cut.sharp(volume, brick);
-    f("surface.sharp", parts);
-    if constexpr (kWrites) sharp[static_cast<std::size_t>(brick)] = parts;
+    CutSurface::Parts parts = cut.resolved(volume, brick);
+    f("surface.resolved", parts);
+    if constexpr (kWrites) resolved[static_cast<std::size_t>(brick)] = parts;
   }
   if constexpr (kWrites)
-    surface.load_sharp(volume, sharpens, [&](int brick) { return sharp[static_cast<std::size_t>(brick)]; });
+    surface.load_resolved(volume, resolves, [&](int brick) { return resolved[static_cast<std::size_t>(brick)]; });
 }
 
 template <class Fields, MaybeConst<StepState::Inner> T>
 void visit(Fields& f, T& state) {
   // scene is what the state is of; fronts and method are made from it.
-  [[maybe_unused]] auto& [scene, volume, last, guard, proxy, device, astray, strays, cut_pose, velocity, started, cut_valid,
-                          cut_pending, cut_from, cut_axis, owed_piece, owed, foot, memory, leaving, fronts, surface, method,
+  [[maybe_unused]] auto& [scene, volume, last, guard, proxy, device, predicted_excess, prediction_holds, cut_pose, velocity, started, cut_valid,
+                          cut_pending, cut_from, cut_axis, pending_sweep, wear_remainder, foot, memory, fragment_removal, fronts, surface, method,
                           phenomena] = state;
   const IVec3 count = scene->specimen->brick_count();
   const int bricks = count.x * count.y * count.z;
@@ -183,8 +183,8 @@ void visit(Fields& f, T& state) {
   visit(f, guard);
   f("proxy", proxy);
   f("device", device);
-  f("astray", astray);
-  f("strays", strays);
+  f("predicted_excess", predicted_excess);
+  f("prediction_holds", prediction_holds);
   f("cut_pose", cut_pose);
   f("velocity", velocity);
   f("started", started);
@@ -192,11 +192,11 @@ void visit(Fields& f, T& state) {
   f("cut_pending", cut_pending);
   f("cut_from", cut_from);
   f("cut_axis", cut_axis);
-  visit(f, owed_piece);
-  for (auto& remainder : owed) f("owed", remainder);
+  visit(f, pending_sweep);
+  for (auto& remainder : wear_remainder) f("wear_remainder", remainder);
   f("foot", foot);
   visit(f, memory);
-  visit(f, leaving, bricks);
+  visit(f, fragment_removal, bricks);
   if (phenomena) {
     std::conditional_t<std::is_const_v<T>, const PhenomenaState, PhenomenaState>& phenomena_state = *phenomena;
     visit(f, phenomena_state);

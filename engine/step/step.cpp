@@ -14,7 +14,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
   out.elapsed_us = elapsed_us;
   out.buttons = static_cast<std::uint16_t>(sample.buttons & 0x1fff);
   out.pedal = sample.pedal;
-  out.loose = 0;
+  out.fragment = 0;
   out.bur = sample.bur;
   if (sample.status == Sample::Status::late) out.buttons |= StepInput::kLate;
   if (sample.status == Sample::Status::gone) out.buttons |= StepInput::kGone;
@@ -140,18 +140,18 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), state.guard.stale_ms, first);
   if (!first && out.bur != state.last.bur) {
     release(state.guard);
-    out.overflow = !state.method->lift(state);
+    out.overflow = !state.method->end_stroke(state);
   }
 
-  const bool piece_goes = input.loose != 0 || state.leaving.active();
-  if (piece_goes) out.overflow = !let_pieces_go(state, input.loose) || out.overflow;
+  const bool fragment_leaves = input.fragment != 0 || state.fragment_removal.active();
+  if (fragment_leaves) out.overflow = !remove_fragments(state, input.fragment) || out.overflow;
 
   const double dt_ms = std::min(elapsed_ms, scene.guard.late_ms);
   if (state.guard.fault != Fault::none) {
     // The proxy stays; after re-arming it walks to wherever the device is by then.
     out.proxy_mm = first ? device : state.proxy;
     out.faulted = true;
-    out.overflow = !state.method->lift(state) || out.overflow;
+    out.overflow = !state.method->end_stroke(state) || out.overflow;
     state.velocity = Vec3(0.0);
     release(state.guard);
     if (!first) state.device = device;
@@ -166,7 +166,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.last.bur = out.bur;
     state.proxy = first_pose(state, device, out.axis);
   }
-  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, piece_goes};
+  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, fragment_leaves};
   // Where the device went while the guard was latched is no speed.
   const bool anew = first || (input.buttons & StepInput::kRearm) != 0;
   if (!state.phenomena) {

@@ -89,14 +89,14 @@ StepState busy_state(const std::shared_ptr<const Scene>& scene) {
   EXPECT_TRUE(cut_along(state, 0, {0.14, -0.6, -0.2}, {0.14, 0.6, -0.2}));
   EXPECT_TRUE(cut_along(state, 0, {0.14, -0.6, 0.2}, {0.14, 0.6, 0.2}));
   for (int k = 0; k < 330; ++k) step(state, over_the_block(k));
-  const auto names = find_loose_pieces(state.volume(), state.volume().cut_bricks());
+  const auto names = find_severed_fragments(state.volume(), state.volume().cut_bricks());
   EXPECT_EQ(names.size(), 1u);
   const auto high = static_cast<std::uint16_t>(0x8000u | names.at(0) >> 15);
   const auto low = static_cast<std::uint16_t>(names.at(0) & 0x7fffu);
   int k = 330;
   for (const std::uint16_t half : {high, low, high}) {
     StepInput input = over_the_block(k++);
-    input.loose = half;
+    input.fragment = half;
     step(state, input);
   }
   return state;
@@ -126,11 +126,11 @@ TEST_P(StateFields, hashes_and_saves_every_field_of_the_list) {
   EXPECT_EQ(not_hashed, std::set<std::string>{});
   EXPECT_EQ(not_saved, std::set<std::string>{});
   // What a list has only where there is something: the scene is one that has it.
-  EXPECT_TRUE(fields.contains("leaving.entry.voxels"));
+  EXPECT_TRUE(fields.contains("fragment_removal.entry.voxels"));
   EXPECT_TRUE(fields.contains("phenomena.heat.rise_k"));
   EXPECT_TRUE(fields.contains("volume.cuts"));
   EXPECT_EQ(fields.contains("memory.segment.by.axis"), GetParam() == Method::surface);
-  EXPECT_EQ(fields.contains("surface.sharp"), GetParam() == Method::surface);
+  EXPECT_EQ(fields.contains("surface.resolved"), GetParam() == Method::surface);
 }
 
 TEST_P(StateFields, goes_on_alike_for_a_thousand_ticks_once_it_is_restored) {
