@@ -22,7 +22,7 @@ constexpr std::size_t kMostVarint = 10;  // bytes of 64 bits in groups of 7
 using Columns = std::array<std::int64_t, kFields>;
 
 Columns columns_of(const StepInput& in) noexcept {
-  return {in.x, in.y, in.z, in.qx, in.qy, in.qz, in.qw, in.buttons, in.pedal, in.bur, in.loose, in.elapsed_us};
+  return {in.x, in.y, in.z, in.qx, in.qy, in.qz, in.qw, in.buttons, in.pedal, in.bur, in.fragment, in.elapsed_us};
 }
 
 /// False when a value does not fit its field.
@@ -33,7 +33,7 @@ bool input_of(const Columns& c, StepInput& out) noexcept {
   };
   return put(c[0], out.x) && put(c[1], out.y) && put(c[2], out.z) && put(c[3], out.qx) && put(c[4], out.qy) &&
          put(c[5], out.qz) && put(c[6], out.qw) && put(c[7], out.buttons) && put(c[8], out.pedal) &&
-         put(c[9], out.bur) && put(c[10], out.loose) && put(c[11], out.elapsed_us);
+         put(c[9], out.bur) && put(c[10], out.fragment) && put(c[11], out.elapsed_us);
 }
 
 /// A hand moves on smoothly: positions are foretold in a straight line, all else as unchanged.

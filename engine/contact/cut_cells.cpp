@@ -44,7 +44,7 @@ Tissue tissue_under(const Volume& volume, IVec3 cell, Vec3 place) noexcept {
 }
 }  // namespace
 
-bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i, bool sharp) noexcept {
+bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i, bool resolved) noexcept {
   if (made_count_ == made_.size()) return true;
   ++cells_made_;
   const int o = points.normal[i].cell();
@@ -58,12 +58,12 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
     least = d < least ? d : least;
     most = d > most ? d : most;
   }
-  if (!sharp && least > kTaken) return false;
+  if (!resolved && least > kTaken) return false;
   Made& made = made_[made_count_];
   made = Made{};
   made.at = place;
   base_feature(volume.specimen().surface(), points, i, volume.grid().voxel_mm, made.feature);
-  if (!sharp && most < -kUntouched) {
+  if (!resolved && most < -kUntouched) {
     ++made_count_;
     return false;
   }
@@ -71,7 +71,7 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   cut.load(low, kSide, kSide * kSide);
   Vec3 g;
   const double d = cut.eval(Vec3(place) - Vec3(local), g);
-  if (sharp && cut.crease_near() && !made.feature.edge && strokes_ != nullptr && stroke_cells_.explain(local, cut, 2)) {
+  if (resolved && cut.crease_near() && !made.feature.edge && strokes_ != nullptr && stroke_cells_.explain(local, cut, 2)) {
     // More than one cut may end it here.
     Beside beside[2];
     int count = 0;
@@ -84,17 +84,17 @@ bool CutSurface::make_base(const Volume& volume, const BasePoints& points, int i
   if (d > 0.0) {
     // The cut has taken it. A scratch so shallow that it takes no voxel's centre shows in no cell of the cut, and most of
     // the face about the point still stands: a bur that cuts on is held by the face as deep as the scratch has it there.
-    if (!sharp && d < kShallow && length > 0.25 && !made.feature.edge) {
+    if (!resolved && d < kShallow && length > 0.25 && !made.feature.edge) {
       made.at = Vec3f(Vec3(place) - Vec3(made.feature.normal) * (d / length));
       ++made_count_;
     }
-    // Such a scratch is looked at again when it becomes dull.
-    return sharp && (cut.crease_near() || d < kShallow);
+    // Such a scratch is looked at again when it becomes unresolved.
+    return resolved && (cut.crease_near() || d < kShallow);
   }
   if (d > -kBeside && length > 0.25 && !made.feature.edge)
     add_beside(made.feature, d * volume.grid().voxel_mm / length, Vec3f(g / length));
   ++made_count_;
-  return sharp && cut.crease_near();
+  return resolved && cut.crease_near();
 }
 
 void CutSurface::make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept {
@@ -121,7 +121,7 @@ void CutSurface::make_from_strokes(const Volume& volume, IVec3 cell, int offset,
   }
 }
 
-bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool sharp) noexcept {
+bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept {
   if (made_count_ + 3 > made_.size()) return true;  // room for an edge, a point and the mouth
   const IVec3 local(offset & 7, offset >> 3 & 7, offset >> 6);
   const IVec3 cell = corner + local;
@@ -133,7 +133,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
     crossed = crossed || (first[(i & 1) + (i >> 1 & 1) * kSide + (i >> 2) * kSide * kSide] > 0.0) != inside;
   cells_made_ += crossed;
   // A thin ridge may pass between corners that are all in the void.
-  if (!crossed && !(sharp && inside && strokes_ != nullptr && stroke_cells_.several())) return false;
+  if (!crossed && !(resolved && inside && strokes_ != nullptr && stroke_cells_.several())) return false;
   // Deep in the specimen its own surface is so far from all corners that it ends no plane: nothing of it to keep. Out in the
   // air there is nothing that a cut could have left.
   const Specimen& specimen = volume.specimen();
@@ -172,15 +172,15 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
     made.feature.tissue = tissue_under(volume, cell, edge.at);
   };
   // The cut's distance is positive in the void: its gradient points into the void, as a normal should.
-  if (sharp && strokes_ != nullptr && stroke_cells_.explain(local, cut, mouth ? 1 : 2)) {
-    ++cells_sharpened_;
+  if (resolved && strokes_ != nullptr && stroke_cells_.explain(local, cut, mouth ? 1 : 2)) {
+    ++cells_resolved_;
     make_from_strokes(volume, cell, offset, deep ? nullptr : &base);
     return true;
   }
   if (!crossed) return true;
   Vec3 f, n;
   SharpEdge edge;
-  const Creased crease = creased(cut, sharp ? kMostOff : 0.0, [&](IVec3 o, CellField& to) {
+  const Creased crease = creased(cut, resolved ? kMostOff : 0.0, [&](IVec3 o, CellField& to) {
     if (!wide_ready_) decode_wide(volume, {corner.x >> 3, corner.y >> 3, corner.z >> 3});
     const IVec3 there = local + o + 2;  // the lowest sample that its field is made of
     const double* samples = &wide_[there.x + kWide * (there.y + kWide * there.z)];
@@ -192,7 +192,7 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
     if (apart) to.load(samples, kWide, kWide * kWide);
     return apart;
   });
-  cells_sharpened_ += sharp && crease.looked;
+  cells_resolved_ += resolved && crease.looked;
   Vec3 gradient(0.0);
   if (crease.kind == Creased::Kind::edge) {
     // A ridge between two cuts, where the specimen is solid.
@@ -221,11 +221,11 @@ bool CutSurface::make_cell(const Volume& volume, IVec3 corner, int offset, bool 
       if (other > -kBeside && length > 0.25) add_beside(made.feature, other * voxel / length, Vec3f(g / length));
     }
   }
-  if (!mouth) return sharp && crease.looked;
+  if (!mouth) return resolved && crease.looked;
   if (edge_of([&](Vec3 p, Vec3& g) { return base.eval(p, g); }, [&](Vec3 p, Vec3& g) { return cut.eval(p, g); }, Vec3(0.5),
               edge))
     add_edge(edge);
-  return sharp;
+  return resolved;
 }
 
 }  // namespace cusp::engine

@@ -164,7 +164,7 @@ int CutMemory::near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) c
     if (node.segment == last) continue;
     last = node.segment;
     const Segment& s = segments_[node.segment];
-    if (!s.by.holds(tool)) continue;
+    if (!s.by.covers(tool)) continue;
     // The part of the segment inside the ball of reach about y.
     const Vec3 along = s.b - s.a;
     const Vec3 from = s.a - y;

@@ -1,6 +1,6 @@
-/// Where the bur has been while cutting: a pose that has cut is admissible for ever, since the bur fitted there.
-/// Segments of past cut poses, merged while straight, found by place. Fixed memory, as rings: when it is full each new
-/// segment takes the oldest one's place (a jam may then return at an old hole, never a wrong force). Thread: haptic.
+/// Segments of past cut poses. A pose that has cut stays admissible, for the bur fitted there. Segments are merged while
+/// straight and found by place. Fixed memory, as rings: a full memory forgets its oldest segment for each new one. A bur may
+/// then jam again in an old hole; a force is never wrong. Frame: specimen, mm. Thread: haptic. Wait-free.
 #pragma once
 
 #include <array>
@@ -15,33 +15,33 @@ namespace cusp::engine {
 
 class CutMemory {
  public:
-  static constexpr double kReachMm = 0.03;      // poses further than this from the proxy say nothing about it
+  static constexpr double kReachMm = 0.03;      // poses within this of the proxy relax its constraints
   static constexpr double kStraightMm = 1e-4;   // merged while straight to 0.1 um
   static constexpr double kLongestMm = 0.1;
 
   CutMemory();
 
-  /// What was swept: a ball, however its bur stood; or another head of a bur, at one axis.
+  /// What swept a segment: a ball at any axis, or another head at one axis.
   struct Sweeper {
     static constexpr std::int32_t kBall = -1;
     double radius_mm = 0.0;       // of the ball
     std::int32_t head = kBall;    // else the scene's number of the bur
     Vec3 axis{0.0};               // zero for a ball
     bool operator==(const Sweeper&) const = default;
-    /// Where this has been, `other` fits too.
-    bool holds(const Sweeper& other) const noexcept {
+    /// `other` fits wherever this has been.
+    bool covers(const Sweeper& other) const noexcept {
       return head == kBall ? other.head == kBall && radius_mm >= other.radius_mm : head == other.head && axis == other.axis;
     }
   };
 
-  /// The bur's pivot moved, cutting, from a to b. True when that only lengthened the last segment.
+  /// The pivot of `by` cut from `from` to `to`. True if this only lengthened the last segment.
   bool add(Vec3 from, Vec3 to, const Sweeper& by) noexcept;
-  /// True when the last segment passes through p: the way from there has been straight.
+  /// True if the last segment passes through p within kStraightMm.
   bool straight_from(Vec3 p) const noexcept;
-  /// The path is broken: the next segment starts anew (button up, bur changed).
-  void lift() noexcept { open_ = false; }
+  /// The next add() starts a new segment (button up, bur changed).
+  void break_path() noexcept { open_ = false; }
 
-  /// Ends of what lies within reach of y of the newest segments where `tool` fits; at most kMost of them.
+  /// Returns how many poses it wrote to `out`: the newest segments that cover `tool`, clipped to kReachMm about y, by their ends.
   static constexpr int kMost = 24;
   int near(Vec3 y, const Sweeper& tool, std::array<Vec3, kMost>& out) const noexcept;
 
@@ -49,8 +49,8 @@ class CutMemory {
     Vec3 a{0.0}, b{0.0};
     Sweeper by;
   };
-  /// Segments of balls whose swept surface comes within reach_mm of a box, oldest first, those that go straight on joined;
-  /// -1 when `out` has no room for them.
+  /// Writes the balls' segments whose swept surface comes within reach_mm of a box, oldest first, straight ones joined.
+  /// Returns their number, -1 if `out` has no room for them.
   int reaching(Vec3 low, Vec3 high, double reach_mm, std::span<Segment> out) const noexcept;
 
   static constexpr std::size_t kSegments = 32768;
@@ -61,8 +61,8 @@ class CutMemory {
   void load(const std::vector<Segment>& segments, bool open) noexcept;
 
  private:
-  /// Segments near a cell, newest first. Places in the ring are taken anew in turn: `next` holds while it is older than this
-  /// one and not yet forgotten, a bucket's head while it is of that bucket besides.
+  /// Segments near a cell, newest first. The ring reuses its places in turn: `next` is valid while it is older than this node
+  /// and not yet forgotten; a bucket's head must also be of that bucket.
   struct Node {
     std::int32_t next = -1;
     std::uint16_t segment = 0, bucket = 0;

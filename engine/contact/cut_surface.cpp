@@ -39,7 +39,7 @@ void base_feature(const BaseSurface& surface, const BasePoints& points, int i, d
 
 CutSurface::CutSurface(const Volume& volume, const CutMemory* strokes)
     : slots_(volume.cut_capacity()),
-      slots_sharp_(volume.cut_capacity(), kAllParts),
+      slots_resolved_(volume.cut_capacity(), kAllParts),
       made_(kMostFeatures),
       strokes_(strokes),
       kept_pages_(std::min(kPages, volume.cut_capacity() * 8)) {
@@ -87,7 +87,7 @@ void CutSurface::changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
       }
 }
 
-void CutSurface::changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexcept {
+void CutSurface::changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept {
   const Specimen& specimen = volume.specimen();
   // As far as a creased cell reads.
   const IVec3 from = low - 4, to = high + 3;
@@ -99,40 +99,40 @@ void CutSurface::changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexc
         const auto place = static_cast<std::size_t>(volume.cut_slot(brick));
         const int first = std::max(from.z - bz * kBrickEdge, 0), last = std::min(to.z - bz * kBrickEdge, kBrickEdge - 1);
         for (int z = first; z <= last; ++z) {
-          const Parts were = slots_sharp_[place] & parts_of_slice(z);
-          dull_parts_ += static_cast<std::size_t>(std::popcount(were));
-          slots_sharp_[place] = static_cast<Parts>(slots_sharp_[place] & ~were);
+          const Parts were = slots_resolved_[place] & parts_of_slice(z);
+          unresolved_parts_ += static_cast<std::size_t>(std::popcount(were));
+          slots_resolved_[place] = static_cast<Parts>(slots_resolved_[place] & ~were);
           slots_[place].stale[z] |= slots_[place].creased[z] & cells_of(were, z);
         }
       }
   changed(volume, low, high);
 }
 
-void CutSurface::sharpen(const Volume& volume, bool on) noexcept {
+void CutSurface::resolve(const Volume& volume, bool on) noexcept {
   if (on == on_) return;
   on_ = on;
   const std::size_t used = volume.cut_bricks().size();
   if (on) {
-    std::fill(slots_sharp_.begin() + static_cast<std::ptrdiff_t>(used), slots_sharp_.end(), kAllParts);
-    count_dull();
+    std::fill(slots_resolved_.begin() + static_cast<std::ptrdiff_t>(used), slots_resolved_.end(), kAllParts);
+    count_unresolved();
     return;
   }
   for (std::size_t i = 0; i < used; ++i)
     for (int z = 0; z < kBrickEdge; ++z)
-      slots_[i].stale[z] |= slots_[i].creased[z] & cells_of(slots_sharp_[i], z);
-  std::fill(slots_sharp_.begin(), slots_sharp_.end(), Parts{0});
+      slots_[i].stale[z] |= slots_[i].creased[z] & cells_of(slots_resolved_[i], z);
+  std::fill(slots_resolved_.begin(), slots_resolved_.end(), Parts{0});
 }
 
-void CutSurface::count_dull() noexcept {
-  dull_parts_ = 0;
-  for (const Parts sharp : slots_sharp_) dull_parts_ += static_cast<std::size_t>(2 * kBrickEdge - std::popcount(sharp));
+void CutSurface::count_unresolved() noexcept {
+  unresolved_parts_ = 0;
+  for (const Parts resolved : slots_resolved_) unresolved_parts_ += static_cast<std::size_t>(2 * kBrickEdge - std::popcount(resolved));
 }
 
-CutSurface::Parts CutSurface::dull(const Volume& volume, int brick) const noexcept {
-  return static_cast<Parts>(~slots_sharp_[static_cast<std::size_t>(volume.cut_slot(brick))]);
+CutSurface::Parts CutSurface::unresolved(const Volume& volume, int brick) const noexcept {
+  return static_cast<Parts>(~slots_resolved_[static_cast<std::size_t>(volume.cut_slot(brick))]);
 }
 
-int CutSurface::sharpen_parts(const Volume& volume, int brick, Parts parts, int budget) noexcept {
+int CutSurface::resolve_parts(const Volume& volume, int brick, Parts parts, int budget) noexcept {
   const auto place = static_cast<std::size_t>(volume.cut_slot(brick));
   const std::uint16_t* values = volume.cut_of(brick);
   const BasePoints points = volume.specimen().surface().in(brick);
@@ -143,15 +143,15 @@ int CutSurface::sharpen_parts(const Volume& volume, int brick, Parts parts, int 
     const int first_cell = part << 5, end = first_cell + 32;
     int cost = 0;
     for (; point < points.count && points.normal[point].cell() < end; ++point) cost += points.normal[point].cell() >= first_cell;
-    if ((parts >> part & 1) == 0 || (slots_sharp_[place] >> part & 1) != 0) continue;
+    if ((parts >> part & 1) == 0 || (slots_resolved_[place] >> part & 1) != 0) continue;
     for (int o = first_cell; o < end; ++o) cost += values[o] <= kInside && values[o] >= kOutside;
-    if (cost > budget && budget < kSharpenATick) {
+    if (cost > budget && budget < kResolvePerTick) {
       budget = 0;
       break;
     }
-    slots_sharp_[place] = static_cast<Parts>(slots_sharp_[place] | 1u << part);
-    --dull_parts_;
-    // A dull cell that is not creased may be a sharp one that is: strokes come to a brick without changing all of it.
+    slots_resolved_[place] = static_cast<Parts>(slots_resolved_[place] | 1u << part);
+    --unresolved_parts_;
+    // A unresolved cell that is not creased may be a resolved one that is: strokes come to a brick without changing all of it.
     made.slice[part >> 1] |= cells_of(static_cast<Parts>(1u << part), part >> 1);
     any = true;
     budget -= cost;
@@ -256,26 +256,26 @@ void CutSurface::refresh(const Volume& volume, int brick, const CellsNear& cells
   if (strokes_ != nullptr) stroke_cells_.turn_to(*strokes_, volume.grid(), corner);
   bool decoded = false;
   wide_ready_ = base_ready_ = false;
-  const Parts sharp_parts = slots_sharp_[static_cast<std::size_t>(volume.cut_slot(brick))];
+  const Parts resolved_parts = slots_resolved_[static_cast<std::size_t>(volume.cut_slot(brick))];
   const BasePoints points = volume.specimen().surface().in(brick);
   int next_point = 0;
   for (int z = 0; z < 8; ++z) {
-    const std::uint64_t sharp_cells = cells_of(sharp_parts, z);
+    const std::uint64_t resolved_cells = cells_of(resolved_parts, z);
     for (std::uint64_t left = slot.stale[z] & cells.slice[z]; left != 0; left &= left - 1) {
       const int o = z << 6 | std::countr_zero(left);
-      const bool sharp = (sharp_cells >> (o & 63) & 1) != 0;
+      const bool resolved = (resolved_cells >> (o & 63) & 1) != 0;
       slot.creased[z] &= ~(std::uint64_t{1} << (o & 63));
       while (next_point < points.count && points.normal[next_point].cell() < o) ++next_point;
       while (next_point < points.count && points.normal[next_point].cell() == o) {
         if (!decoded) decode_cut(volume, at);
         decoded = true;
-        if (make_base(volume, points, next_point, sharp)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
+        if (make_base(volume, points, next_point, resolved)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
         ++next_point;
       }
       if (values[o] < kLeast || values[o] > kMost) continue;
       if (!decoded) decode_cut(volume, at);
       decoded = true;
-      if (make_cell(volume, corner, o, sharp)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
+      if (make_cell(volume, corner, o, resolved)) slot.creased[z] |= std::uint64_t{1} << (o & 63);
     }
   }
   put(slot);

@@ -1,13 +1,12 @@
-/// The surface of a brick that a bur has reached, as points and edges in cell order: what is left of the specimen's own
-/// points, the cut's points, and the edges where surfaces meet. Computed when contact asks for a brick, kept until a voxel
-/// that it was read from changes. What it answers depends on the volume, the strokes that made it and on which parts are
-/// sharp alone, so that an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features.
+/// Features (points and edges) of the surface in the bricks that a bur has reached, in cell order: the specimen's points
+/// that are left, the cut's points, and the edges where surfaces meet. A brick's features are computed on demand and cached
+/// until a voxel that they were read from changes. They depend on the volume, on its strokes and on which parts are
+/// resolved, so an incremental answer equals a full rebuild bit for bit. Fixed memory, in pages of eight features.
 ///
-/// A part (sixteen of a brick: halves of its slices, four rows of eight cells each) is *sharp* where ridges between cuts are
-/// found to their edge, *dull* where they are rounded as the field has them. While the bur cuts all are dull; afterwards
-/// they are sharpened some a tick (sharpen_parts), for an edge costs ten times a smooth cell. Which are sharp is part of the
-/// step's state.
-/// Thread: haptic.
+/// A part is half a slice of a brick: four rows of eight cells, sixteen parts a brick. It is *resolved* if the edges between
+/// its cuts were computed from strokes, *unresolved* if the field rounds them. All parts are unresolved while the bur cuts.
+/// resolve_parts() resolves some a tick afterwards: an edge costs ten times a smooth cell. Which parts are resolved is state.
+/// Thread: haptic. Wait-free.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +25,8 @@ struct CutFeature {
   Vec3f other_normal{0.0f};     // of the nearest other surface; an edge's bend, per mm
   Vec3f third_normal{0.0f};     // of the next; an edge's twist, per mm^2
   Vec3f fourth{0.0f};           // of an edge, per mm^3
-  float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside; where an edge's piece begins
-  float third_d_mm = 0.0f;      // to the next; where an edge's piece ends
+  float other_d_mm = 0.0f;      // distance of the point to the other surface, negative inside; an edge's first end, along it
+  float third_d_mm = 0.0f;      // to the next; an edge's last end, along it
   std::uint16_t cell = 0;       // brick_offset of the cell's lower corner
   Field field = Field::cut;     // which surface it lies on
   Tissue tissue = Tissue::empty;
@@ -49,49 +48,49 @@ class CutSurface {
     std::int32_t next = -1;
   };
 
-  /// strokes: what has been cut, complete whenever anything is sharp; or nullptr. Outlives this.
+  /// strokes: may be null; outlives this. Pre: it holds every stroke whenever a part is resolved.
   CutSurface(const Volume& volume, const CutMemory* strokes);
 
-  /// Voxels low..high (inclusive) of the cut field have changed. What was sharp stays so.
+  /// Voxels low..high (inclusive) of the cut field have changed. Resolved parts stay resolved.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept;
-  /// The same, and dulled: for changes too large to be made out to their edges at once.
-  void changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexcept;
+  /// The same; their parts become unresolved: for changes too large to resolve at once.
+  void changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept;
 
-  /// Off: every part is dull from now on. On: bricks that are cut from now on are sharp; those that were stay dull until
-  /// sharpen_parts() comes to them.
-  void sharpen(const Volume& volume, bool on) noexcept;
-  bool sharpens() const noexcept { return on_; }
-  /// Parts that are dull still, while it sharpens.
-  std::size_t dull_parts() const noexcept { return dull_parts_; }
+  /// on = false: every part is unresolved from now on. on = true: bricks cut from now on are resolved, those cut before
+  /// wait for resolve_parts().
+  void resolve(const Volume& volume, bool on) noexcept;
+  bool resolves() const noexcept { return on_; }
+  /// Unresolved parts, while it resolves.
+  std::size_t unresolved_parts() const noexcept { return unresolved_parts_; }
 
   /// Parts of a brick: bit 2 z of the rows 0 to 3 of slice z, the next one of the rows 4 to 7.
   using Parts = std::uint16_t;
   static constexpr Parts kAllParts = 0xffff;
   static constexpr Parts parts_of_slice(int z) noexcept { return static_cast<Parts>(3u << (2 * z)); }
-  /// Dull parts of a brick. Pre: volume.has_cut(brick).
-  Parts dull(const Volume& volume, int brick) const noexcept;
-  /// What may be sharpened in a tick, or one part if that is more: a cell that strokes tell takes up to 20 us.
-  static constexpr int kSharpenATick = 24;
-  /// Sharpens dull parts of a brick among `parts`, lowest first, and makes them out at once, while `budget` lasts (of
-  /// kSharpenATick); returns what is left of it, 0 when a part has to wait. A part costs its voxels that the cut's surface
-  /// passes, and its points of the specimen's.
-  int sharpen_parts(const Volume& volume, int brick, Parts parts, int budget) noexcept;
+  /// Unresolved parts of a brick. Pre: volume.has_cut(brick).
+  Parts unresolved(const Volume& volume, int brick) const noexcept;
+  /// Surface voxels that a tick may resolve; one part may exceed it. A cell with strokes takes up to 20 us.
+  static constexpr int kResolvePerTick = 24;
+  /// Resolves unresolved parts of a brick among `parts`, lowest first, and computes their features, while `budget` lasts.
+  /// Returns the rest of the budget, 0 if a part has to wait. A part costs its voxels that the cut's surface crosses and its
+  /// points of the specimen's.
+  int resolve_parts(const Volume& volume, int brick, Parts parts, int budget) noexcept;
 
-  /// For saving: sharp parts of a brick.
-  Parts sharp(const Volume& volume, int brick) const noexcept { return static_cast<Parts>(~dull(volume, brick)); }
-  /// Replaces which are sharp, of all of volume.cut_bricks(): sharp_of(brick). Everything is to be read anew.
-  template <class SharpOf>
-  void load_sharp(const Volume& volume, bool on, SharpOf&& sharp_of) noexcept {
+  /// For saving: resolved parts of a brick.
+  Parts resolved(const Volume& volume, int brick) const noexcept { return static_cast<Parts>(~unresolved(volume, brick)); }
+  /// Replaces the resolved parts of all volume.cut_bricks() by resolved_of(brick), and discards all features.
+  template <class ResolvedOf>
+  void load_resolved(const Volume& volume, bool on, ResolvedOf&& resolved_of) noexcept {
     on_ = on;
-    std::fill(slots_sharp_.begin(), slots_sharp_.end(), on ? kAllParts : Parts{0});
+    std::fill(slots_resolved_.begin(), slots_resolved_.end(), on ? kAllParts : Parts{0});
     for (const std::int32_t brick : volume.cut_bricks())
-      slots_sharp_[static_cast<std::size_t>(volume.cut_slot(brick))] = sharp_of(brick);
-    count_dull();
+      slots_resolved_[static_cast<std::size_t>(volume.cut_slot(brick))] = resolved_of(brick);
+    count_unresolved();
     forget();
   }
 
-  /// First page of a brick's features, brought up to date for cells() (CellsNear); -1 when it has none. Of other cells what
-  /// has changed is left out. Valid until the next call. Pre: volume.has_cut(brick).
+  /// First page of a brick's features, -1 if it has none. Features of cells() (CellsNear) are up to date; changed features of
+  /// other cells are left out. Valid until the next call. Pre: volume.has_cut(brick).
   template <class Cells>
   std::int32_t first(const Volume& volume, int brick, Cells&& cells) noexcept {
     const Slot& slot = slots_[static_cast<std::size_t>(volume.cut_slot(brick))];
@@ -100,29 +99,28 @@ class CutSurface {
     if (any != 0) refresh(volume, brick, cells());
     return slot.first;
   }
-  /// Brings cells up to date, slice by slice, while `budget` lasts (of cells looked at); returns what is left of it, less than
-  /// 0 when some have to wait. Pre: volume.has_cut(brick).
+  /// Brings cells up to date, slice by slice, while `budget` (cells) lasts. Returns the rest of it, negative if some have to
+  /// wait. Pre: volume.has_cut(brick).
   int prepare(const Volume& volume, int brick, const CellsNear& cells, int budget) noexcept;
   const Page& page(std::int32_t i) const noexcept { return pages_[static_cast<std::size_t>(i)]; }
 
-  /// Rises whenever a brick's features are put anew: pages read before no longer hold.
+  /// Rises whenever a brick's features are replaced: pages read before are invalid.
   std::uint64_t revision() const noexcept { return revision_; }
 
-  /// False for a page that holds one brick's features only until the next brick is asked for: room has run out.
+  /// False if the page is reused for the next brick, because room has run out.
   bool kept(std::int32_t i) const noexcept { return i >= 0 && static_cast<std::size_t>(i) < kept_pages_; }
 
-  /// Everything is to be read anew (after the volume was loaded). Which parts are sharp stays.
+  /// Discards all features, after the volume was loaded. Which parts are resolved stays.
   void forget() noexcept;
 
-  /// Cells whose edges have been looked for so far, the costliest work there is here, and all that the surface passes or
-  /// the specimen has a point in; for tests and benches.
-  std::uint64_t cells_sharpened() const noexcept { return cells_sharpened_; }
+  /// Cells resolved since construction, and cells whose features were computed; for tests and benches.
+  std::uint64_t cells_resolved() const noexcept { return cells_resolved_; }
   std::uint64_t cells_made() const noexcept { return cells_made_; }
 
  private:
   struct Slot {
     std::uint64_t stale[8];    // by cell, one word for each slice
-    std::uint64_t creased[8];  // sharp cells that depend on the cells two away as well, or would be other cells if dull
+    std::uint64_t creased[8];  // resolved cells whose features also depend on the cells two away, or on being resolved
     std::int32_t first = -1;
   };
   struct Made {
@@ -131,7 +129,7 @@ class CutSurface {
   };
   /// The brick's samples and one more below, two above: what its cells' stencils read.
   static constexpr int kSide = 11;
-  /// Three more below, four above: what an edge's look at the cells two away reads.
+  /// Three more below, four above: what edge detection reads of the cells two away.
   static constexpr int kWide = 15;
 
   void refresh(const Volume& volume, int brick, const CellsNear& cells) noexcept;
@@ -140,22 +138,22 @@ class CutSurface {
     const unsigned both = parts >> (2 * z) & 3u;
     return (both & 1u ? 0xffffffffull : 0) | (both & 2u ? 0xffffffff00000000ull : 0);
   }
-  void count_dull() noexcept;
+  void count_unresolved() noexcept;
   void put(Slot& slot) noexcept;
   void decode_cut(const Volume& volume, IVec3 brick) noexcept;
   void decode_base(const Specimen& specimen, IVec3 brick) noexcept;
   template <class Source>
   static void decode(const Specimen& specimen, IVec3 brick, double (&samples)[kSide * kSide * kSide], Source&& source) noexcept;
   void decode_wide(const Volume& volume, IVec3 brick) noexcept;
-  /// True when the cell is creased: never where it is dull.
-  bool make_cell(const Volume& volume, IVec3 corner, int offset, bool sharp) noexcept;
-  /// The same.
-  bool make_base(const Volume& volume, const BasePoints& points, int i, bool sharp) noexcept;
+  /// Adds the features of a cell of the cut. True if the cell is creased; an unresolved cell never is.
+  bool make_cell(const Volume& volume, IVec3 corner, int offset, bool resolved) noexcept;
+  /// Adds the specimen's point i, if the cut has left it. True if the cell is creased; an unresolved cell never is.
+  bool make_base(const Volume& volume, const BasePoints& points, int i, bool resolved) noexcept;
   void make_from_strokes(const Volume& volume, IVec3 cell, int offset, const CellField* base) noexcept;
 
   std::vector<Slot> slots_;
-  std::size_t dull_parts_ = 0;      // of the bricks that are cut, while it sharpens
-  std::vector<Parts> slots_sharp_;  // [slot]: sharp parts; state, all else is kept for speed
+  std::size_t unresolved_parts_ = 0;      // of the bricks that are cut, while it resolves
+  std::vector<Parts> slots_resolved_;  // [slot]: resolved parts; state, all else is kept for speed
   std::vector<Page> pages_;   // room for kept ones, then for one brick that found none
   std::vector<std::int32_t> free_;
   std::vector<Made> made_;    // of the brick being refreshed
@@ -164,7 +162,7 @@ class CutSurface {
   bool on_ = true;
   bool wide_ready_ = false;  // wide_ is of the brick being refreshed
   bool base_ready_ = false;  // base_ is
-  std::uint64_t cells_sharpened_ = 0, cells_made_ = 0, revision_ = 0;
+  std::uint64_t cells_resolved_ = 0, cells_made_ = 0, revision_ = 0;
   std::size_t made_count_ = 0;
   std::size_t kept_pages_ = 0;
   double samples_[kSide * kSide * kSide], base_[kSide * kSide * kSide];

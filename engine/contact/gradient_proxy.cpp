@@ -38,9 +38,9 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
   const Shell& shell = shells_[bur];
   Scan out;
   out.gap_mm = field.band_mm();
-  if (box_.holds(y, shell.reach_mm)) {
+  if (box_.contains(y, shell.reach_mm)) {
     for (const PointShell::HeadPoint& point : shell.points.head) {
-      if (!box_.holds(y + point.offset_mm)) continue;
+      if (!box_.contains(y + point.offset_mm)) continue;
       const double d = field.at(y + point.offset_mm);
       if (d < out.gap_mm) out = {point.offset_mm, d, false};
     }
@@ -54,7 +54,7 @@ GradientProxy::Scan GradientProxy::scan(const TrilinearField& field, std::size_t
   for (const PointShell::HolderPoint& point : shell.points.holder) {
     if (point.along_mm > leaves) break;
     const Vec3 p = y + point.offset_mm;
-    if (!box_.holds(p)) continue;
+    if (!box_.contains(p)) continue;
     const double d = field.at(p);
     if (d < out.gap_mm) out = {point.offset_mm, d, true};
   }

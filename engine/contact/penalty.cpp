@@ -95,7 +95,7 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   std::array<double, kTissueCodes> of{};  // push by tissue
 
   Vec3 head(0.0);
-  if (!shell.points.ball.empty() && box_.holds(device, shell.radius_mm)) {
+  if (!shell.points.ball.empty() && box_.contains(device, shell.radius_mm)) {
     for (const PointShell::BallPoint& point : shell.points.ball) {
       const Vec3 p = device + point.out * shell.radius_mm;
       const double d = field.at(p);
@@ -106,10 +106,10 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
     }
   }
 
-  if (!shell.points.head.empty() && box_.holds(device, shell.reach_mm)) {
+  if (!shell.points.head.empty() && box_.contains(device, shell.reach_mm)) {
     for (const PointShell::HeadPoint& point : shell.points.head) {
       const Vec3 p = device + point.offset_mm;
-      if (!box_.holds(p)) continue;
+      if (!box_.contains(p)) continue;
       const double d = field.at(p);
       if (d >= 0.0) continue;
       const double push = -d * point.share;
@@ -126,7 +126,7 @@ BandedContact Penalty::solve(const Volume& volume, const Scene& scene, std::size
   for (const PointShell::HolderPoint& point : shell.points.holder) {
     if (point.along_mm > leaves) break;
     const Vec3 p = device + point.offset_mm;
-    if (!box_.holds(p)) continue;
+    if (!box_.contains(p)) continue;
     const double d = field.at(p);
     if (d >= 0.0) continue;
     holder += point.out * d;

@@ -1,5 +1,5 @@
-// The search among planes; surface_gather.cpp finds the candidates, surface_planes.cpp what keeps the bur off each,
-// surface_polish.cpp where the fields themselves hold it, surface_free.cpp where there are none.
+// solve(): searches and passes. surface_gather.cpp is the broad phase, surface_constraints.cpp and surface_planes.cpp build the
+// constraints, plane_search.cpp solves them, surface_polish.cpp corrects on the fields, surface_free.cpp finds free space.
 #include "engine/contact/surface_contact.h"
 
 #include <algorithm>
@@ -11,17 +11,17 @@ namespace {
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-constexpr int kSearches = 64;               // steps of the proxy in a tick (5 mm), the rest next tick
+constexpr int kSearches = 64;               // searches of a solve (5 mm); more are deferred
 constexpr double kMemorySlack = 5e-4;       // mm
-constexpr double kPredicted = 0.05;         // of a step: how far a bur may be from where it is expected
-constexpr double kExpectedMm = 0.005;       // mm: and this far besides
-constexpr double kFurther = 1.5;            // of how far it would go then: what planes are laid for instead
-constexpr double kAsked = 0.3;              // of how far the last pass led: how far the next one may
-constexpr double kAskedMm = 0.002;          // mm: and this far besides
-constexpr double kAgainMm = 0.03;           // mm about where a pass has led that planes are laid for, for the next ones
-constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has arrived
-constexpr double kRollsMm = 1e-7;           // mm: the same where it is about to roll over an edge
-constexpr double kSettledMm = 1e-3;         // mm: after a move this small planes laid before are good to 2 nm
+constexpr double kPredicted = 0.05;         // of a step: constraints are first built for this distance about the predicted pose
+constexpr double kPredictedMm = 0.005;       // mm: and this much more
+constexpr double kFurther = 1.5;            // of the pass's move: constraints are rebuilt for this distance if it leaves the first
+constexpr double kAsked = 0.3;              // of the last pass's move: how far the next may go
+constexpr double kAskedMm = 0.002;          // mm: and this much more
+constexpr double kAgainMm = 0.03;           // mm: constraints of a later pass are built for this distance, for those that follow
+constexpr double kArrivedMm = 2e-5;         // mm: a pose that would move less in another pass has converged
+constexpr double kRollsMm = 1e-7;           // mm: the same while it rolls over an edge
+constexpr double kSettledMm = 1e-3;         // mm: after a smaller move the constraints are good to 2 nm
 
 /// Crossing cells within reach of the widest bur: the ball's own area twice over (two fields), and the shank's.
 std::size_t candidate_room(const Scene& scene) {
@@ -46,9 +46,9 @@ SurfaceContact::SurfaceContact(const Scene& scene, const Volume& volume, const C
       sources_(candidates_.size()),
       known_(candidates_.size()),
       faces_(candidates_.size()),
-      look_faces_(candidates_.size()),
-      look_edges_(candidates_.size()),
-      look_others_(candidates_.size()),
+      broad_faces_(candidates_.size()),
+      broad_edges_(candidates_.size()),
+      broad_others_(candidates_.size()),
       place_x_(candidates_.size() + 7),
       place_y_(candidates_.size() + 7),
       place_z_(candidates_.size() + 7),
@@ -86,27 +86,27 @@ void SurfaceContact::PointsBox::add(Vec3f p) noexcept {
 void SurfaceContact::forget() noexcept {
   cut_.forget();
   fields_.forget_cut();
-  gathered_.valid = free_.valid = dull_far_.valid = false;
+  gathered_.valid = free_.valid = unresolved_far_.valid = false;
   free_pause_ = 0;
 }
 
 void SurfaceContact::relax_by_memory(const Tool& tool, std::size_t from, std::size_t to) noexcept {
-  // An edge that the strokes themselves told, as balls do, needs no mending. Neck and shank do not cut: where the head has
-  // passed they have no more room (a neck that comes nearer by less than the slack a tick would never be held).
-  const bool told = sharp_ && tool.ball();
+  // An edge computed from a ball's strokes is exact and needs no relaxing. Neck and shank do not cut, so the head's past poses
+  // leave them no room.
+  const bool from_strokes = all_resolved_ && tool.ball();
   planes_.recede_to({past_.data(), static_cast<std::size_t>(past_count_)}, kMemorySlack, from, to,
                     [&](std::size_t i) {
                       const Kind kind = candidates_[static_cast<std::size_t>(origins_[i].candidate)].kind;
-                      return kind != Kind::shank && !(told && kind == Kind::edge);
+                      return kind != Kind::shank && !(from_strokes && kind == Kind::edge);
                     },
                     [&](std::size_t i) { origins_[i].relaxed = true; });
 }
 
-/// The search among planes_, begun with those that held the pose before.
+/// Solves planes_, starting from the last active set. If they are infeasible, relaxes them to y and solves again.
 PlaneSearch SurfaceContact::search_planes(Vec3 y, Vec3 device, bool& infeasible) noexcept {
-  PlaneSearch found = closest_point(device, planes_, kTolerance, {held_.plane, static_cast<std::size_t>(held_.count)});
+  PlaneSearch found = closest_point(device, planes_, kTolerance, {active_set_.plane, static_cast<std::size_t>(active_set_.count)});
   if (!found.feasible) {
-    // Tangents of points contradict each other: what the pose already stands in cannot be asked of it.
+    // Tangents of points contradict each other: constraints that y violates are relaxed to y.
     infeasible = true;
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       const double at = glm::dot(planes_.n(i), y);
@@ -114,8 +114,8 @@ PlaneSearch SurfaceContact::search_planes(Vec3 y, Vec3 device, bool& infeasible)
     }
     found = closest_point(device, planes_, kTolerance, {});
   }
-  held_.count = found.active;
-  for (int a = 0; a < found.active; ++a) held_.plane[a] = found.index[a];
+  active_set_.count = found.active;
+  for (int a = 0; a < found.active; ++a) active_set_.plane[a] = found.index[a];
   return found;
 }
 
@@ -143,19 +143,19 @@ void SurfaceContact::note(const PlaneSearch& found, const Polished& polished, Co
 }
 
 Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
-                              Vec3 from, Vec3 device, Vec3 ahead, double reach_mm, double most_mm) noexcept {
+                              Vec3 from, Vec3 device, Vec3 predicted, double reach_mm, double most_mm) noexcept {
   const Bur& bur = scene.burs[bur_index];
   Contact out;
   out.pose_mm = device;
-  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.holds(from) && free_.holds(device)) {
+  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.contains(from) && free_.contains(device)) {
     ++answered_free_;
     return out;
   }
   const Tool tool{&bur, axis, bur_index};
-  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.holds(from)) {
-    // It leaves the free space that is known: there may be more.
+  if (free_.valid && free_.bur == bur_index && free_.axis == axis && free_.contains(from)) {
+    // It leaves the known free space: there may be more.
     find_free(volume, tool, from);
-    if (free_.valid && free_.holds(device)) {
+    if (free_.valid && free_.contains(device)) {
       ++answered_free_;
       return out;
     }
@@ -171,32 +171,32 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
     const Vec3 centre = y;
     gather(volume, tool, y, step);
     const std::size_t at_hand_count = count_;
-    held_.count = 0;
+    active_set_.count = 0;
     double before = 0.0, last_moved = 1.0;
-    double limit = kPredicted * step + kExpectedMm;
-    double within = limit;  // how far about the place that they were seen from the planes that are laid will do
-    double asked = 0.0;     // how far they need do, as the last pass moved
-    laid_.within_mm = -1.0;
-    Vec3 at = y;        // where planes are laid: first where the bur is expected, then where it is
-    const double expected = length_of(ahead);
-    bool expects = expected > 2.0 * kSettledMm;
-    if (expects) at += expected > step ? ahead * (step / expected) : ahead;
+    double limit = kPredicted * step + kPredictedMm;
+    double within = limit;  // the constraints are complete for this distance about `at`
+    double asked = 0.0;     // distance that they must be complete for, after the last pass's move
+    built_.within_mm = -1.0;
+    Vec3 at = y;        // where constraints are built: first at the predicted pose, then at the present one
+    const double predicted_mm = length_of(predicted);
+    bool uses_prediction = predicted_mm > 2.0 * kSettledMm;
+    if (uses_prediction) at += predicted_mm > step ? predicted * (step / predicted_mm) : predicted;
     bool left = false;  // the step ends before the search does
     bool rolling = false;
     double next_step = kLongestStep;
     for (int pass = 0; pass < 10; ++pass) {
       --passes_left_;
-      looks_left_ -= kLooksOfPass;
+      candidates_left_ -= kCandidatesOfPass;
       if (last_moved > kSettledMm) {
-        held_.count = 0;
+        active_set_.count = 0;
         within = asked;
-        if (!near_planes_again(tool, at, asked)) {
-          // A pass that goes on may have more to follow: they look at what is near by then.
+        if (!rebuild_constraints(tool, at, asked)) {
+          // Later passes reuse a wider build.
           if (pass > 0) limit = std::max(limit, std::min(kAgainMm, 2.0 * step));
           within = limit;
-          near_planes(volume, tool, centre, step, at, limit);
+          build_constraints(volume, tool, centre, step, at, limit);
         }
-        // Surfaces that a bur left, and edges, may hug it: then the point under the push is asked for from the beginning.
+        // Cut surfaces and edges may hug the bur: then the point under the push becomes a candidate from the start.
         with_foot = with_foot || near_cut_;
         if (with_foot) {
           foot(volume, tool, at, device);
@@ -206,17 +206,17 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
         past_count_ = memory_ ? memory_->near(at, sweeper_of(bur, bur_index, axis), past_) : 0;
         relax_by_memory(tool, 0, planes_.size());
       } else {
-        // It has nearly come to rest: only the tangents that hold it need to turn with it.
-        for (int a = 0; a < held_.count; ++a) turn(tool, at, static_cast<std::size_t>(held_.plane[a]));
+        // It has nearly converged: only the active tangents turn with it.
+        for (int a = 0; a < active_set_.count; ++a) turn(tool, at, static_cast<std::size_t>(active_set_.plane[a]));
       }
       bool infeasible = false;
       const PlaneSearch found = search_planes(y, device, infeasible);
-      if (infeasible && expects) {
-        // Planes seen from where the bur was only expected may contradict each other: from where it is.
-        expects = false;
+      if (infeasible && uses_prediction) {
+        // Constraints built at a predicted pose may contradict each other: they are built again at the present one.
+        uses_prediction = false;
         at = y;
         limit = 2.0 * step;
-        laid_.within_mm = -1.0;
+        built_.within_mm = -1.0;
         last_moved = 1.0;
         continue;
       }
@@ -233,9 +233,9 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       }
       const double off = length_of(found.y - at);
       if (off > within && within < 2.0 * step) {
-        // Further than planes were laid for: again of more, of all that the step can reach in the end.
-        if (within == limit) limit = std::min(2.0 * step, kFurther * off + kExpectedMm);
-        laid_.within_mm = -1.0;
+        // Further than the constraints are complete for: builds them for more, in the end for the whole step.
+        if (within == limit) limit = std::min(2.0 * step, kFurther * off + kPredictedMm);
+        built_.within_mm = -1.0;
         last_moved = 1.0;
         continue;
       }
@@ -245,37 +245,37 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       Polished polished;
       if (!left && found.active > 0) polished = polish(volume, tool, y, device, found);
       if (found.active > 0 && !polished.accepted && !with_foot) {
-        // Not one smooth foot for each plane: from here on the point under the push is asked for as well.
+        // No smooth foot for each constraint: from here on the point under the push is a candidate too.
         with_foot = true;
         left = false;
         last_moved = 1.0;
         at = y;
         limit = 2.0 * step;
-        laid_.within_mm = -1.0;
+        built_.within_mm = -1.0;
         continue;
       }
       if (left) {
         next_step = std::min(kLongestStep, 1.2 * (whole - step) + 0.01);
-        ahead = (target - centre) * (1.0 - step / whole);  // where the next one goes on
-        target -= ahead;
+        predicted = (target - centre) * (1.0 - step / whole);  // where the next one goes on
+        target -= predicted;
       }
       if (polished.accepted) target = polished.search.y;
       y = target;
-      held_.fresh = !polished.accepted && !left;
-      held_.room_mm = within - off;
+      active_set_.fresh = !polished.accepted && !left;
+      active_set_.room_mm = within - off;
       note(found, polished, out);
       if (left) break;
-      expects = false;
+      uses_prediction = false;
       const Vec3 off_by = target - at;
       const double moved = length_of(off_by);
-      // Where it creeps towards its rest, as on an edge that it rolls over, the next planes are laid where the creeping
-      // leads; the answer still is of the planes.
+      // If it creeps, as over an edge that it rolls on, the next constraints are built where the creeping leads. The answer
+      // still comes from the constraints.
       bool rolls = false;
       Vec3 leap = polished.accepted ? Vec3(0.0) : leap_of(tool, found, at, off_by, rolls);
-      // No further than the step goes: planes seen from beyond it would only lead back.
+      // No further than the step: constraints built beyond it would only lead back.
       const double leaps = length_of(leap), room = step - whole;
       if (leaps > room) leap *= room / leaps;
-      // Passes shrink the error like moved / before; a plane that was laid moved away is off by moved^2 / 2r only.
+      // Passes shrink the error like moved / before; a tangent built `moved` away is off by moved^2 / 2r.
       if ((polished.accepted && moved < 0.06) || moved < (rolls ? kRollsMm : kArrivedMm) ||
           (!rolls && moved * moved < kArrivedMm * before)) {
         arrived = true;
@@ -288,10 +288,10 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
       asked = kAsked * last_moved + kAskedMm;
       next_step = std::min(kLongestStep, 4.0 * last_moved + 0.02);
     }
-    // What still moves when the passes are over goes further in the next search: stopped there, it would stand up to 0.1 mm
-    // short. About a cut only what rolls does: the rest of it turns to and fro between walls of the bur's own.
+    // A pose that still moves after the last pass continues in the next search, else it stops up to 0.1 mm short. Near a cut
+    // only a rolling one continues: others alternate between walls of the bur's own hole.
     if (!left && !((rolling || !near_cut_) && last_moved > kSettledMm)) arrived = true;
-    if (!left) ahead = Vec3(0.0);
+    if (!left) predicted = Vec3(0.0);
     if (length_of(y - from) > most_mm) break;
     step = next_step;
   }
@@ -310,15 +310,15 @@ Contact SurfaceContact::solve(const Volume& volume, const Scene& scene, std::uin
 
 Contact SurfaceContact::after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur_index, Vec3 axis,
                                   const Contact& before, Vec3 device, double advance_mm) noexcept {
-  // The field is the same: only the stroke's memory lets planes recede that are laid already.
-  if (held_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
+  // The field is the same: only the memory relaxes constraints, so the last ones are solved again.
+  if (active_set_.fresh && gathered_.valid && !before.infeasible && before.active > 0) {
     Contact out;
     const Tool tool{&scene.burs[bur_index], axis, bur_index};
     past_count_ = memory_ ? memory_->near(before.pose_mm, sweeper_of(scene.burs[bur_index], bur_index, axis), past_) : 0;
     relax_by_memory(tool, 0, planes_.size());
     const PlaneSearch found = search_planes(before.pose_mm, device, out.infeasible);
     if (found.feasible && !out.infeasible &&
-        length_of(found.y - before.pose_mm) <= std::min(held_.room_mm, 2.0 * advance_mm + kSettledMm)) {
+        length_of(found.y - before.pose_mm) <= std::min(active_set_.room_mm, 2.0 * advance_mm + kSettledMm)) {
       out.pose_mm = found.y;
       note(found, Polished{}, out);
       return out;
@@ -333,7 +333,7 @@ bool SurfaceContact::fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 
   if (inside_tissue(volume, pose)) return false;
   gathered_.valid = false;
   gather(volume, tool, pose, voxel_mm_);
-  near_planes(volume, tool, pose, voxel_mm_, pose, 0.0);
+  build_constraints(volume, tool, pose, voxel_mm_, pose, 0.0);
   gathered_.valid = false;
   return planes_.size() == 0;
 }

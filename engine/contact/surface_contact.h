@@ -1,6 +1,7 @@
-/// The surface proxy: the local minimum of the distance to the device point over poses in which the bur's ball does
-/// not enter tissue and its neck and shank touch none, followed from the last pose (design, "Contact methods", 5).
-/// Planes of the two fields within reach of a step, at most three active, polished by Newton on the fields.
+/// The surface proxy: the pose nearest to the device point at which the head does not enter tissue and neck and shank touch
+/// none. It is a local minimum, followed from the last pose, so that no wall is skipped.
+/// Each search builds constraints n . y >= c from the features within reach, solves them with at most three active, and
+/// polishes the answer by Newton on the fields.
 /// Frame: specimen, mm. Thread: haptic. Wait-free; all memory is taken at construction.
 #pragma once
 
@@ -17,101 +18,100 @@ namespace cusp::engine {
 
 struct Contact {
   Vec3 pose_mm{0.0};
-  int active = 0;                 // planes that hold the pose, at most 3
+  int active = 0;                 // constraints in the active set, at most 3
   Vec3 normal[3];                 // out of the tissue
   double weight[3] = {0, 0, 0};   // pose - device = sum weight * normal
   Tissue tissue[3] = {Tissue::empty, Tissue::empty, Tissue::empty};
-  bool shank = false;             // the neck or the shank is among them
+  bool shank = false;             // the active set contains the neck or the shank
   Vec3 shank_normal{0.0};
-  bool infeasible = false;        // planes contradicted each other: the pose stayed admissible, counted
+  bool infeasible = false;        // no pose met all constraints: they were relaxed to the pose before
   bool overflow = false;          // more candidates than room
-  bool deferred = false;          // still on its way: the rest next tick
+  bool deferred = false;          // the budget ended before the pose had converged: the next tick continues
 };
 
 class SurfaceContact {
  public:
-  /// Clearance by which the bur is thinner against what it has cut itself: without it the bur jams in its own hole.
+  /// The bur is thinner by this against the cut field: without a clearance it jams in its own hole.
   static constexpr double kClearanceMm = 0.001;
 
   /// memory: past cut poses of the stroke, and all that was cut; or nullptr. Outlives this.
   SurfaceContact(const Scene& scene, const Volume& volume, const CutMemory* memory);
 
-  static constexpr double kAnyWay = 1e9;  // mm: most_mm where the pose may go as far as it must
+  static constexpr double kAnyWay = 1e9;  // mm: most_mm without a bound
 
-  /// From `from` (admissible) towards `device`. ahead: how the proxy may be expected to move, where the search begins to
-  /// look. reach_mm: how far one search looks, about as long. most_mm: once it has gone further it may stop on its way.
-  Contact solve(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 from, Vec3 device, Vec3 ahead,
+  /// The pose nearest to `device` that is reached from `from`. Pre: `from` is admissible.
+  /// predicted: displacement of the proxy at which the first constraints are built, mm. reach_mm: length of one search.
+  /// most_mm: beyond this way from `from` the solve may stop, with `deferred` set.
+  Contact solve(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, Vec3 from, Vec3 device, Vec3 predicted,
                 double reach_mm, double most_mm) noexcept;
 
-  /// Contact again after a cut that the field does not hold yet, from `before`, what solve() answered last: the memory
-  /// alone has grown, by advance_mm.
+  /// Contact again after a cut of advance_mm that is in the memory and not yet in the field. before: solve()'s last answer.
   Contact after_cut(const Volume& volume, const Scene& scene, std::uint16_t bur, Vec3 axis, const Contact& before,
                     Vec3 device, double advance_mm) noexcept;
 
   /// True when the bur at this pose is in free space: ball, neck and shank clear of tissue.
   bool fits(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose) noexcept;
 
-  /// Nearest pose to `pose` at which the head (and no shank), thinner by thin_mm all over, fits; false when there is none
-  /// within 20 um.
+  /// The nearest pose at which the head alone, thinner by thin_mm all over, fits. False if there is none within 20 um.
   bool push_out(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, double thin_mm, Vec3& out) noexcept;
 
-  /// To be told of every change of the cut field: voxels low..high, inclusive. Cutting only takes tissue away, so what
-  /// was clear stays clear.
+  /// To be called after every change of the cut field in voxels low..high, inclusive. Known free space stays valid, for
+  /// cutting only removes tissue.
   void changed(const Volume& volume, IVec3 low, IVec3 high) noexcept {
     cut_.changed(volume, low, high);
     fields_.forget_cut();
     gathered_.valid = false;
   }
 
-  /// The same of a change too large to be felt to its edges at once: what lies there is rounded until sharpen() comes to it.
-  void changed_dull(const Volume& volume, IVec3 low, IVec3 high) noexcept {
-    cut_.changed_dull(volume, low, high);
+  /// The same for a change too large to resolve at once: its parts stay unresolved until resolve() reaches them.
+  void changed_unresolved(const Volume& volume, IVec3 low, IVec3 high) noexcept {
+    cut_.changed_unresolved(volume, low, high);
     fields_.forget_cut();
     gathered_.valid = free_.valid = false;
-    dull_far_.valid = false;
+    unresolved_far_.valid = false;
   }
 
-  /// How many passes the searches from here on may take together, or however many look at no more candidates than this, each
-  /// search at least one: what is still on its way then goes on in the next tick. A look takes some 25 ns, and up to as much
-  /// again what follows of it; a wide bur, or a long flank, lies near thousands.
-  static constexpr int kMostPasses = 48, kMostLooks = 10000;
-  static constexpr int kLooksOfPass = 20;  // what a pass costs besides
-  void allow_passes() noexcept {
-    looked_ = looks();
+  /// Budget of a tick: passes and candidates of all searches after reset_budget(). Each search makes at least one pass.
+  /// If both run out, the search stops with `deferred` set. A candidate costs 25 to 50 ns; a wide bur or a long flank has
+  /// thousands.
+  static constexpr int kMostPasses = 48, kMostCandidates = 10000;
+  static constexpr int kCandidatesOfPass = 20;  // a pass costs as much as so many candidates
+  void reset_budget() noexcept {
+    candidates_before_ = candidates_visited();
     passes_left_ = kMostPasses;
-    looks_left_ = kMostLooks;
+    candidates_left_ = kMostCandidates;
   }
-  bool spent() const noexcept { return passes_left_ <= 0 && looks_left_ <= 0; }
+  bool spent() const noexcept { return passes_left_ <= 0 && candidates_left_ <= 0; }
 
-  /// Once a tick, before solve(). Off while the bur cuts: then ridges between cuts are felt as the field rounds them, for
-  /// strokes are carved later than they are remembered. On: some of what is still rounded about the bur at `pose` is found
-  /// to its edges, as much as a tick has time for; nothing in a tick that has to wait.
-  void sharpen(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept;
-  /// What of it is state: see CutSurface.
+  /// Once a tick, before solve(). on: false while the bur cuts; all parts are unresolved then, for strokes are carved later
+  /// than they enter the memory. If on, resolves parts near the bur at `pose`, at most CutSurface::kResolvePerTick, and
+  /// none if `wait`.
+  void resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept;
+  /// Its resolved parts are state (engine/step/state_fields.h).
   const CutSurface& cut_surface() const noexcept { return cut_; }
-  template <class SharpOf>
-  void load_sharp(const Volume& volume, bool on, SharpOf&& sharp_of) noexcept {
-    cut_.load_sharp(volume, on, sharp_of);
-    sharp_ = on;
+  template <class ResolvedOf>
+  void load_resolved(const Volume& volume, bool on, ResolvedOf&& resolved_of) noexcept {
+    cut_.load_resolved(volume, on, resolved_of);
+    all_resolved_ = on;
     forget();
   }
 
-  /// Everything kept is to be found anew (after the volume was loaded). What is kept never changes an answer.
+  /// Discards every cache, after the volume was loaded. A cache never changes an answer.
   void forget() noexcept;
 
-  /// Ticks that the cached clearance answered; for benches.
+  /// Ticks that FreeSpace answered; for benches.
   std::uint64_t answered_free() const noexcept { return answered_free_; }
-  /// Candidates that searches have looked at, passes counted as so many more; for tests and benches.
-  std::int64_t looks() const noexcept { return looked_ + kMostLooks - looks_left_; }
-  /// Most candidates that one search has looked at; for benches.
+  /// Candidates visited since construction, a pass counted as kCandidatesOfPass; for tests and benches.
+  std::int64_t candidates_visited() const noexcept { return candidates_before_ + kMostCandidates - candidates_left_; }
+  /// Most candidates of one pass; for benches.
   std::size_t most_candidates() const noexcept { return most_candidates_; }
 
  private:
   static constexpr double kTolerance = 1e-7;        // mm: planes closer than a tenth of a nanometre count as met
-  static constexpr double kLongestStep = 0.08;      // mm: one search looks no further
+  static constexpr double kLongestStep = 0.08;      // mm: longest reach of one search
   static constexpr double kPlaneReach = 0.8;        // voxels beside its point within which a plane stands for the surface
   static constexpr std::uint16_t kNoBur = 0xffff;  // of a ball that no scene names
-  static constexpr double kLeavesTangent = 0.25;    // voxels by which an edge's piece leaves its tangent at most
+  static constexpr double kLeavesTangent = 0.25;    // voxels that a cell's edge leaves its tangent by at most
   static constexpr double kEdgeClose = 1e-4;        // voxels: leaves its distance off by 1e-8, the normal by 2e-6 degrees
   static constexpr double kEdgeBends = 0.02;        // below, it bends about the place about as the ball does
   static constexpr int kEdgeNewton = 4;             // steps of Newton along an edge
@@ -147,7 +147,7 @@ class SurfaceContact {
   struct Origin {
     std::int32_t candidate = -1;
     bool trusted_plane = false;  // false: tangent to a point, an edge or the shank
-    bool relaxed = false;        // the stroke's memory let it recede: the field is not what holds the pose
+    bool relaxed = false;        // CutMemory moved it back: the field does not support it
   };
   /// What is known of a candidate: not yet made; a point of a face whose plane nothing ends, in faces_; an edge; or
   /// anything else.
@@ -157,10 +157,10 @@ class SurfaceContact {
     double level = 0;   // normal . point
     double radius = 0;  // of the ball, thinner against what it has cut
   };
-  /// All that was near when planes were last laid of everything at hand, and how near it can be at least.
-  struct Laid {
+  /// The last full build of constraints: near_ are its candidates, low_ their least distances.
+  struct Built {
     Vec3 at{0.0};
-    double within_mm = -1.0;  // planes further off than this were not laid
+    double within_mm = -1.0;  // it left out constraints further off; negative: invalid
     std::size_t count = 0;    // of near_, low_
   };
   struct Polished {
@@ -189,14 +189,14 @@ class SurfaceContact {
     Vec3 axis{0.0};
     std::uint64_t revision = 0;  // of the cut's surface
   };
-  /// Poses known to be free: within margin of centre, the whole bur beyond a plane that no tissue nearby passes.
+  /// Free poses: within margin of centre and, if bounded, beyond a plane that no tissue nearby crosses.
   struct FreeSpace {
     Vec3 centre{0.0}, n{0.0};
     double margin_mm = 0.0, c = 0.0;
     std::uint16_t bur = 0;
     bool valid = false, bounded = false;
     Vec3 axis{0.0};
-    bool holds(Vec3 p) const noexcept {
+    bool contains(Vec3 p) const noexcept {
       const Vec3 d = p - centre;
       return glm::dot(d, d) <= margin_mm * margin_mm && (!bounded || glm::dot(n, p) >= c);
     }
@@ -241,12 +241,12 @@ class SurfaceContact {
   void add_unmade(float x, float y, float z, std::int32_t brick, IVec3 at, std::int32_t index,
                   const CutSurface::Page* page, bool shank) noexcept;
   void make(const Volume& volume, const Tool& tool, std::size_t i) noexcept;
-  void near_planes(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
-  bool near_planes_again(const Tool& tool, Vec3 at, double slack_mm) noexcept;
-  void lay_edges(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
-  void lay_faces(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
-  void lay(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
-  void lay_plane(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept;
+  void build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at, double slack_mm) noexcept;
+  bool rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept;
+  void add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
+  void add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept;
+  void constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept;
+  void add_constraint(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept;
   CellsNear cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept;
   bool raise_free(const Volume& volume, const Tool& tool, Vec3 pose, Vec3 n) noexcept;
   bool nearest_to_ball(const Volume& volume, const Tool& tool, Vec3 pose, Vec3& n) noexcept;
@@ -275,50 +275,50 @@ class SurfaceContact {
   std::vector<Source> sources_;
   std::vector<Known> known_;
   std::vector<Face> faces_;
-  /// Candidates that one look goes through.
-  struct Looks {
-    explicit Looks(std::size_t room) : of(room + 1) {}
+  /// Candidates of one broad-phase pass.
+  struct CandidateList {
+    explicit CandidateList(std::size_t room) : of(room + 1) {}
     std::vector<std::int32_t> of;  // and room for one more, so that there are pairs
     std::size_t count = 0;
     void add(std::int32_t i) noexcept { of[count++] = i; }
     void even() noexcept { of[count] = of[count > 0 ? count - 1 : 0]; }
     std::size_t operator[](std::size_t j) const noexcept { return static_cast<std::size_t>(of[j]); }
   };
-  Looks look_faces_, look_edges_, look_others_;
+  CandidateList broad_faces_, broad_edges_, broad_others_;
   std::vector<float> place_x_, place_y_, place_z_;  // in voxels from where they were gathered
   PlaneSet planes_;
   std::vector<Origin> origins_;        // of planes_
-  Laid laid_;
-  std::vector<std::int32_t> near_;     // candidates of laid_
-  std::vector<double> low_;            // mm that each of near_ is off at least, for some way about laid_.at
+  Built built_;
+  std::vector<std::int32_t> near_;     // candidates of built_
+  std::vector<double> low_;            // mm: least distance of each of near_, near built_.at
   std::size_t count_ = 0, ball_count_ = 0;
   Gathered gathered_;                  // of the head, then of the neck and the shank
   std::size_t shank_count_ = 0;
   FreeSpace free_;
-  int free_pause_ = 0;                 // looks to skip before trying again
+  int free_pause_ = 0;                 // solves before find_free() is tried again
   std::uint64_t answered_free_ = 0;
   std::size_t most_candidates_ = 0;
   bool overflow_ = false;
-  int passes_left_ = kMostPasses, looks_left_ = kMostLooks;
-  std::int64_t looked_ = 0;
-  bool sharp_ = true;                  // no part about the bur is dull
-  /// Nothing dull within kDullFar of here, when valid.
-  struct DullFar {
+  int passes_left_ = kMostPasses, candidates_left_ = kMostCandidates;
+  std::int64_t candidates_before_ = 0;
+  bool all_resolved_ = true;           // no part near the bur is unresolved
+  /// If valid, no part within kUnresolvedMarginMm of `at` is unresolved.
+  struct UnresolvedFar {
     Vec3 at{0.0}, axis{0.0};
     const Bur* bur = nullptr;
     bool valid = false;
   };
-  DullFar dull_far_;
+  UnresolvedFar unresolved_far_;
   bool edges_ = false;                 // edges may be among the candidates at hand
   bool near_cut_ = false;              // a surface that a bur left is among those near
-  /// Of this solve's last pass: planes that hold the pose, and whether planes_ are those it came from.
-  struct Held {
+  /// Active set of this solve's last pass.
+  struct ActiveSet {
     int plane[3] = {0, 0, 0};
     int count = 0;
-    bool fresh = false;
-    double room_mm = 0.0;  // that a pose may go from there, planes_ being all that it could meet
+    bool fresh = false;    // planes_ are those that it was found among
+    double room_mm = 0.0;  // planes_ holds every constraint within this of the pose
   };
-  Held held_;
+  ActiveSet active_set_;
   std::array<Vec3, CutMemory::kMost> past_;          // poses of the stroke's memory near the pose
   int past_count_ = 0;
   CutSurface cut_;

@@ -9,17 +9,17 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr double kFreeMargin = 0.5;   // mm: how far a look for free space goes
-constexpr double kCloseMm = 0.2;      // mm: the nearest point is looked for first so near
+constexpr double kFreeMargin = 0.5;   // mm: largest margin of a free space
+constexpr double kCloseMm = 0.2;      // mm: the nearest point is searched within this first
 constexpr double kLeastFree = 0.02;   // mm: less is not worth keeping
-constexpr int kCellsATick = 400;      // looked at anew for it: some 0.1 ms
-constexpr int kPause = 16;            // looks that are skipped where there was too little
+constexpr int kCellsATick = 400;      // computed for it: some 0.1 ms
+constexpr int kPause = 16;            // solves without a search after too little was found
 
 }  // namespace
 
 void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose) noexcept {
   free_.valid = false;
-  // What has changed about the bur is made out some a tick; until then a search answers.
+  // Changed cells near the bur are computed some a tick; until all are, searches answer.
   int budget = kCellsATick;
   if (tool.ball()) {
     ball_bricks(volume, pose, tool.bur->radius_mm + kFreeMargin, [&](int brick, IVec3 at, double) {
@@ -44,7 +44,7 @@ void SurfaceContact::find_free(const Volume& volume, const Tool& tool, Vec3 pose
 /// Cells of a brick within the margin of a ball.
 CellsNear SurfaceContact::cells_free(const Tool& tool, Vec3 pose, Vec3 corner_mm) const noexcept {
   const double per_mm = 1.0 / voxel_mm_;
-  return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.bur->radius_mm + kFreeMargin) * per_mm + kLoose));
+  return CellsNear::ball(Vec3f((pose - corner_mm) * per_mm), static_cast<float>((tool.bur->radius_mm + kFreeMargin) * per_mm + kFloatSlack));
 }
 
 /// Normal of the surface's point that is nearest to a head that is no ball; false, and n as it was, where none is near.
@@ -71,7 +71,7 @@ bool SurfaceContact::nearest_to_ball(const Volume& volume, const Tool& tool, Vec
   for (const double reach : {r + kCloseMm, r + kFreeMargin}) {
     const double per_mm = 1.0 / voxel_mm_;
     const auto look = [&](const float* x, const float* y, const float* z, int count, Vec3 corner_mm, auto&& feature) {
-      const double wide = (nearest2 < 1e200 ? std::sqrt(nearest2) : reach) * per_mm + kLoose;
+      const double wide = (nearest2 < 1e200 ? std::sqrt(nearest2) : reach) * per_mm + kFloatSlack;
       int best = -1;
       for_near(x, y, z, count, Vec3f((pose - corner_mm) * per_mm), static_cast<float>(wide * wide), [&](int i) {
         const Vec3 d = pose - (corner_mm + voxel_mm_ * Vec3(x[i], y[i], z[i]));

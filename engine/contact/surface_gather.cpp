@@ -9,7 +9,7 @@ namespace cusp::engine {
 
 namespace {
 
-// What is gathered serves while the bur stays this near: some steps' way.
+// Margin of the candidates, in steps: they serve while the bur stays within it.
 constexpr double kStepsAhead = 8.0, kStepsMeanwhile = 2.0;
 constexpr double kLeastMargin = 0.06, kMostMargin = 0.4;  // mm
 
@@ -92,18 +92,18 @@ void SurfaceContact::make(const Volume& volume, const Tool& tool, std::size_t i)
   }
 }
 
-/// Candidates from a brick, not made yet. near(x, y, z, count, local, sharp, pass): which places to take, in cells(local);
-/// local: the centre in voxels from the brick's corner; sharp: edges may be among them.
+/// Candidates from a brick, not made yet. near(x, y, z, count, local, has_edges, pass): which places to take, in cells(local);
+/// local: the centre in voxels from the brick's corner; resolved: edges may be among them.
 template <class Cells, class Choose>
 void SurfaceContact::gather_from(const Volume& volume, const Tool& tool, Vec3 centre, int brick, IVec3 at, bool shank,
                                  Cells&& cells, Choose&& near) noexcept {
   const bool cut = volume.has_cut(brick);
-  const bool sharp = cut || boxes_[static_cast<std::size_t>(brick)].edges;
-  edges_ = edges_ || sharp;
+  const bool has_edges = cut || boxes_[static_cast<std::size_t>(brick)].edges;
+  edges_ = edges_ || has_edges;
   const Grid& grid = volume.grid();
   const Vec3f local((centre - (grid.origin_mm + voxel_mm_ * Vec3(at * kBrickEdge))) * (1.0 / voxel_mm_));
   const auto gather_near = [&](const float* x, const float* y, const float* z, int count, const CutSurface::Page* page) {
-    near(x, y, z, count, local, sharp, [&](int i) {
+    near(x, y, z, count, local, has_edges, [&](int i) {
       add_unmade(x[i] - local.x, y[i] - local.y, z[i] - local.z, brick, at, i, page, shank);
     });
   };
@@ -151,9 +151,9 @@ void SurfaceContact::gather_head(const Volume& volume, const Tool& tool, Vec3 ce
   const double edge_reach = reach + edge_mm;
   ball_bricks(volume, centre, edge_reach, [&](int brick, IVec3 at, double) {
     gather_from(volume, tool, centre, brick, at, false,
-                [&](Vec3f local) { return CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kLoose)) | shank_cells(local); },
-                [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool sharp, auto&& pass) {
-                  const double wide = (sharp ? edge_reach : reach) * per_mm + kLoose;
+                [&](Vec3f local) { return CellsNear::ball(local, static_cast<float>(edge_reach * per_mm + kFloatSlack)) | shank_cells(local); },
+                [&](const float* x, const float* y, const float* z, int count, Vec3f local, bool has_edges, auto&& pass) {
+                  const double wide = (has_edges ? edge_reach : reach) * per_mm + kFloatSlack;
                   for_near(x, y, z, count, local, static_cast<float>(wide * wide), pass);
                 });
   });
@@ -210,8 +210,8 @@ void SurfaceContact::gather(const Volume& volume, const Tool& tool, Vec3 centre,
   };
   if (!reaches(gathered_)) {
     // While the bur cuts it serves until the next piece is carved, while edges are found until the next tick.
-    const double ahead = sharp_ ? kStepsAhead : kStepsMeanwhile;
-    const double margin = step + std::min(kMostMargin, std::max(kLeastMargin, ahead * step));
+    const double steps = all_resolved_ ? kStepsAhead : kStepsMeanwhile;
+    const double margin = step + std::min(kMostMargin, std::max(kLeastMargin, steps * step));
     count_ = 0;
     gather_head(volume, tool, centre, margin);
     ball_count_ = count_;
@@ -235,7 +235,7 @@ void SurfaceContact::foot(const Volume& volume, const Tool& tool, Vec3 pose, Vec
     at = fields_.at(volume, field, p);
     if (!at.known || at.d_mm > 0.3 * voxel_mm_ || at.d_mm < -0.3 * voxel_mm_) continue;
     // Beside an edge the field is rounded; points and edges know better.
-    if (at.creased && (sharp_ || field == Field::base)) continue;
+    if (at.creased && (all_resolved_ || field == Field::base)) continue;
     Candidate candidate;
     candidate.point = p - at.normal * at.d_mm;
     candidate.normal = at.normal;

@@ -11,7 +11,7 @@
 namespace cusp::engine {
 
 /// Voxels that single precision may be off by in `for_near`, and then some.
-inline constexpr double kLoose = 1e-3;
+inline constexpr double kFloatSlack = 1e-3;
 
 /// Squared distance of a point to a box.
 inline double box_distance2(Vec3 p, Vec3 low, Vec3 high) noexcept {
@@ -32,12 +32,12 @@ inline TwoCylinders cylinders_of(double from, double wide_from, double to, doubl
                           double per_mm) noexcept {
   TwoCylinders out;
   out.axis = Vec3f(axis);
-  const double narrow = slim * per_mm + kLoose, wide = thick * per_mm + kLoose;
+  const double narrow = slim * per_mm + kFloatSlack, wide = thick * per_mm + kFloatSlack;
   out.narrow2 = static_cast<float>(narrow * narrow);
   out.wide2 = static_cast<float>(wide * wide);
-  out.from = static_cast<float>(from * per_mm - kLoose);
-  out.wide_from = static_cast<float>(wide_from * per_mm - kLoose);
-  out.to = static_cast<float>(to * per_mm + kLoose);
+  out.from = static_cast<float>(from * per_mm - kFloatSlack);
+  out.wide_from = static_cast<float>(wide_from * per_mm - kFloatSlack);
+  out.to = static_cast<float>(to * per_mm + kFloatSlack);
   return out;
 }
 

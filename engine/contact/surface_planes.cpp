@@ -80,7 +80,7 @@ inline bool SurfaceContact::plane_of_surface(double r, const Candidate& c, Vec3 
   const double height = glm::dot(c.normal, y) - c.level;
   if (height > 0.0 && square - height * height <= beside * beside) {
     // While the bur cuts, its own scratch is a lens, whose side turns up again within the plane's reach.
-    const double bulge = !sharp_ && c.field == Field::base && c.others > 0 ? 0.5 * (square - height * height) / r : 0.0;
+    const double bulge = !all_resolved_ && c.field == Field::base && c.others > 0 ? 0.5 * (square - height * height) / r : 0.0;
     const auto past = [&](Vec3 other, double other_d) {
       return other_d + glm::dot(other, d) - height * glm::dot(other, c.normal) > bulge;
     };

@@ -82,7 +82,7 @@ SurfaceContact::Polished SurfaceContact::polish(const Volume& volume, const Tool
       const HeadFoot foot = foot_of(tool, group[g].field, group[g].normal, group[g].point, at);
       const Vec3 x = at + foot.at;
       const FieldPoint field = fields_.at(volume, group[g].field, x);
-      if (!field.known || (field.creased && (sharp_ || group[g].field == Field::base)) || std::fabs(field.d_mm) > 0.3 * voxel_mm_ || glm::dot(field.normal, group[g].normal) < kTurned)
+      if (!field.known || (field.creased && (all_resolved_ || group[g].field == Field::base)) || std::fabs(field.d_mm) > 0.3 * voxel_mm_ || glm::dot(field.normal, group[g].normal) < kTurned)
         return out;
       group[g].normal = field.normal;
       if (tool.ball()) {

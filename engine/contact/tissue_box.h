@@ -39,7 +39,7 @@ struct TissueBox {
     low = volume.grid().centre_mm(voxels.low - 1);
     high = volume.grid().centre_mm(voxels.high + 1);
   }
-  bool holds(Vec3 p, double wider_mm = 0.0) const noexcept {
+  bool contains(Vec3 p, double wider_mm = 0.0) const noexcept {
     for (int i = 0; i < 3; ++i)
       if (!(p[i] >= low[i] - wider_mm && p[i] <= high[i] + wider_mm)) return false;
     return true;

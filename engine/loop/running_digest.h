@@ -21,6 +21,9 @@ class RunningDigest {
   std::size_t next_brick_ = 0;  // place in Volume::cut_bricks()
 };
 
+/// Loop and mirror compare their digests every so many ticks: once a second at 1 kHz.
+inline constexpr std::uint64_t kMarkTicks = 1000;
+
 /// The loop's digest after a tick, for the mirror to compare.
 struct DigestMark {
   std::uint64_t tick = 0;

@@ -7,8 +7,6 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr std::uint64_t kMarkTicks = 1000;  // once a second at 1 kHz
-
 double softest_of(const Scene& scene) {
   const Specimen& specimen = *scene.specimen;
   std::array<bool, kTissueCodes> there{};
@@ -65,10 +63,10 @@ void Ticker::end(LoopEnd why) noexcept {
   publish(Sample::Status::fresh);
 }
 
-std::uint16_t Ticker::named_piece() noexcept {
+std::uint16_t Ticker::fragment_name_half() noexcept {
   if (second_half_ != 0) return std::exchange(second_half_, std::uint16_t{0});
   std::uint32_t name = 0;
-  if (!hand_over_.pieces.pop(name)) return 0;
+  if (!hand_over_.fragments.pop(name)) return 0;
   second_half_ = static_cast<std::uint16_t>(name & 0x7fffu);
   return static_cast<std::uint16_t>(0x8000u | name >> 15);
 }
@@ -104,7 +102,7 @@ Feedback Ticker::tick(const Sample& sample, std::uint32_t elapsed_us) noexcept {
 
   StepInput input = quantise(sample, elapsed_us, last_input_);
   input.bur = bur_;
-  input.loose = named_piece();
+  input.fragment = fragment_name_half();
   if (rearm_) input.buttons |= StepInput::kRearm;
   if (coolant_.load(std::memory_order_acquire)) input.buttons |= StepInput::kCoolant;
   rearm_ = false;

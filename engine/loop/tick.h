@@ -42,10 +42,10 @@ struct LoopLatest {
 
 /// What the loop hands over; each ring has the tick as its producer and the mirror as its consumer.
 struct HandOver {
-  explicit HandOver(std::size_t ring_inputs) : inputs(ring_inputs), marks(256), pieces(64) {}
+  explicit HandOver(std::size_t ring_inputs) : inputs(ring_inputs), marks(256), fragments(64) {}
   SpscRing<StepInput> inputs;       // every input that was stepped, in order
   SpscRing<DigestMark> marks;       // one a second of ticks; dropped when full (the next one heals)
-  SpscRing<std::uint32_t> pieces;   // the other way: names of severed pieces (voxel_name()), one thread to the tick
+  SpscRing<std::uint32_t> fragments;   // to the tick: names of severed fragments (voxel_name()), from one thread
   TripleBuffer<LoopLatest> latest;  // reader: one screen thread
   std::atomic<LoopPhase> phase{LoopPhase::ready};
   std::atomic<LoopEnd> end{LoopEnd::none};
@@ -82,8 +82,8 @@ class Ticker {
   enum class Want : std::uint8_t { nothing, pause, resume };
   void publish(Sample::Status device) noexcept;
   Feedback zero_force() const noexcept;
-  /// What the next input says of severed pieces: a name's first half, then its second.
-  std::uint16_t named_piece() noexcept;
+  /// StepInput::fragment of the next input: a name's first half, then its second; 0: none.
+  std::uint16_t fragment_name_half() noexcept;
 
   static constexpr std::uint32_t kNoBur = 0xFFFFFFFF;
   StepState state_;

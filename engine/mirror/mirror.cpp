@@ -9,7 +9,6 @@
 namespace cusp::engine {
 
 namespace {
-constexpr std::uint64_t kMarkTicks = 1000;  // as the loop's
 // Nobody wakes the mirror, for that would be a system call in the tick: it looks again after this.
 constexpr std::chrono::milliseconds kNap{2};
 // With more inputs than this waiting, the newest state is a few milliseconds of work away: it is shown instead of an old

@@ -16,7 +16,7 @@
 
 namespace cusp::engine {
 
-/// What a call of MirrorObserver::on_state tells besides the state.
+/// What changed since the last call of MirrorObserver::on_state.
 struct StateNews {
   std::span<const std::int32_t> changed_bricks;  // whose cut field changed since the last call, first cut first
   std::uint64_t behind_ticks = 0;                // inputs that still wait

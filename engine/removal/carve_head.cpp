@@ -133,7 +133,7 @@ class Carving {
         break;
       }
     }
-    if (brick_.changed) tell(index, brick_.box);
+    if (brick_.changed) record(index, brick_.box);
   }
 
   /// What a cube of places sees of the head: `from` its middle, from the pivot in the middle of the way.
@@ -178,7 +178,7 @@ class Carving {
       const IVec3 at = corner + IVec3(o & 7, o >> 3 & 7, o >> 6);
       brick_.take(at, at);
     }
-    if (brick_.changed) tell(index, brick_.box);
+    if (brick_.changed) record(index, brick_.box);
   }
 
   /// 4 x 4 x 4 voxels of the brick from `low` on; `nearest`: the least that their middle can be off the head.
@@ -266,7 +266,7 @@ class Carving {
     return out;
   }
 
-  void tell(int index, const Carved::Box& box) noexcept {
+  void record(int index, const Carved::Box& box) noexcept {
     volume_.touched(index);
     out_.low = out_.any ? glm::min(out_.low, box.low) : box.low;
     out_.high = out_.any ? glm::max(out_.high, box.high) : box.high;

@@ -205,9 +205,9 @@ inline Lanes passing(const AtHand& hand, const FourPlaces& at, bool behind, unsi
   LaneMask open = (low.slope < -kLevel) & (high.slope > kLevel);
   // Between them by turns at the secant of the slopes and where the tangents meet, which is no higher than the least.
   Lanes from = zero, to = one;
-  constexpr int kMostLooks = 8;
+  constexpr int kMostCandidates = 8;
   for (int i = 0; bits_of(open) != 0; ++i) {
-    if (i == kMostLooks) {
+    if (i == kMostCandidates) {
       unsure = bits_of(open);
       break;
     }

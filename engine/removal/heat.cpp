@@ -12,7 +12,6 @@ constexpr double kDryDecayS = 30.0;       // how the tooth cools by itself, and 
 constexpr double kWetDecayS = 5.0;
 constexpr double kCoolantLeaves = 0.05;   // of the heat [M]
 constexpr double kFallsBack = 0.8;
-constexpr double kMostK = 1000.0;
 
 double within(double value, double low, double high) noexcept {
   return value > low ? (value < high ? value : high) : low;
@@ -27,7 +26,7 @@ bool advance(HeatState& state, const HeatTick& tick) noexcept {
   const double in_k_s = kKelvinPerJoule * watts * (tick.coolant ? kCoolantLeaves : 1.0);
   const double decay_s = tick.coolant ? kWetDecayS : kDryDecayS;
   state.rise_k += dt_s * (in_k_s - state.rise_k / decay_s);
-  state.rise_k = within(state.rise_k, 0.0, kMostK);
+  state.rise_k = within(state.rise_k, 0.0, kMostRiseK);
   if (state.over) {
     state.over = state.rise_k >= kFallsBack * kPulpCriterionK;
     return false;

@@ -7,6 +7,7 @@
 namespace cusp::engine {
 
 inline constexpr double kPulpCriterionK = 5.5;       // rise that raises the dry-cutting event [M]
+inline constexpr double kMostRiseK = 1000.0;         // bound of HeatState::rise_k
 inline constexpr double kUnknownRpm = 210e3;         // of a scene without a handpiece: a turbine under load [M]
 
 struct HeatState {
@@ -23,7 +24,7 @@ struct HeatTick {
 };
 
 /// One tick. True in the tick in which the rise comes to the criterion: the dry-cutting event, once for each time that it
-/// gets there. Values that are no numbers, or negative, count as none; the rise stays within [0, 1000].
+/// gets there. Values that are no numbers, or negative, count as none; the rise stays within [0, kMostRiseK].
 bool advance(HeatState& state, const HeatTick& tick) noexcept;
 
 }  // namespace cusp::engine

@@ -15,9 +15,9 @@
 namespace cusp::engine {
 
 /// Rises when a golden hash of the step changes: a session of another engine version opens from its stored results.
-inline constexpr int kEngineVersion = 8;
+inline constexpr int kEngineVersion = 9;
 
-/// How contact is found (design, "Contact methods").
+/// Contact method (engine/contact/README.md).
 enum class Method : std::uint8_t { occupancy, occupancy_pivot, surface, ray, penalty, gradient };
 
 constexpr std::string_view key_of(Method m) noexcept {
@@ -37,14 +37,14 @@ constexpr Reading reading_of(Method m) noexcept {
                                                                                      : Reading::banded;
 }
 
-/// What a tissue feels like and how fast a bur goes through it at full wear.
+/// Stiffness of a tissue, and a bur's speed in it at full wear.
 struct TissueFeel {
   double stiffness_n_per_mm = 1.0;  // K of eq. (2); (0, 20]
   double speed_mm_s = 1.0;          // removal velocity RV of eq. (6) at alpha = 1; 0 = cannot be cut
 };
 
-/// What the guard is made of; each can be switched off, so that its effect can be shown. That a lost device, a position
-/// that is none and a force that is none give no force and latch a fault is not among them: it is never off.
+/// Parts of the guard; each can be switched off, to show its effect. A lost device and a position or force that is not finite
+/// latch a fault in any case.
 enum class GuardPart : std::uint16_t {
   limit = 1 << 0,      // most force
   slew = 1 << 1,       // rising force
@@ -58,20 +58,20 @@ enum class GuardPart : std::uint16_t {
 };
 inline constexpr std::uint16_t kAllGuardParts = 0x1ff;
 
-/// Last stage of the step: what the hand may get. [M]: chosen here, not measured on a device.
+/// Last stage of the step: bounds of the force. [M]: chosen here, not measured on a device.
 struct GuardSettings {
   double limit_n = 8.9;             // the device's; per vector
   double slew_n_per_ms = 0.3;       // how fast the force may rise; it may fall at any rate
   double ramp_in_ms = 200.0;        // from zero after start, bur change or re-arm
   double jump_mm = 5.0;             // a device point that moves further in one input is a fault
   double late_ms = 50.0;            // an input that comes later than this is a fault
-  double stale_ms = 10.0;           // a device that has said nothing new for longer is a fault [M]: a Falcon answers
-                                    // each millisecond, and lets its motors go when the host is silent
+  double stale_ms = 10.0;           // a device without a new sample for longer is a fault [M]: a Falcon answers each
+                                    // millisecond, and drops its force when the host is silent
   double speed_mm_s = 400.0;        // velocity bound: a device that the force itself drives faster is being thrown; from
                                     // here the force fades, to nothing at twice that [M]: hands drill at 1 to 50
-  double passivity_mj = 0.015;      // what the loop may feed before the passivity controller acts
-  double delay_ms = 0.0;            // there and back, that the passivity controller reckons with, [0, 8]
-  double encoder_mm = 0.05;         // of the device's reading: the controller takes less for no motion
+  double passivity_mj = 0.015;      // energy that the loop may feed before the passivity controller acts
+  double delay_ms = 0.0;            // round trip that the passivity controller assumes, [0, 8]
+  double encoder_mm = 0.05;         // step of the device's reading: the controller takes less for no motion
   double coupling_ns_per_m = 10.0;  // damper of the virtual coupling, where the controller has softened it
   std::uint16_t parts = kAllGuardParts;
 
@@ -89,7 +89,7 @@ struct GuardSettings {
   friend bool operator==(const GuardSettings&, const GuardSettings&) = default;
 };
 
-/// For the laboratory: the hand gets the method's own force. Not for hands.
+/// For the laboratory: force_n is the method's own. Not for a device that a person holds.
 constexpr GuardSettings unguarded() noexcept {
   GuardSettings out;
   out.parts = 0;
@@ -101,7 +101,7 @@ struct Scene {
   Method method = Method::surface;
   std::array<TissueFeel, kTissueCodes> tissues{};
   std::vector<Bur> burs;                   // at least one; StepInput::bur chooses
-  Vec3 tool_axis{0.0, 0.0, 1.0};             // unit, from the head towards the shank, for an orientation of none
+  Vec3 tool_axis{0.0, 0.0, 1.0};             // unit, from the head towards the shank, at the identity orientation
   double tilt_cosine = 1.0;                  // surface: how far the input's orientation may tilt it; 1: it stays
   double full_force_n = 1.5;                 // F_full of eq. (4): d_max = F_full / K [M unless the scene says]
   bool friction = false;

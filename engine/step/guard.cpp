@@ -6,17 +6,16 @@ namespace cusp::engine {
 
 namespace {
 
-/// Low-pass of the device's velocity: one encoder step of 0.05 mm in a tick shows as 10 mm/s, not as 50.
+/// Time constant of the velocity's low-pass: an encoder step of 0.05 mm in one tick reads as 10 mm/s, not 50.
 constexpr double kVelocityMs = 4.0;
-/// A late tick earns no more rise than one in time.
+/// A late tick may raise the force no more than one in time.
 constexpr double kMostRiseMs = 1.0;
 
 double length_of(Vec3 v) noexcept { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 bool zero(Vec3 v) noexcept { return v.x == 0.0 && v.y == 0.0 && v.z == 0.0; }
 
-/// In the air, and nothing is left of any contact: then no part has anything to do, and only the device's place and speed
-/// are kept. The answer is what the parts would give.
+/// In the air, with nothing left of any contact: all parts would give zero, so only position and speed are kept.
 bool at_rest(const GuardSettings& settings, const GuardState& state, const GuardTick& tick) noexcept {
   const PassivityState& p = state.passivity;
   if (tick.contact || state.acted != 0 || !zero(tick.raw_n) || !zero(state.given_n) || !zero(p.spring_mm)) return false;
@@ -25,6 +24,44 @@ bool at_rest(const GuardSettings& settings, const GuardState& state, const Guard
   for (const Vec3& held : p.held_n)
     if (!zero(held)) return false;
   return true;
+}
+
+std::uint16_t bit(GuardPart part) noexcept { return static_cast<std::uint16_t>(part); }
+
+/// Parts speed and limit: shortens the force. Returns those that did.
+std::uint16_t bound_size(const GuardSettings& settings, const GuardState& state, Vec3& force) noexcept {
+  std::uint16_t acts = 0;
+  const double wanted = length_of(force);
+  double given = wanted;
+  if (settings.has(GuardPart::speed) && wanted > 1e-12) {
+    // The device flees along the force: it is thrown. Pushing against the force at any speed does not fade it.
+    const double away = glm::dot(state.velocity_mm_s, force) / wanted;
+    if (away > settings.speed_mm_s) {
+      const double over = away / settings.speed_mm_s - 1.0;
+      given = over < 1.0 ? given * (1.0 - over) : 0.0;
+      acts = bit(GuardPart::speed);
+    }
+  }
+  if (settings.has(GuardPart::limit) && given > settings.limit_n) {
+    given = settings.limit_n;
+    acts = static_cast<std::uint16_t>(acts | bit(GuardPart::limit));
+  }
+  if (given < wanted) force *= given / wanted;
+  return acts;
+}
+
+/// Part slew: bounds what the force gains over the share of the last force that it keeps. Returns the part if it did.
+std::uint16_t bound_rise(const GuardSettings& settings, const GuardState& state, double dt_ms, Vec3& force) noexcept {
+  if (!settings.has(GuardPart::slew)) return 0;
+  const double before = glm::dot(state.given_n, state.given_n);
+  double kept = before > 1e-18 ? glm::dot(force, state.given_n) / before : 0.0;
+  kept = kept < 0.0 ? 0.0 : kept > 1.0 ? 1.0 : kept;
+  const Vec3 rise = force - state.given_n * kept;
+  const double most = settings.slew_n_per_ms * (dt_ms < kMostRiseMs ? dt_ms : kMostRiseMs);
+  const double rises = length_of(rise);
+  if (!(rises > most)) return 0;
+  force = state.given_n * kept + rise * (most / rises);
+  return bit(GuardPart::slew);
 }
 
 }  // namespace
@@ -69,34 +106,7 @@ Vec3 guarded(const GuardSettings& settings, GuardState& state, const GuardTick& 
     force = passive(settings, state.passivity, now);
     if (state.passivity.scale < 1.0 && tick.contact) act(GuardPart::passivity);
   }
-  const double wanted = length_of(force);
-  double given = wanted;
-  if (settings.has(GuardPart::speed) && wanted > 1e-12) {
-    // Thrown: along the force. A hand that pushes against it at any speed feels all of it.
-    const double away = glm::dot(state.velocity_mm_s, force) / wanted;
-    if (away > settings.speed_mm_s) {
-      const double over = away / settings.speed_mm_s - 1.0;
-      given = over < 1.0 ? given * (1.0 - over) : 0.0;
-      act(GuardPart::speed);
-    }
-  }
-  if (settings.has(GuardPart::limit) && given > settings.limit_n) {
-    given = settings.limit_n;
-    act(GuardPart::limit);
-  }
-  if (given < wanted) force *= given / wanted;
-  if (settings.has(GuardPart::slew)) {
-    const double before = glm::dot(state.given_n, state.given_n);
-    double kept = before > 1e-18 ? glm::dot(force, state.given_n) / before : 0.0;
-    kept = kept < 0.0 ? 0.0 : kept > 1.0 ? 1.0 : kept;
-    const Vec3 rise = force - state.given_n * kept;
-    const double most = settings.slew_n_per_ms * (tick.dt_ms < kMostRiseMs ? tick.dt_ms : kMostRiseMs);
-    const double rises = length_of(rise);
-    if (rises > most) {
-      force = state.given_n * kept + rise * (most / rises);
-      act(GuardPart::slew);
-    }
-  }
+  acts = static_cast<std::uint16_t>(acts | bound_size(settings, state, force) | bound_rise(settings, state, tick.dt_ms, force));
   state.given_n = force;
   hold(state.passivity, force, tick.contact ? tick.proxy_mm - tick.device_mm : Vec3(0.0));
   const std::uint16_t now_acted = acts;

@@ -14,23 +14,23 @@ class SurfaceMethod final : public ContactMethod {
   void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept override {
     step_surface(state, tick, out);
   }
-  bool lift(StepState::Inner& state) noexcept override { return end_stroke(state); }
+  bool end_stroke(StepState::Inner& state) noexcept override { return engine::end_stroke(state); }
   bool fits(StepState::Inner& state, Vec3 axis, Vec3 pose_mm) noexcept override {
     return state.surface->fits(state.volume, state.scene->burs[state.last.bur], axis, pose_mm);
   }
   bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept override {
     const Bur& head = state.scene->burs[bur];
     const Vec3 axis = state.scene->tool_axis;
-    const bool room = end_stroke(state);
+    const bool room = engine::end_stroke(state);
     const Carved carved = carve_sweep(state.volume, from_mm, to_mm, head, axis);
     for_changed(carved, [&](IVec3 low, IVec3 high) { state.surface->changed(state.volume, low, high); });
     state.memory.add(from_mm, to_mm, sweeper_of(head, bur, axis));
-    state.memory.lift();
+    state.memory.break_path();
     return room && !carved.overflow;
   }
   bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept override {
     const ChangedBox changed = engine::take_away(state.volume, voxels);
-    if (changed.any) state.surface->changed_dull(state.volume, changed.low, changed.high);
+    if (changed.any) state.surface->changed_unresolved(state.volume, changed.low, changed.high);
     return !changed.overflow;
   }
   void reload(StepState::Inner&) override {}  // what it keeps of the volume stands in state.surface

@@ -1,7 +1,6 @@
-/// One way of finding contact, as the step runs it: contact, removal and raw force of a tick. Chosen per scene, made
-/// once when the state is built; all that a next tick depends on stands in StepState::Inner, never in the method, so
-/// that key states and hashes hold it. What a method keeps of its own is derived from the scene and the volume. Thread:
-/// haptic, but for making it and reload(). No heap, no lock, no I/O in the noexcept functions.
+/// A contact method, as the step runs it: contact, removal and raw force of a tick. A state makes its scene's method once.
+/// All that the next tick depends on stands in StepState::Inner (state_fields.h); a method caches only what follows from the
+/// scene and the volume. Thread: haptic, except for construction and reload(). The noexcept functions are wait-free.
 #pragma once
 
 #include <memory>
@@ -11,14 +10,14 @@
 
 namespace cusp::engine {
 
-/// What a tick asks of a method.
+/// Input of a method's tick.
 struct Tick {
   Vec3 device{0.0};
   Vec3 axis{0.0, 0.0, 1.0};  // of the tool, unit, from the ball towards the shank
   bool cut = false;
   double dt_s = 0.001;  // bounded by the guard's late limit
-  double removal_factor = 1.0;  // of the tissues' speeds, [0, 1]: what the spindle leaves
-  bool piece_goes = false;      // a severed piece loses some of itself in this tick: what else can wait does
+  double removal_factor = 1.0;  // share of the tissues' removal speeds that the spindle gives, [0, 1]
+  bool fragment_leaves = false; // this tick removes voxels of a severed fragment, so work that can wait is put off
 };
 
 class ContactMethod {
@@ -27,15 +26,15 @@ class ContactMethod {
 
   /// Moves the proxy, removes what the bur wears and fills contact, force, tissue and flags of `out`.
   virtual void tick(StepState::Inner& state, const Tick& tick, StepOutput& out) noexcept = 0;
-  /// The stroke is over (fault, another bur). False when the volume had no room.
-  virtual bool lift(StepState::Inner& state) noexcept = 0;
-  /// True when a proxy may begin at this pose, false when it has to come down from above the specimen.
+  /// Ends the stroke (fault, another bur). False if the volume had no room.
+  virtual bool end_stroke(StepState::Inner& state) noexcept = 0;
+  /// True if a proxy may start at this pose; if false, it starts above the specimen.
   virtual bool fits(StepState::Inner& state, Vec3 axis, Vec3 pose_mm) noexcept = 0;
   /// See cut_along() of step.h.
   virtual bool cut_along(StepState::Inner& state, std::uint16_t bur, Vec3 from_mm, Vec3 to_mm) noexcept = 0;
-  /// A severed piece's voxels go (engine/volume/fragments.h). False when the volume had no room.
+  /// Removes a severed fragment's voxels (engine/volume/fragments.h). False if the volume had no room.
   virtual bool take_away(StepState::Inner& state, std::span<const IVec3> voxels) noexcept = 0;
-  /// The volume was replaced by a key state's.
+  /// The volume was replaced by a key state's: caches are made again. Not on the haptic thread.
   virtual void reload(StepState::Inner& state) = 0;
 };
 

@@ -1,4 +1,5 @@
-/// Inside of StepState: every number that the next step depends on. Only engine/step includes this.
+/// Inside of StepState: every number that the next step depends on. state_fields.h lists them. Only engine/step and its tests
+/// include this.
 #pragma once
 
 #include <array>
@@ -25,27 +26,27 @@ struct StepState::Inner {
 
   Vec3 proxy{0.0};
   Vec3 device{0.0};                // of the input before
-  Vec3 astray{0.0};                // surface: how the proxy's last move differed from the device's, per mm of it
-  bool strays = false;             // it did so much the same way the tick before
+  Vec3 predicted_excess{0.0};      // surface: the proxy's last move less the device's, per mm of the device's
+  bool prediction_holds = false;   // the last two ticks had much the same excess: the next displacement is predicted by it
   Vec3 cut_pose{0.0};              // banded: the bur's pose as far as removal goes
   Vec3 velocity{0.0};              // of the proxy, mm/s, for friction
   bool started = false;
   bool cut_valid = false;
-  bool cut_pending = false;        // the head has been swept from cut_from to cut_pose: next to be carved
+  bool cut_pending = false;        // the sweep from cut_from to cut_pose is still growing
   Vec3 cut_from{0.0};
-  Vec3 cut_axis{0.0, 0.0, 1.0};    // of the bur on that way
-  /// A piece of the stroke that is being carved, some bricks a tick.
-  struct Owed {
+  Vec3 cut_axis{0.0, 0.0, 1.0};    // of the bur in that sweep
+  /// A finished sweep that is being carved, some bricks a tick.
+  struct PendingSweep {
     Vec3 from{0.0}, to{0.0}, axis{0.0};
     std::uint16_t bur = 0;
-    bool start_carved = false;     // the piece before ended where this one begins
-    std::int32_t next = -1;        // brick to go on from; -1: nothing is owed
+    bool start_carved = false;     // the sweep before ended where this one begins, with the same bur and axis
+    std::int32_t next = -1;        // CarvePart::first of the next part; -1: no sweep is pending
   };
-  Owed owed_piece;
-  std::array<double, kTissueCodes> owed{};  // wear below one quantum, a remainder for each tissue (filled)
-  Vec3 foot{0.0};                  // gradient: from the pivot to the point of the bur that was followed last; zero: none
+  PendingSweep pending_sweep;
+  std::array<double, kTissueCodes> wear_remainder{};  // filled: wear below one quantum of solid fraction, by tissue
+  Vec3 foot{0.0};                  // gradient: from the pivot to the followed point of the bur; zero: none
   CutMemory memory;
-  LeavingPiece leaving;            // a severed piece on its way out
+  FragmentRemoval fragment_removal;
 
   // Derived from the scene and the volume.
   std::vector<std::vector<FrontRing>> fronts;  // by bur; empty for a ball
@@ -54,8 +55,8 @@ struct StepState::Inner {
   std::unique_ptr<PhenomenaState> phenomena;  // null: the scene asks for none
 };
 
-/// Surface method: carves what is still pending and ends the stroke (button up, no contact, fault, another bur).
-/// Returns false when the volume had no room.
+/// Surface method: carves every pending sweep and ends the stroke (button up, no contact, fault, another bur).
+/// False if the volume had no room.
 bool end_stroke(StepState::Inner& state) noexcept;
 
 /// Surface method: contact, removal and raw force of one tick into `out`.

@@ -6,7 +6,6 @@
 #include "engine/step/state.h"
 #include "engine/step/step_fragments.h"
 #include "engine/tool/swept.h"
-#include "engine/volume/hash.h"
 
 namespace cusp::engine {
 
@@ -15,7 +14,7 @@ StepInput quantise(const Sample& sample, std::uint32_t elapsed_us, const StepInp
   out.elapsed_us = elapsed_us;
   out.buttons = static_cast<std::uint16_t>(sample.buttons & 0x1fff);
   out.pedal = sample.pedal;
-  out.loose = 0;
+  out.fragment = 0;
   out.bur = sample.bur;
   if (sample.status == Sample::Status::late) out.buttons |= StepInput::kLate;
   if (sample.status == Sample::Status::gone) out.buttons |= StepInput::kGone;
@@ -59,69 +58,6 @@ const Scene& StepState::scene() const noexcept { return *inner_->scene; }
 const Volume& StepState::volume() const noexcept { return inner_->volume; }
 const StepOutput& StepState::last() const noexcept { return inner_->last; }
 Fault StepState::fault() const noexcept { return inner_->guard.fault; }
-
-std::uint64_t StepState::hash() const noexcept {
-  const Inner& s = *inner_;
-  Hash64 h;
-  h.add(static_cast<std::uint64_t>(kEngineVersion));
-  h.add(s.volume.hash());
-  for (const Vec3& v : {s.proxy, s.device, s.cut_pose, s.cut_from, s.cut_axis, s.owed_piece.from, s.owed_piece.to,
-                        s.owed_piece.axis, s.velocity, s.last.force_n, s.last.force_raw_n})
-    for (int i = 0; i < 3; ++i) h.add_double(v[i]);
-  h.add(s.last.tick);
-  h.add(s.last.elapsed_us);
-  h.add(static_cast<std::uint64_t>(s.last.bur) | static_cast<std::uint64_t>(s.guard.fault) << 16 |
-        static_cast<std::uint64_t>(s.started) << 24 | static_cast<std::uint64_t>(s.cut_valid) << 25 |
-        static_cast<std::uint64_t>(s.cut_pending) << 26);
-  h.add(static_cast<std::uint64_t>(s.owed_piece.next + 1) | static_cast<std::uint64_t>(s.owed_piece.bur) << 32 |
-        static_cast<std::uint64_t>(s.owed_piece.start_carved) << 48);
-  h.add_double(s.guard.ramp_ms);
-  h.add_double(s.guard.stale_ms);
-  const PassivityState& passivity = s.guard.passivity;
-  for (const Vec3& v : {s.guard.given_n, s.guard.velocity_mm_s, passivity.device_mm, passivity.spring_mm})
-    for (int i = 0; i < 3; ++i) h.add_double(v[i]);
-  for (const Vec3& v : passivity.held_n)
-    for (int i = 0; i < 3; ++i) h.add_double(v[i]);
-  for (const double d : {passivity.stiffness_n_per_mm, passivity.scale, passivity.room_mj, passivity.bank_mj})
-    h.add_double(d);
-  h.add((passivity.primed ? 1u : 0u) | static_cast<unsigned>(s.guard.acted) << 1);
-  for (const double owed : s.owed) h.add_double(owed);
-  if (s.scene->method == Method::gradient)
-    for (int i = 0; i < 3; ++i) h.add_double(s.foot[i]);
-  if (s.phenomena) add_to(h, *s.phenomena);
-  if (s.leaving.active() || s.leaving.half() != 0) {
-    h.add(s.leaving.half());
-    for (const LeavingPiece::Entry& entry : s.leaving.entries()) {
-      h.add(static_cast<std::uint64_t>(entry.brick));
-      for (const std::uint64_t voxels : entry.voxels.slice) h.add(voxels);
-    }
-  }
-  if (s.surface) {
-    // A sum over bricks, as the volume's. Mostly all of them are as they come: nothing to add.
-    const CutSurface& cut = s.surface->cut_surface();
-    h.add(cut.sharpens() ? 1u : 0u);
-    std::uint64_t sum = 0;
-    for (const std::int32_t brick : s.volume.cut_bricks()) {
-      const CutSurface::Parts sharp = cut.sharp(s.volume, brick);
-      if (sharp == (cut.sharpens() ? CutSurface::kAllParts : 0)) continue;
-      Hash64 one;
-      one.add(static_cast<std::uint64_t>(brick) << 16 | sharp);
-      sum += one.value();
-    }
-    h.add(sum);
-  }
-  // The memory is what the path made it: its length and its end stand for all of it.
-  h.add(s.memory.size() * 2 + (s.memory.open() ? 1 : 0));
-  if (s.memory.size() > 0) {
-    const CutMemory::Segment& end = s.memory.segment(s.memory.size() - 1);
-    for (int i = 0; i < 3; ++i) {
-      h.add_double(end.a[i]);
-      h.add_double(end.b[i]);
-    }
-    h.add_double(end.by.radius_mm);
-  }
-  return h.value();
-}
 
 namespace {
 
@@ -204,18 +140,18 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.guard.fault = judge(scene.guard, input, std::sqrt(glm::dot(moved, moved)), state.guard.stale_ms, first);
   if (!first && out.bur != state.last.bur) {
     release(state.guard);
-    out.overflow = !state.method->lift(state);
+    out.overflow = !state.method->end_stroke(state);
   }
 
-  const bool piece_goes = input.loose != 0 || state.leaving.active();
-  if (piece_goes) out.overflow = !let_pieces_go(state, input.loose) || out.overflow;
+  const bool fragment_leaves = input.fragment != 0 || state.fragment_removal.active();
+  if (fragment_leaves) out.overflow = !remove_fragments(state, input.fragment) || out.overflow;
 
   const double dt_ms = std::min(elapsed_ms, scene.guard.late_ms);
   if (state.guard.fault != Fault::none) {
     // The proxy stays; after re-arming it walks to wherever the device is by then.
     out.proxy_mm = first ? device : state.proxy;
     out.faulted = true;
-    out.overflow = !state.method->lift(state) || out.overflow;
+    out.overflow = !state.method->end_stroke(state) || out.overflow;
     state.velocity = Vec3(0.0);
     release(state.guard);
     if (!first) state.device = device;
@@ -230,7 +166,7 @@ StepOutput step(StepState& outer, const StepInput& input) noexcept {
     state.last.bur = out.bur;
     state.proxy = first_pose(state, device, out.axis);
   }
-  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, piece_goes};
+  Tick asked{device, out.axis, input.cutting(), dt_ms * 1e-3, 1.0, fragment_leaves};
   // Where the device went while the guard was latched is no speed.
   const bool anew = first || (input.buttons & StepInput::kRearm) != 0;
   if (!state.phenomena) {

@@ -58,7 +58,7 @@ class BandedMethod final : public ContactMethod {
     }
   }
 
-  bool lift(StepState::Inner& state) noexcept override {
+  bool end_stroke(StepState::Inner& state) noexcept override {
     state.cut_valid = false;
     return true;
   }

@@ -63,7 +63,7 @@ void answer(StepState::Inner& state, ToolOverlap& overlap, const VoxelContact& c
 
   if (!tick.cut || contact.hits == 0 || contact.shank) return;
   const VoxelWear worn = wear_voxels(state.volume, overlap.occupancy(), scene, overlap.hit_voxels(), contact.step,
-                                     alpha, tick.dt_s * tick.removal_factor, state.owed);
+                                     alpha, tick.dt_s * tick.removal_factor, state.wear_remainder);
   out.overflow = worn.overflow;
   if (worn.gone) out.overflow = !drop_crumbs(state, worn.low, worn.high) || out.overflow;
   out.cutting = worn.any;
@@ -80,7 +80,7 @@ class FilledMethod final : public ContactMethod {
     const VoxelContact contact = finder_.solve(state.volume, *state.scene, out.bur, state.proxy, tick.device);
     answer(state, finder_.overlap(), contact, tick, out);
   }
-  bool lift(StepState::Inner&) noexcept override { return true; }
+  bool end_stroke(StepState::Inner&) noexcept override { return true; }
   bool fits(StepState::Inner& state, Vec3, Vec3 pose_mm) noexcept override {
     return finder_.overlap().free(state.last.bur, ToolOverlap::voxel_at(state.volume.grid(), pose_mm));
   }

@@ -21,10 +21,10 @@ bool drop_crumbs(StepState::Inner& state, IVec3 low, IVec3 high) noexcept {
   return room;
 }
 
-bool let_pieces_go(StepState::Inner& state, std::uint16_t named) noexcept {
+bool remove_fragments(StepState::Inner& state, std::uint16_t named) noexcept {
   bool room = true;
-  state.leaving.hear(state.volume, named);
-  state.leaving.advance(state.volume, [&](std::span<const IVec3> voxels) {
+  state.fragment_removal.receive(state.volume, named);
+  state.fragment_removal.advance(state.volume, [&](std::span<const IVec3> voxels) {
     room = state.method->take_away(state, voxels);
   });
   return room;

@@ -1,5 +1,5 @@
-/// Severed pieces in a tick: crumbs at once, named pieces brick by brick (engine/volume/fragments.h).
-/// Thread: haptic; wait-free.
+/// Severed fragments in a tick: crumbs at once, named fragments brick by brick (engine/volume/fragments.h).
+/// Thread: haptic. Wait-free.
 #pragma once
 
 #include "engine/removal/carve.h"
@@ -7,12 +7,12 @@
 
 namespace cusp::engine {
 
-/// After a carving: crumbs beside what it changed go with it. False when the volume had no room.
+/// Removes the crumbs beside what a carving changed. False if the volume had no room.
 bool drop_crumbs(StepState::Inner& state, const Carved& carved) noexcept;
 /// The same of voxels low..high.
 bool drop_crumbs(StepState::Inner& state, IVec3 low, IVec3 high) noexcept;
 
-/// Takes in what the input names, and lets the next brick of a named piece go. False when the volume had no room.
-bool let_pieces_go(StepState::Inner& state, std::uint16_t named) noexcept;
+/// Receives the input's half of a name, and removes the next part of a named fragment. False if the volume had no room.
+bool remove_fragments(StepState::Inner& state, std::uint16_t named) noexcept;
 
 }  // namespace cusp::engine

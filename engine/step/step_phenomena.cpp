@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/step/methods.h"
-#include "engine/volume/hash.h"
 
 namespace cusp::engine {
 
@@ -20,7 +19,7 @@ void sign(StepOutput& out, PhenomenonSign what) noexcept {
   out.phenomena = static_cast<std::uint8_t>(out.phenomena | static_cast<unsigned>(what));
 }
 
-void tell(const PhenomenaState& state, StepOutput& out) noexcept {
+void report(const PhenomenaState& state, StepOutput& out) noexcept {
   out.spindle_rpm = static_cast<float>(state.spindle.rpm);
   out.heat_k = static_cast<float>(state.heat.rise_k);
   if (state.spindle.stalled) sign(out, PhenomenonSign::stalled);
@@ -60,7 +59,7 @@ void work(PhenomenaState& state, const Scene& scene, const StepInput& input, Vec
     if (coolant) sign(out, PhenomenonSign::coolant);
     if (works && !coolant) sign(out, PhenomenonSign::dry);
   }
-  tell(state, out);
+  report(state, out);
 
   if (asked.handpiece == Handpiece::none) return;
   const double given = length_of(out.force_n);
@@ -80,14 +79,7 @@ void work(PhenomenaState& state, const Scene& scene, const StepInput& input, Vec
 void rest(PhenomenaState& state, double dt_s, StepOutput& out) noexcept {
   advance(state.spindle, state.settings, 0.0, 0.0, kStallRadiusMm, dt_s);
   static_cast<void>(advance(state.heat, {0.0, 0.0, false, dt_s}));
-  tell(state, out);
-}
-
-void add_to(Hash64& hash, const PhenomenaState& state) noexcept {
-  hash.add_double(state.spindle.rpm);
-  hash.add_double(state.heat.rise_k);
-  hash.add(static_cast<std::uint64_t>(state.vibration.phase) | std::uint64_t{state.spindle.stalled} << 32 |
-           std::uint64_t{state.heat.over} << 33);
+  report(state, out);
 }
 
 }  // namespace cusp::engine

@@ -11,7 +11,6 @@
 namespace cusp::engine {
 
 struct Tick;
-class Hash64;
 
 struct PhenomenaState {
   explicit PhenomenaState(const Scene& scene) noexcept;
@@ -24,20 +23,17 @@ struct PhenomenaState {
   HeatState heat;
 };
 
-/// Before the method. Takes what pressed on the bur in the tick before, moves the spindle, and says whether the bur
-/// cuts and at which share of the tissues' speeds.
+/// Before the method. Advances the spindle under the push of the tick before; sets Tick::cut and Tick::removal_factor.
 void turn(PhenomenaState& state, const Scene& scene, const StepInput& input, const StepOutput& before, double dt_s,
           Tick& tick) noexcept;
 
-/// After the guard: heat, and what the hand feels of the turning. Drag and vibration are at most kDragShare and
-/// kMostVibrationShare of the guarded force, so they are nothing where the guard gives nothing, never pull, and stay
-/// outside of the passivity controller's account; the sum stays within the guard's limit.
+/// After the guard: heat, drag and vibration. Drag and vibration are at most kDragShare and kMostVibrationShare of the guarded
+/// force: zero where that is zero, and never a pull. The passivity controller does not count them. The sum stays within the
+/// guard's limit.
 void work(PhenomenaState& state, const Scene& scene, const StepInput& input, Vec3 axis, double dt_s,
           StepOutput& out) noexcept;
 
-/// Of a tick without force (a fault): runs down, cools down.
+/// A tick without force (a fault): the spindle runs down, the tooth cools.
 void rest(PhenomenaState& state, double dt_s, StepOutput& out) noexcept;
-
-void add_to(Hash64& hash, const PhenomenaState& state) noexcept;
 
 }  // namespace cusp::engine

@@ -31,7 +31,7 @@ struct Stamp {
 };
 /// Beside tissue that stays: as far as the next voxel's centre.
 const Stamp kBeside(1.0);
-/// Else: as far as the piece's own surface can stand off its outermost centres, at a corner.
+/// Else: as far as the fragment's surface can stand off its outermost centres, at a corner.
 const Stamp kClear(1.75);
 
 BrickVoxelSet occupied_in(const Specimen& specimen, int brick, const std::uint16_t* cut) noexcept {
@@ -249,7 +249,7 @@ bool take_away(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxe
   return room;
 }
 
-void LeavingPiece::enter(int brick, const BrickVoxelSet& voxels) noexcept {
+void FragmentRemoval::enter(int brick, const BrickVoxelSet& voxels) noexcept {
   for (Entry& entry : entries_)
     if (entry.brick == brick) {
       for (std::size_t z = 0; z < 8; ++z) entry.voxels.slice[z] |= voxels.slice[z];
@@ -258,7 +258,7 @@ void LeavingPiece::enter(int brick, const BrickVoxelSet& voxels) noexcept {
   if (entries_.size() < kMostBricks) entries_.push_back({brick, voxels});
 }
 
-void LeavingPiece::hear(const Volume& volume, std::uint16_t half) noexcept {
+void FragmentRemoval::receive(const Volume& volume, std::uint16_t half) noexcept {
   if (half == 0) return;
   if (half & 0x8000u) {
     half_ = half;
@@ -275,14 +275,14 @@ void LeavingPiece::hear(const Volume& volume, std::uint16_t half) noexcept {
   enter(brick, seed);
 }
 
-int LeavingPiece::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& voxels) noexcept {
+int FragmentRemoval::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& voxels) noexcept {
   const Entry entry = entries_.front();
-  const BrickVoxelSet piece = reached(occupied_in(volume, entry.brick), entry.voxels);
+  const BrickVoxelSet part = reached(occupied_in(volume, entry.brick), entry.voxels);
   // Whole slices, until it is enough for a tick: what is left goes on with the next one.
-  BrickVoxelSet rest = piece;
+  BrickVoxelSet rest = part;
   int count = 0;
-  for (std::size_t z = 0; z < 8 && count < kVoxelsATick; ++z) {
-    count += std::popcount(piece.slice[z]);
+  for (std::size_t z = 0; z < 8 && count < kVoxelsPerTick; ++z) {
+    count += std::popcount(part.slice[z]);
     rest.slice[z] = 0;
   }
   if (rest.empty()) {
@@ -290,7 +290,7 @@ int LeavingPiece::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& vo
   } else {
     entries_.front().voxels = rest;
   }
-  if (piece.empty()) return 0;
+  if (part.empty()) return 0;
   const Specimen& specimen = volume.specimen();
   const IVec3 at = specimen.brick_at(entry.brick);
   for (int i = 0; i < 27; ++i) {
@@ -298,7 +298,7 @@ int LeavingPiece::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& vo
     if (i == 13) continue;
     const int brick = specimen.brick_index(at + step);
     if (brick < 0 || !volume.cuttable(brick)) continue;
-    BrickVoxelSet there = touching(piece, step);
+    BrickVoxelSet there = touching(part, step);
     if (there.empty()) continue;
     const BrickVoxelSet occupied = occupied_in(volume, brick);
     for (std::size_t z = 0; z < 8; ++z) there.slice[z] &= occupied.slice[z];
@@ -306,12 +306,12 @@ int LeavingPiece::next(const Volume& volume, std::array<IVec3, kBrickVoxels>& vo
   }
   count = 0;
   for (int o = 0; o < kBrickVoxels; ++o)
-    if (piece.has(o) && !rest.has(o))
+    if (part.has(o) && !rest.has(o))
       voxels[static_cast<std::size_t>(count++)] = at * kBrickEdge + IVec3(o & 7, o >> 3 & 7, o >> 6);
   return count;
 }
 
-bool LeavingPiece::load(std::uint16_t half, std::span<const Entry> entries, int bricks) noexcept {
+bool FragmentRemoval::load(std::uint16_t half, std::span<const Entry> entries, int bricks) noexcept {
   if (entries.size() > kMostBricks) return false;
   for (const Entry& entry : entries)
     if (entry.brick < 0 || entry.brick >= bricks) return false;

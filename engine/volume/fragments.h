@@ -1,9 +1,9 @@
-/// Pieces that cutting has severed. Pieces are of occupied voxels joined over the 26 neighbours (so that a thin oblique
-/// wall holds), never of what lay apart already at the start.
+/// Fragments: connected components of occupied voxels that cutting has severed. Voxels connect over the 26 neighbours, so that a
+/// thin oblique wall holds. Components that were apart at the start are no fragments of each other.
 ///
-/// A *crumb* (under kCrumbVoxels) goes in the tick that severs it: for_crumbs() looks round what was just cut. A *loose
-/// piece* is found off the thread (find_loose_pieces) and named to the step by one of its voxels in the recorded inputs;
-/// the step then takes it away, at most a brick a tick (LeavingPiece), the same in every replay.
+/// A *crumb* is a component of less than kCrumbVoxels; the tick that severs it removes it: for_crumbs() searches about the cut.
+/// A larger *fragment* is found off the haptic thread (find_severed_fragments) and named to the step by one of its voxels in the
+/// recorded inputs. The step removes it, at most a brick a tick (FragmentRemoval), the same in every replay.
 #pragma once
 
 #include <array>
@@ -60,15 +60,15 @@ struct Crumb {
   std::span<const IVec3> voxels() const noexcept { return {voxel.data(), static_cast<std::size_t>(size)}; }
 };
 
-/// The whole piece that a voxel belongs to when it is a crumb; false when it is larger, or the voxel is empty.
-/// At most kCrumbVoxels voxels are looked at, each with its 26 neighbours. Haptic thread; wait-free.
+/// The component of a voxel if it is a crumb; false if it is larger or the voxel is empty.
+/// Reads at most kCrumbVoxels voxels, each with its 26 neighbours. Haptic thread; wait-free.
 bool crumb_at(const Volume& volume, IVec3 voxel, Crumb& out) noexcept;
 
 /// Haptic thread; wait-free. Calls gone(const Crumb&) for every crumb that touches a changed voxel, in order of bricks and
-/// voxels; gone() has to take it away. low..high: voxels that may have changed, inclusive; tell(mark) calls
+/// voxels; gone() has to remove it. low..high: voxels that may have changed, inclusive; for_boxes(mark) calls
 /// mark(low, high) for boxes that together hold them. Reads each brick that they touch once, 0.1 to 0.5 us.
-template <class Tell, class Gone>
-void for_crumbs(const Volume& volume, IVec3 low, IVec3 high, Tell&& tell, Gone&& gone) noexcept {
+template <class ForBoxes, class Gone>
+void for_crumbs(const Volume& volume, IVec3 low, IVec3 high, ForBoxes&& for_boxes, Gone&& gone) noexcept {
   const Specimen& specimen = volume.specimen();
   const auto brick_of = [](IVec3 v) { return IVec3(v.x >> 3, v.y >> 3, v.z >> 3); };
   const IVec3 last = volume.grid().size - 1;
@@ -80,7 +80,7 @@ void for_crumbs(const Volume& volume, IVec3 low, IVec3 high, Tell&& tell, Gone&&
   std::array<std::uint64_t, kMarks / 64> marked{};
   const auto place = [&](IVec3 brick) { return brick.x - from.x + n.x * (brick.y - from.y + n.y * (brick.z - from.z)); };
   if (marks)
-    tell([&](IVec3 a, IVec3 b) {
+    for_boxes([&](IVec3 a, IVec3 b) {
       const IVec3 first = brick_of(glm::max(a - 1, IVec3(0))), end = brick_of(glm::min(b + 1, last));
       for (int z = first.z; z <= end.z; ++z)
         for (int y = first.y; y <= end.y; ++y)
@@ -103,9 +103,9 @@ void for_crumbs(const Volume& volume, IVec3 low, IVec3 high, Tell&& tell, Gone&&
           BrickVoxelSet seed;
           const int o = left.first();
           seed.add(o);
-          const BrickVoxelSet piece = reached(left, seed);
-          for (std::size_t z = 0; z < 8; ++z) left.slice[z] &= ~piece.slice[z];
-          if (piece.count() >= kCrumbVoxels) continue;
+          const BrickVoxelSet part = reached(left, seed);
+          for (std::size_t z = 0; z < 8; ++z) left.slice[z] &= ~part.slice[z];
+          if (part.count() >= kCrumbVoxels) continue;
           if (crumb_at(volume, at * kBrickEdge + IVec3(o & 7, o >> 3 & 7, o >> 6), crumb)) gone(crumb);
         }
       }
@@ -117,11 +117,11 @@ struct ChangedBox {
   bool overflow = false;  // a brick had no room: what lies there stays
   IVec3 low{0}, high{0};
 };
-/// Haptic thread; wait-free. Takes voxels of a banded volume away: C = min(C, a ball of one voxel's radius about each),
-/// of 1.75 where no tissue that stays is beside: a piece's own surface stands off its outermost centres by that much at its
-/// corners, and would still be felt. Nothing that does not touch them loses an occupied voxel.
+/// Haptic thread; wait-free. Removes voxels of a banded volume: C = min(C, outside of a ball about each). The ball's radius is one
+/// voxel beside tissue that stays, else 1.75: a fragment's surface stands off its outermost centres by up to that at corners.
+/// No other occupied voxel is lost unless it touches them.
 ChangedBox take_away(Volume& volume, std::span<const IVec3> voxels) noexcept;
-/// The same of a filled one. False when there was no room for some.
+/// The same for a filled volume. False if there was no room for some.
 bool take_away(Volume& volume, Occupancy& occupancy, std::span<const IVec3> voxels) noexcept;
 
 /// Name of a voxel in the recorded inputs: brick and offset in 30 bits, sent as two halves of 15. Bricks beyond the
@@ -131,24 +131,25 @@ constexpr std::uint32_t voxel_name(int brick, int offset) noexcept {
   return static_cast<std::uint32_t>(brick) << 9 | static_cast<std::uint32_t>(offset);
 }
 
-/// A piece on its way out: bricks still to be visited, with the voxels that it enters them by, or that are left of it there.
-/// A brick a tick at most, of a full one a part, so that a tick's work is bounded; what finds no room is found again, and named again, by whoever looks for loose pieces.
-/// Part of the step's state. Thread: haptic; memory is taken at construction.
-class LeavingPiece {
+/// Removal of named fragments, a brick a tick at most and a full brick in parts, so that a tick's work is bounded. An entry is a
+/// brick still to visit, with the voxels that the fragment enters it by, or that are left of it there. What finds no room is
+/// found, and named, again. Part of the step's state. Thread: haptic; memory is taken at construction.
+class FragmentRemoval {
  public:
   static constexpr int kMostBricks = 512;
-  static constexpr int kVoxelsATick = 192;  // and at most a slice of 64 more
+  static constexpr int kVoxelsPerTick = 192;  // and up to one slice of 64 more: slices go whole
   struct Entry {
     std::int32_t brick = 0;
     BrickVoxelSet voxels;
   };
 
-  LeavingPiece() { entries_.reserve(kMostBricks); }
+  FragmentRemoval() { entries_.reserve(kMostBricks); }
 
-  /// A half of a name, as StepInput::loose has it: bit 15 marks the first (higher) half; 0 is nothing.
-  void hear(const Volume& volume, std::uint16_t half) noexcept;
+  /// A half of a name, as StepInput::fragment has it: bit 15 marks the first (higher) half; 0 is nothing.
+  void receive(const Volume& volume, std::uint16_t half) noexcept;
   bool active() const noexcept { return !entries_.empty(); }
-  /// Takes away what the piece has in the brick that has waited longest, or as much of it as a tick has time for. Calls gone(std::span<const IVec3>) where there is any.
+  /// Removes the fragment's voxels in the brick that has waited longest, kVoxelsPerTick at most: calls
+  /// gone(std::span<const IVec3>) if there are any.
   template <class Gone>
   void advance(const Volume& volume, Gone&& gone) noexcept {
     if (entries_.empty()) return;
@@ -157,10 +158,10 @@ class LeavingPiece {
     if (count > 0) gone(std::span<const IVec3>(voxels.data(), static_cast<std::size_t>(count)));
   }
 
-  /// For saving: a half that waits for its second (0: none), and the entries in order.
+  /// For saving: the first half of a name that waits for its second (0: none), and the entries in order.
   std::uint16_t half() const noexcept { return half_; }
   std::span<const Entry> entries() const noexcept { return entries_; }
-  /// False (and unchanged) when it cannot be.
+  /// False, and unchanged, if there are too many entries or a brick is not below `bricks`.
   bool load(std::uint16_t half, std::span<const Entry> entries, int bricks) noexcept;
 
  private:
@@ -171,9 +172,9 @@ class LeavingPiece {
   std::uint16_t half_ = 0;
 };
 
-/// Off the haptic thread. Voxel names of the pieces that the changed bricks' pieces have fallen into, one for each but
-/// the largest of what hung together at the start; nothing where all still hangs together. Cheap then; else as much work as
-/// the smaller pieces are large. Changed bricks: since the last call, else a piece may be missed.
-std::vector<std::uint32_t> find_loose_pieces(const Volume& volume, std::span<const std::int32_t> changed_bricks);
+/// Off the haptic thread. Names of the fragments of each component of the specimen, all but the largest; empty if all still
+/// hangs together. changed_bricks: since the last call, else a fragment may be missed. Cost: the changed bricks, and the
+/// smaller fragments' voxels.
+std::vector<std::uint32_t> find_severed_fragments(const Volume& volume, std::span<const std::int32_t> changed_bricks);
 
 }  // namespace cusp::engine

@@ -274,7 +274,7 @@ Row run_fragment(const CaseRun& what) {
   double off_ms = 0.0;
   const auto detaches = [&shape](Pair& pair) {
     if (!shape.give_way(pair.state())) throw std::runtime_error("no room for the cut");
-    const auto names = find_loose_pieces(pair.state().volume(), pair.state().volume().cut_bricks());
+    const auto names = find_severed_fragments(pair.state().volume(), pair.state().volume().cut_bricks());
     if (names.empty()) throw std::runtime_error("the plate is not detached");
     pair.name_fragment(names.front());
     pair.replace(shape.truth_after(), shape.bur_radius_mm());

@@ -237,7 +237,7 @@ StepInput Pair::rearmed(StepInput input) {
 StepOutput Pair::tick(const StepInput& given, Tally& tally) {
   StepInput input = given;
   if (!named_.empty()) {
-    input.loose = named_.front();
+    input.fragment = named_.front();
     named_.erase(named_.begin());
   }
   const StepOutput out = step(state_, input);

@@ -38,7 +38,7 @@ StepInput any_input(std::mt19937_64& random) {
   in.buttons = any<std::uint16_t>(random);
   in.pedal = any<std::uint16_t>(random);
   in.bur = any<std::uint16_t>(random);
-  in.loose = any<std::uint16_t>(random);
+  in.fragment = any<std::uint16_t>(random);
   in.elapsed_us = any<std::uint32_t>(random);
   return in;
 }

@@ -8,7 +8,7 @@
 
 #include "engine/base/fp_guard.h"
 #include "engine/loop/haptic_loop.h"
-#include "engine/mirror/loose_pieces.h"
+#include "engine/mirror/fragment_finder.h"
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/operators/faults.h"
@@ -130,7 +130,7 @@ std::optional<Go> play(const Table& table, HapticPort& port, const std::function
   LoopSettings settings;
   settings.period = std::chrono::microseconds(kAuditTickUs);
   VirtualLoop loop(port, StepState(table.scene), settings);
-  LooseFinder loose(loop.hand_over());
+  FragmentFinder finder(loop.hand_over());
   Process process;
   Go out;
   for (std::uint64_t tick = 1; loop.run(1) == 1; ++tick) {
@@ -140,7 +140,7 @@ std::optional<Go> play(const Table& table, HapticPort& port, const std::function
     process.add(o);
     out.lost += (o.infeasible || o.overflow) ? 1 : 0;
     if (tick % kTurn == 0) {
-      loose.look(loop.state());
+      finder.search(loop.state());
       if (!go_on()) return std::nullopt;
     }
   }

@@ -5,7 +5,7 @@
 
 #include "device/hid/pedalled_port.h"
 #include "engine/loop/haptic_loop.h"
-#include "engine/mirror/loose_pieces.h"
+#include "engine/mirror/fragment_finder.h"
 #include "ui/modules.h"
 #include "ui/session/run_follower.h"
 #include "ui/session/run_setup.h"
@@ -29,7 +29,7 @@ struct ExerciseRun::Inner {
   std::unique_ptr<HapticLoop> loop;
   std::unique_ptr<Mirror> mirror;
   std::unique_ptr<RunFollower> follower;
-  std::unique_ptr<LooseFinder> loose;
+  std::unique_ptr<FragmentFinder> fragments;
   std::unique_ptr<Store> store;  // back from the recorder, once all is written
   bool stopped = false, over = false;
 
@@ -81,8 +81,8 @@ Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& p
   // The picture before the scores.
   for (Observer* observer : run.plan.observers) run.mirror->add(*observer);
   run.mirror->add(*run.follower);
-  run.loose = std::make_unique<LooseFinder>(run.loop->hand_over());
-  run.mirror->add(*run.loose);
+  run.fragments = std::make_unique<FragmentFinder>(run.loop->hand_over());
+  run.mirror->add(*run.fragments);
   run.rate_at = std::chrono::steady_clock::now();
   run.mirror->start();
   // Who continues holds the bur elsewhere than the record ends: the guard would call that a jump. resume() re-arms it.

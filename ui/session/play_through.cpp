@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "engine/loop/haptic_loop.h"
-#include "engine/mirror/loose_pieces.h"
+#include "engine/mirror/fragment_finder.h"
 #include "ui/modules.h"
 #include "ui/session/run_follower.h"
 #include "ui/session/run_setup.h"
@@ -39,10 +39,10 @@ Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& 
   RunEnd end = RunEnd::script;
   std::uint64_t asked_at_s = 0;
   // Between turns, not by the mirror: when a piece goes must not depend on threads.
-  LooseFinder loose(loop.hand_over());
+  FragmentFinder finder(loop.hand_over());
   mirror.start();
   while (loop.run(kTurn) == kTurn) {
-    loose.look(loop.state());
+    finder.search(loop.state());
     while (loop.hand_over().inputs.size() > kMostWaiting) std::this_thread::sleep_for(std::chrono::microseconds(200));
     if (recorder && recorder->state() == RecordingState::failed) break;
     const std::uint64_t elapsed = loop.state().last().elapsed_us;

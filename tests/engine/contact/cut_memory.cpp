@@ -32,7 +32,7 @@ CutMemory filled() {
 TEST(CutMemory, when_it_is_full_each_new_segment_takes_the_oldest_ones_place) {
   CutMemory memory;
   for (int k = 0; k < kSteps; ++k) {
-    memory.lift();
+    memory.break_path();
     ASSERT_FALSE(memory.add(stroke(k), stroke(k + 1), kBall));
     ASSERT_EQ(memory.size(), std::min<std::size_t>(static_cast<std::size_t>(k) + 1, CutMemory::kSegments));
   }

@@ -47,7 +47,7 @@ struct Bench {
     const Carved carved = carve_sweep(*volume, a, b, bur(), kUp);
     ASSERT_FALSE(carved.overflow);
     memory.add(a, b, sweeper_of(bur(), 0, kUp));
-    memory.lift();
+    memory.break_path();
     for_changed(carved, [&](IVec3 low, IVec3 high) { surface->changed(*volume, low, high); });
   }
   /// By pairs: no plane is met.

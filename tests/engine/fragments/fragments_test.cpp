@@ -1,4 +1,4 @@
-// Severed pieces in the volume: what hangs together, what is found, and that nothing else goes.
+// Severed fragments in the volume: what hangs together, what is found, and that nothing else goes.
 #include "engine/volume/fragments.h"
 
 #include <gtest/gtest.h>
@@ -38,9 +38,9 @@ int occupied(const Volume& volume) {
 /// Lets a named piece go as the step does, at most so many ticks; the number that it took.
 int let_go(Volume& volume, std::uint32_t name, int most = 1000) {
   Occupancy occupancy(volume);
-  LeavingPiece leaving;
-  leaving.hear(volume, static_cast<std::uint16_t>(0x8000u | name >> 15));
-  leaving.hear(volume, static_cast<std::uint16_t>(name & 0x7fffu));
+  FragmentRemoval leaving;
+  leaving.receive(volume, static_cast<std::uint16_t>(0x8000u | name >> 15));
+  leaving.receive(volume, static_cast<std::uint16_t>(name & 0x7fffu));
   int ticks = 0;
   for (; leaving.active() && ticks < most; ++ticks)
     leaving.advance(volume, [&](std::span<const IVec3> voxels) {
@@ -118,19 +118,19 @@ TEST_P(EveryReading, a_block_cut_through_loses_its_smaller_part_and_no_more) {
   Volume volume(block(GetParam()));
   // A plane slot of 0.4 mm at x = 0.5: 0.9 mm of the block lie beyond it.
   carved::carve(volume, [](Vec3 p) { return box(p, Vec3(0.5, 0.0, 0.0), Vec3(0.2, 3.0, 3.0)); });
-  const std::vector<std::uint32_t> names = find_loose_pieces(volume, bricks_of(volume));
+  const std::vector<std::uint32_t> names = find_severed_fragments(volume, bricks_of(volume));
   ASSERT_EQ(names.size(), 1u);
   const int before = occupied(volume);
   const int ticks = let_go(volume, names[0]);
   EXPECT_LT(ticks, 70) << "bricks of 8 voxels: 9 x 24 x 24 lie in 2 x 4 x 4 of them, few twice";
   EXPECT_EQ(before - occupied(volume), 9 * 24 * 24);
-  EXPECT_TRUE(find_loose_pieces(volume, bricks_of(volume)).empty());
+  EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
 }
 
-TEST_P(EveryReading, what_a_neck_still_holds_is_not_loose) {
+TEST_P(EveryReading, what_a_neck_still_holds_is_no_fragment) {
   Volume volume(block(GetParam()));
   carved::carve(volume, [](Vec3 p) { return box(p, Vec3(0.5, 0.2, 0.0), Vec3(0.2, 1.2, 3.0)); });
-  EXPECT_TRUE(find_loose_pieces(volume, bricks_of(volume)).empty());
+  EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
 }
 
 TEST_P(EveryReading, solids_that_stood_apart_at_the_start_both_stay) {
@@ -138,14 +138,14 @@ TEST_P(EveryReading, solids_that_stood_apart_at_the_start_both_stay) {
   Volume volume(carved::specimen(grid(), GetParam(), two, [](Vec3) { return Tissue::dentine; }));
   // One hole into both, through the gap of 0.2 mm between them.
   carved::carve(volume, [](Vec3 p) { return std::sqrt(glm::dot(p - Vec3(-0.1, 0, 1.2), p - Vec3(-0.1, 0, 1.2))) - 0.5; });
-  EXPECT_TRUE(find_loose_pieces(volume, bricks_of(volume)).empty());
+  EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
 }
 
 TEST_P(EveryReading, an_overhang_stays) {
   Volume volume(block(GetParam()));
   // Undercut from one side: a roof of 0.5 mm that hangs on the far side alone.
   carved::carve(volume, [](Vec3 p) { return box(p, Vec3(0.3, 0, 0.4), Vec3(1.6, 3.0, 0.3)); });
-  EXPECT_TRUE(find_loose_pieces(volume, bricks_of(volume)).empty());
+  EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
 }
 
 TEST(Fragments, what_went_leaves_no_surface_behind_and_its_neighbours_untouched) {
@@ -175,20 +175,20 @@ TEST(Fragments, what_went_leaves_no_surface_behind_and_its_neighbours_untouched)
       }
 }
 
-TEST_P(EveryReading, a_piece_leaves_alike_from_a_saved_state) {
+TEST_P(EveryReading, a_fragment_is_removed_alike_from_a_saved_state) {
   Volume one(block(GetParam()));
   carved::carve(one, [](Vec3 p) { return box(p, Vec3(0.5, 0.0, 0.0), Vec3(0.2, 3.0, 3.0)); });
-  const std::uint32_t name = find_loose_pieces(one, bricks_of(one)).at(0);
+  const std::uint32_t name = find_severed_fragments(one, bricks_of(one)).at(0);
   Volume other = one;
   let_go(one, name);
 
   // The other one is saved and loaded after five ticks.
   Occupancy occupancy(other);
-  LeavingPiece first, second;
-  first.hear(other, static_cast<std::uint16_t>(0x8000u | name >> 15));
-  LeavingPiece::Entry none[1];
+  FragmentRemoval first, second;
+  first.receive(other, static_cast<std::uint16_t>(0x8000u | name >> 15));
+  FragmentRemoval::Entry none[1];
   ASSERT_TRUE(second.load(first.half(), {none, 0}, 1000));
-  second.hear(other, static_cast<std::uint16_t>(name & 0x7fffu));
+  second.receive(other, static_cast<std::uint16_t>(name & 0x7fffu));
   const auto gone = [&](std::span<const IVec3> voxels) {
     if (GetParam() == Reading::filled)
       take_away(other, occupancy, voxels);
@@ -196,7 +196,7 @@ TEST_P(EveryReading, a_piece_leaves_alike_from_a_saved_state) {
       take_away(other, voxels);
   };
   for (int k = 0; k < 5; ++k) second.advance(other, gone);
-  LeavingPiece third;
+  FragmentRemoval third;
   ASSERT_TRUE(third.load(second.half(), second.entries(), 1000));
   while (third.active()) third.advance(other, gone);
   EXPECT_EQ(one.hash(), other.hash());
@@ -205,11 +205,11 @@ TEST_P(EveryReading, a_piece_leaves_alike_from_a_saved_state) {
 TEST_P(EveryReading, a_full_brick_goes_in_parts) {
   Volume volume(block(GetParam()));
   carved::carve(volume, [](Vec3 p) { return box(p, Vec3(0.5, 0.0, 0.0), Vec3(0.2, 3.0, 3.0)); });
-  const std::uint32_t name = find_loose_pieces(volume, bricks_of(volume)).at(0);
+  const std::uint32_t name = find_severed_fragments(volume, bricks_of(volume)).at(0);
   Occupancy occupancy(volume);
-  LeavingPiece leaving;
-  leaving.hear(volume, static_cast<std::uint16_t>(0x8000u | name >> 15));
-  leaving.hear(volume, static_cast<std::uint16_t>(name & 0x7fffu));
+  FragmentRemoval leaving;
+  leaving.receive(volume, static_cast<std::uint16_t>(0x8000u | name >> 15));
+  leaving.receive(volume, static_cast<std::uint16_t>(name & 0x7fffu));
   std::size_t most = 0;
   while (leaving.active())
     leaving.advance(volume, [&](std::span<const IVec3> voxels) {
@@ -221,24 +221,24 @@ TEST_P(EveryReading, a_full_brick_goes_in_parts) {
     });
   // A slice of 64 at most beyond what is enough; a brick whole would be 512.
   EXPECT_GE(most, 128u);
-  EXPECT_LT(most, static_cast<std::size_t>(LeavingPiece::kVoxelsATick) + 64u);
-  EXPECT_TRUE(find_loose_pieces(volume, bricks_of(volume)).empty());
+  EXPECT_LT(most, static_cast<std::size_t>(FragmentRemoval::kVoxelsPerTick) + 64u);
+  EXPECT_TRUE(find_severed_fragments(volume, bricks_of(volume)).empty());
 }
 
 TEST(Fragments, a_name_that_names_nothing_does_nothing) {
   Volume volume(block(Reading::banded));
-  LeavingPiece leaving;
-  leaving.hear(volume, 0x1234);  // a second half without a first
+  FragmentRemoval leaving;
+  leaving.receive(volume, 0x1234);  // a second half without a first
   EXPECT_FALSE(leaving.active());
-  leaving.hear(volume, 0xffff);
-  leaving.hear(volume, 0x7fff);  // a brick far beyond the last
+  leaving.receive(volume, 0xffff);
+  leaving.receive(volume, 0x7fff);  // a brick far beyond the last
   EXPECT_FALSE(leaving.active());
-  leaving.hear(volume, 0x8000);
-  leaving.hear(volume, 0x0001);  // an empty voxel
+  leaving.receive(volume, 0x8000);
+  leaving.receive(volume, 0x0001);  // an empty voxel
   int calls = 0;
   while (leaving.active()) leaving.advance(volume, [&](std::span<const IVec3>) { ++calls; });
   EXPECT_EQ(calls, 0);
-  const LeavingPiece::Entry outside{100000, {}};
+  const FragmentRemoval::Entry outside{100000, {}};
   EXPECT_FALSE(leaving.load(0, {&outside, 1}, 1000));
 }
 

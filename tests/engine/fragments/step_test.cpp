@@ -1,4 +1,4 @@
-// Severed pieces in the step: crumbs go with the cut, named pieces within a tenth of a second, in a replay alike.
+// Severed fragments in the step: crumbs go with the cut, named fragments within a tenth of a second, in a replay alike.
 #include <gtest/gtest.h>
 
 #include "engine/volume/fragments.h"
@@ -87,7 +87,7 @@ int in_the_cube(const Volume& volume) {
   return count;
 }
 
-TEST_P(EveryMethod, a_cube_cut_loose_disappears_within_100_ms_and_in_the_replay_alike) {
+TEST_P(EveryMethod, a_severed_cube_disappears_within_100_ms_and_in_the_replay_alike) {
   const auto scene = scene_of(cube_on_a_neck(), GetParam(), 0.25, 20.0);
   StepState state(scene);
   std::vector<StepInput> record;
@@ -106,11 +106,11 @@ TEST_P(EveryMethod, a_cube_cut_loose_disappears_within_100_ms_and_in_the_replay_
     // As the loop does: looked for every 25 ms, then named in two inputs.
     if (names.empty() && k % 25 == 0) {
       const auto bricks = state.volume().cut_bricks();
-      names = find_loose_pieces(state.volume(), bricks);
+      names = find_severed_fragments(state.volume(), bricks);
       if (!names.empty()) severed_at = k;
     }
     if (!names.empty() && sent < 2) {
-      input.loose = sent == 0 ? static_cast<std::uint16_t>(0x8000u | names[0] >> 15) : static_cast<std::uint16_t>(names[0] & 0x7fffu);
+      input.fragment = sent == 0 ? static_cast<std::uint16_t>(0x8000u | names[0] >> 15) : static_cast<std::uint16_t>(names[0] & 0x7fffu);
       ++sent;
     }
     tick(input);
@@ -127,18 +127,18 @@ TEST_P(EveryMethod, a_cube_cut_loose_disappears_within_100_ms_and_in_the_replay_
   EXPECT_EQ(replay.hash(), state.hash());
 }
 
-TEST(Fragments, a_state_saved_while_a_piece_leaves_goes_on_alike) {
+TEST(Fragments, a_state_saved_while_a_fragment_is_removed_goes_on_alike) {
   const auto scene = scene_of(cube_on_a_neck(), Method::surface, 0.3, 20.0);
   StepState state(scene);
   step(state, input_at({0, 0, 3.0}));
   ASSERT_TRUE(cut_along(state, 0, {0.14, -0.6, -0.2}, {0.14, 0.6, -0.2}));
   ASSERT_TRUE(cut_along(state, 0, {0.14, -0.6, 0.2}, {0.14, 0.6, 0.2}));
   const auto bricks = state.volume().cut_bricks();
-  const auto names = find_loose_pieces(state.volume(), bricks);
+  const auto names = find_severed_fragments(state.volume(), bricks);
   ASSERT_EQ(names.size(), 1u);
   StepInput first = input_at({0, 0, 3.0}), second = first;
-  first.loose = static_cast<std::uint16_t>(0x8000u | names[0] >> 15);
-  second.loose = static_cast<std::uint16_t>(names[0] & 0x7fffu);
+  first.fragment = static_cast<std::uint16_t>(0x8000u | names[0] >> 15);
+  second.fragment = static_cast<std::uint16_t>(names[0] & 0x7fffu);
   step(state, first);
   auto half = StepState::restore(scene, state.save());
   ASSERT_TRUE(half);
@@ -160,7 +160,7 @@ TEST_P(EveryMethod, an_overhang_that_hangs_on_stays) {
   // A slot from the side under the top, open on three sides.
   for (int k = 0; k < 6; ++k)
     ASSERT_TRUE(cut_along(state, 0, {-0.4 + 0.3 * k, -2.0, 0.5}, {-0.4 + 0.3 * k, 2.0, 0.5}));
-  EXPECT_TRUE(find_loose_pieces(state.volume(), state.volume().cut_bricks()).empty());
+  EXPECT_TRUE(find_severed_fragments(state.volume(), state.volume().cut_bricks()).empty());
   const Grid& grid = state.volume().grid();
   const Vec3 roof = (Vec3(1.0, 0.0, 1.05) - grid.origin_mm) / grid.voxel_mm + 0.5;
   EXPECT_TRUE(state.volume().occupied(IVec3(glm::floor(roof))));

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "engine/loop/haptic_loop.h"
-#include "engine/mirror/loose_pieces.h"
+#include "engine/mirror/fragment_finder.h"
 #include "engine/volume/fragments.h"
 #include "tests/engine/loop/block_scene.h"
 #include "tests/modules.h"
@@ -166,18 +166,18 @@ TEST(LoosePieces, what_is_milled_off_a_block_goes_within_100_ms_and_in_the_mirro
   SeveringPort port(9000);
   VirtualLoop loop(port, StepState(scene));
   Mirror mirror(StepState(scene), loop.hand_over());
-  LooseFinder finder(loop.hand_over());
+  FragmentFinder finder(loop.hand_over());
   mirror.add(finder);
   std::uint64_t severed_at = 0, gone_at = 0;
   while (loop.run(5) == 5 && gone_at == 0) {
     mirror.pump();
     const Volume& volume = loop.state().volume();
-    if (severed_at == 0 && !find_loose_pieces(volume, volume.cut_bricks()).empty()) severed_at = loop.state().last().tick;
+    if (severed_at == 0 && !find_severed_fragments(volume, volume.cut_bricks()).empty()) severed_at = loop.state().last().tick;
     if (severed_at != 0 && !anything_beyond(volume, 1.65)) gone_at = loop.state().last().tick;
   }
   mirror.finish();
   ASSERT_GT(severed_at, 0u) << "the slot never went through";
-  ASSERT_GT(gone_at, 0u) << "the piece is still there";
+  ASSERT_GT(gone_at, 0u) << "the fragment is still there";
   EXPECT_LT(gone_at - severed_at, 100u);
   EXPECT_EQ(mirror.state().hash(), loop.state().hash());
   EXPECT_FALSE(mirror.mismatch());
@@ -188,9 +188,9 @@ TEST(LoosePieces, without_a_mirror_the_same_hand_gives_the_same_record) {
   for (std::uint64_t& h : hash) {
     SeveringPort port(6000);
     VirtualLoop loop(port, StepState(slotted_scene()));
-    LooseFinder finder(loop.hand_over());
+    FragmentFinder finder(loop.hand_over());
     while (loop.run(25) == 25) {
-      finder.look(loop.state());
+      finder.search(loop.state());
       StepInput input;
       while (loop.hand_over().inputs.pop(input)) {
       }

@@ -43,7 +43,7 @@ TEST(Vibration, the_polynomial_is_a_sine_within_four_millionths_and_never_above_
   EXPECT_GT(worst, 1e-6);
 }
 
-TEST(Vibration, every_so_many_turns_are_told_that_four_samples_make_a_wave) {
+TEST(Vibration, felt_turns_are_so_rare_that_four_samples_make_a_wave) {
   EXPECT_EQ(subharmonic_of(kTurbine), 24);                          // 5833 Hz / 24 = 243 Hz
   EXPECT_EQ(subharmonic_of(settings_of(Handpiece::electric)), 14);  // 3333 Hz / 14 = 238 Hz
   EXPECT_EQ(subharmonic_of(settings_of(Handpiece::slow)), 3);       // 667 Hz / 3 = 222 Hz

@@ -185,7 +185,7 @@ TEST(SurfaceRemoval, slow_wear_of_a_sliding_ball_goes_on_from_a_key_state_with_t
   EXPECT_EQ(state.save(), again->save());
 }
 
-TEST(SurfaceRemoval, wear_of_a_sliding_ball_that_a_tick_can_tell_enters_in_each) {
+TEST(SurfaceRemoval, wear_of_a_sliding_ball_above_the_step_enters_in_each_tick) {
   const Slid slid = slide_round(0.3, 1000);
   EXPECT_GT(slid.entering, 980);
   EXPECT_NEAR(slid.entered_um, 300.0, 9.0);

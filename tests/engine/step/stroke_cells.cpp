@@ -31,7 +31,7 @@ class Scratched : public testing::Test {
     for (const Stroke& s : {kOne, kOther}) {
       cut_along(*state, 0, s.a, s.b);
       memory.add(s.a, s.b, {kRadius});
-      memory.lift();
+      memory.break_path();
     }
   }
   /// Calls visit(cell, features) for every cell that more than one stroke shapes.
@@ -99,7 +99,7 @@ TEST_F(Scratched, what_another_ball_has_cut_is_not_explained) {
   CutMemory wider;
   for (const Stroke& s : {kOne, kOther}) {
     wider.add(s.a, s.b, {kRadius + 0.01});
-    wider.lift();
+    wider.break_path();
   }
   std::swap(memory, wider);
   int cells = 0;

@@ -174,7 +174,7 @@ TEST(CarveHead, led_any_way_with_a_leaning_axis_leaves_floor_and_wall_whose_fiel
   }
 }
 
-TEST(CarveHead, tells_every_voxel_that_changed_and_no_brick_twice) {
+TEST(CarveHead, reports_every_voxel_that_changed_and_no_brick_twice) {
   Random random(37);
   for (const Bur& bur : all_shapes()) {
     Volume volume = solid_block(3.2), before = solid_block(3.2);

@@ -1,4 +1,4 @@
-#include "engine/removal/uncut.h"
+#include "engine/removal/penetration.h"
 
 #include <array>
 #include <cmath>
@@ -20,31 +20,31 @@ constexpr int kMostSteps = 64;
 constexpr double kGainMm = 0.004;     // that the crest is deeper than where steps to four sides end: measured 1.4 um at most
 constexpr double kCrestMm = 0.02, kCrestFirstMm = 0.008, kCrestLastMm = 1e-4, kCrestLeastMm = 0.002;
 constexpr int kCrestStrokes = 64, kCrestSteps = 32;
-constexpr int kMostAsked = 30000;     // distances to strokes, some 4 ns each: then where it has come to is deep enough
-constexpr double kUntold = 0.02;      // voxels that a sample may be deeper in the cut than the strokes say
+constexpr int kMostEvaluations = 30000;     // distances to strokes, some 4 ns each: then where it has come to is deep enough
+constexpr double kUnknown = 0.02;      // voxels that a sample may be deeper in the cut than the strokes say
 
 }  // namespace
 
-double UncutPlace::Taken::off(Vec3 place) const noexcept {
+double PenetrationSearch::Taken::off(Vec3 place) const noexcept {
   const Vec3 from_axis = off_axis(place);
   return std::sqrt(glm::dot(from_axis, from_axis)) - radius_mm;
 }
 
 /// What lies beside a place of the ball's surface: strokes, and the face they were cut into.
-struct UncutPlace::Crest {
+struct PenetrationSearch::Crest {
   std::array<const Taken*, kCrestStrokes> stroke;
   int strokes = 0;
   Vec3 face_normal{0.0};
   double face_level = 0.0;  // of the face: its normal times a place of it
 
   /// How deep a place lies in what each of them left, the least of that, and the way off each.
-  struct Seen {
+  struct Depths {
     std::array<double, kCrestStrokes + 1> depth, away;
     std::array<Vec3, kCrestStrokes + 1> off;
     double least = 1e300;
     std::size_t lowest = 0;
   };
-  void look(Vec3 x, Seen& out) const noexcept {
+  void evaluate(Vec3 x, Depths& out) const noexcept {
     const auto last = static_cast<std::size_t>(strokes);
     for (std::size_t k = 0; k < last; ++k) {
       out.off[k] = stroke[k]->off_axis(x);
@@ -65,7 +65,7 @@ struct UncutPlace::Crest {
   /// The way on the ball about u along which the depth in all that bind within `slack` grows: the shortest mean of their
   /// slopes, by turning to the one that grows least.
   /// along: across the two that are most against each other, where there are such.
-  Vec3 uphill(const Seen& seen, Vec3 u, double slack, Vec3& along_crest) const noexcept {
+  Vec3 uphill(const Depths& seen, Vec3 u, double slack, Vec3& along_crest) const noexcept {
     constexpr int kBinding = 12, kTurns = 8;
     std::array<Vec3, kBinding> slope;
     int binding = 0;
@@ -106,7 +106,7 @@ struct UncutPlace::Crest {
   }
 };
 
-UncutPlace::UncutPlace(const Volume& volume, const CutMemory& memory, double radius_mm, Vec3 pose, Vec3 towards) noexcept
+PenetrationSearch::PenetrationSearch(const Volume& volume, const CutMemory& memory, double radius_mm, Vec3 pose, Vec3 towards) noexcept
     : volume_{volume}, radius_{radius_mm}, pose_{pose}, towards_{towards} {
   const Vec3 foot = pose + towards * radius_mm;
   std::array<CutMemory::Segment, kStrokes> found;
@@ -123,14 +123,14 @@ UncutPlace::UncutPlace(const Volume& volume, const CutMemory& memory, double rad
 
 /// Of a place in what the strokes left; no more than `enough` where it is that or less. The stroke that said so is asked first
 /// then: beside a ridge it mostly says so again.
-double UncutPlace::depth(Vec3 place, double enough_mm) noexcept {
+double PenetrationSearch::depth(Vec3 place, double enough_mm) noexcept {
   double least = level_ - glm::dot(normal_, place);
   for (int i = 0; i < at_hand_ && least > enough_mm; ++i) {
     std::uint16_t& which = order_[static_cast<std::size_t>(i)];
     const Taken& taken = stroke_[which];
     const Vec3 off = taken.off_axis(place);
     const double off2 = glm::dot(off, off), reach = least + taken.radius_mm;
-    ++asked_;
+    ++evaluations_;
     if (reach > 0.0 && off2 >= reach * reach) continue;  // it is not the nearest: no root
     const double d = std::sqrt(off2) - taken.radius_mm;
     least = d < least ? d : least;
@@ -140,7 +140,7 @@ double UncutPlace::depth(Vec3 place, double enough_mm) noexcept {
 }
 
 /// Which strokes can bind within `reach` of a place; all of them for a negative one.
-void UncutPlace::take_at_hand(Vec3 place, double reach_mm) noexcept {
+void PenetrationSearch::choose_strokes(Vec3 place, double reach_mm) noexcept {
   std::array<float, kStrokes> off;
   float least = 1e30f;
   for (int i = 0; i < strokes_ && reach_mm >= 0.0; ++i) {
@@ -155,13 +155,13 @@ void UncutPlace::take_at_hand(Vec3 place, double reach_mm) noexcept {
 }
 
 /// In steps to four sides.
-double UncutPlace::climb(Vec3 pose, bool beside, Vec3& towards) noexcept {
+double PenetrationSearch::climb(Vec3 pose, bool beside, Vec3& towards) noexcept {
   const Vec3 start = beside ? towards : towards_;
   const double reach = beside ? kBesideReachMm : kReachMm;
   double best = depth(pose + towards * radius_, -1e300);
   int steps = 0;
   for (double step = (beside ? kBesideMm : kFirstMm) / radius_; step > kLastMm / radius_; step *= 0.5)
-    for (bool moved = true; moved && steps < kMostSteps && asked_ < kMostAsked; ++steps) {
+    for (bool moved = true; moved && steps < kMostSteps && evaluations_ < kMostEvaluations; ++steps) {
       moved = false;
       const Vec3 one = across(towards), other = glm::cross(towards, one);
       for (const Vec3& side : {one, -one, other, -other}) {
@@ -181,7 +181,7 @@ double UncutPlace::climb(Vec3 pose, bool beside, Vec3& towards) noexcept {
 }
 
 /// The crest of a ridge is a thin line, along which steps to four sides seldom lead.
-double UncutPlace::along_crest(Vec3 pose, double best, double enough_mm, Vec3& towards, Vec3& along) const noexcept {
+double PenetrationSearch::along_crest(Vec3 pose, double best, double enough_mm, Vec3& towards, Vec3& along) const noexcept {
   const Vec3 about = pose + towards * radius_;
   if (best + kGainMm <= enough_mm) return best;
   Crest crest;
@@ -206,8 +206,8 @@ double UncutPlace::along_crest(Vec3 pose, double best, double enough_mm, Vec3& t
       if (all) crest.stroke[static_cast<std::size_t>(crest.strokes++)] = &stroke_[order_[k]];
     }
   }
-  Crest::Seen seen, next;
-  crest.look(about, seen);
+  Crest::Depths seen, next;
+  crest.evaluate(about, seen);
   double length = kCrestFirstMm < 0.5 * reach ? kCrestFirstMm : 0.5 * reach;
   for (int i = 0; i < kCrestSteps && length > kCrestLastMm; ++i) {
     const Vec3 way = crest.uphill(seen, towards, 1.5 * length, along);
@@ -219,7 +219,7 @@ double UncutPlace::along_crest(Vec3 pose, double best, double enough_mm, Vec3& t
     Vec3 u = towards + way * (length / (steep * radius_));
     u = u / std::sqrt(glm::dot(u, u));
     const Vec3 x = pose + u * radius_, off = x - about;
-    crest.look(x, next);
+    crest.evaluate(x, next);
     if (glm::dot(off, off) > reach * reach || !(next.least > seen.least)) {
       length *= 0.5;
       continue;
@@ -231,36 +231,36 @@ double UncutPlace::along_crest(Vec3 pose, double best, double enough_mm, Vec3& t
 }
 
 /// All that the field has there must be told by the strokes: else tissue has gone without one that is known.
-bool UncutPlace::told(Vec3 place) noexcept {
+bool PenetrationSearch::known_from_strokes(Vec3 place) noexcept {
   const Grid& grid = volume_.grid();
   const IVec3 cell = cell_of_voxels((place - grid.origin_mm) / grid.voxel_mm);
-  if (told_ && told_cell_ == cell) return true;
+  if (known_ && known_cell_ == cell) return true;
   for (int corner = 0; corner < 8; ++corner) {
     const IVec3 v = cell + IVec3(corner & 1, corner >> 1 & 1, corner >> 2);
     const double in_cut = field_sample(volume_, Field::cut, v);
     if (in_cut <= -kBandVoxels) continue;
-    const double so_near = (kUntold - in_cut) * grid.voxel_mm;
+    const double so_near = (kUnknown - in_cut) * grid.voxel_mm;
     const Vec3 at = grid.centre_mm(v);
     bool known = false;
     for (int i = 0; i < strokes_ && !known; ++i) {
       known = stroke_[static_cast<std::size_t>(i)].off(at) <= so_near;
       if (known) std::swap(stroke_[0], stroke_[static_cast<std::size_t>(i)]);
     }
-    if (!known && -kBandVoxels < in_cut - kUntold) return false;
+    if (!known && -kBandVoxels < in_cut - kUnknown) return false;
   }
-  told_ = true;
-  told_cell_ = cell;
+  known_ = true;
+  known_cell_ = cell;
   return true;
 }
 
-Uncut UncutPlace::deepest(Vec3 pose, Vec3 towards, double enough_mm, bool beside) noexcept {
-  Uncut out;
+Penetration PenetrationSearch::deepest(Vec3 pose, Vec3 towards, double enough_mm, bool beside) noexcept {
+  Penetration out;
   out.towards = towards;
   if (strokes_ <= 0) return out;
-  take_at_hand(pose + towards * radius_, beside ? kBesideReachMm : -1.0);
+  choose_strokes(pose + towards * radius_, beside ? kBesideReachMm : -1.0);
   double best = climb(pose, beside, out.towards);
   best = along_crest(pose, best, enough_mm, out.towards, out.along);
-  if (!(best > enough_mm) || !(best > 0.0) || !told(pose + out.towards * radius_)) return out;
+  if (!(best > enough_mm) || !(best > 0.0) || !known_from_strokes(pose + out.towards * radius_)) return out;
   const Vec3 lifted = pose - pose_;
   const double known = kNearMm - std::sqrt(glm::dot(lifted, lifted));
   out.depth_mm = best < known ? best : known;

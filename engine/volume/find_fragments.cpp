@@ -1,5 +1,5 @@
-// Which pieces have come off: pieces grow from what was just cut, the smallest first, until only one of what hung together
-// is still growing. So a cut that severs nothing costs a look at its own bricks, and one that does, the smaller side.
+// Finds severed fragments: components grow from the changed bricks, the smallest first, until only one of each original
+// component still grows. A cut that severs nothing costs its own bricks; one that does, the smaller side.
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -10,14 +10,14 @@ namespace cusp::engine {
 
 namespace {
 
-/// A brick's part of a piece.
+/// A component's part in one brick.
 struct Part {
   int brick = 0;
   BrickVoxelSet voxels;
   int group = 0;
 };
 
-/// Groups that become one another.
+/// Union-find over groups of parts.
 class Groups {
  public:
   int add() {
@@ -69,7 +69,7 @@ class Search {
     std::vector<std::int32_t> bricks = around(changed);
     for (const std::int32_t brick : bricks)
       for (const int part : open(brick)) begin(part);
-    // A step of each: pieces of one solid meet at once.
+    // A step of each: parts of one component meet at once.
     const auto first = static_cast<int>(parts_.size());
     for (int part = 0; part < first; ++part)
       if (frontier_.contains(groups_.of(parts_[static_cast<std::size_t>(part)].group))) grow(part);
@@ -126,7 +126,7 @@ class Search {
     frontier_[p.group] = {part};
   }
 
-  /// Takes in what touches this part.
+  /// Adds the parts that touch this one to its group.
   void grow(int part) {
     const int brick = parts_[static_cast<std::size_t>(part)].brick;
     const BrickVoxelSet voxels = parts_[static_cast<std::size_t>(part)].voxels;
@@ -160,20 +160,20 @@ class Search {
     }
   }
 
-  /// Which solid of the specimen each group was cut from, as far as the bricks looked at tell: what hung together before
-  /// the last cut hangs together in them.
+  /// Assigns each group the specimen's component that it was cut from, connected within `bricks`: what was connected before
+  /// the last cut is connected in them.
   void find_origins(const std::vector<std::int32_t>& bricks, int parts) {
     Groups solids;
     std::map<int, std::vector<std::pair<BrickVoxelSet, int>>> of;  // [brick]
     for (const std::int32_t brick : bricks)
       for (const BrickVoxelSet& voxels : split(occupied_in(specimen_, brick))) of[brick].emplace_back(voxels, solids.add());
-    for (const auto& [brick, pieces] : of) {
+    for (const auto& [brick, parts_of_brick] : of) {
       const IVec3 at = specimen_.brick_at(brick);
       for (int i = 14; i < 27; ++i) {
         const IVec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
         const auto beside = of.find(specimen_.brick_index(at + step));
         if (beside == of.end()) continue;
-        for (const auto& [voxels, solid] : pieces) {
+        for (const auto& [voxels, solid] : parts_of_brick) {
           const BrickVoxelSet there = touching(voxels, step);
           for (const auto& [others, their_solid] : beside->second)
             if (meet(others, there)) solids.join(solid, their_solid);
@@ -189,7 +189,7 @@ class Search {
   }
 
   std::vector<std::uint32_t> names(const std::map<int, std::vector<int>>& by_origin) {
-    std::vector<int> loose;
+    std::vector<int> severed;
     for (const auto& [of, groups] : by_origin) {
       // What still grows is the largest; else the largest by count, the first of equals.
       int stays = groups.front();
@@ -198,13 +198,13 @@ class Search {
         if (rank(g) > rank(stays)) stays = g;
       }
       for (const int g : groups)
-        if (g != stays) loose.push_back(g);
+        if (g != stays) severed.push_back(g);
     }
     std::map<int, std::uint32_t> name;  // [group]
     for (const Part& part : parts_) {
       if (part.group < 0 || part.brick >= kMostNamedBricks) continue;
       const int group = groups_.of(part.group);
-      if (std::find(loose.begin(), loose.end(), group) == loose.end()) continue;
+      if (std::find(severed.begin(), severed.end(), group) == severed.end()) continue;
       BrickVoxelSet left = part.voxels;
       // The lower half of a name is never 0.
       if ((voxel_name(part.brick, left.first()) & 0x7fffu) == 0) left.slice[0] &= ~std::uint64_t{1};
@@ -226,12 +226,12 @@ class Search {
   Groups groups_;
   std::map<int, int> size_;                    // [group]: voxels found so far
   std::map<int, int> origin_;                  // [group]
-  std::map<int, std::deque<int>> frontier_;    // [group]: parts whose surroundings have not been looked at
+  std::map<int, std::deque<int>> frontier_;    // [group]: parts whose neighbours have not been visited
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> find_loose_pieces(const Volume& volume, std::span<const std::int32_t> changed_bricks) {
+std::vector<std::uint32_t> find_severed_fragments(const Volume& volume, std::span<const std::int32_t> changed_bricks) {
   if (changed_bricks.empty()) return {};
   return Search(volume).run(changed_bricks);
 }

@@ -1,4 +1,4 @@
-// The planes of what a step may touch: of all at hand, two faces at a time; then again of what that look found near.
+// Builds the constraints that a step may touch: of all candidates, two at a time; then again of those that were near.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,12 +11,12 @@ namespace cusp::engine {
 
 namespace {
 
-constexpr double kNoWay2 = 1e-18;    // mm^2: a place so near a point or an edge has no direction from it
-constexpr double kMostShift = 0.06;  // mm: planes are laid again of what was near as long as they are seen from so near
+constexpr double kNoWay2 = 1e-18;    // mm^2: a place nearer to a point or an edge has no direction from it
+constexpr double kMostShift = 0.06;  // mm: near candidates are reused within this of the last full build
 
 }  // namespace
 
-inline void SurfaceContact::lay_plane(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept {
+inline void SurfaceContact::add_constraint(std::size_t i, Vec3 n, double c, bool trusted, double low_mm) noexcept {
   const std::size_t k = planes_.size();
   origins_[k] = {static_cast<std::int32_t>(i), trusted, false};
   near_[k] = static_cast<std::int32_t>(i);
@@ -24,33 +24,33 @@ inline void SurfaceContact::lay_plane(std::size_t i, Vec3 n, double c, bool trus
   planes_.add(n, c);
 }
 
-/// Lays the plane of one candidate.
-inline void SurfaceContact::lay(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept {
+/// Adds the constraint of one candidate.
+inline void SurfaceContact::constrain(const Tool& tool, std::size_t i, Vec3 at, double slack_mm) noexcept {
   const Candidate& c = candidates_[i];
   Plane plane;
   bool trusted = false;
   if (!plane_of(tool, c, at, slack_mm, plane, trusted)) return;
   double low = glm::dot(plane.n, at) - plane.c;
   if (c.kind == Kind::surface) {
-    // Its plane may be believed a little further on; of a head that is no ball nothing is known.
+    // A ball may come under its plane a little further on; for another head nothing is known.
     const double height = glm::dot(c.normal, at) - c.level;
     if (!tool.ball())
       low = -slack_mm;
     else if (height > 0.0)
       low = std::min(low, height - (tool.bur->radius_mm - tool.thin(c.field)));
   }
-  lay_plane(i, plane.n, plane.c, trusted, low);
+  add_constraint(i, plane.n, plane.c, trusted, low);
   near_cut_ = near_cut_ || (c.kind != Kind::shank && (c.field == Field::cut || c.kind == Kind::edge));
 }
 
-/// Planes of the faces to look at, two at a time: as plane_of_surface.
-inline void SurfaceContact::lay_faces(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
+/// Constraints of broad_faces_, two at a time: as plane_of_surface().
+inline void SurfaceContact::add_face_constraints(Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
   const double beside = kPlaneReach * voxel_mm_, later = beside + kMostShift;
   const double beside2 = beside * beside, later2 = later * later;
-  look_faces_.even();
-  for (std::size_t j = 0; j < look_faces_.count; j += 2) {
-    const Face& a = faces_[look_faces_[j]];
-    const Face& b = faces_[look_faces_[j + 1]];
+  broad_faces_.even();
+  for (std::size_t j = 0; j < broad_faces_.count; j += 2) {
+    const Face& a = faces_[broad_faces_[j]];
+    const Face& b = faces_[broad_faces_[j + 1]];
     const Pair x{a.x, b.x}, y{a.y, b.y}, z{a.z, b.z};
     const Pair nx{a.nx, b.nx}, ny{a.ny, b.ny}, nz{a.nz, b.nz};
     const Pair level{a.level, b.level}, r{a.radius, b.radius};
@@ -71,22 +71,22 @@ inline void SurfaceContact::lay_faces(Vec3 centre, double reach2, Vec3 at, doubl
     const Pair c = flat ? level + r : px * at.x + py * at.y + pz * at.z - gap;
     const Pair low = (above & (side2 <= later2) ? height : distance) - r;
     const unsigned trusted = bits_of(flat);
-    for (std::size_t k = 0; k < 2 && j + k < look_faces_.count; ++k) {
+    for (std::size_t k = 0; k < 2 && j + k < broad_faces_.count; ++k) {
       if ((kept >> k & 1) == 0) continue;
-      const std::size_t i = look_faces_[j + k];
-      lay_plane(i, {px[k], py[k], pz[k]}, c[k], (trusted >> k & 1) != 0, low[k]);
+      const std::size_t i = broad_faces_[j + k];
+      add_constraint(i, {px[k], py[k], pz[k]}, c[k], (trusted >> k & 1) != 0, low[k]);
       near_cut_ = near_cut_ || known_[i] == Known::cut_face;
     }
   }
 }
 
-/// Planes of the edges to look at, two at a time: as nearest_on and plane_of.
-inline void SurfaceContact::lay_edges(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
+/// Constraints of broad_edges_, two at a time: as nearest_on() and plane_of().
+inline void SurfaceContact::add_edge_constraints(const Tool& tool, Vec3 centre, double reach2, Vec3 at, double slack_mm) noexcept {
   const double close = kEdgeClose * voxel_mm_;
-  look_edges_.even();
-  for (std::size_t j = 0; j < look_edges_.count; j += 2) {
-    const Candidate& a = candidates_[look_edges_[j]];
-    const Candidate& b = candidates_[look_edges_[j + 1]];
+  broad_edges_.even();
+  for (std::size_t j = 0; j < broad_edges_.count; j += 2) {
+    const Candidate& a = candidates_[broad_edges_[j]];
+    const Candidate& b = candidates_[broad_edges_[j + 1]];
     const Pair x{a.point.x, b.point.x}, y{a.point.y, b.point.y}, z{a.point.z, b.point.z};
     const Pair fx = x - centre.x, fy = y - centre.y, fz = z - centre.z;
     const Pair dx = at.x - x, dy = at.y - y, dz = at.z - z;
@@ -100,7 +100,7 @@ inline void SurfaceContact::lay_edges(const Tool& tool, Vec3 centre, double reac
     Pair ox = dx - t * tx, oy = dy - t * ty, oz = dz - t * tz;
     const Pair reach = far + kLeavesTangent * voxel_mm_;
     const PairMask near = (ox * ox + oy * oy + oz * oz <= reach * reach) & (fx * fx + fy * fy + fz * fz <= reach2);
-    const unsigned asked = bits_of(near) & (j + 1 < look_edges_.count ? 3u : 1u);
+    const unsigned asked = bits_of(near) & (j + 1 < broad_edges_.count ? 3u : 1u);
     if (asked == 0) continue;
     const Pair bx{fa.other_normal.x, fb.other_normal.x}, by{fa.other_normal.y, fb.other_normal.y}, bz{fa.other_normal.z, fb.other_normal.z};
     const Pair wx{fa.third_normal.x, fb.third_normal.x}, wy{fa.third_normal.y, fb.third_normal.y}, wz{fa.third_normal.z, fb.third_normal.z};
@@ -159,14 +159,14 @@ inline void SurfaceContact::lay_edges(const Tool& tool, Vec3 centre, double reac
     const Pair c = nx * at.x + ny * at.y + nz * at.z - gap;
     for (std::size_t k = 0; k < 2; ++k) {
       if ((kept >> k & 1) == 0) continue;
-      lay_plane(look_edges_[j + k], {nx[k], ny[k], nz[k]}, c[k], false, gap[k]);
+      add_constraint(broad_edges_[j + k], {nx[k], ny[k], nz[k]}, c[k], false, gap[k]);
       near_cut_ = true;
     }
   }
 }
 
-/// Lays the planes, seen from `at` and no further off than slack_mm, of all that a step from `centre` can reach.
-void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
+/// Builds the constraints, seen from `at` and at most slack_mm away, of all that a step from `centre` can reach.
+void SurfaceContact::build_constraints(const Volume& volume, const Tool& tool, Vec3 centre, double step, Vec3 at,
                                  double slack_mm) noexcept {
   planes_.clear();
   near_cut_ = false;
@@ -174,11 +174,11 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
   const double edge_mm = 0.7 * voxel_mm_;
   const double ball = r + step, edge = ball + edge_mm;
   const double ball2 = ball * ball, edge2 = edge * edge;
-  // A plane is believed 0.8 voxel beside its point, an edge holds 0.7 along its tangent.
+  // A plane reaches 0.8 voxel beside its point, an edge 0.7 along its tangent.
   const double beside = kPlaneReach * voxel_mm_;
   const double flat2 = (r + slack_mm) * (r + slack_mm) + beside * beside;
   const double bent = edges_ ? r + slack_mm + edge_mm : 0.0;
-  const double wide = std::sqrt(std::max(flat2, bent * bent)) / voxel_mm_ + kLoose;
+  const double wide = std::sqrt(std::max(flat2, bent * bent)) / voxel_mm_ + kFloatSlack;
   std::size_t looked = 0;
   const auto known = [&](std::size_t i) {
     if (known_[i] == Known::unmade) make(volume, tool, i);
@@ -186,18 +186,18 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
   };
   const Vec3f here((at - gathered_.centre) / voxel_mm_);
   if (tool.ball()) {
-    look_faces_.count = look_edges_.count = look_others_.count = 0;
+    broad_faces_.count = broad_edges_.count = broad_others_.count = 0;
     for_near(place_x_.data(), place_y_.data(), place_z_.data(), static_cast<int>(ball_count_), here,
              static_cast<float>(wide * wide), [&](int k) {
                const Known what = known(static_cast<std::size_t>(k));
-               (what == Known::edge ? look_edges_ : what == Known::other ? look_others_ : look_faces_).add(k);
+               (what == Known::edge ? broad_edges_ : what == Known::other ? broad_others_ : broad_faces_).add(k);
              });
-    looked = look_faces_.count + look_edges_.count + look_others_.count;
-    lay_faces(centre, ball2, at, slack_mm);
-    lay_edges(tool, centre, edge2, at, slack_mm);
-    for (std::size_t j = 0; j < look_others_.count; ++j) {
-      const Vec3 d = candidates_[look_others_[j]].point - centre;
-      if (glm::dot(d, d) <= ball2) lay(tool, look_others_[j], at, slack_mm);
+    looked = broad_faces_.count + broad_edges_.count + broad_others_.count;
+    add_face_constraints(centre, ball2, at, slack_mm);
+    add_edge_constraints(tool, centre, edge2, at, slack_mm);
+    for (std::size_t j = 0; j < broad_others_.count; ++j) {
+      const Vec3 d = candidates_[broad_others_[j]].point - centre;
+      if (glm::dot(d, d) <= ball2) constrain(tool, broad_others_[j], at, slack_mm);
     }
   } else {
     const Reach reach = head_within(tool, slack_mm + std::max(beside, edge_mm));
@@ -209,7 +209,7 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
       ++looked;
       // A rim stands on the plane of a point that is beside it.
       const double far = step + std::max(beside, edge_mm);
-      if (head_distance(*tool.bur, tool.axis, candidates_[i].point - centre) <= far) lay(tool, i, at, slack_mm);
+      if (head_distance(*tool.bur, tool.axis, candidates_[i].point - centre) <= far) constrain(tool, i, at, slack_mm);
     });
   }
   if (shank_count_ > 0) {
@@ -230,24 +230,24 @@ void SurfaceContact::near_planes(const Volume& volume, const Tool& tool, Vec3 ce
       known(i);
       ++looked;
       const Vec3 p = candidates_[i].point;
-      if (touches(there, at, p) && touches(shank, centre, p)) lay(tool, i, at, slack_mm);
+      if (touches(there, at, p) && touches(shank, centre, p)) constrain(tool, i, at, slack_mm);
     });
   }
-  laid_ = {at, slack_mm, planes_.size()};
+  built_ = {at, slack_mm, planes_.size()};
   if (looked > most_candidates_) most_candidates_ = looked;
-  looks_left_ -= static_cast<int>(looked);
+  candidates_left_ -= static_cast<int>(looked);
 }
 
-/// The same planes, seen from another place and no further off than slack_mm, of what was near at the last look at all; false
-/// when that look did not reach so far.
-bool SurfaceContact::near_planes_again(const Tool& tool, Vec3 at, double slack_mm) noexcept {
-  const Vec3 shift = at - laid_.at;
+/// The same constraints, seen from another place and at most slack_mm away, of the last full build's candidates. False if that
+/// build did not reach so far.
+bool SurfaceContact::rebuild_constraints(const Tool& tool, Vec3 at, double slack_mm) noexcept {
+  const Vec3 shift = at - built_.at;
   const double shifted = std::sqrt(glm::dot(shift, shift));
   const double within = slack_mm + shifted;
-  if (shifted > kMostShift || within > laid_.within_mm) return false;
+  if (shifted > kMostShift || within > built_.within_mm) return false;
   planes_.clear();
-  looks_left_ -= static_cast<int>(laid_.count);
-  for (std::size_t k = 0; k < laid_.count; ++k) {
+  candidates_left_ -= static_cast<int>(built_.count);
+  for (std::size_t k = 0; k < built_.count; ++k) {
     if (low_[k] > within) continue;
     const auto i = static_cast<std::size_t>(near_[k]);
     Plane plane;

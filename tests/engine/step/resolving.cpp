@@ -29,12 +29,12 @@ StepInput scratching(int k) {
 }
 constexpr int kScratching = 7 * 200 - 100;
 
-std::uint64_t sharpened(StepState& state) { return state.inner().surface->cut_surface().cells_sharpened(); }
+std::uint64_t resolved(StepState& state) { return state.inner().surface->cut_surface().cells_resolved(); }
 
-int dull_parts(StepState& state) {
+int unresolved_parts(StepState& state) {
   int count = 0;
   for (const std::int32_t brick : state.volume().cut_bricks())
-    count += std::popcount(state.inner().surface->cut_surface().dull(state.volume(), brick));
+    count += std::popcount(state.inner().surface->cut_surface().unresolved(state.volume(), brick));
   return count;
 }
 
@@ -52,21 +52,21 @@ StepInput resting() {
   return out;
 }
 
-TEST(Sharpening, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has_time_for) {
+TEST(Resolving, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has_time_for) {
   StepState state = scratched(block());
   ASSERT_GT(state.volume().cut_bricks().size(), 8u);
-  std::uint64_t before = sharpened(state), most = 0, all = 0;
-  int dull = dull_parts(state), most_parts = 0, busy = 0;
+  std::uint64_t before = resolved(state), most = 0, all = 0;
+  int unresolved = unresolved_parts(state), most_parts = 0, busy = 0;
   for (int k = 0; k < 300; ++k) {
     step(state, resting());
-    const std::uint64_t now = sharpened(state);
+    const std::uint64_t now = resolved(state);
     most = std::max(most, now - before);
     all += now - before;
     before = now;
-    const int left = dull_parts(state);
-    most_parts = std::max(most_parts, dull - left);
-    busy += left < dull;
-    dull = left;
+    const int left = unresolved_parts(state);
+    most_parts = std::max(most_parts, unresolved - left);
+    busy += left < unresolved;
+    unresolved = left;
   }
   // 32 voxels that the surface passes, or a slice of 64: of those a cell each at most. Found all at once it takes one tick
   // for all.
@@ -77,31 +77,31 @@ TEST(Sharpening, letting_go_of_the_button_finds_no_more_edges_a_tick_than_it_has
   EXPECT_LT(most_parts, 60);
 }
 
-TEST(Sharpening, all_about_the_bur_is_sharp_soon_after) {
+TEST(Resolving, all_about_the_bur_is_resolved_soon_after) {
   StepState state = scratched(block());
-  ASSERT_GT(dull_parts(state), 0);
-  int ticks = 0, left = dull_parts(state), last = -1;
+  ASSERT_GT(unresolved_parts(state), 0);
+  int ticks = 0, left = unresolved_parts(state), last = -1;
   for (; left != last || ticks < 5; ++ticks) {
     last = left;
     step(state, resting());
-    left = dull_parts(state);
+    left = unresolved_parts(state);
     ASSERT_LT(ticks, 200);
   }
   // What is far from the bur waits until it comes there.
   EXPECT_GT(left, 0);
-  const std::uint64_t before = sharpened(state);
+  const std::uint64_t before = resolved(state);
   for (int k = 0; k < 50; ++k) step(state, resting());
-  EXPECT_EQ(sharpened(state), before);
+  EXPECT_EQ(resolved(state), before);
 }
 
-TEST(Sharpening, a_key_state_taken_half_way_goes_on_to_the_same_hash) {
+TEST(Resolving, a_key_state_taken_half_way_goes_on_to_the_same_hash) {
   const auto scene = block();
   StepState whole = scratched(scene);
   for (int k = 0; k < 4; ++k) step(whole, resting());
-  const int dull = dull_parts(whole);
+  const int unresolved = unresolved_parts(whole);
   auto resumed = StepState::restore(scene, whole.save());
   ASSERT_TRUE(resumed);
-  EXPECT_EQ(dull_parts(*resumed), dull);
+  EXPECT_EQ(unresolved_parts(*resumed), unresolved);
   EXPECT_EQ(resumed->hash(), whole.hash());
   EXPECT_EQ(resumed->save(), whole.save());
   for (int k = 0; k < 400; ++k) {
@@ -113,24 +113,24 @@ TEST(Sharpening, a_key_state_taken_half_way_goes_on_to_the_same_hash) {
     ASSERT_EQ(x.proxy_mm, y.proxy_mm) << k;
     ASSERT_EQ(x.force_n, y.force_n) << k;
     if (k == 20) {
-      EXPECT_LT(dull_parts(whole), dull);  // it goes on
+      EXPECT_LT(unresolved_parts(whole), unresolved);  // it goes on
     }
   }
   EXPECT_EQ(resumed->hash(), whole.hash());
 }
 
-TEST(Sharpening, what_is_sharp_is_in_the_hash) {
+TEST(Resolving, what_is_resolved_is_in_the_hash) {
   StepState a = scratched(block());
   step(a, resting());
   step(a, resting());
   auto b = StepState::restore(a.inner().scene, a.save());
   ASSERT_TRUE(b);
   ASSERT_EQ(a.hash(), b->hash());
-  b->inner().surface->load_sharp(b->volume(), true, [](std::int32_t) { return CutSurface::kAllParts; });
+  b->inner().surface->load_resolved(b->volume(), true, [](std::int32_t) { return CutSurface::kAllParts; });
   EXPECT_NE(a.hash(), b->hash());
 }
 
-TEST(Sharpening, a_search_that_would_go_on_and_on_goes_on_in_the_next_tick) {
+TEST(Resolving, a_search_that_would_go_on_and_on_goes_on_in_the_next_tick) {
   // A bur of 2.3 mm in a trough of 2.32 mm has hundreds of points all round: the device goes 4 mm along it.
   constexpr double kWide = 1.15, kTrough = 1.16;
   const auto trough = [](Vec3 p) { return std::max(p.z, kTrough - std::hypot(p.y, p.z)); };

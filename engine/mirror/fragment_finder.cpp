@@ -1,4 +1,4 @@
-#include "engine/mirror/loose_pieces.h"
+#include "engine/mirror/fragment_finder.h"
 
 #include <algorithm>
 
@@ -6,14 +6,14 @@
 
 namespace cusp::engine {
 
-void LooseFinder::on_state(const StepState& state, const StateNews& news) {
+void FragmentFinder::on_state(const StepState& state, const StateNews& news) {
   changed_.insert(changed_.end(), news.changed_bricks.begin(), news.changed_bricks.end());
   if (news.last || changed_.empty() || state.last().elapsed_us < next_us_) return;
   next_us_ = state.last().elapsed_us + kEveryUs;
   name(state.volume());
 }
 
-void LooseFinder::look(const StepState& state) {
+void FragmentFinder::search(const StepState& state) {
   const Volume& volume = state.volume();
   if (seen_revision_.empty()) {
     const IVec3 n = volume.specimen().brick_count();
@@ -27,11 +27,11 @@ void LooseFinder::look(const StepState& state) {
   if (!changed_.empty()) name(volume);
 }
 
-void LooseFinder::name(const Volume& volume) {
+void FragmentFinder::name(const Volume& volume) {
   std::sort(changed_.begin(), changed_.end());
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  // A full ring drops the rest: as long as a piece goes, its bricks change, and it is found again.
-  for (const std::uint32_t piece : find_loose_pieces(volume, changed_)) static_cast<void>(hand_over_.pieces.push(piece));
+  // A full ring drops the rest: while a fragment is removed, its bricks change, and it is found again.
+  for (const std::uint32_t fragment : find_severed_fragments(volume, changed_)) static_cast<void>(hand_over_.fragments.push(fragment));
   changed_.clear();
 }
 

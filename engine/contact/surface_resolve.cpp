@@ -1,0 +1,78 @@
+// Resolves the parts near the bur, some a tick.
+#include <algorithm>
+
+#include "engine/contact/surface_near.h"
+
+namespace cusp::engine {
+
+namespace {
+
+/// mm: parts this near to the bur are resolved, some ticks before it is there.
+constexpr double kResolveWithinMm = 0.15;
+/// mm: the check reaches this much further, so that it stays valid while the bur moves less.
+constexpr double kUnresolvedMarginMm = 0.1;
+
+}  // namespace
+
+void SurfaceContact::resolve(const Volume& volume, const Bur& bur, Vec3 axis, Vec3 pose, bool on, bool wait) noexcept {
+  if (on != cut_.resolves()) {
+    cut_.resolve(volume, on);
+    gathered_.valid = free_.valid = unresolved_far_.valid = false;
+    all_resolved_ = on;
+  }
+  if (!on) return;
+  if (cut_.unresolved_parts() == 0) {
+    all_resolved_ = true;
+    return;
+  }
+  const Vec3 gone = pose - unresolved_far_.at;
+  if (unresolved_far_.valid && unresolved_far_.bur == &bur && unresolved_far_.axis == axis && glm::dot(gone, gone) <= kUnresolvedMarginMm * kUnresolvedMarginMm) return;
+
+  const Tool tool{&bur, axis};
+  const double side = voxel_mm_;
+  // Parts of a brick near the head of a ball; of another head all.
+  const auto near = [&](IVec3 at, double margin) {
+    if (!tool.ball()) return CutSurface::kAllParts;
+    CutSurface::Parts out = 0;
+    const Vec3 corner = volume.grid().origin_mm + side * Vec3(at * kBrickEdge);
+    const double reach = bur.radius_mm + margin;
+    for (int part = 0; part < 2 * kBrickEdge; ++part) {
+      const double y = part % 2 * 4.0, z = part / 2;
+      const Vec3 low = corner + Vec3(-0.2, y - 0.2, z - 0.2) * side, high = corner + Vec3(8.2, y + 4.2, z + 1.2) * side;
+      out = static_cast<CutSurface::Parts>(out | (box_distance2(pose, low, high) <= reach * reach ? 1u << part : 0u));
+    }
+    return out;
+  };
+  int budget = wait ? 0 : CutSurface::kResolvePerTick;
+  bool any = false, far = false;
+  // The head first, then the shank.
+  head_bricks(volume, tool, pose, kResolveWithinMm + kUnresolvedMarginMm, [&](int brick, IVec3 at) {
+    if (!volume.has_cut(brick)) return;
+    const CutSurface::Parts unresolved = cut_.unresolved(volume, brick);
+    if (unresolved == 0 || (unresolved & near(at, kResolveWithinMm + kUnresolvedMarginMm)) == 0) return;
+    far = true;
+    const auto wanted = static_cast<CutSurface::Parts>(unresolved & near(at, kResolveWithinMm));
+    if (wanted == 0) return;
+    any = true;
+    if (budget > 0) budget = cut_.resolve_parts(volume, brick, wanted, budget);
+  });
+  const auto shank = [&](double margin, auto&& visit) {
+    bricks_within(volume, axis, pose, shank_within(tool, margin), [&](int brick, IVec3) {
+      if (volume.has_cut(brick) && cut_.unresolved(volume, brick) != 0) visit(brick);
+    });
+  };
+  if (budget > 0)
+    shank(kResolveWithinMm, [&](int brick) {
+      any = true;
+      if (budget > 0) budget = cut_.resolve_parts(volume, brick, CutSurface::kAllParts, budget);
+    });
+  if (any) {
+    gathered_.valid = free_.valid = false;
+  } else if (!far) {
+    shank(kResolveWithinMm + kUnresolvedMarginMm, [&](int) { far = true; });
+    unresolved_far_ = {pose, axis, &bur, !far};
+  }
+  all_resolved_ = !any || budget > 0;
+}
+
+}  // namespace cusp::engine
