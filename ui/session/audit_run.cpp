@@ -13,7 +13,7 @@
 #include "scenarios/metrics/measure.h"
 #include "scenarios/operators/faults.h"
 #include "scenarios/operators/hand_port.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "ui/modules.h"
 #include "ui/session/cpu_meter.h"
 #include "ui/session/scene_builder.h"

@@ -1,4 +1,4 @@
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 
 #include <gtest/gtest.h>
 

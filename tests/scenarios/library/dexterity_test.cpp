@@ -7,7 +7,7 @@
 #include "engine/volume/specimen.h"
 #include "scenarios/operators/faults.h"
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 #include "tests/scenarios/operators/attempt.h"
 

@@ -13,7 +13,7 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
 #include "scenarios/shapes/outline.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
 

@@ -13,7 +13,7 @@
 #include "scenarios/operators/faults.h"
 #include "scenarios/library/library.h"
 #include "scenarios/shapes/distance.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
 #include "tests/scenarios/operators/attempt.h"

@@ -8,7 +8,7 @@
 #include "scenarios/library/library.h"
 #include "scenarios/shapes/distance.h"
 #include "scenarios/shapes/outline.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/modules.h"
 #include "tests/scenarios/operators/attempt.h"

@@ -9,7 +9,7 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/write.h"
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/editor/editor_records.h"
