@@ -21,7 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 HERE = pathlib.Path(__file__).resolve().parent
 LIBRARY = HERE.parent / "library"
 TABLE = HERE / "library.md"
-ROW_HEAD = "| exercise | voxels; what may change | expert, fair, novice | a tick; memory | twice the voxels | half the voxels | the audit |"
+ROW_HEAD = "| exercise | voxels; what may change | expert, competent, novice | a tick; memory | twice the voxels | half the voxels | the audit |"
 WAS_HEAD = "| exercise | from | to | which is | at half of the former | one against the other | at half of the new | a tick; memory |"
 
 
@@ -42,7 +42,7 @@ def change(c, tolerance):
     edge = abs(abs(c["score"]) - tolerance) < 0.05  # one digit would hide on which side
     text = f"{c['score']:+.{3 if edge else 1}f}"
     if c["goes_a_hand"] > 1:
-        text += f" ± {c['standard_error']:.1f} ({c['goes_a_hand']} goes)"
+        text += f" ± {c['standard_error']:.1f} ({c['goes_a_hand']} attempts)"
     if not c["passes_alike"]:
         text += ", a pass or fail parts"
     if not c["measures_alike"]:
@@ -100,12 +100,12 @@ def row_of(report):
 def was_of(report, now, report_now):
     """`report_now`: on the exercise as it is; None where this run has none."""
     s, lean, points = report["scenario"], report["leanest"], report["tolerance_points"]
-    goes_there = lean["changed"] and abs(lean["voxel_mm"] - now) < 1e-9
-    if not goes_there and not report_now:
+    leads_there = lean["changed"] and abs(lean["voxel_mm"] - now) < 1e-9
+    if not leads_there and not report_now:
         sys.exit(f"{s['key']}: from {mm(s['voxel_mm'])} the audit does not go to {mm(now)}: audit the exercise as it is too")
     refused = [st["change"] for st in (report_now or report)["leanest"]["steps"]
                if not st["taken"] and abs(st["choice"]["instead"] - s["voxel_mm"]) < 1e-9]
-    against = change(lean["change"], points) if goes_there else change(refused[0], points) if refused else ""
+    against = change(lean["change"], points) if leads_there else change(refused[0], points) if refused else ""
     half_now = half(report_now) if report_now else change(lean["at_half_voxel"], points)
     result = report_now["as_set"] if report_now else lean["result"]
     return (f"| {s['key']} | {mm(s['voxel_mm'])} | {mm(now)} | {'coarser' if now > s['voxel_mm'] else 'finer'} | {half(report)} | "
@@ -184,9 +184,9 @@ def main():
     lines = [
         "# The library, audited",
         "",
-        f"Engine version {', '.join(sorted(engines, key=int))}; hands: expert, fair, novice, one go each. Written by `table.py`, not by hand.",
+        f"Engine version {', '.join(sorted(engines, key=int))}; operators: expert, competent, novice, one attempt each. Written by `table.py`.",
         "",
-        "Change: of the score of the hand that it changes most, in points; over several goes the mean and its standard error. "
+        "Change: of the score of the operator that it changes most, in points; over several attempts the mean and its standard error. "
         "A tick: median CPU time over the first 12 s of touch, in ticks of 1 ms (about a tooth most of them are in the air). "
         "*Would do*: a coarser size that the search found (`README.md`) and that is not set.",
         "",

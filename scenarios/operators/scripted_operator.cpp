@@ -1,4 +1,4 @@
-#include "scenarios/operators/hand.h"
+#include "scenarios/operators/scripted_operator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,13 @@ constexpr double kEasePerS = 8.0;       // speed towards a stroke's end, for eac
 constexpr double kSlippedWanders = 2.0;  // this far beside the line, and
 constexpr double kClimbedMm = 0.05;      // this high above it, the foot leaves the pedal until the bur is back
 constexpr double kLeastSpeedMmS = 0.05; // but no less
-constexpr double kProgressMm = 0.02;    // less than this in the hand's patience is none
+constexpr double kProgressMm = 0.02;    // less than this within patience_s is none
 constexpr double kTravelArriveMm = 0.1;
-constexpr double kFurtherRadii = 0.5;    // set down anew so much further on, in radii of the bur's head
-constexpr std::size_t kTimesAnew = 12;   // on one stroke
-constexpr double kHeldN = 0.3;           // pressed by more than this and no way made: held; by less: merely slow
-constexpr double kStandsS = 0.4;         // no way made for so long, and the handpiece may stand: let up for as long, push again
-constexpr double kOfStall = 0.8;         // nearer to what stalls a handpiece nobody pushes who hears it
+constexpr double kFurtherRadii = 0.5;    // repositions so much further on, in radii of the bur's head
+constexpr std::size_t kMaxRepositions = 12;   // on one stroke
+constexpr double kHeldN = 0.3;           // held: a larger force and no progress; with less the bur is only slow
+constexpr double kStandsS = 0.4;         // no progress for so long may be a stall: releases for as long, then pushes
+constexpr double kOfStall = 0.8;         // largest share of the stall force that an operator uses
 
 double radius_mm_of(const Scenario& scenario, std::size_t bur) noexcept {
   return bur < scenario.instruments.size() ? scenario.instruments[bur].radius_mm : 0.0;
@@ -47,7 +47,7 @@ double light_speed_share(const Scenario& scenario, std::uint16_t bur) noexcept {
   return full > 0.0 ? push / full * (1.0 - handpiece.sag * push / stall_n_of(handpiece, radius)) : 1.0;
 }
 
-Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
+ScriptedOperator::ScriptedOperator(Plan plan, const OperatorStyle& style, const Scenario& scenario)
     : plan_(std::move(plan)),
       style_(style),
       muscles_(style.muscles, plan_.start_mm),
@@ -65,45 +65,45 @@ Hand::Hand(Plan plan, const HandStyle& style, const Scenario& scenario)
   turn_to(0, plan_.start_mm);
 }
 
-void Hand::begin(Vec3 from) noexcept {
+void ScriptedOperator::begin(Vec3 from) noexcept {
   from_mm_ = from;
   since_s_ = clock_s_;
   if (stroke_ < plan_.strokes.size()) least_left_mm_ = glm::length(now().to_mm - from);
 }
 
-void Hand::turn_to(std::size_t stroke, Vec3 from) noexcept {
+void ScriptedOperator::turn_to(std::size_t stroke, Vec3 from) noexcept {
   stroke_ = stroke;
-  times_anew_ = 0;
-  anew_ = kAnew;
+  repositions_ = 0;
+  reposition_step_ = kRepositionSteps;
   begin(from);
 }
 
-bool Hand::set_down_anew(Vec3 proxy) noexcept {
+bool ScriptedOperator::reposition(Vec3 proxy) noexcept {
   const Stroke& stroke = plan_.strokes[stroke_];
-  if (!stroke.cut || times_anew_ >= kTimesAnew) return false;
+  if (!stroke.cut || repositions_ >= kMaxRepositions) return false;
   const Vec3 to_end = stroke.to_mm - proxy;
   const double left = std::hypot(to_end.x, to_end.y);
-  // Nothing is further on than the end, straight down least of all.
+  // The new place must lie before the stroke's end.
   const double further = kFurtherRadii * radius_mm_;
   if (left <= further) return false;
-  ++times_anew_;
+  ++repositions_;
   const Vec3 there = proxy + further / left * to_end;
-  way_anew_ = {{{Vec3(proxy.x, proxy.y, plan_.start_mm.z), true},
+  reposition_path_ = {{{Vec3(proxy.x, proxy.y, plan_.start_mm.z), true},
                 {Vec3(there.x, there.y, plan_.start_mm.z), false},
                 {Vec3(there.x, there.y, stroke.to_mm.z), true}}};
-  anew_ = 0;
+  reposition_step_ = 0;
   begin(proxy);
   return true;
 }
 
-const TissueFeel& Hand::feel(double stiffness) const noexcept {
+const TissueFeel& ScriptedOperator::feel(double stiffness) const noexcept {
   const TissueFeel* best = &feels_.front();
   for (const TissueFeel& f : feels_)
     if (std::fabs(f.stiffness_n_per_mm - stiffness) < std::fabs(best->stiffness_n_per_mm - stiffness)) best = &f;
   return *best;
 }
 
-Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
+Vec3 ScriptedOperator::wanted(const StepOutput& last, double dt_s) noexcept {
   const Stroke& stroke = now();
   const Vec3 proxy = last.proxy_mm;
   const Vec3 whole = stroke.to_mm - from_mm_;
@@ -121,7 +121,7 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
   const double most = pressing ? std::max(style_.feed * tissue.speed_mm_s, kLeastSpeedMmS)
                       : stroke.cut ? style_.approach_mm_s
                                    : style_.travel_mm_s;
-  // Eases off towards the end, but for what the next stroke carries on of it.
+  // Slows towards the end, except for the share that the next stroke carries on.
   const double to_go = length - done;
   double speed = to_go > 0.0 ? std::min(most, std::max(kEasePerS * to_go + carried_on() * most, kLeastSpeedMmS)) : 0.0;
   if (stroke.cut) speed *= std::clamp(1.0 - away / style_.wander_mm, 0.1, 1.0);
@@ -134,7 +134,7 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
     return proxy + velocity * lag_s_;
   }
 
-  // Against the felt force a push in proportion, along the face a movement.
+  // The part against the felt force becomes a push, the part along the face a movement.
   const Vec3 spring = last.device_mm - last.proxy_mm;
   const double depth = glm::length(spring);
   if (glm::length(felt_) < 0.5) felt_ = along;  // just touched
@@ -144,10 +144,10 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
   const Vec3 into = sure > 1e-6 ? felt_ / sure : along;
   const double deeper = std::clamp(glm::dot(velocity, into), 0.0, most);
   const double stiffness = last.stiffness_n_per_mm > 0.0 ? last.stiffness_n_per_mm : tissue.stiffness_n_per_mm;
-  // Sideways no harder than a hand can stop when the bur breaks through; down, the tissue below holds it.
+  // The side push stays small enough to stop when the bur breaks through; downwards the tissue holds it.
   const double down = std::clamp(-into.z, 0.0, 1.0);
   const double hardest = style_.side_push_n + down * down * std::max(0.0, full_force_n_ - style_.side_push_n);
-  // What stalls goes on once the push is off it.
+  // A stalled handpiece runs up again without a push.
   const double no_way_s = clock_s_ - since_s_;
   if (std::isfinite(hardest_push_n_) && no_way_s > kStandsS && no_way_s < 2.0 * kStandsS) return proxy;
   const double push_n =
@@ -158,8 +158,8 @@ Vec3 Hand::wanted(const StepOutput& last, double dt_s) noexcept {
          (slide + into * std::min(glm::dot(velocity, into), 0.0)) * lag_s_;
 }
 
-double Hand::carried_on() const noexcept {
-  if (stroke_ + 1 >= plan_.strokes.size() || anew_ < kAnew) return 0.0;
+double ScriptedOperator::carried_on() const noexcept {
+  if (stroke_ + 1 >= plan_.strokes.size() || reposition_step_ < kRepositionSteps) return 0.0;
   const Stroke& here = plan_.strokes[stroke_];
   const Stroke& next = plan_.strokes[stroke_ + 1];
   if (!here.cut || !next.cut) return 0.0;
@@ -168,7 +168,7 @@ double Hand::carried_on() const noexcept {
   return size > 1e-12 ? std::max(0.0, glm::dot(a, b) / size) : 0.0;
 }
 
-bool Hand::arrived(Vec3 proxy) const noexcept {
+bool ScriptedOperator::arrived(Vec3 proxy) const noexcept {
   const Stroke& stroke = now();
   const Vec3 to_end = stroke.to_mm - proxy;
   const double left = glm::length(to_end);
@@ -178,7 +178,7 @@ bool Hand::arrived(Vec3 proxy) const noexcept {
   return carried_on() > 0.0 && left <= style_.wander_mm && glm::dot(to_end, stroke.to_mm - from_mm_) <= 0.0;
 }
 
-bool Hand::slipped(Vec3 proxy) const noexcept {
+bool ScriptedOperator::slipped(Vec3 proxy) const noexcept {
   const Vec3 whole = now().to_mm - from_mm_;
   const double square = glm::dot(whole, whole);
   const double done = square > 1e-12 ? std::clamp(glm::dot(proxy - from_mm_, whole) / square, 0.0, 1.0) : 0.0;
@@ -186,7 +186,7 @@ bool Hand::slipped(Vec3 proxy) const noexcept {
   return off.z > kClimbedMm && std::hypot(off.x, off.y) > kSlippedWanders * style_.wander_mm;
 }
 
-Sample Hand::next(const StepOutput& last, double dt_s) {
+Sample ScriptedOperator::next(const StepOutput& last, double dt_s) {
   clock_s_ += dt_s;
   Vec3 goal = muscles_.position_mm();
   if (!done()) {
@@ -196,16 +196,16 @@ Sample Hand::next(const StepOutput& last, double dt_s) {
       since_s_ = clock_s_;
     }
     const bool blocked = clock_s_ - since_s_ > style_.patience_s;
-    if (anew_ < kAnew && (arrived(last.proxy_mm) || blocked)) {
+    if (reposition_step_ < kRepositionSteps && (arrived(last.proxy_mm) || blocked)) {
       const Vec3 from = blocked ? last.proxy_mm : now().to_mm;
-      if (blocked) times_anew_ = kTimesAnew;  // held there too: not again
-      ++anew_;
+      if (blocked) repositions_ = kMaxRepositions;  // blocked on the way: no more tries
+      ++reposition_step_;
       begin(from);
     } else if (arrived(last.proxy_mm)) {
       turn_to(stroke_ + 1, now().to_mm);
-    } else if (blocked && !(glm::length(last.force_n) > kHeldN && set_down_anew(last.proxy_mm))) {
-      ++given_up_;
-      // After a stroke that was left the next line starts where the bur really is.
+    } else if (blocked && !(glm::length(last.force_n) > kHeldN && reposition(last.proxy_mm))) {
+      ++skipped_;
+      // After a skipped stroke the next line starts at the bur's place.
       turn_to(stroke_ + 1, last.proxy_mm);
     }
     if (!done()) goal = wanted(last, dt_s);

@@ -1,23 +1,23 @@
-#include "scenarios/operators/hand_port.h"
+#include "scenarios/operators/operator_port.h"
 
 namespace cusp::scenarios {
 
-HandPort::HandPort(Hand hand, double dt_s) : hand_(std::move(hand)), dt_s_(dt_s) {
-  felt_.device_mm = felt_.proxy_mm = hand_.start_mm();
+OperatorPort::OperatorPort(ScriptedOperator scripted, double dt_s) : operator_(std::move(scripted)), dt_s_(dt_s) {
+  felt_.device_mm = felt_.proxy_mm = operator_.start_mm();
 }
 
-Sample HandPort::wait(std::chrono::steady_clock::time_point) noexcept {
-  if (hand_.done()) {
+Sample OperatorPort::wait(std::chrono::steady_clock::time_point) noexcept {
+  if (operator_.done()) {
     Sample over;
     over.position_mm = felt_.device_mm;
     return over;
   }
-  const Sample sample = hand_.next(felt_, dt_s_);
+  const Sample sample = operator_.next(felt_, dt_s_);
   felt_.device_mm = sample.position_mm;
   return sample;
 }
 
-void HandPort::write(const Feedback& feedback) noexcept {
+void OperatorPort::write(const Feedback& feedback) noexcept {
   felt_.proxy_mm = feedback.proxy_mm;
   felt_.force_n = feedback.force_n;
   felt_.contact = feedback.in_contact;
@@ -25,7 +25,7 @@ void HandPort::write(const Feedback& feedback) noexcept {
   felt_.faulted = feedback.faulted;
 }
 
-DeviceLimits HandPort::limits() const {
+DeviceLimits OperatorPort::limits() const {
   DeviceLimits limits;
   limits.name = "Scripted hand";
   limits.device_class = "scripted";

@@ -16,7 +16,7 @@
 namespace cusp::test {
 namespace {
 
-/// A small block of dentine with pulp below, and a slot of 1.4 x 0.8 x 0.8 mm in it: a go takes seconds.
+/// A small block of dentine with pulp below, and a slot of 1.4 x 0.8 x 0.8 mm in it: an attempt takes seconds.
 Scenario small_slot() {
   Scenario s;
   s.tissues = {{Tissue::dentine, 2, 2}, {Tissue::pulp, 1, 4}};
@@ -52,8 +52,8 @@ struct Bench {
   Scenario scenario = small_slot();
   std::shared_ptr<const Specimen> specimen = small_block();
   Reference reference{scenario, specimen};
-  attempt::Result run(std::string_view hand, std::uint64_t seed = 1) const {
-    return attempt::run(scenario, reference, specimen, *hand_by_name(hand, scenario, *specimen, seed), 2000);
+  attempt::Result run(std::string_view name, std::uint64_t seed = 1) const {
+    return attempt::run(scenario, reference, specimen, *operator_by_name(name, scenario, *specimen, seed), 2000);
   }
   static std::string reason(const attempt::Result& r, std::string_view id) {
     for (const CriterionGrade& c : r.grade.criteria)
@@ -62,15 +62,15 @@ struct Bench {
   }
 };
 
-TEST(Expert, DrillsWithATurbineAndKeepsTheToothCoolAndTheSameHandWithoutCoolantFails) {
+TEST(Expert, DrillsWithATurbineAndKeepsTheToothCoolAndTheSameOperatorWithoutCoolantFails) {
   Bench bench;
   bench.scenario.phenomena = {"spindle-turbine", "vibration", "heat"};
   bench.scenario.tissues = {{Tissue::dentine, 2, 0.2}, {Tissue::pulp, 1, 4}};  // slow: dry for long enough, whatever the path
   bench.scenario.rubric.critical.push_back("dry_cutting");
   bench.scenario.rubric.criteria.push_back({"dry_cutting_time", 10, {0, 0, 0, 1, 5, 10}});
   const Reference reference(bench.scenario, bench.specimen);
-  const auto run = [&](std::string_view hand) {
-    return attempt::run(bench.scenario, reference, bench.specimen, *hand_by_name(hand, bench.scenario, *bench.specimen), 2000);
+  const auto run = [&](std::string_view name) {
+    return attempt::run(bench.scenario, reference, bench.specimen, *operator_by_name(name, bench.scenario, *bench.specimen), 2000);
   };
   const attempt::Result wet = run("expert"), dry = run("dry");
   EXPECT_TRUE(wet.grade.passed) << wet.grade.score;
@@ -127,7 +127,7 @@ TEST(Plan, IsEmptyWithoutTargetOrInstruments) {
   EXPECT_TRUE(expert(s, *small_block()).done());
 }
 
-TEST(Plan, GoesByTheReadingOfTheMethod) {
+TEST(Plan, FollowsTheReadingOfTheMethod) {
   const auto strokes = [](Method method) {
     Scenario s = small_slot();
     s.method = method;
@@ -143,19 +143,19 @@ TEST(Plan, GoesByTheReadingOfTheMethod) {
 
 /// A world with a ledge at x = 0: below the block's top nothing passes it from left to right but what came from above.
 /// `lids`: nor from above. The strokes that the expert left out, and how often it was above the block again.
-struct LedgeGo {
-  std::size_t left_out = 0, lifts = 0;
+struct LedgeAttempt {
+  std::size_t skipped = 0, lifts = 0;
   double clock_s = 0;
 };
-LedgeGo over_a_ledge(bool lids) {
+LedgeAttempt over_a_ledge(bool lids) {
   const Scenario s = small_slot();
-  Hand hand = expert(s, *small_block());
+  ScriptedOperator scripted = expert(s, *small_block());
   StepOutput o;
-  o.proxy_mm = o.device_mm = hand.start_mm();
-  LedgeGo out;
+  o.proxy_mm = o.device_mm = scripted.start_mm();
+  LedgeAttempt out;
   bool above = true, was_above = true;
-  while (!hand.done()) {
-    const Sample sample = hand.next(o, 0.002);
+  while (!scripted.done()) {
+    const Sample sample = scripted.next(o, 0.002);
     Vec3 to = sample.position_mm;
     above = o.proxy_mm.z > 0.4;
     if (!above && o.proxy_mm.x <= 0.0 && to.x > 0.0) to = Vec3(0.0, to.y, to.z);
@@ -168,62 +168,62 @@ LedgeGo over_a_ledge(bool lids) {
     o.stiffness_n_per_mm = o.contact ? 2.0 : 0.0;
     o.force_n = o.contact ? 2.0 * (to - sample.position_mm) : Vec3(0.0);
   }
-  out.left_out = hand.strokes_left_out();
-  out.clock_s = hand.clock_s();
+  out.skipped = scripted.strokes_skipped();
+  out.clock_s = scripted.clock_s();
   return out;
 }
-TEST(Hand, LiftsTheBurOutWhereItIsHeldAndSetsItDownFurtherOn) {
-  const LedgeGo go = over_a_ledge(false);
-  EXPECT_EQ(go.left_out, 0u);
-  EXPECT_GT(go.lifts, 2u);
+TEST(ScriptedOperator, RepositionsTheBurFurtherAlongTheStrokeIfItIsHeld) {
+  const LedgeAttempt attempt = over_a_ledge(false);
+  EXPECT_EQ(attempt.skipped, 0u);
+  EXPECT_GT(attempt.lifts, 2u);
 }
-TEST(Hand, GivesUpAStrokeThatCannotBeReachedFromAboveEither) {
-  const LedgeGo go = over_a_ledge(true);
-  EXPECT_GT(go.left_out, 0u);
-  EXPECT_LT(go.clock_s, 1200.0) << "it was through before its time was";
+TEST(ScriptedOperator, SkipsAStrokeThatCannotBeReachedFromAbove) {
+  const LedgeAttempt attempt = over_a_ledge(true);
+  EXPECT_GT(attempt.skipped, 0u);
+  EXPECT_LT(attempt.clock_s, 1200.0) << "it was through before its time was";
 }
 
-/// The fair hand in a tissue as hard as enamel, with a turbine that little more than the full force stalls; the first two minutes.
-struct TurbineGo {
+/// An operator in a tissue as hard as enamel, with a turbine that stalls at little more than the full force; two minutes.
+struct TurbineAttempt {
   double stood_s = 0;  // pressed, and the handpiece still
-  std::size_t left_out = 0;
+  std::size_t skipped = 0;
 };
-TurbineGo with_a_turbine(bool light) {
+TurbineAttempt with_a_turbine(bool light) {
   Bench bench;
   bench.scenario.tissues = {{Tissue::dentine, 3, 0.5}, {Tissue::pulp, 1, 4}};
   bench.scenario.device.full_force_n = 3.9;  // stalls at 2.5 N x 0.5 mm / 0.3 mm
   bench.scenario.phenomena = {"spindle-turbine"};
-  HandStyle style = steady_style(bench.scenario, *bench.specimen, 1);
+  OperatorStyle style = steady_style(bench.scenario, *bench.specimen, 1);
   style.muscles.tremor_mm = 0.05;
   style.light = light;
-  style.most_s = 120.0;
-  HandPort port(Hand(plan_target(bench.scenario, *bench.specimen, {}), style, bench.scenario), 0.008);
+  style.max_s = 120.0;
+  OperatorPort port(ScriptedOperator(plan_target(bench.scenario, *bench.specimen, {}), style, bench.scenario), 0.008);
   StepState state(attempt::scene_of(bench.scenario, bench.specimen));
   StepInput last;
-  TurbineGo out;
+  TurbineAttempt out;
   for (Sample sample = port.wait({}); sample.status != Sample::Status::gone; sample = port.wait({})) {
     last = quantise(sample, 8000, last);
     const StepOutput o = step(state, last);
     if (last.cutting() && o.contact && !(o.spindle_rpm > 0.0f)) out.stood_s += 0.008;
     port.write({o.force_n, o.proxy_mm, o.stiffness_n_per_mm, Vec3(0, 0, 1), o.contact, o.faulted});
   }
-  out.left_out = port.hand().strokes_left_out();
+  out.skipped = port.scripted_operator().strokes_skipped();
   return out;
 }
-TEST(Hand, LeansOnATurbineNoHarderThanRemovesMostAndLetsUpWhereItStands) {
-  const TurbineGo light = with_a_turbine(true), heavy = with_a_turbine(false);
+TEST(ScriptedOperator, PushesATurbineNoHarderThanRemovesMostAndReleasesAStall) {
+  const TurbineAttempt light = with_a_turbine(true), heavy = with_a_turbine(false);
   EXPECT_LT(light.stood_s, 0.3 * heavy.stood_s);  // 3.6 and 24.2 s of 120
-  EXPECT_LT(light.left_out, heavy.left_out);      // 3 and 10
+  EXPECT_LT(light.skipped, heavy.skipped);      // 3 and 10
 }
 
 /// A world in which the proxy follows the device no faster than `speed`.
-std::size_t left_out_at(double speed_mm_s, double& clock_s, std::uint64_t seed = 1) {
+std::size_t skipped_at(double speed_mm_s, double& clock_s, std::uint64_t seed = 1) {
   const Scenario s = small_slot();
-  Hand hand = expert(s, *small_block(), seed);
+  ScriptedOperator scripted = expert(s, *small_block(), seed);
   StepOutput o;
-  o.proxy_mm = o.device_mm = hand.start_mm();
-  while (!hand.done()) {
-    const Sample sample = hand.next(o, 0.002);
+  o.proxy_mm = o.device_mm = scripted.start_mm();
+  while (!scripted.done()) {
+    const Sample sample = scripted.next(o, 0.002);
     const Vec3 gap = sample.position_mm - o.proxy_mm;
     const double far = glm::length(gap);
     const double reach = speed_mm_s * 0.002;
@@ -233,37 +233,37 @@ std::size_t left_out_at(double speed_mm_s, double& clock_s, std::uint64_t seed =
     o.stiffness_n_per_mm = o.contact ? 2.0 : 0.0;
     o.force_n = 2.0 * (o.proxy_mm - o.device_mm);
   }
-  clock_s = hand.clock_s();
-  return hand.strokes_left_out();
+  clock_s = scripted.clock_s();
+  return scripted.strokes_skipped();
 }
 
-TEST(Hand, GetsToEveryPlaceWhenTheWorldGivesWay) {
+TEST(ScriptedOperator, ReachesEveryPlaceIfNothingResists) {
   double clock = 0;
-  EXPECT_EQ(left_out_at(1e9, clock), 0u);
+  EXPECT_EQ(skipped_at(1e9, clock), 0u);
   EXPECT_LT(clock, 60.0);
 }
 
-TEST(Hand, GivesUpWhatIsBlockedAndComesToAnEnd) {
+TEST(ScriptedOperator, SkipsBlockedStrokesAndEnds) {
   double clock = 0;
-  EXPECT_GT(left_out_at(0.0, clock), 10u);
-  EXPECT_LE(clock, HandStyle{}.most_s + 0.01);
+  EXPECT_GT(skipped_at(0.0, clock), 10u);
+  EXPECT_LE(clock, OperatorStyle{}.max_s + 0.01);
 }
 
-TEST(Hand, IsTheSameForTheSameSeedAndNotForAnother) {
+TEST(ScriptedOperator, IsTheSameForTheSameSeedAndNotForAnother) {
   double a = 0, b = 0, other = 0;
-  left_out_at(1e9, a, 5);
-  left_out_at(1e9, b, 5);
-  left_out_at(1e9, other, 6);
+  skipped_at(1e9, a, 5);
+  skipped_at(1e9, b, 5);
+  skipped_at(1e9, other, 6);
   EXPECT_EQ(a, b);
   EXPECT_NE(a, other);
 }
 
-TEST(Hand, IsFoundByItsName) {
+TEST(ScriptedOperator, HasAName) {
   const Scenario s = small_slot();
   const auto block = small_block();
-  for (const char* name : {"expert", "novice", "fair", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"})
-    EXPECT_TRUE(hand_by_name(name, s, *block).has_value()) << name;
-  EXPECT_FALSE(hand_by_name("Expert", s, *block).has_value());
+  for (const char* name : {"expert", "novice", "competent", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"})
+    EXPECT_TRUE(operator_by_name(name, s, *block).has_value()) << name;
+  EXPECT_FALSE(operator_by_name("Expert", s, *block).has_value());
 }
 
 TEST(Expert, EarnsTheMarksByDrilling) {
@@ -289,12 +289,12 @@ TEST(Expert, EarnsTheMarksWithTheOtherMethodsOnABandToo) {
 
 /// What it loses it loses on the bands' slopes: a small change of the cut shows in its marks.
 /// Whether it passes is left to the exercise: here it has 69 points of the 70 that a pass takes, the others 100 and 0.
-TEST(Faults, TheFairHandLosesMarksWithoutLosingThemAll) {
+TEST(Faults, TheCompetentOperatorLosesSomeMarks) {
   const Bench bench;
-  const attempt::Result fair = bench.run("fair");
-  EXPECT_LT(fair.grade.score, bench.run("expert").grade.score - 3.0);
-  EXPECT_GT(fair.grade.score, bench.run("novice").grade.score + 3.0);
-  EXPECT_NEAR(fair.get("depth_mean").value, 0.8 + 0.6 * bench.scenario.leeway.floor_mm, 0.05);
+  const attempt::Result competent = bench.run("competent");
+  EXPECT_LT(competent.grade.score, bench.run("expert").grade.score - 3.0);
+  EXPECT_GT(competent.grade.score, bench.run("novice").grade.score + 3.0);
+  EXPECT_NEAR(competent.get("depth_mean").value, 0.8 + 0.6 * bench.scenario.leeway.floor_mm, 0.05);
 }
 
 TEST(Faults, TooDeepIsGradedTooDeep) {
@@ -345,9 +345,9 @@ TEST(PaperBlock, TheExpertPassesAndTheNoviceFailsTooDeep) {
   ASSERT_TRUE(dense);
   const auto specimen = Specimen::build(*dense, reading_of(scenario->method));
   const Reference reference(*scenario, specimen);
-  const attempt::Result good = attempt::run(*scenario, reference, specimen, *hand_by_name("expert", *scenario, *specimen));
+  const attempt::Result good = attempt::run(*scenario, reference, specimen, *operator_by_name("expert", *scenario, *specimen));
   EXPECT_TRUE(good.grade.passed) << good.grade.score;
-  const attempt::Result bad = attempt::run(*scenario, reference, specimen, *hand_by_name("novice", *scenario, *specimen));
+  const attempt::Result bad = attempt::run(*scenario, reference, specimen, *operator_by_name("novice", *scenario, *specimen));
   EXPECT_FALSE(bad.grade.passed) << bad.grade.score;
   EXPECT_EQ(Bench::reason(bad, "depth_mean"), "too_deep");
 }

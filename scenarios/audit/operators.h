@@ -1,4 +1,4 @@
-/// Whom an audit lets drill, and what came of it. Plain values.
+/// The operators of an audit, their attempts and what a run asks for. Plain values.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace cusp::scenarios {
 
-/// A scripted hand (scenarios/operators/faults.h, hand_by_name) and the seed of its tremor.
-struct AuditHand {
-  std::string hand = "expert";
+/// A scripted operator (scenarios/operators/faults.h, operator_by_name) and the seed of its tremor.
+struct AuditOperator {
+  std::string name = "expert";
   std::uint64_t seed = 1;
-  friend bool operator==(const AuditHand&, const AuditHand&) = default;
+  friend bool operator==(const AuditOperator&, const AuditOperator&) = default;
 };
 
-/// What a model takes. CPU time is the thread's own.
+/// Cost of one model. CPU time is the thread's own.
 struct ModelCost {
   double us_a_tick = 0;                        // median over blocks of ticks of 1 ms, from the first touch on
   double us_more = 0;                          // than the first model of the same run: median over the pairs of blocks
@@ -29,42 +29,42 @@ struct ModelCost {
   std::uint64_t bytes = 0;                     // of the heap, specimen and one state
 };
 
-/// A go at a model: the device goes where the hand's went in the exercise as it is, or where the hand leads it as it feels
-/// this model (AuditRun::felt).
-struct ModelGo {
-  AuditHand hand;
+/// One attempt at a model. The device repeats the operator's path in AuditRun::home, or, if AuditRun::felt is set, the
+/// operator feels this model.
+struct ModelAttempt {
+  AuditOperator by;
   Grade grade;
   double seconds = 0;      // of the exercise, by its own clock
-  std::uint64_t lost = 0;  // ticks that ran out of room or found no pose: tests want none
+  std::uint64_t lost = 0;  // ticks with an overflow or without a pose: tests expect none
 };
 
 struct ModelResult {
   ModelCost cost;             // with costs alone
-  /// Likewise: how the forces differ from the first model's, before the guard, when the device goes where an expert's went
-  /// in the first; over the ticks where either touches.
+  /// With costs alone: difference to the first model's forces, before the guard, on the expert's path in the first model;
+  /// over the ticks where either touches.
   double force_rms_n = 0, force_most_n = 0;
-  std::vector<ModelGo> goes;  // in the order of the hands
+  std::vector<ModelAttempt> attempts;  // in the order of AuditRun::operators
 };
 
 enum class AuditError : std::uint8_t {
   cancelled,
-  unplayable,   // the exercise as it stands cannot be played; where: what the runner said
+  unplayable,   // the exercise as it stands cannot be played; where: the runner's reason
 };
 using AuditFailure = Failure<AuditError>;
 
 /// Called with a share in [0, 1] that rises within one run; false: stop.
 using AuditWatch = std::function<bool(double share)>;
 
-/// What a run is asked for. Costs are compared with the first model's.
+/// What a runner plays. Costs are compared with the first model's.
 struct AuditRun {
-  Scenario home;                  // the exercise as it is, in which the hands find their paths
+  Scenario home;                  // the exercise as it is, in which the operators find their paths
   std::vector<Model> models;
-  std::vector<AuditHand> hands;
+  std::vector<AuditOperator> operators;
   bool costs = true;
-  bool felt = false;              // the hands feel each model: their paths part, as two goes of one hand do
+  bool felt = false;              // each operator feels each model, so that paths differ from model to model
 };
 
-/// Plays, and measures. Of a model that cannot be played nothing comes back (its place is empty).
+/// Plays and measures. The result of a model that cannot be played is nullopt.
 using AuditRunner =
     std::function<Result<std::vector<std::optional<ModelResult>>, AuditFailure>(const AuditRun& run, const AuditWatch& watch)>;
 
