@@ -1,4 +1,4 @@
-#include "scenarios/metrics/place_sink.h"
+#include "scenarios/metrics/region_classifier.h"
 
 #include <cmath>
 
@@ -66,7 +66,7 @@ void divide(const Tetrahedron& t, Value&& value, Below&& below, Above&& above) {
 
 }  // namespace
 
-void PlaceSink::cell(Vec3 low, Vec3 high) {
+void RegionClassifier::cell(Vec3 low, Vec3 high) {
   low_ = low;
   high_ = high;
   sampled_ = false;
@@ -88,7 +88,7 @@ void PlaceSink::cell(Vec3 low, Vec3 high) {
   }
 }
 
-double PlaceSink::outline_at(Vec3 p) noexcept {
+double RegionClassifier::outline_at(Vec3 p) noexcept {
   if (!sampled_) {
     sampled_ = true;
     for (std::size_t j = 0; j < 3; ++j)
@@ -106,14 +106,14 @@ double PlaceSink::outline_at(Vec3 p) noexcept {
   return (1.0 - y) * ((1.0 - x) * o[0] + x * o[1]) + y * ((1.0 - x) * o[3] + x * o[4]);
 }
 
-Place PlaceSink::place_at(Vec3 p, double& d) noexcept {
+Place RegionClassifier::place_at(Vec3 p, double& d) noexcept {
   const double u = outline_at(p);
   const double v = shape_.below_floor_mm(p.z);
   d = rounded_corner(u, v, shape_.corner_mm());
   return whole_ ? place_ : place_of(u, v, shape_.corner_mm(), leeway_);
 }
 
-void PlaceSink::box(Vec3 low, Vec3 high, Tissue tissue) {
+void RegionClassifier::box(Vec3 low, Vec3 high, Tissue tissue) {
   const Vec3 size = high - low;
   if (whole_) {
     solid(place_, size.x * size.y * size.z, tissue);
@@ -137,7 +137,7 @@ void PlaceSink::box(Vec3 low, Vec3 high, Tissue tissue) {
       }
 }
 
-void PlaceSink::tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) {
+void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) {
   if (whole_) {
     solid(place_, mm3, tissue);
     return;

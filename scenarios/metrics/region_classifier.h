@@ -10,10 +10,10 @@
 
 namespace cusp::scenarios {
 
-class PlaceSink : public PieceSink {
+class RegionClassifier : public PieceSink {
  public:
   /// Both outlive the sink.
-  PlaceSink(const TargetShape& shape, const Leeway& leeway) : shape_(shape), leeway_(leeway) {}
+  RegionClassifier(const TargetShape& shape, const Leeway& leeway) : shape_(shape), leeway_(leeway) {}
 
   void cell(Vec3 low, Vec3 high) override;
   void box(Vec3 low, Vec3 high, Tissue tissue) override;

@@ -13,9 +13,9 @@
 namespace cusp::scenarios {
 namespace {
 
-/// Lengths that are told to a tenth or a hundredth of a millimetre.
+/// Resolution of lengths in texts: a tenth or a hundredth of a millimetre.
 constexpr double kSameMm = 0.005;
-/// Share of their words that two texts have in common before one is taken for the other's template.
+/// Share of common words from which one text counts as the other's template.
 constexpr double kLikeShare = 0.6;
 
 bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
@@ -58,7 +58,7 @@ std::vector<double> drawn_mm(const Scenario& s) {
   if (s.target.shape == "box") return {s.target.depth_mm, s.target.box_size_mm.x, s.target.box_size_mm.y};
   return {s.target.depth_mm, s.target.width_mm};
 }
-/// And all others that an exercise's words may speak of.
+/// Every other length that an exercise's text may name.
 std::vector<double> known_mm(const Scenario& s) {
   std::vector<double> out = drawn_mm(s);
   for (const double mm : {s.target.corner_radius_mm, s.leeway.floor_mm, s.leeway.side_mm}) out.push_back(mm);
@@ -104,9 +104,9 @@ bool other_target(const Target& a, const Target& b) {
          a.box_size_mm != b.box_size_mm;
 }
 
-class Words {
+class TextCheck {
  public:
-  Words(const Scenario& scenario, std::span<const Scenario> patterns) : s_(scenario), patterns_(patterns) {}
+  TextCheck(const Scenario& scenario, std::span<const Scenario> patterns) : s_(scenario), patterns_(patterns) {}
 
   std::vector<Finding> run() {
     for (const auto& [language, text] : s_.title) {
@@ -121,10 +121,6 @@ class Words {
   }
 
  private:
-  void warn(std::string path, std::string code, std::map<std::string, double> args, std::string language) {
-    out_.push_back({Severity::warning, std::move(path), std::move(code), std::move(args), std::move(language)});
-  }
-
   template <class Of>
   void check(const char* path, const std::string& language, const std::string& text, Of of) {
     bool own = false, others = false;
@@ -134,7 +130,7 @@ class Words {
       const bool differs = other_tooth(p.specimen, s_.specimen) || other_target(p.target, s_.target);
       (differs ? others : own) = true;
     }
-    if (others && !own) warn(std::string(path) + "/" + language, "text_of_template", {}, language);
+    if (others && !own) out_.push_back({Severity::warning, std::string(path) + "/" + language, "text_of_template", {}, language});
   }
 
   /// A title's whole numbers are teeth where FDI has them; a briefing's may be minutes.
@@ -146,7 +142,9 @@ class Words {
       if (static_cast<int>(f.value) == s_.specimen.fdi) return;
       wrong = static_cast<int>(f.value);
     }
-    if (wrong) warn("/title/" + language, "text_other_tooth", {{"value", *wrong}, {"limit", s_.specimen.fdi}}, language);
+    if (!wrong) return;
+    out_.push_back({Severity::warning, "/title/" + language, "text_other_tooth",
+                    {{"value", static_cast<double>(*wrong)}, {"limit", static_cast<double>(s_.specimen.fdi)}}, language});
   }
 
   void figures(const std::string& language, const std::string& text) {
@@ -167,7 +165,7 @@ class Words {
     }
     // A length that its template had, or lengths of which none is the target's.
     if (!left && foreign && !named) left = foreign;
-    if (left) warn("/briefing/" + language, "text_figure", {{"value", *left}}, language);
+    if (left) out_.push_back({Severity::warning, "/briefing/" + language, "text_figure", {{"value", *left}}, language});
   }
 
   const Scenario& s_;
@@ -177,8 +175,8 @@ class Words {
 
 }  // namespace
 
-std::vector<Finding> check_words(const Scenario& scenario, std::span<const Scenario> patterns) {
-  return Words(scenario, patterns).run();
+std::vector<Finding> check_texts(const Scenario& scenario, std::span<const Scenario> patterns) {
+  return TextCheck(scenario, patterns).run();
 }
 
 const std::vector<Scenario>& library_patterns() {
