@@ -1,4 +1,4 @@
-/// The one place that turns what a scenario says of its specimen into voxels: a generator's or a file's.
+/// A scenario's specimen source as voxels: from a generator or a file.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace cusp::scenarios {
 /// Generators: "paper-block" (always the paper's 128^3; voxel_mm is not read), "block" and "layered-block" (voxel_mm), "tooth" (fdi, seed,
 /// voxel_mm). Without a generator `volume` is a plain file name in `scenario_folder` (NRRD). Seconds at most; not for the
 /// haptic thread. `where` of a failure is the key of scenario.json or the file. A tooth stops early, with
-/// ImportError::cancelled, once *cancel is true, and tells how far it is.
+/// ImportError::cancelled, once *cancel is true, and reports its progress.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> make_specimen(const SpecimenSource& source,
                                                                const std::filesystem::path& scenario_folder,
                                                                ToothCancel cancel = nullptr,
@@ -27,7 +27,7 @@ namespace cusp::scenarios {
 /// The tissues that a "tooth" source will hold, by code; empty for any other source.
 [[nodiscard]] std::vector<Tissue> tissues_of(const SpecimenSource& source);
 
-/// The rest of the jaw of a source that asks for it, to look at: no voxels. Empty for any other source. Seconds; not for
+/// The rest of the jaw of a source that asks for it, as scenery: no voxels. Empty for any other source. Seconds; not for
 /// the haptic thread. Cancelled as above.
 [[nodiscard]] Result<std::vector<Jaw::Standing>, ImportFailure> make_scenery(const SpecimenSource& source,
                                                                              ToothCancel cancel = nullptr);

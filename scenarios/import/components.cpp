@@ -1,9 +1,9 @@
-#include "scenarios/import/pieces.h"
+#include "scenarios/import/components.h"
 
 namespace cusp::scenarios {
 namespace {
 
-/// Marks all that hangs together with the seeds where `open` holds; how many voxels. Takes room for its front only.
+/// Marks the connected component of the seeds where `open` holds; returns its voxels. Memory: its front only.
 template <class Open>
 std::size_t flood(const Grid& grid, std::vector<std::size_t> front, std::vector<bool>& marked, Open open) {
   std::size_t count = front.size();
@@ -14,18 +14,18 @@ std::size_t flood(const Grid& grid, std::vector<std::size_t> front, std::vector<
     next.clear();
     for (const std::size_t i : front) {
       const std::size_t x = i % nx, y = i / nx % ny, z = i / (nx * ny);
-      const auto go = [&](bool there, std::size_t to) {
-        if (!there || marked[to] || !open(to)) return;
+      const auto visit = [&](bool inside, std::size_t to) {
+        if (!inside || marked[to] || !open(to)) return;
         marked[to] = true;
         ++count;
         next.push_back(to);
       };
-      go(x > 0, i - 1);
-      go(x + 1 < nx, i + 1);
-      go(y > 0, i - nx);
-      go(y + 1 < ny, i + nx);
-      go(z > 0, i - nx * ny);
-      go(z + 1 < static_cast<std::size_t>(grid.size.z), i + nx * ny);
+      visit(x > 0, i - 1);
+      visit(x + 1 < nx, i + 1);
+      visit(y > 0, i - nx);
+      visit(y + 1 < ny, i + nx);
+      visit(z > 0, i - nx * ny);
+      visit(z + 1 < static_cast<std::size_t>(grid.size.z), i + nx * ny);
     }
     std::swap(front, next);
   }
@@ -34,7 +34,7 @@ std::size_t flood(const Grid& grid, std::vector<std::size_t> front, std::vector<
 
 }  // namespace
 
-std::size_t keep_largest_piece(const Grid& grid, std::vector<Tissue>& labels) {
+std::size_t keep_largest_component(const Grid& grid, std::vector<Tissue>& labels) {
   const auto solid = [&](std::size_t i) { return labels[i] != Tissue::empty; };
   std::vector<bool> marked(labels.size());
   std::size_t most = 0, seed = 0;

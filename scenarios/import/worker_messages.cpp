@@ -1,4 +1,4 @@
-#include "scenarios/import/worker_words.h"
+#include "scenarios/import/worker_messages.h"
 
 #include <initializer_list>
 
@@ -18,16 +18,16 @@ std::string escaped(std::string_view t) {
   return out;
 }
 
-/// Words taken one after the other; once one does not read, none does.
+/// Reads fields in order; after the first that does not parse, all fail.
 class Reader {
  public:
-  template <class Words>
-  explicit Reader(const Words& words) {
-    for (const auto& w : words) words_.emplace_back(w);
+  template <class Fields>
+  explicit Reader(const Fields& fields) {
+    for (const auto& w : fields) fields_.emplace_back(w);
   }
   std::string_view text() {
-    if (at_ >= words_.size()) ok_ = false;
-    return ok_ ? words_[at_++] : std::string_view{};
+    if (at_ >= fields_.size()) ok_ = false;
+    return ok_ ? fields_[at_++] : std::string_view{};
   }
   template <class Number>
   Number number() {
@@ -60,11 +60,11 @@ class Reader {
     return out;
   }
   bool ok() const { return ok_; }
-  bool more() const { return ok_ && at_ < words_.size(); }
-  bool ended() const { return ok_ && at_ == words_.size(); }
+  bool more() const { return ok_ && at_ < fields_.size(); }
+  bool ended() const { return ok_ && at_ == fields_.size(); }
 
  private:
-  std::vector<std::string_view> words_;
+  std::vector<std::string_view> fields_;
   std::size_t at_ = 0;
   bool ok_ = true;
 };
@@ -80,16 +80,16 @@ std::string code_of(Tissue tissue) { return text_of(static_cast<unsigned>(tissue
 
 }  // namespace
 
-std::string worker_line(const std::vector<std::string>& words) {
+std::string message_line(const std::vector<std::string>& fields) {
   std::string line(kMark);
-  for (std::size_t i = 0; i < words.size(); ++i) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i > 0) line += '\t';
-    line += escaped(words[i]);
+    line += escaped(fields[i]);
   }
   return line + '\n';
 }
 
-std::optional<std::vector<std::string>> worker_words(std::string_view t) {
+std::optional<std::vector<std::string>> fields_of_line(std::string_view t) {
   if (!t.starts_with(kMark)) return std::nullopt;
   t.remove_prefix(kMark.size());
   std::vector<std::string> out(1);
@@ -152,7 +152,7 @@ std::vector<std::string> arguments_of(const ImageImport& job, const std::filesys
                                 text_of(t.unit_mm),
                                 text_of(t.voxel_mm.value_or(0.0)),
                                 text_of(static_cast<unsigned>(t.up)),
-                                t.largest_piece ? "1" : "0",
+                                t.largest_component ? "1" : "0",
                                 code_of(t.hollows.value_or(Tissue::empty))};
   add(a, job.limits);
   for (const auto& [value, tissue] : t.labels) a.insert(a.end(), {"label", text_of(value), code_of(tissue)});
@@ -170,7 +170,7 @@ std::optional<ImageImport> image_job(std::span<const std::string_view> arguments
   t.unit_mm = r.number<double>();
   if (const double voxel = r.number<double>(); voxel != 0.0) t.voxel_mm = voxel;
   t.up = r.up();
-  t.largest_piece = r.flag();
+  t.largest_component = r.flag();
   if (const Tissue hollows = r.tissue(); hollows != Tissue::empty) t.hollows = hollows;
   job.limits = r.limits();
   while (r.more()) {
@@ -188,7 +188,7 @@ std::optional<ImageImport> image_job(std::span<const std::string_view> arguments
   return r.ended() ? std::optional(std::move(job)) : std::nullopt;
 }
 
-std::vector<std::string> words_of(const MeshInfo& mesh) {
+std::vector<std::string> message_of(const MeshInfo& mesh) {
   std::vector<std::string> w = {"mesh", mesh.name, text_of(mesh.triangles)};
   add(w, mesh.low);
   add(w, mesh.high);
@@ -202,8 +202,8 @@ std::vector<std::string> words_of(const MeshInfo& mesh) {
   return w;
 }
 
-std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& words) {
-  Reader r(words);
+std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& fields) {
+  Reader r(fields);
   if (r.text() != "mesh") return std::nullopt;
   MeshInfo m;
   m.name = r.text();
@@ -226,7 +226,7 @@ std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& words) {
   return r.ended() ? std::optional(std::move(m)) : std::nullopt;
 }
 
-std::vector<std::string> words_of(const ImageInfo& image) {
+std::vector<std::string> message_of(const ImageInfo& image) {
   std::vector<std::string> w = {"image", image.specimen ? "1" : "0", text_of(static_cast<unsigned>(image.kind))};
   for (int i = 0; i < 3; ++i) w.push_back(text_of(image.size[i]));
   add(w, image.spacing_mm);
@@ -236,8 +236,8 @@ std::vector<std::string> words_of(const ImageInfo& image) {
   return w;
 }
 
-std::optional<ImageInfo> image_info_of(const std::vector<std::string>& words) {
-  Reader r(words);
+std::optional<ImageInfo> image_info_of(const std::vector<std::string>& fields) {
+  Reader r(fields);
   if (r.text() != "image") return std::nullopt;
   ImageInfo out;
   out.specimen = r.flag();
@@ -259,14 +259,14 @@ std::optional<ImageInfo> image_info_of(const std::vector<std::string>& words) {
   return r.ended() ? std::optional(std::move(out)) : std::nullopt;
 }
 
-std::vector<std::string> words_of(const ImportRemark& remark) {
+std::vector<std::string> message_of(const ImportRemark& remark) {
   std::vector<std::string> w = {"remark", std::string(key_of(remark.code)), remark.subject, remark.other};
   for (const double n : remark.numbers) w.push_back(text_of(n));
   return w;
 }
 
-std::optional<ImportRemark> remark_of(const std::vector<std::string>& words) {
-  Reader r(words);
+std::optional<ImportRemark> remark_of(const std::vector<std::string>& fields) {
+  Reader r(fields);
   if (r.text() != "remark") return std::nullopt;
   const auto code = remark_from_key(r.text());
   if (!code) return std::nullopt;

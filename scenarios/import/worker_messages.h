@@ -1,5 +1,5 @@
-/// What the import's process and its parent say to each other: lines of a mark and words parted by tabs, on the child's
-/// standard output. What foreign libraries print there besides is not for us.
+/// Messages from the import's child process to its parent: lines of a mark and tab-separated fields on the child's standard
+/// output. Lines without the mark come from foreign libraries and are ignored.
 #pragma once
 
 #include <charconv>
@@ -30,9 +30,9 @@ std::optional<Number> number_of(std::string_view t) {
 }
 
 /// One line with its mark and its end.
-std::string worker_line(const std::vector<std::string>& words);
-/// The words of a line without its end; nothing for a line without the mark.
-std::optional<std::vector<std::string>> worker_words(std::string_view line);
+std::string message_line(const std::vector<std::string>& fields);
+/// The fields of a line without its end; nullopt for a line without the mark.
+std::optional<std::vector<std::string>> fields_of_line(std::string_view line);
 
 // Jobs as arguments of the child, in the order in which they are written, and back. nullopt: not such a job.
 std::vector<std::string> arguments_of(const MeshImport& job, const std::filesystem::path& out);
@@ -40,12 +40,12 @@ std::vector<std::string> arguments_of(const ImageImport& job, const std::filesys
 std::optional<MeshImport> mesh_job(std::span<const std::string_view> arguments, std::filesystem::path& out);
 std::optional<ImageImport> image_job(std::span<const std::string_view> arguments, std::filesystem::path& out);
 
-// What was seen and done, each as the words of one line. Reading fails on words that are no such thing.
-std::vector<std::string> words_of(const MeshInfo& mesh);
-std::vector<std::string> words_of(const ImageInfo& image);
-std::vector<std::string> words_of(const ImportRemark& remark);
-std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& words);
-std::optional<ImageInfo> image_info_of(const std::vector<std::string>& words);
-std::optional<ImportRemark> remark_of(const std::vector<std::string>& words);
+// Results, each as the fields of one message. nullopt: the fields are no such message.
+std::vector<std::string> message_of(const MeshInfo& mesh);
+std::vector<std::string> message_of(const ImageInfo& image);
+std::vector<std::string> message_of(const ImportRemark& remark);
+std::optional<MeshInfo> mesh_info_of(const std::vector<std::string>& fields);
+std::optional<ImageInfo> image_info_of(const std::vector<std::string>& fields);
+std::optional<ImportRemark> remark_of(const std::vector<std::string>& fields);
 
 }  // namespace cusp::scenarios
