@@ -1,8 +1,8 @@
-#include "scenarios/teeth/map2.h"
+#include "scenarios/teeth/height_field.h"
 
 namespace cusp::scenarios {
 
-Map2 Map2::blurred(double sigma_mm) const {
+HeightField HeightField::blurred(double sigma_mm) const {
   const int reach = static_cast<int>(3.0 * sigma_mm / kStepMm) + 1;
   std::vector<double> weight(static_cast<std::size_t>(2 * reach + 1));
   double sum = 0.0;
@@ -11,7 +11,7 @@ Map2 Map2::blurred(double sigma_mm) const {
     sum += weight[static_cast<std::size_t>(k + reach)] = std::exp(-0.5 * x * x);
   }
   for (double& w : weight) w /= sum;
-  Map2 across = *this, out = *this;
+  HeightField across = *this, out = *this;
   for (int j = 0; j < ny_; ++j) {
     for (int i = 0; i < nx_; ++i) {
       double v = 0.0;

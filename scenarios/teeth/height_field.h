@@ -10,11 +10,11 @@
 
 namespace cusp::scenarios {
 
-class Map2 {
+class HeightField {
  public:
   static constexpr double kStepMm = 0.05;
-  Map2() = default;
-  Map2(glm::dvec2 low, glm::dvec2 high)
+  HeightField() = default;
+  HeightField(glm::dvec2 low, glm::dvec2 high)
       : low_(low),
         nx_(static_cast<int>(std::ceil((high.x - low.x) / kStepMm)) + 1),
         ny_(static_cast<int>(std::ceil((high.y - low.y) / kStepMm)) + 1),
@@ -56,7 +56,7 @@ class Map2 {
   double lowest() const noexcept { return double(*std::min_element(values_.begin(), values_.end())); }
 
   /// Gaussian, separable; the rim repeats.
-  Map2 blurred(double sigma_mm) const;
+  HeightField blurred(double sigma_mm) const;
 
  private:
   std::size_t index(int i, int j) const noexcept {
