@@ -5,8 +5,8 @@
                                                  each, two at once, and writes their rows
   table.py --from FOLDER [KEY ...]               likewise, from what an earlier run of it has left there
 
-With --keep FOLDER the audits' reports stay there. A report on an exercise in another size of voxels than it has now is
-evidence of a change: `--was KEY=MM` audits one in that size. Rows of exercises that are not named stay as they are.
+With --keep FOLDER the audits' reports stay there. `--was KEY=MM` audits an exercise in another size of voxels, as evidence
+of a change. Rows of exercises that are not named stay. Needs build/release/cusp-library-text.
 """
 import argparse
 import json
@@ -19,19 +19,22 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = pathlib.Path(__file__).resolve().parent
-LIBRARY = HERE.parent / "library"
+TEXT = HERE.parent.parent / "build/release/cusp-library-text"  # prints built-in exercises
 TABLE = HERE / "library.md"
 ROW_HEAD = "| exercise | voxels; what may change | expert, competent, novice | a tick; memory | twice the voxels | half the voxels | the audit |"
 WAS_HEAD = "| exercise | from | to | which is | at half of the former | one against the other | at half of the new | a tick; memory |"
 
 
 def keys():
-    listed = (LIBRARY / "CMakeLists.txt").read_text().split("foreach(key", 1)[1].split(")", 1)[0].split()
-    return listed
+    return subprocess.run([TEXT], check=True, capture_output=True, text=True).stdout.split()
+
+
+def text_of(key):
+    return subprocess.run([TEXT, key], check=True, capture_output=True, text=True).stdout
 
 
 def voxel_of(key):
-    return float(json.loads((LIBRARY / key / "scenario.json").read_text())["specimen"]["voxel_mm"])
+    return float(json.loads(text_of(key))["specimen"]["voxel_mm"])
 
 
 def mm(value):
@@ -116,7 +119,7 @@ def audit(cusp, key, size, folder):
     """The report's file. `size`: another than the exercise has."""
     out, scenario = folder / f"{key}.json", key
     if size:
-        text = (LIBRARY / key / "scenario.json").read_text()
+        text = text_of(key)
         text = re.sub(r'("voxel_mm": )[0-9.]+', rf"\g<1>{size:g}", text)
         scenario = folder / f"{key}-{size:g}"
         scenario.mkdir(exist_ok=True)
@@ -176,7 +179,7 @@ def main():
             tables[WAS_HEAD][key] = was_of(report, voxel_of(key), now_of.get(key))
     for key in keys():
         if key not in tables[ROW_HEAD]:
-            scenario = json.loads((LIBRARY / key / "scenario.json").read_text())
+            scenario = json.loads(text_of(key))
             tables[ROW_HEAD][key] = (f"| {key} | {mm(voxel_of(key))}; within {scenario['tolerance']['points']:g} |  |  |  |  | "
                                      "not measured |")
     order = {key: i for i, key in enumerate(keys())}
