@@ -19,15 +19,14 @@ bool adds_findings(const Scenario& before, const Scenario& after) {
   return false;
 }
 
-/// A person should see the whole specimen and touch what stands about it; band, region and single tissues of a generated
-/// specimen are nothing that scenario.json can say; and no scripted hand turns its handpiece of its own accord.
+/// Students see the whole specimen and touch its surroundings; scenario.json has no key for band, region and single
+/// tissues of a generated specimen; no scripted operator turns its handpiece by itself.
 bool only_shown(Aspect aspect) noexcept {
   return aspect == Aspect::band || aspect == Aspect::region || aspect == Aspect::around || aspect == Aspect::tissue ||
          aspect == Aspect::tilt;
 }
 
-/// Runs with a share of the whole that rises from run to run. How many runs a search takes is not known before: each
-/// takes a fixed part of what is left.
+/// A share of the whole that rises from run to run. The number of runs is unknown: each takes a fixed part of the rest.
 class Progress {
  public:
   explicit Progress(const AuditWatch& watch) : watch_(watch) {}
@@ -48,7 +47,7 @@ class Search {
       : settings_(settings), runner_(runner), progress_(watch) {
     report_.scenario = scenario;
     report_.tolerance_points = scenario.tolerance_points;
-    report_.hands = settings.hands;
+    report_.operators = settings.operators;
     report_.leanest = scenario;
   }
 
@@ -69,7 +68,7 @@ class Search {
     AuditRun run;
     run.home = report_.scenario;
     for (const Scenario& s : scenarios) run.models.push_back({s});
-    run.hands = settings_.hands;
+    run.operators = settings_.operators;
     run.costs = false;
     return runner_(run, progress_.next(part));
   }
@@ -77,7 +76,7 @@ class Search {
   Done measure_choices() {
     AuditRun run;
     run.home = report_.scenario;
-    run.hands = settings_.hands;
+    run.operators = settings_.operators;
     run.models.push_back({report_.scenario});
     auto choices = choices_of(report_.scenario);
     if (settings_.detail_alone) std::erase_if(choices, [](const Choice& c) { return c.aspect != Aspect::voxel; });
@@ -124,8 +123,8 @@ class Search {
     return std::nullopt;
   }
 
-  /// Where half the voxel's edge grades otherwise, the detail is too coarse: the coarsest finer one that half of it agrees
-  /// with is what everything else is held against.
+  /// If half the voxel's edge grades differently, the detail is too coarse: the ground becomes the coarsest finer size that
+  /// agrees with its own half.
   Done settle_detail() {
     AuditRow* half = nullptr;
     for (AuditRow& row : report_.rows) {
@@ -159,43 +158,43 @@ class Search {
     return {};
   }
 
-  /// The hands whose goes went beyond feel both, several goes each; what cannot be played stays as it was told.
+  /// The operators beyond the tolerance feel both models in several attempts each. If one cannot be played, `change` stays.
   Done in_mean_if_beyond(GradeChange& change, const Scenario& from, const ModelResult& before, const Scenario& to,
                          const ModelResult& after) {
     if (change.within(report_.tolerance_points)) return {};
-    const std::vector<std::string> hands = hands_beyond(before, after, report_.tolerance_points);
-    std::vector<AuditHand> goes;
-    for (const std::string& hand : hands) add_goes(goes, hand, 1, settings_.goes_for_means);
-    auto played = play_felt({{from}, {to}}, goes, 0.3);
+    const std::vector<std::string> operators = operators_beyond(before, after, report_.tolerance_points);
+    std::vector<AuditOperator> attempts;
+    for (const std::string& name : operators) add_attempts(attempts, name, 1, settings_.attempts_for_means);
+    auto played = play_felt({{from}, {to}}, attempts, 0.3);
     if (!played) return std::unexpected(played.error());
     if (!(*played)[0] || !(*played)[1]) return {};
     ModelResult &a = *(*played)[0], &b = *(*played)[1];
-    goes.clear();
-    for (const std::string& hand : hands) {
-      const int wanted = goes_to_decide(a, b, hand, report_.tolerance_points);
-      add_goes(goes, hand, settings_.goes_for_means + 1, std::min(wanted, settings_.most_goes_for_means));
+    attempts.clear();
+    for (const std::string& name : operators) {
+      const int wanted = attempts_to_decide(a, b, name, report_.tolerance_points);
+      add_attempts(attempts, name, settings_.attempts_for_means + 1, std::min(wanted, settings_.max_attempts_for_means));
     }
     const GradeChange had = mean_change_between(a, b);
     const bool beyond = !had.within(report_.tolerance_points) && had.decided(report_.tolerance_points);
-    if (!goes.empty() && !beyond) {  // one hand that is beyond decides for all
-      auto more = play_felt({{from}, {to}}, goes, 0.4);
+    if (!attempts.empty() && !beyond) {  // one operator that is beyond decides for all
+      auto more = play_felt({{from}, {to}}, attempts, 0.4);
       if (!more) return std::unexpected(more.error());
       if (!(*more)[0] || !(*more)[1]) return {};
-      std::ranges::move((*more)[0]->goes, std::back_inserter(a.goes));
-      std::ranges::move((*more)[1]->goes, std::back_inserter(b.goes));
+      std::ranges::move((*more)[0]->attempts, std::back_inserter(a.attempts));
+      std::ranges::move((*more)[1]->attempts, std::back_inserter(b.attempts));
     }
-    change = joined(mean_change_between(a, b), before, after, hands);
+    change = joined(mean_change_between(a, b), before, after, operators);
     return {};
   }
 
-  static void add_goes(std::vector<AuditHand>& goes, const std::string& hand, int first, int last) {
-    for (int seed = first; seed <= last; ++seed) goes.push_back({hand, static_cast<std::uint64_t>(seed)});
+  static void add_attempts(std::vector<AuditOperator>& attempts, const std::string& name, int first, int last) {
+    for (int seed = first; seed <= last; ++seed) attempts.push_back({name, static_cast<std::uint64_t>(seed)});
   }
-  Result<Played, AuditFailure> play_felt(std::vector<Model> models, std::vector<AuditHand> hands, double part) {
+  Result<Played, AuditFailure> play_felt(std::vector<Model> models, std::vector<AuditOperator> operators, double part) {
     AuditRun run;
     run.home = report_.scenario;
     run.models = std::move(models);
-    run.hands = std::move(hands);
+    run.operators = std::move(operators);
     run.costs = false;
     run.felt = true;
     return runner_(run, progress_.next(part));
@@ -203,7 +202,7 @@ class Search {
 
   /// The coarsest voxels that grade as the ground does, and as their own half does.
   Done coarsen() {
-    // Finer was needed, or would have been and none was found: what differs from its own half is no measure for another.
+    // A model that differs from its own half cannot judge another.
     if (!settled_ || !(ground_scenario_ == report_.scenario)) return {};
     for (const double mm : coarser_voxels(ground_scenario_)) {
       const Scenario coarser = at(report_.leanest, mm);
@@ -213,7 +212,7 @@ class Search {
       if (!played) return std::unexpected(played.error());
       if (!(*played)[0]) continue;
       AuditStep step{{Aspect::voxel, {}, ground_scenario_.specimen.voxel_mm, mm}, false, change_between(ground_, *(*played)[0])};
-      if (!step.change.within(report_.tolerance_points)) {  // its half, eight times the voxels, need not be known
+      if (!step.change.within(report_.tolerance_points)) {  // its half, eight times the voxels, is not needed
         report_.steps.push_back(step);
         continue;
       }
@@ -242,7 +241,7 @@ class Search {
     std::ranges::stable_sort(candidates, {}, [](const AuditRow* row) { return row->result->cost.us_more; });
     for (const AuditRow* row : candidates) {
       const Scenario leaner = with({report_.leanest}, row->choice).scenario;
-      if (leaner == report_.leanest) continue;  // went with another
+      if (leaner == report_.leanest) continue;  // another choice removed it already
       auto played = play({leaner}, 0.15);
       if (!played) return std::unexpected(played.error());
       if (!(*played)[0]) continue;
@@ -277,11 +276,11 @@ class Search {
     return {};
   }
 
-  /// The hands feel the leanest: who passed passes, who failed fails. Else it is not taken.
+  /// Every operator feels the leanest and must pass or fail as before; else the leanest is dropped.
   Done play_leanest() {
-    auto played = play_felt({{report_.leanest}}, settings_.hands, 0.6);
+    auto played = play_felt({{report_.leanest}}, settings_.operators, 0.6);
     if (!played) return std::unexpected(played.error());
-    if ((*played)[0]) report_.leanest_goes = (*played)[0]->goes;
+    if ((*played)[0]) report_.leanest_attempts = (*played)[0]->attempts;
     if ((*played)[0] && change_between(report_.as_set, *(*played)[0]).passes_alike) return {};
     for (AuditStep& step : report_.steps) step.taken = false;
     report_.leanest = report_.scenario;
@@ -311,8 +310,8 @@ class Search {
   const AuditRunner& runner_;
   Progress progress_;
   AuditReport report_;
-  ModelResult ground_;        // what every step is held against
-  bool settled_ = true;       // its detail holds, as far as is known
+  ModelResult ground_;        // every step is compared with it
+  bool settled_ = true;       // its detail holds
   Scenario ground_scenario_;  // its exercise: as set, or in the finer detail that it needs
 };
 

@@ -33,7 +33,7 @@ Json json_of(const GradeChange& change, double tolerance) {
   Json out;
   out["within_tolerance"] = change.within(tolerance);
   out["score"] = change.score;
-  out["goes_a_hand"] = change.goes_a_hand;
+  out["goes_a_hand"] = change.attempts_per_operator;
   out["standard_error"] = change.standard_error;
   out["passes_alike"] = change.passes_alike;
   out["measures_alike"] = change.measures_alike;
@@ -47,20 +47,20 @@ Json json_of(const GradeChange& change, double tolerance) {
   return out;
 }
 
-Json json_of(const std::vector<ModelGo>& list) {
-  Json goes = Json::array();
-  for (const ModelGo& go : list) {
+Json json_of(const std::vector<ModelAttempt>& list) {
+  Json attempts = Json::array();
+  for (const ModelAttempt& attempt : list) {
     Json one;
-    one["hand"] = go.hand.hand;
-    one["seed"] = go.hand.seed;
-    one["score"] = go.grade.score;
-    one["passed"] = go.grade.passed;
-    one["critical"] = go.grade.critical;
-    one["seconds"] = go.seconds;
-    one["lost_ticks"] = go.lost;
-    goes.push_back(std::move(one));
+    one["hand"] = attempt.by.name;
+    one["seed"] = attempt.by.seed;
+    one["score"] = attempt.grade.score;
+    one["passed"] = attempt.grade.passed;
+    one["critical"] = attempt.grade.critical;
+    one["seconds"] = attempt.seconds;
+    one["lost_ticks"] = attempt.lost;
+    attempts.push_back(std::move(one));
   }
-  return goes;
+  return attempts;
 }
 
 Json json_of(const ModelResult& result) {
@@ -68,7 +68,7 @@ Json json_of(const ModelResult& result) {
   out["cost"] = json_of(result.cost);
   out["force_rms_n"] = result.force_rms_n;
   out["force_most_n"] = result.force_most_n;
-  out["goes"] = json_of(result.goes);
+  out["goes"] = json_of(result.attempts);
   return out;
 }
 
@@ -112,7 +112,7 @@ std::string audit_json(const AuditReport& report) {
   if (report.leanest_result) {
     leanest["change"] = json_of(report.leanest_change, tolerance);
     leanest["result"] = json_of(*report.leanest_result);
-    leanest["own_goes"] = json_of(report.leanest_goes);
+    leanest["own_goes"] = json_of(report.leanest_attempts);
   }
   leanest["at_half_voxel"] = report.at_half_voxel ? json_of(*report.at_half_voxel, tolerance) : Json();
   leanest["detail_holds"] = report.detail_holds();

@@ -1,5 +1,5 @@
-/// An audit's result for other programs. Keys are stable and the same in every language; the figures too, but for those of
-/// "cost", which are times.
+/// An audit's result for other programs. Keys are stable and the same in every language: "goes" lists attempts, "hand" names
+/// an operator. Figures are stable but for the times of "cost".
 #pragma once
 
 #include <string>

@@ -18,23 +18,23 @@ const CriterionGrade* criterion(const Grade& grade, const std::string& id) {
   return nullptr;
 }
 
-/// Alike in most goes: passed or not, and each critical event.
+/// Majority over attempts: passed or not, and each critical event.
 struct Mostly {
-  std::size_t passed = 0, goes = 0;
+  std::size_t passed = 0, attempts = 0;
   std::map<std::string, std::size_t> critical;
   void add(const Grade& grade) {
-    ++goes;
+    ++attempts;
     passed += grade.passed ? 1 : 0;
     for (const std::string& key : std::set<std::string>(grade.critical.begin(), grade.critical.end())) ++critical[key];
   }
   std::set<std::string> events() const {
     std::set<std::string> out;
     for (const auto& [key, n] : critical)
-      if (2 * n > goes) out.insert(key);
+      if (2 * n > attempts) out.insert(key);
     return out;
   }
   bool operator==(const Mostly& other) const {
-    return (2 * passed > goes) == (2 * other.passed > other.goes) && events() == other.events();
+    return (2 * passed > attempts) == (2 * other.passed > other.attempts) && events() == other.events();
   }
 };
 
@@ -58,9 +58,9 @@ struct Sum {
 
 GradeChange change_between(const ModelResult& from, const ModelResult& to) {
   GradeChange out;
-  for (std::size_t i = 0; i < from.goes.size() && i < to.goes.size(); ++i) {
-    const Grade& a = from.goes[i].grade;
-    const Grade& b = to.goes[i].grade;
+  for (std::size_t i = 0; i < from.attempts.size() && i < to.attempts.size(); ++i) {
+    const Grade& a = from.attempts[i].grade;
+    const Grade& b = to.attempts[i].grade;
     keep_larger(out.score, b.score - a.score);
     out.passes_alike = out.passes_alike && a.passed == b.passed && a.critical == b.critical;
     for (const CriterionGrade& before : a.criteria) {
@@ -73,48 +73,50 @@ GradeChange change_between(const ModelResult& from, const ModelResult& to) {
       if (before.measure.measured) keep_larger(out.values[before.id], after->measure.value - before.measure.value);
     }
   }
-  out.measures_alike = out.measures_alike && from.goes.size() == to.goes.size();
+  out.measures_alike = out.measures_alike && from.attempts.size() == to.attempts.size();
   return out;
 }
 
 namespace {
 
-/// The goes of the hands that are named, or of all others.
-ModelResult goes_of(const ModelResult& all, const std::vector<std::string>& hands, bool named) {
+enum class Pick : std::uint8_t { named, others };
+
+/// The attempts of the named operators, or of all others.
+ModelResult attempts_of(const ModelResult& all, const std::vector<std::string>& names, Pick pick) {
   ModelResult out;
-  for (const ModelGo& go : all.goes) {
-    if ((std::ranges::find(hands, go.hand.hand) != hands.end()) == named) out.goes.push_back(go);
+  for (const ModelAttempt& attempt : all.attempts) {
+    if ((std::ranges::find(names, attempt.by.name) != names.end()) == (pick == Pick::named)) out.attempts.push_back(attempt);
   }
   return out;
 }
 
 }  // namespace
 
-std::vector<std::string> hands_beyond(const ModelResult& from, const ModelResult& to, double tolerance_points) {
+std::vector<std::string> operators_beyond(const ModelResult& from, const ModelResult& to, double tolerance_points) {
   std::vector<std::string> out;
-  for (const ModelGo& go : from.goes) {
-    const std::vector<std::string> one = {go.hand.hand};
+  for (const ModelAttempt& attempt : from.attempts) {
+    const std::vector<std::string> one = {attempt.by.name};
     if (std::ranges::find(out, one.front()) != out.end()) continue;
-    if (!change_between(goes_of(from, one, true), goes_of(to, one, true)).within(tolerance_points)) out.push_back(one.front());
+    if (!change_between(attempts_of(from, one, Pick::named), attempts_of(to, one, Pick::named)).within(tolerance_points)) out.push_back(one.front());
   }
   return out;
 }
 
-int goes_to_decide(const ModelResult& from, const ModelResult& to, const std::string& hand, double tolerance_points) {
-  const std::vector<std::string> one = {hand};
-  const GradeChange had = mean_change_between(goes_of(from, one, true), goes_of(to, one, true));
+int attempts_to_decide(const ModelResult& from, const ModelResult& to, const std::string& name, double tolerance_points) {
+  const std::vector<std::string> one = {name};
+  const GradeChange had = mean_change_between(attempts_of(from, one, Pick::named), attempts_of(to, one, Pick::named));
   if (had.decided(tolerance_points) || !had.passes_alike || !had.measures_alike) return 0;
   const double ratio = had.standard_error / (0.25 * tolerance_points);
-  return static_cast<int>(std::ceil(ratio * ratio * had.goes_a_hand - 1e-9));
+  return static_cast<int>(std::ceil(ratio * ratio * had.attempts_per_operator - 1e-9));
 }
 
-GradeChange joined(const GradeChange& means, const ModelResult& from, const ModelResult& to, const std::vector<std::string>& hands) {
-  const GradeChange rest = change_between(goes_of(from, hands, false), goes_of(to, hands, false));
+GradeChange joined(const GradeChange& means, const ModelResult& from, const ModelResult& to, const std::vector<std::string>& operators) {
+  const GradeChange rest = change_between(attempts_of(from, operators, Pick::others), attempts_of(to, operators, Pick::others));
   GradeChange out = means;
   if (std::abs(rest.score) > std::abs(out.score) + out.standard_error) {
     out.score = rest.score;
     out.standard_error = 0;
-    out.goes_a_hand = 1;
+    out.attempts_per_operator = 1;
   }
   for (const auto& [id, points] : rest.points) keep_larger(out.points[id], points);
   for (const auto& [id, value] : rest.values) keep_larger(out.values[id], value);
@@ -125,16 +127,16 @@ GradeChange joined(const GradeChange& means, const ModelResult& from, const Mode
 
 GradeChange mean_change_between(const ModelResult& from, const ModelResult& to) {
   GradeChange out;
-  out.measures_alike = from.goes.size() == to.goes.size();
-  std::set<std::string> hands;
-  for (const ModelGo& go : from.goes) hands.insert(go.hand.hand);
-  for (const std::string& hand : hands) {
+  out.measures_alike = from.attempts.size() == to.attempts.size();
+  std::set<std::string> names;
+  for (const ModelAttempt& attempt : from.attempts) names.insert(attempt.by.name);
+  for (const std::string& name : names) {
     Sum score;
     std::map<std::string, Sum> points, values;
     Mostly before, after;
-    for (std::size_t i = 0; i < from.goes.size() && i < to.goes.size(); ++i) {
-      if (from.goes[i].hand.hand != hand) continue;
-      const Grade &a = from.goes[i].grade, &b = to.goes[i].grade;
+    for (std::size_t i = 0; i < from.attempts.size() && i < to.attempts.size(); ++i) {
+      if (from.attempts[i].by.name != name) continue;
+      const Grade &a = from.attempts[i].grade, &b = to.attempts[i].grade;
       score.add(b.score - a.score);
       before.add(a);
       after.add(b);
@@ -148,11 +150,11 @@ GradeChange mean_change_between(const ModelResult& from, const ModelResult& to) 
         if (was.measure.measured) values[was.id].add(is->measure.value - was.measure.value);
       }
     }
-    // The hand that comes nearest to the tolerance's edge is the one that is told.
+    // Reported is the operator that comes nearest to the tolerance's edge.
     if (std::abs(score.mean()) + score.standard_error() >= std::abs(out.score) + out.standard_error) {
       out.score = score.mean();
       out.standard_error = score.standard_error();
-      out.goes_a_hand = static_cast<int>(score.n);
+      out.attempts_per_operator = static_cast<int>(score.n);
     }
     for (const auto& [id, sum] : points) keep_larger(out.points[id], sum.mean());
     for (const auto& [id, sum] : values) keep_larger(out.values[id], sum.mean());

@@ -12,13 +12,13 @@ namespace {
 
 void drop(std::vector<std::string>& keys, std::string_view key) { std::erase(keys, std::string(key)); }
 
-/// Which tissue each of those that go turns into: the one that most of its faces touch. A tissue that touches no other
-/// stays what it is.
+/// The tissue that each left-out tissue becomes: the one that most of its faces touch. A tissue that touches no other
+/// stays.
 std::array<Tissue, kTissueCodes> heirs(const VoxelVolume& v, const std::vector<Tissue>& left_out) {
   std::array<Tissue, kTissueCodes> heir;
   for (std::size_t t = 0; t < kTissueCodes; ++t) heir[t] = static_cast<Tissue>(t);
-  std::array<bool, kTissueCodes> goes{};
-  for (const Tissue t : left_out) goes[index_of(t)] = true;
+  std::array<bool, kTissueCodes> leaves{};
+  for (const Tissue t : left_out) leaves[index_of(t)] = true;
   std::array<std::array<std::uint64_t, kTissueCodes>, kTissueCodes> faces{};
   const IVec3 n = v.grid.size;
   const std::size_t row = static_cast<std::size_t>(n.x), slice = row * static_cast<std::size_t>(n.y);
@@ -40,7 +40,7 @@ std::array<Tissue, kTissueCodes> heirs(const VoxelVolume& v, const std::vector<T
   for (const Tissue t : left_out) {
     std::uint64_t most = 0;
     for (std::size_t other = 1; other < kTissueCodes; ++other) {
-      if (!goes[other] && faces[index_of(t)][other] > most) {
+      if (!leaves[other] && faces[index_of(t)][other] > most) {
         most = faces[index_of(t)][other];
         heir[index_of(t)] = static_cast<Tissue>(other);
       }

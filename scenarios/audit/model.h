@@ -1,4 +1,4 @@
-/// What an audit changes of an exercise: one modelling choice at a time, halved or left out. Pure values; any thread.
+/// The modelling choices of an exercise, each halved or left out alone. Pure values; any thread.
 #pragma once
 
 #include <cstdint>
@@ -23,12 +23,11 @@ enum class Aspect : std::uint8_t {
   spindle,    // subject: its key among the phenomena; without it no vibration and no sound
   vibration,
   heat,
-  tilt,       // how far the hand may turn the handpiece, degrees
+  tilt,       // how far the student may turn the handpiece, degrees
 };
 std::string_view key_of(Aspect aspect) noexcept;
 
-/// One choice and what stands instead of it. Of voxel, band and tilt the figures say what; of all others 1 is "there" and
-/// 0 "left out".
+/// One choice and its replacement. Voxel, band and tilt hold values; of all others 1 is present and 0 left out.
 struct Choice {
   Aspect aspect = Aspect::voxel;
   std::string subject;
@@ -37,7 +36,7 @@ struct Choice {
   friend bool operator==(const Choice&, const Choice&) = default;
 };
 
-/// An exercise and what of its model no scenario.json can say.
+/// An exercise and the parts of its model that scenario.json has no key for.
 struct Model {
   Scenario scenario;
   double band_voxels = kBandVoxels;
@@ -49,12 +48,11 @@ struct Model {
 /// The model with the choice made.
 [[nodiscard]] Model with(Model model, const Choice& choice);
 
-/// A generated volume as the model wants it: tissues merged, distances clamped to the narrower band, cropped to the region.
+/// A generated volume changed as the model asks: tissues merged, distances clamped to the narrower band, cropped to the region.
 /// One to three passes over the voxels.
 [[nodiscard]] VoxelVolume prepared(VoxelVolume volume, const Model& model);
 
-/// Beyond target and leeway, and beyond the largest bur's radius, this much is kept of a specimen that is cropped: as far
-/// as a hand that goes wrong may reach [M].
+/// A cropped specimen keeps this much beyond target, leeway and the largest bur's radius: the reach of a mistake [M]. mm.
 inline constexpr double kReachMm = 1.5;
 
 }  // namespace cusp::scenarios

@@ -11,7 +11,7 @@
 namespace cusp::scenarios {
 namespace {
 
-/// Edges that a person would write, mm.
+/// Round edges of a voxel, mm.
 constexpr std::array kEdges = {0.04, 0.05, 0.06, 0.08, 0.1, 0.125, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5};
 constexpr double kSame = 1e-9;
 

@@ -5,8 +5,8 @@
                                                  each, two at once, and writes their rows
   table.py --from FOLDER [KEY ...]               likewise, from what an earlier run of it has left there
 
-With --keep FOLDER the audits' reports stay there. A report on an exercise in another size of voxels than it has now is
-evidence of a change: `--was KEY=MM` audits one in that size. Rows of exercises that are not named stay as they are.
+With --keep FOLDER the audits' reports stay there. `--was KEY=MM` audits an exercise in another size of voxels, as evidence
+of a change. Rows of exercises that are not named stay. Needs build/release/cusp-library-text.
 """
 import argparse
 import json
@@ -19,19 +19,22 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = pathlib.Path(__file__).resolve().parent
-LIBRARY = HERE.parent / "library"
+TEXT = HERE.parent.parent / "build/release/cusp-library-text"  # prints built-in exercises
 TABLE = HERE / "library.md"
-ROW_HEAD = "| exercise | voxels; what may change | expert, fair, novice | a tick; memory | twice the voxels | half the voxels | the audit |"
+ROW_HEAD = "| exercise | voxels; what may change | expert, competent, novice | a tick; memory | twice the voxels | half the voxels | the audit |"
 WAS_HEAD = "| exercise | from | to | which is | at half of the former | one against the other | at half of the new | a tick; memory |"
 
 
 def keys():
-    listed = (LIBRARY / "CMakeLists.txt").read_text().split("foreach(key", 1)[1].split(")", 1)[0].split()
-    return listed
+    return subprocess.run([TEXT], check=True, capture_output=True, text=True).stdout.split()
+
+
+def text_of(key):
+    return subprocess.run([TEXT, key], check=True, capture_output=True, text=True).stdout
 
 
 def voxel_of(key):
-    return float(json.loads((LIBRARY / key / "scenario.json").read_text())["specimen"]["voxel_mm"])
+    return float(json.loads(text_of(key))["specimen"]["voxel_mm"])
 
 
 def mm(value):
@@ -42,7 +45,7 @@ def change(c, tolerance):
     edge = abs(abs(c["score"]) - tolerance) < 0.05  # one digit would hide on which side
     text = f"{c['score']:+.{3 if edge else 1}f}"
     if c["goes_a_hand"] > 1:
-        text += f" ± {c['standard_error']:.1f} ({c['goes_a_hand']} goes)"
+        text += f" ± {c['standard_error']:.1f} ({c['goes_a_hand']} attempts)"
     if not c["passes_alike"]:
         text += ", a pass or fail parts"
     if not c["measures_alike"]:
@@ -100,12 +103,12 @@ def row_of(report):
 def was_of(report, now, report_now):
     """`report_now`: on the exercise as it is; None where this run has none."""
     s, lean, points = report["scenario"], report["leanest"], report["tolerance_points"]
-    goes_there = lean["changed"] and abs(lean["voxel_mm"] - now) < 1e-9
-    if not goes_there and not report_now:
+    leads_there = lean["changed"] and abs(lean["voxel_mm"] - now) < 1e-9
+    if not leads_there and not report_now:
         sys.exit(f"{s['key']}: from {mm(s['voxel_mm'])} the audit does not go to {mm(now)}: audit the exercise as it is too")
     refused = [st["change"] for st in (report_now or report)["leanest"]["steps"]
                if not st["taken"] and abs(st["choice"]["instead"] - s["voxel_mm"]) < 1e-9]
-    against = change(lean["change"], points) if goes_there else change(refused[0], points) if refused else ""
+    against = change(lean["change"], points) if leads_there else change(refused[0], points) if refused else ""
     half_now = half(report_now) if report_now else change(lean["at_half_voxel"], points)
     result = report_now["as_set"] if report_now else lean["result"]
     return (f"| {s['key']} | {mm(s['voxel_mm'])} | {mm(now)} | {'coarser' if now > s['voxel_mm'] else 'finer'} | {half(report)} | "
@@ -116,7 +119,7 @@ def audit(cusp, key, size, folder):
     """The report's file. `size`: another than the exercise has."""
     out, scenario = folder / f"{key}.json", key
     if size:
-        text = (LIBRARY / key / "scenario.json").read_text()
+        text = text_of(key)
         text = re.sub(r'("voxel_mm": )[0-9.]+', rf"\g<1>{size:g}", text)
         scenario = folder / f"{key}-{size:g}"
         scenario.mkdir(exist_ok=True)
@@ -176,7 +179,7 @@ def main():
             tables[WAS_HEAD][key] = was_of(report, voxel_of(key), now_of.get(key))
     for key in keys():
         if key not in tables[ROW_HEAD]:
-            scenario = json.loads((LIBRARY / key / "scenario.json").read_text())
+            scenario = json.loads(text_of(key))
             tables[ROW_HEAD][key] = (f"| {key} | {mm(voxel_of(key))}; within {scenario['tolerance']['points']:g} |  |  |  |  | "
                                      "not measured |")
     order = {key: i for i, key in enumerate(keys())}
@@ -184,9 +187,9 @@ def main():
     lines = [
         "# The library, audited",
         "",
-        f"Engine version {', '.join(sorted(engines, key=int))}; hands: expert, fair, novice, one go each. Written by `table.py`, not by hand.",
+        f"Engine version {', '.join(sorted(engines, key=int))}; operators: expert, competent, novice, one attempt each. Written by `table.py`.",
         "",
-        "Change: of the score of the hand that it changes most, in points; over several goes the mean and its standard error. "
+        "Change: of the score of the operator that it changes most, in points; over several attempts the mean and its standard error. "
         "A tick: median CPU time over the first 12 s of touch, in ticks of 1 ms (about a tooth most of them are in the air). "
         "*Would do*: a coarser size that the search found (`README.md`) and that is not set.",
         "",

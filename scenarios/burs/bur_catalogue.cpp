@@ -77,10 +77,10 @@ class TableReader {
     wrong(Error::missing, where + "/" + key);
     return {};
   }
-  std::string word(const Json& owner, const char* key, const std::string& where,
+  std::string one_of(const Json& owner, const char* key, const std::string& where,
                    const std::vector<std::string_view>& known) {
     std::string out = text(owner, key, where);
-    if (std::ranges::find(known, out) == known.end()) wrong(Error::unknown_word, where + "/" + key);
+    if (std::ranges::find(known, out) == known.end()) wrong(Error::unknown_value, where + "/" + key);
     return out;
   }
   std::map<std::string, std::string, std::less<>> sources(const Json& owner, const std::string& where) {
@@ -127,7 +127,7 @@ class TableReader {
       only(o, at, {"kind", "tip_radius_mm", "widest_at_mm", "top_radius_mm"});
       out = oval_head(radius, figure("tip_radius_mm"), figure("widest_at_mm"), figure("top_radius_mm"), length);
     } else {
-      wrong(Error::unknown_word, at + "/kind");
+      wrong(Error::unknown_value, at + "/kind");
       return std::nullopt;
     }
     const double off = out ? out->widest() - radius : 1.0;
@@ -143,7 +143,7 @@ class TableReader {
     if (one.contains("also")) out.also = text(one, "also", where);
     for (const std::string& number : {out.bur.name, out.also})
       if (!number.empty() && !seen_.insert(number).second) wrong(Error::twice, where + "/number");
-    out.shape = word(one, "shape", where, bur_shapes());
+    out.shape = one_of(one, "shape", where, bur_shapes());
     out.iso_shape = text(one, "iso_shape", where);
     out.bur.radius_mm = 0.5 * number(one, "diameter_mm", where, 10);
     out.head_length_mm = number(one, "head_length_mm", where, 20);
@@ -152,10 +152,10 @@ class TableReader {
     out.bur.neck_length_mm = number(one, "neck_length_mm", where, 50);
     out.bur.shank_radius_mm = shank_radius_;
     out.bur.shank_length_mm = shank_length_;
-    out.material = word(one, "material", where, {"carbide", "diamond"});
+    out.material = one_of(one, "material", where, {"carbide", "diamond"});
     if (one.contains("grit")) {
       out.grit = text(one, "grit", where);
-      out.ring = word(one, "ring", where, {"white", "yellow", "red", "blue", "green", "black"});
+      out.ring = one_of(one, "ring", where, {"white", "yellow", "red", "blue", "green", "black"});
     }
     if (one.contains("use") && one["use"].is_array()) {
       for (const Json& use : one["use"]) {
@@ -163,7 +163,7 @@ class TableReader {
         if (known) {
           out.use.push_back(use.get<std::string>());
         } else {
-          wrong(Error::unknown_word, where + "/use");
+          wrong(Error::unknown_value, where + "/use");
         }
       }
     } else {

@@ -1,5 +1,5 @@
-/// The burs that there are: burs.json, inside the program. A figure that nobody verified says so, and whoever shows it to
-/// a person shows that too.
+/// The catalogue of burs: burs.json, built in. A figure that nobody verified is marked; the interface shows the mark with
+/// the figure.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace cusp::scenarios {
 
 struct CatalogueBur {
   Bur bur;               // its name is the number
-  std::string also;        // another number that it goes by; mostly none
+  std::string also;        // a second catalogue number; mostly none
   std::string shape;       // key: "straight_fissure"
   std::string iso_shape;   // ISO 6360, three digits
   double head_length_mm = 0.0;
@@ -34,7 +34,7 @@ enum class BurTableError : std::uint8_t {
   missing,         // a key is not there, or is of another type
   unknown_key,
   bad_value,       // out of its range, or figures that make no convex head
-  unknown_word,    // a shape, material or use that is none
+  unknown_value,   // a shape, material or use that the catalogue does not know
   unknown_source,
   twice,           // a number
 };
@@ -54,7 +54,7 @@ const CatalogueBur* catalogue_entry_of(const Bur& bur);
 /// Key of its shape: the catalogue's for a head from there, "round" for a ball of any size, else "other".
 std::string_view shape_of(const Bur& bur);
 
-/// Every key of a shape and of a use, for whoever has the words.
+/// Every key of a shape and of a use: ui has a text for each.
 const std::vector<std::string_view>& bur_shapes();
 const std::vector<std::string_view>& bur_uses();
 

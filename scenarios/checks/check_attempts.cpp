@@ -12,7 +12,7 @@ namespace {
 constexpr double kTokenShare = 0.05;
 /// Points: rounding of a sum, not a merit.
 constexpr double kNoPoints = 1e-9;
-/// Somebody looks at the tooth for so long: time counts, force does not.
+/// Duration of the idle attempt: time counts, force does not.
 constexpr std::uint64_t kIdleUs = 10'000'000;
 
 Process idle() {
@@ -104,7 +104,7 @@ std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<co
 std::vector<Finding> check_exercise(const Scenario& scenario, std::shared_ptr<const Specimen> specimen) {
   std::vector<Finding> out = check_regions(scenario, *specimen);
   for (Finding& finding : check_attempts(scenario, std::move(specimen))) out.push_back(std::move(finding));
-  for (Finding& finding : check_words(scenario, library_patterns())) out.push_back(std::move(finding));
+  for (Finding& finding : check_texts(scenario, library_patterns())) out.push_back(std::move(finding));
   std::ranges::stable_sort(out, [](const Finding& a, const Finding& b) {
     return a.severity == Severity::error && b.severity == Severity::warning;
   });

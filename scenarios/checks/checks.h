@@ -1,5 +1,5 @@
 /// What stands against an exercise beyond its form: what its target does to the tooth, whether somebody passes who has
-/// hardly touched it, and whether its words are still those of the exercise that it was copied from. Findings as those of
+/// hardly touched it, and whether its text still describes the exercise that it was copied from. Findings as those of
 /// scenarios/format/validate.h, which comes first. Not for the haptic thread.
 #pragma once
 
@@ -25,10 +25,10 @@ namespace cusp::scenarios {
 [[nodiscard]] std::vector<Finding> check_attempts(const Scenario& scenario, std::shared_ptr<const Specimen> specimen);
 
 /// Title and briefing, in every language there is, against those of `patterns`: what an author began from. Warnings:
-/// text_of_template (the same words, though specimen or target differ), text_other_tooth (value: the tooth that a title
-/// names, limit: the exercise's), text_figure (value: a length in mm that the words name and the target has not). detail: the language.
-[[nodiscard]] std::vector<Finding> check_words(const Scenario& scenario, std::span<const Scenario> patterns);
-/// The exercises that come with the program: what check_words() is given where nothing more is known.
+/// text_of_template (the same text, though specimen or target differ), text_other_tooth (value: the tooth that a title
+/// names, limit: the exercise's), text_figure (value: a length in mm that the text names and the target has not). detail: the language.
+[[nodiscard]] std::vector<Finding> check_texts(const Scenario& scenario, std::span<const Scenario> patterns);
+/// The exercises that come with the program: what check_texts() is given where nothing more is known.
 [[nodiscard]] const std::vector<Scenario>& library_patterns();
 
 /// All of the above, errors first.

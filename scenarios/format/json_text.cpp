@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "scenarios/format/read.h"
 
 namespace cusp::scenarios::json_text {
@@ -29,17 +31,17 @@ std::string place_of(std::string_view text, std::size_t byte) {
   return std::to_string(line) + ":" + std::to_string(column);
 }
 
-/// True when the word about this byte is one that other languages write for a number that is none.
-bool is_not_finite_word(std::string_view text, std::size_t byte) {
+/// True if the token at this byte is NaN or an infinity as other languages spell them.
+bool names_non_finite(std::string_view text, std::size_t byte) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   std::size_t begin = std::min(byte, text.size());
   while (begin > 0 && letter(text[begin - 1])) --begin;
   std::size_t end = begin;
   while (end < text.size() && letter(text[end])) ++end;
-  std::string word(text.substr(begin, end - begin));
-  std::transform(word.begin(), word.end(), word.begin(),
+  std::string token(text.substr(begin, end - begin));
+  std::transform(token.begin(), token.end(), token.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return word == "nan" || word == "inf" || word == "infinity";
+  return token == "nan" || token == "inf" || token == "infinity";
 }
 
 /// An object or array that is being parsed.
@@ -91,7 +93,7 @@ Result<nlohmann::json, FormatFailure> parse(std::string_view text) {
     return fail(refused.code, refused.where);
   } catch (const json::parse_error& error) {
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-    const FormatError code = is_not_finite_word(text, byte) ? FormatError::not_finite : FormatError::broken_json;
+    const FormatError code = names_non_finite(text, byte) ? FormatError::not_finite : FormatError::broken_json;
     return fail(code, place_of(text, byte), error.what());
   } catch (const json::exception& error) {
     // The only other one: a number beyond double; its text stands between quotes in the message.

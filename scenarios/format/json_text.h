@@ -1,11 +1,11 @@
-/// JSON text <-> nlohmann document, with places and limits; internal to this room.
+/// JSON text <-> nlohmann document, with places and limits. Inside of scenarios/format.
 #pragma once
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "engine/base/result.h"
 #include "scenarios/format/format_error.h"

@@ -125,9 +125,9 @@ class Value {
     }
     return v;
   }
-  /// One of the words of `known`; an unknown one is `code`.
+  /// A key that `lookup` knows; refused with `code` otherwise.
   template <class Lookup>
-  auto word(FormatError code, Lookup lookup) const {
+  auto key(FormatError code, Lookup lookup) const {
     using T = typename std::invoke_result_t<Lookup, std::string_view>::value_type;
     if (!node_.is_string()) return wrong<T>("string");
     const std::string& v = node_.get_ref<const std::string&>();
@@ -155,7 +155,7 @@ class Value {
     }
     for (std::size_t i = 0; i < node_.size(); ++i) read(item(i));
   }
-  LocalText words() const {
+  LocalText texts() const {
     LocalText out;
     if (!node_.is_object()) return wrong<LocalText>("object");
     for (auto it = node_.begin(); it != node_.end(); ++it) {
@@ -212,7 +212,7 @@ void Object::maybe(const char* key, Read read) {
   if (has(key)) read(Value(node_.at(key), where_ + json_text::pointer_step(key), problems_));
 }
 
-/// Looks a word up in a list of known ones.
+/// Looks a key up in a list.
 template <class Container>
 auto one_of(const Container& known) {
   return [&known](std::string_view key) -> std::optional<std::string> {

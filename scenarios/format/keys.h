@@ -1,5 +1,5 @@
-/// The words a scenario may use: metrics, critical events, generators, shapes, phenomena. Stored in files and
-/// databases: never renamed, only added. A person never sees them; ui has the words.
+/// The keys of a scenario: metrics, critical events, generators, shapes, phenomena. Files and databases store them:
+/// never rename one, only add. ui/text has a text for each.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ inline constexpr std::array kMetricKeys = {
     MetricKey{"target_removed", "%", 0, 100},      // of the target's tissue that was there
     MetricKey{"overcut_leeway_floor", "mm3"},      // outside the target, inside the leeway, below its floor
     MetricKey{"overcut_leeway_side", "mm3"},
-    MetricKey{"overcut_beyond_floor", "mm3"},      // outside the leeway: cut too far
+    MetricKey{"overcut_beyond_floor", "mm3"},      // over-cut outside the leeway
     MetricKey{"overcut_beyond_side", "mm3"},
-    MetricKey{"undercut", "mm3"},                  // target tissue left standing
+    MetricKey{"undercut", "mm3"},                  // uncut remainder of the target
     MetricKey{"depth_least", "mm"},                // of the floor, from the target's top_mm
     MetricKey{"depth_mean", "mm"},
     MetricKey{"depth_most", "mm"},
@@ -48,7 +48,7 @@ inline constexpr std::array<std::string_view, 2> kCriticalKeys = {"pulp_exposure
 /// with a hard layer above; "tooth": by FDI number.
 inline constexpr std::array<std::string_view, 4> kGeneratorKeys = {"paper-block", "block", "layered-block", "tooth"};
 /// What a tooth may have about it: the teeth that touch it; the soft tissue and the bone that they stand in; the rest of
-/// its jaw, to look at.
+/// its jaw, as scenery.
 inline constexpr std::array<std::string_view, 4> kAroundKeys = {"neighbours", "gingiva", "bone", "jaw"};
 inline constexpr std::array<std::string_view, 3> kLesionKeys = {"fissure", "proximal", "root"};
 inline constexpr std::array<std::string_view, 3> kShapeKeys = {"channel", "outline", "box"};

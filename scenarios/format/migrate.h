@@ -11,7 +11,7 @@ namespace cusp::scenarios {
 /// The format this program writes. 1: the first.
 inline constexpr int kScenarioFormat = 1;
 
-/// Pre: the document is an object. Afterwards its "format" is kScenarioFormat, or the failure says why not.
+/// Pre: the document is an object. Afterwards its "format" is kScenarioFormat, or the failure names the reason.
 Result<void, FormatFailure> migrate(nlohmann::json& document);
 
 }  // namespace cusp::scenarios

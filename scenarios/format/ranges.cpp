@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <nlohmann/json.hpp>
+
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/migrate.h"
 

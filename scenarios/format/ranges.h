@@ -1,4 +1,4 @@
-/// What every number of a scenario.json may be, in one table: validate() and scenario.schema.json say the same, and a test
+/// The range of every number of a scenario.json, in one table: validate() and scenario.schema.json hold the same, and a test
 /// walks both. The reader takes more (whatever was ever published stays readable); what it reads beyond is a finding.
 #pragma once
 

@@ -24,10 +24,7 @@ bool is_key(std::string_view key) {
          std::ranges::all_of(key, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
 }
 
-Scenario read_document(const json& document, Problems& problems) {
-  Object root(document, "", problems);
-  Scenario out;
-  out.format = root.need("format").integer({1, kScenarioFormat});
+void read_identity(Object& root, Scenario& out) {
   const Value id = root.need("id");
   if (const auto parsed = ScenarioId::parse(id.text(0, 64))) {
     out.id = *parsed;
@@ -39,9 +36,9 @@ Scenario read_document(const json& document, Problems& problems) {
     out.key = v.text(1, 64);
     if (v.node().is_string() && !is_key(out.key)) v.refuse(FormatError::out_of_range, "a-z 0-9 -");
   });
-  out.title = root.need("title").words();
-  out.briefing = root.need("briefing").words();
-  out.specimen = read_specimen(root.need("specimen"));
+}
+
+void read_tissues_and_burs(Object& root, Scenario& out) {
   root.need("tissues").list(0, kTissueCodes, [&](const Value& v) {
     const ScenarioTissue tissue = read_scenario_tissue(v);
     for (const ScenarioTissue& other : out.tissues) {
@@ -57,8 +54,10 @@ Scenario read_document(const json& document, Problems& problems) {
     }
     out.instruments.push_back(bur);
   });
-  const Value device_value = root.need("device");
-  Object device(device_value.node(), device_value.where(), device_value.problems());
+}
+
+void read_device(const Value& value, Scenario& out) {
+  Object device(value.node(), value.where(), value.problems());
   out.device.needs_dof = device.need("needs_dof").integer({3, 6});
   device.maybe("admitted", [&](const Value& list) {
     list.list(0, 16, [&](const Value& v) {
@@ -70,18 +69,35 @@ Scenario read_document(const json& document, Problems& problems) {
   device.maybe("tool_tilt_deg", [&](const Value& v) { out.tool_tilt_deg = v.number({-80, 80}); });
   device.maybe("tool_turn_deg", [&](const Value& v) { out.tool_turn_deg = v.number({0, 60}); });
   device.nothing_else();
-  out.method = root.need("method").word(FormatError::unknown_method, method_from_key);
+}
+
+Leeway read_leeway(const Value& value) {
+  Leeway out;
+  Object leeway(value.node(), value.where(), value.problems());
+  out.floor_mm = leeway.need("floor_mm").number({0, 10});
+  out.side_mm = leeway.need("side_mm").number({0, 10});
+  leeway.nothing_else();
+  return out;
+}
+
+Scenario read_document(const json& document, Problems& problems) {
+  Object root(document, "", problems);
+  Scenario out;
+  out.format = root.need("format").integer({1, kScenarioFormat});
+  read_identity(root, out);
+  out.title = root.need("title").texts();
+  out.briefing = root.need("briefing").texts();
+  out.specimen = read_specimen(root.need("specimen"));
+  read_tissues_and_burs(root, out);
+  read_device(root.need("device"), out);
+  out.method = root.need("method").key(FormatError::unknown_method, method_from_key);
   root.maybe("phenomena", [&](const Value& list) {
     list.list(0, 16, [&](const Value& v) {
-      out.phenomena.push_back(v.word(FormatError::unknown_phenomenon, one_of(kPhenomenonKeys)));
+      out.phenomena.push_back(v.key(FormatError::unknown_phenomenon, one_of(kPhenomenonKeys)));
     });
   });
   out.target = read_target(root.need("target"));
-  const Value leeway_value = root.need("leeway");
-  Object leeway(leeway_value.node(), leeway_value.where(), leeway_value.problems());
-  out.leeway.floor_mm = leeway.need("floor_mm").number({0, 10});
-  out.leeway.side_mm = leeway.need("side_mm").number({0, 10});
-  leeway.nothing_else();
+  out.leeway = read_leeway(root.need("leeway"));
   root.maybe("protected", [&](const Value& list) {
     list.list(0, kTissueCodes, [&](const Value& v) { out.protected_tissues.push_back(read_tissue(v)); });
   });

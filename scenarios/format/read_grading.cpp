@@ -26,7 +26,7 @@ Bands read_bands(const Value& value) {
 Target read_target(const Value& value) {
   Object object(value.node(), value.where(), value.problems());
   Target out;
-  out.shape = object.need("shape").word(FormatError::unknown_shape, one_of(kShapeKeys));
+  out.shape = object.need("shape").key(FormatError::unknown_shape, one_of(kShapeKeys));
   object.need("paths").list(1, 64, [&](const Value& path) {
     auto& points = out.paths.emplace_back();
     path.list(1, 1000, [&](const Value& point) { points.push_back(point.point()); });
@@ -48,7 +48,7 @@ Rubric read_rubric(const Value& value) {
     Object one(item.node(), item.where(), item.problems());
     Criterion criterion;
     const Value metric = one.need("metric");
-    criterion.metric = metric.word(FormatError::unknown_metric, [](std::string_view key) {
+    criterion.metric = metric.key(FormatError::unknown_metric, [](std::string_view key) {
       return metric_from_key(key) ? std::optional<std::string>(key) : std::nullopt;
     });
     for (const Criterion& other : out.criteria) {
@@ -61,7 +61,7 @@ Rubric read_rubric(const Value& value) {
   });
   object.maybe("critical", [&](const Value& list) {
     list.list(0, 16, [&](const Value& item) {
-      out.critical.push_back(item.word(FormatError::unknown_critical, one_of(kCriticalKeys)));
+      out.critical.push_back(item.key(FormatError::unknown_critical, one_of(kCriticalKeys)));
     });
   });
   object.nothing_else();

@@ -16,7 +16,7 @@ bool is_plain_file_name(std::string_view name) {
 LesionSource read_lesion(const Value& value) {
   Object object(value.node(), value.where(), value.problems());
   LesionSource out;
-  out.kind = object.need("kind").word(FormatError::unknown_generator, one_of(kLesionKeys));
+  out.kind = object.need("kind").key(FormatError::unknown_generator, one_of(kLesionKeys));
   out.site = object.need("site").text(1, 64);
   out.radius_mm = object.need("radius_mm").number({0.2, 4});
   out.depth_mm = object.need("depth_mm").number({0, 5});
@@ -28,7 +28,7 @@ LesionSource read_lesion(const Value& value) {
 }  // namespace
 
 Tissue read_tissue(const Value& value) {
-  const Tissue tissue = value.word(FormatError::unknown_tissue, scenario_tissue_from_key);
+  const Tissue tissue = value.key(FormatError::unknown_tissue, scenario_tissue_from_key);
   if (tissue == Tissue::empty && value.node().is_string() && value.node() == "empty")
     value.refuse(FormatError::unknown_tissue, "empty");
   return tissue;
@@ -42,7 +42,7 @@ SpecimenSource read_specimen(const Value& value) {
     out.volume = name.text(1, 255);
     if (name.node().is_string() && !is_plain_file_name(out.volume)) name.refuse(FormatError::bad_file_name, out.volume);
   } else {
-    out.generator = object.need("generator").word(FormatError::unknown_generator, one_of(kGeneratorKeys));
+    out.generator = object.need("generator").key(FormatError::unknown_generator, one_of(kGeneratorKeys));
   }
   if (out.generator == "tooth") {
     const Value fdi = object.need("fdi");
@@ -52,7 +52,7 @@ SpecimenSource read_specimen(const Value& value) {
     object.maybe("typodont", [&](const Value& v) { out.typodont = v.yes(); });
     object.maybe("around", [&](const Value& list) {
       list.list(0, kAroundKeys.size(), [&](const Value& v) {
-        out.around.push_back(v.word(FormatError::unknown_generator, one_of(kAroundKeys)));
+        out.around.push_back(v.key(FormatError::unknown_generator, one_of(kAroundKeys)));
       });
     });
     object.maybe("lesions", [&](const Value& list) {

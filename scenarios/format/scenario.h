@@ -1,5 +1,5 @@
-/// A scenario: the authored exercise, as values. Read from and written to scenario.json (scenario.schema.json says the
-/// same in JSON Schema); units are in the names. Students read "exercise".
+/// A scenario: the authored exercise, as values. Read from and written to scenario.json (scenario.schema.json is
+/// its JSON Schema); units are in the names. The interface calls it "exercise".
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace cusp::scenarios {
 /// Text by language code ("en", "de", "pt_BR"); "en" is always there.
 using LocalText = std::map<std::string, std::string>;
 
-/// Decay on a grown tooth (scenarios/teeth/caries.h says what each means).
+/// A carious lesion on a grown tooth; fields as in scenarios/teeth/caries.h.
 struct LesionSource {
   std::string kind = "fissure";  // key of kLesionKeys
   std::string site = "central";  // pit, fissure or side
@@ -39,7 +39,7 @@ struct SpecimenSource {
   friend bool operator==(const SpecimenSource&, const SpecimenSource&) = default;
 };
 
-/// One tissue of the exercise: how it feels, how fast it goes; what it looks and sounds like: scenarios/tissues.
+/// One tissue of the exercise: stiffness and drilling speed. Its look and sound: scenarios/tissues.
 struct ScenarioTissue {
   Tissue tissue = Tissue::enamel;
   double stiffness_n_per_mm = 1.0;
@@ -84,7 +84,7 @@ struct Criterion {
 struct Rubric {
   double pass = 70;  // of 100
   std::vector<Criterion> criteria;
-  std::vector<std::string> critical;  // "pulp_exposure", ...: fails the go, the score still stands
+  std::vector<std::string> critical;  // "pulp_exposure", ...: fails the attempt, the score stays
   friend bool operator==(const Rubric&, const Rubric&) = default;
 };
 
@@ -109,12 +109,12 @@ struct Scenario {
   std::vector<std::string> phenomena;  // kPhenomenonKeys of scenarios/format/keys.h
   Target target;
   Leeway leeway;
-  std::vector<Tissue> protected_tissues;  // touching one is recorded, removing it is critical where the rubric says
+  std::vector<Tissue> protected_tissues;  // touching one is recorded, removing it is critical if the rubric lists it
   double time_limit_s = 0;                // 0 = none
   double tool_tilt_deg = 0;               // of the tool axis at rest, from vertical towards buccal
-  double tool_turn_deg = 0;               // how far the hand may turn it from there; 0: it stays
+  double tool_turn_deg = 0;               // how far the student may turn it from there; 0: not at all
   Rubric rubric;
-  double tolerance_points = 2;  // what an audit may change the grade by
+  double tolerance_points = 2;  // largest change of the grade that an audit accepts
   friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 

@@ -55,7 +55,7 @@ std::vector<Finding> check_schema(std::string_view text) {
     valijson::Validator validator(valijson::Validator::kStrongTypes);
     if (!validator.validate(parsed_schema(), Adapter(*document), &results)) {
       for (const auto& error : results) {
-        // Only says that something further in is wrong, which is in the list itself.
+        // Its cause further in is in the list itself.
         if (error.description.starts_with("Failed to validate against schema associated")) continue;
         out.push_back({Severity::error, pointer_of(error.context), "schema", {}, error.description});
       }

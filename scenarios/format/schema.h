@@ -11,7 +11,7 @@ namespace cusp::scenarios {
 std::string_view scenario_schema() noexcept;
 
 /// One finding "schema" for each place that breaks the schema, innermost first; of alternatives (specimen) what each of
-/// them minds. Text that is not JSON gives none: the reader says why.
+/// them minds. Text that is not JSON gives none: the reader reports it.
 std::vector<Finding> check_schema(std::string_view text);
 
 }  // namespace cusp::scenarios

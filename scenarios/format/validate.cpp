@@ -6,6 +6,8 @@
 #include <optional>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "scenarios/format/json_text.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/format/ranges.h"
@@ -16,7 +18,7 @@
 namespace cusp::scenarios {
 namespace {
 
-/// Below these a shape is not resolved by the voxels (contact trials: a cut of the band cannot be told from its noise).
+/// Below these a shape is not resolved by the voxels (contact trials: a cut of the band is not distinct from its noise).
 constexpr double kLeastFeatureVoxels = 2.5;
 constexpr double kLeastRadiusVoxels = 3.0;
 /// Points of 100: a criterion of less does not show (scenarios/grading/maxima.h).
@@ -90,8 +92,8 @@ class Checks {
 
   void texts() {
     std::set<std::string> languages;
-    for (const auto& [language, words] : s_.title) languages.insert(language);
-    for (const auto& [language, words] : s_.briefing) languages.insert(language);
+    for (const auto& [language, text] : s_.title) languages.insert(language);
+    for (const auto& [language, text] : s_.briefing) languages.insert(language);
     for (const std::string& language : languages) {
       if (!s_.title.contains(language)) warn("/title", "language_missing", {}, language);
       if (!s_.briefing.contains(language)) warn("/briefing", "language_missing", {}, language);
@@ -213,7 +215,7 @@ class Checks {
     }
   }
 
-  /// What this metric reads when the target is met exactly; nullopt when the target does not say.
+  /// What this metric reads when the target is met exactly; nullopt if the target does not determine it.
   std::optional<double> perfect(std::string_view metric) const {
     if (metric == "target_removed") return 100.0;
     if (metric == "undercut" || metric.starts_with("overcut_")) return 0.0;
@@ -366,8 +368,8 @@ std::vector<Finding> validate_text(std::string_view text, const SpecimenFacts* s
     std::vector<Finding> out = validate(*scenario, specimen);
     const std::size_t own = out.size();
     for (Finding& finding : check_schema(text)) {
-      const auto said = [&](const Finding& f) { return f.severity == Severity::error && f.path == finding.path; };
-      if (std::none_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(own), said)) out.push_back(std::move(finding));
+      const auto reported = [&](const Finding& f) { return f.severity == Severity::error && f.path == finding.path; };
+      if (std::none_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(own), reported)) out.push_back(std::move(finding));
     }
     errors_first(out);
     return out;

@@ -20,7 +20,7 @@ struct Finding {
   std::string path;                    // JSON pointer
   std::string code;                    // "bands_not_ordered", or a key of FormatError
   std::map<std::string, double> args;  // numbers of the sentence: "value", "limit"; of out_of_range "least", "most"
-  std::string detail;                  // a key that the sentence names, or what the schema's library said
+  std::string detail;                  // a key that the sentence names, or the schema library's message
 };
 
 /// What is known of the specimen when it has been built; without it the checks that need it are left out.

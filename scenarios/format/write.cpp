@@ -17,7 +17,7 @@ Json json_of(const Vec3& v) {
 template <class Json>
 Json json_of(const LocalText& text) {
   Json out = Json::object();
-  for (const auto& [language, words] : text) out[language] = words;
+  for (const auto& [language, sentence] : text) out[language] = sentence;
   return out;
 }
 
@@ -32,7 +32,7 @@ Json json_of(const SpecimenSource& specimen) {
   if (specimen.generator == "tooth") {
     out["fdi"] = specimen.fdi;
     out["seed"] = specimen.seed;
-    // Left out when they say nothing: what was published before there were any keeps its hash.
+    // Left out at their defaults: exercises published without these keys keep their hash.
     if (specimen.typodont) out["typodont"] = true;
     if (!specimen.around.empty()) out["around"] = specimen.around;
     for (const LesionSource& lesion : specimen.lesions) {

@@ -1,7 +1,7 @@
 /// A scenario as a JSON document, before it is text: to walk its numbers. Inside of scenarios/format.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "scenarios/format/scenario.h"
 

@@ -6,10 +6,12 @@ namespace cusp::scenarios {
 
 namespace {
 
-/// Between two edges: share `at_a` at a, `at_b` at b.
-double between(double value, double a, double b, double at_a, double at_b) noexcept {
-  return at_a + (at_b - at_a) * (value - a) / (b - a);
-}
+/// The share of the points at one edge of a band.
+struct Edge {
+  double at = 0, share = 0;
+};
+
+double between(double value, Edge a, Edge b) noexcept { return a.share + (b.share - a.share) * (value - a.at) / (b.at - a.at); }
 
 }  // namespace
 
@@ -17,12 +19,12 @@ double share_of_points(const Bands& bands, double value) noexcept {
   if (!std::isfinite(value)) return 0.0;
   if (value >= bands.ideal_lo && value <= bands.ideal_hi) return 1.0;
   if (value < bands.ideal_lo) {
-    if (value >= bands.acc_lo) return between(value, bands.acc_lo, bands.ideal_lo, 0.5, 1.0);
-    if (value > bands.fail_lo) return between(value, bands.fail_lo, bands.acc_lo, 0.0, 0.5);
+    if (value >= bands.acc_lo) return between(value, {bands.acc_lo, 0.5}, {bands.ideal_lo, 1.0});
+    if (value > bands.fail_lo) return between(value, {bands.fail_lo, 0.0}, {bands.acc_lo, 0.5});
     return 0.0;
   }
-  if (value <= bands.acc_hi) return between(value, bands.ideal_hi, bands.acc_hi, 1.0, 0.5);
-  if (value < bands.fail_hi) return between(value, bands.acc_hi, bands.fail_hi, 0.5, 0.0);
+  if (value <= bands.acc_hi) return between(value, {bands.ideal_hi, 1.0}, {bands.acc_hi, 0.5});
+  if (value < bands.fail_hi) return between(value, {bands.acc_hi, 0.5}, {bands.fail_hi, 0.0});
   return 0.0;
 }
 

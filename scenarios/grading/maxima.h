@@ -1,5 +1,5 @@
 /// Points as people read them: a rubric's weights scaled so that the greatest points sum to the score's maximum, in
-/// tenths, and the order in which losses are told. Any thread.
+/// tenths, and the order in which losses are reported. Any thread.
 #pragma once
 
 #include <cstddef>

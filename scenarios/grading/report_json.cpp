@@ -6,7 +6,7 @@
 
 namespace cusp::scenarios {
 
-std::string report_json(const ReportHead& head, const Grade& grade, const ReportWords& words) {
+std::string report_json(const ReportHead& head, const Grade& grade, const ReportTexts& texts) {
   using Json = nlohmann::ordered_json;
   Json out;
   out["session"] = head.session;
@@ -29,7 +29,7 @@ std::string report_json(const ReportHead& head, const Grade& grade, const Report
     const Measure& m = c.measure;
     Json one;
     one["id"] = c.id;
-    one["label"] = words.label ? words.label(c) : c.id;
+    one["label"] = texts.label ? texts.label(c) : c.id;
     one["value"] = m.measured ? Json(m.value) : Json();
     one["unit"] = m.unit;
     one["uncertainty"] = m.measured ? Json(m.uncertainty) : Json();
@@ -38,7 +38,7 @@ std::string report_json(const ReportHead& head, const Grade& grade, const Report
     one["points"] = scaled[i].points;
     one["points_max"] = scaled[i].points_max;
     one["reason_code"] = c.reason_code;
-    one["reason"] = words.reason ? words.reason(c) : c.reason_code;
+    one["reason"] = texts.reason ? texts.reason(c) : c.reason_code;
     if (m.measured && m.where_mm)
       one["where"] = {{"kind", "point"}, {"mm", {m.where_mm->x, m.where_mm->y, m.where_mm->z}}};
     else

@@ -1,4 +1,4 @@
-/// report.json: what `cusp play` and `cusp grade` leave for other programs (design.md, "Words, formats, ids").
+/// report.json: what `cusp play` and `cusp grade` leave for other programs .
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ struct ReportHead {
   std::string scenario_id, scenario_hash;
   int scenario_version = 1;
   std::string student;
-  std::string hand;                             // "expert", "novice", or empty: a person
+  std::string hand;                             // "expert", "novice", or empty: a student
   int engine = kEngineVersion;
   std::string device;
   double duration_s = 0;
@@ -21,14 +21,14 @@ struct ReportHead {
   std::string volume_hash;
 };
 
-/// The only words in the file; ui gives them in the reader's language. Empty functions leave the codes themselves.
-struct ReportWords {
+/// The texts of the file in the reader's language, from ui. An empty function leaves the code.
+struct ReportTexts {
   std::function<std::string(const CriterionGrade&)> label, reason;
 };
 
 /// UTF-8 JSON with exactly the fields of design.md, in its order, ending in a newline. Numbers are written so that they
 /// read back as the same double; what was not measured has value and uncertainty null. Points are scaled_points(): they
 /// are what the report shows, and their maxima sum to score_max.
-[[nodiscard]] std::string report_json(const ReportHead& head, const Grade& grade, const ReportWords& words = {});
+[[nodiscard]] std::string report_json(const ReportHead& head, const Grade& grade, const ReportTexts& texts = {});
 
 }  // namespace cusp::scenarios

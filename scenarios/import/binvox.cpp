@@ -74,7 +74,7 @@ Result<Binvox, ImportFailure> read_binvox(std::istream& in, std::uintmax_t bytes
     const auto where = [&] { return name + ":" + std::to_string(at); };
     line = line_of(in);
     if (!line) return fail(in.eof() ? ImportError::truncated : ImportError::bad_header, where());
-    const auto word = words(*line);
+    const auto word = tokens(*line);
     if (word.empty() || word[0].starts_with('#')) continue;
     if (word[0] == "data") break;
     std::array<double, 3> numbers{};
@@ -105,8 +105,8 @@ Result<Binvox, ImportFailure> read_binvox(std::istream& in, std::uintmax_t bytes
   if (!sized) return fail(ImportError::bad_sizes, name + " dim");
   const std::size_t voxels = static_cast<std::size_t>(out.size.x) * static_cast<std::size_t>(out.size.y) *
                              static_cast<std::size_t>(out.size.z);
-  // Two bytes say 255 voxels at the most.
-  if (!data_can_be_there(in, bytes, (voxels + 254) / 255 * 2, false)) return fail(ImportError::truncated, name);
+  // Two bytes hold at most 255 voxels.
+  if (!data_can_be_there(in, {bytes, (voxels + 254) / 255 * 2}, Packing::raw)) return fail(ImportError::truncated, name);
   out.value.resize(voxels);
   if (const auto r = read_runs(in, out); !r) return fail(r.error(), name);
   return out;

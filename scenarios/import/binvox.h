@@ -14,7 +14,7 @@
 
 namespace cusp::scenarios {
 
-/// What the file says, kept whole: writing what was read gives it back bit for bit.
+/// The whole header: write_binvox of a read file gives it back bit for bit.
 struct Binvox {
   IVec3 size{0};  // voxels along x, y, z
   Vec3 translate{0.0};

@@ -62,15 +62,20 @@ void limit(__rlimit_resource_t what, rlim_t soft, rlim_t hard) noexcept {
   setrlimit(what, &value);
 }
 
-/// Between fork and exec: only what is safe after a fork of a threaded program.
-[[noreturn]] void become(char* const* argv, char* const* environment, int in, int out, int errors,
-                         const ChildLimits& limits, pid_t parent) noexcept {
+/// File descriptors that the child takes as its own.
+struct ChildStreams {
+  int in = -1, out = -1, errors = -1;
+};
+
+/// Runs between fork and exec: async-signal-safe calls only.
+[[noreturn]] void exec_child(char* const* argv, char* const* environment, const ChildStreams& streams, const ChildLimits& limits,
+                             pid_t parent) noexcept {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(kExecFailed);  // the parent went before the line above took hold
-  dup2(in, 0);
-  dup2(out, 1);
-  dup2(errors, 2);
+  if (getppid() != parent) _exit(kExecFailed);  // the parent ended before prctl
+  dup2(streams.in, 0);
+  dup2(streams.out, 1);
+  dup2(streams.errors, 2);
   syscall(SYS_close_range, 3u, ~0u, 0u);
   sigset_t none;
   sigemptyset(&none);
@@ -79,13 +84,13 @@ void limit(__rlimit_resource_t what, rlim_t soft, rlim_t hard) noexcept {
   if (limits.memory_bytes > 0 && child_memory_limit_works()) limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
   if (limits.cpu.count() > 0) {
     const auto seconds = static_cast<rlim_t>(limits.cpu.count());
-    limit(RLIMIT_CPU, seconds, seconds + 1);  // the kill, should it ignore SIGXCPU
+    limit(RLIMIT_CPU, seconds, seconds + 1);  // SIGKILL a second later, if it ignores SIGXCPU
   }
   execve(argv[0], argv, environment);
   _exit(kExecFailed);
 }
 
-/// Hands over whole lines, keeps the rest.
+/// Calls `line` for each whole line; keeps the rest.
 class LineReader {
  public:
   explicit LineReader(const std::function<void(std::string_view)>& line) : line_(line) {}
@@ -169,7 +174,7 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
   const auto started = Clock::now();
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) become(arguments.data(), environment.data(), nothing, out.write, errors.write, limits, parent);
+  if (pid == 0) exec_child(arguments.data(), environment.data(), {nothing, out.write, errors.write}, limits, parent);
   close(nothing);
   if (pid < 0) {
     end.errors = std::strerror(errno);
@@ -183,12 +188,12 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
   std::string kept_errors;
   const auto deadline = started + limits.wall;
   std::optional<ChildEnd::How> killed;
-  const auto must_go = [&] {
+  const auto must_end = [&] {
     if (stop.stop_requested()) killed = ChildEnd::How::stopped;
     else if (limits.wall.count() > 0 && Clock::now() >= deadline) killed = ChildEnd::How::wall_limit;
     return killed.has_value();
   };
-  while ((out.read >= 0 || errors.read >= 0) && !must_go()) {
+  while ((out.read >= 0 || errors.read >= 0) && !must_end()) {
     pollfd ends[2] = {{out.read, POLLIN, 0}, {errors.read, POLLIN, 0}};
     if (poll(ends, 2, kPollMs) <= 0) continue;
     if (ends[0].revents && !drain(out.read, [&](std::string_view t) { lines.feed(t); })) out.close_read();
@@ -198,11 +203,11 @@ ChildEnd run_child(const std::vector<std::string>& argv, const ChildLimits& limi
         }))
       errors.close_read();
   }
-  // A child that closed its streams and lives on stands under the same limits.
+  // A child that closed its streams is held to the same limits.
   int status = 0;
   rusage used{};
   while (wait4(pid, &status, WNOHANG, &used) != pid) {
-    if (killed || must_go()) {
+    if (killed || must_end()) {
       kill(-pid, SIGKILL);
       while (wait4(pid, &status, 0, &used) < 0 && errno == EINTR) {
       }

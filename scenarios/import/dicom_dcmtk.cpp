@@ -38,7 +38,7 @@ struct Slice {
   int columns = 0, rows = 0;
   Vec3 across{1, 0, 0}, down{0, 1, 0};  // along a row, along a column; left-posterior-superior
   Vec3 first_mm{0.0};                   // centre of the first pixel
-  bool placed = false;                  // the file says where it lies
+  bool placed = false;                  // the file holds its position
   double pixel_across_mm = 1.0, pixel_down_mm = 1.0;
   bool spacing_known = true;
   double thickness_mm = 0.0;

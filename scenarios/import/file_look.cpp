@@ -182,12 +182,12 @@ Result<VoxelVolume, ImportFailure> import_image(const ImageImport& what, const I
   };
   const auto opened = open_image(what.path, what.limits, part(0.0, 0.4));
   if (!opened) return std::unexpected(opened.error());
-  std::vector<ImportRemark> said;
-  if (opened->slices > 0) said.push_back({RemarkCode::identity_left_out});
+  std::vector<ImportRemark> remarks_made;
+  if (opened->slices > 0) remarks_made.push_back({RemarkCode::identity_left_out});
   if (opened->series > 1)
-    said.push_back({RemarkCode::one_of_series, {}, {static_cast<double>(opened->series), static_cast<double>(opened->slices)}});
-  auto volume = volume_of_image(opened->image, what.tissues, name, what.limits, said, part(0.4, 1.0));
-  if (volume && remarks) *remarks = std::move(said);
+    remarks_made.push_back({RemarkCode::one_of_series, {}, {static_cast<double>(opened->series), static_cast<double>(opened->slices)}});
+  auto volume = volume_of_image(opened->image, what.tissues, name, what.limits, remarks_made, part(0.4, 1.0));
+  if (volume && remarks) *remarks = std::move(remarks_made);
   return volume;
 }
 

@@ -20,7 +20,7 @@ std::string lower(std::string_view t) {
   return out;
 }
 
-std::vector<std::string_view> words(std::string_view t) {
+std::vector<std::string_view> tokens(std::string_view t) {
   std::vector<std::string_view> out;
   std::size_t i = 0;
   while ((i = t.find_first_not_of(kBlanks, i)) != t.npos) {

@@ -1,4 +1,4 @@
-/// Pieces of text headers: words and numbers, independent of the locale.
+/// Parts of text headers: tokens and numbers, independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -13,8 +13,8 @@ namespace cusp::scenarios {
 std::string_view trimmed(std::string_view t);
 /// ASCII letters only.
 std::string lower(std::string_view t);
-/// Between blanks; what stands in parentheses is one word.
-std::vector<std::string_view> words(std::string_view t);
+/// Parts between blanks; a parenthesis is one token.
+std::vector<std::string_view> tokens(std::string_view t);
 /// A leading + is read; "nan" in any case is a NaN, and nothing but a number may stand there.
 std::optional<double> number(std::string_view t);
 /// Whole, with nothing behind it.

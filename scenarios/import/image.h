@@ -51,7 +51,7 @@ struct ImageLayout {
 struct Image {
   ImageLayout layout;
   ImageKind kind = ImageKind::grey;
-  bool spacing_known = true;  // false: the file says none, and 1 mm stands for it until somebody answers
+  bool spacing_known = true;  // false: the file has none; 1 mm until the user answers
   std::vector<float> value;   // [z][y][x], finite
 };
 

@@ -9,7 +9,7 @@
 #include "scenarios/import/grey_surface.h"
 #include "scenarios/import/label_map.h"
 #include "scenarios/import/limit_figures.h"
-#include "scenarios/import/pieces.h"
+#include "scenarios/import/components.h"
 #include "scenarios/import/size_question.h"
 
 namespace cusp::scenarios {
@@ -79,17 +79,19 @@ Grid own_voxels(const ImageLayout& l) {
   return out;
 }
 
-/// Box of the file's voxels that were chosen; of the largest piece of them alone where the rest goes anyway.
-LabelBox box_of_chosen(const Image& image, const ImageTissues& what, bool largest_piece) {
+enum class Extent : std::uint8_t { all, largest_component };
+
+/// Box of the file's chosen voxels, or of their largest connected component.
+LabelBox box_of_chosen(const Image& image, const ImageTissues& what, Extent extent) {
   const Chosen chosen(what);
   const Grid own = own_voxels(image.layout);
-  if (!largest_piece) {
+  if (extent == Extent::all) {
     return box_where(own, [&](std::size_t i) { return chosen(image.value[i]); });
   }
   std::vector<Tissue> marks(image.value.size(), Tissue::empty);
   for (std::size_t i = 0; i < marks.size(); ++i)
     if (chosen(image.value[i])) marks[i] = Tissue::plastic;
-  keep_largest_piece(own, marks);
+  keep_largest_component(own, marks);
   return box_of_labels(own, marks);
 }
 
@@ -120,9 +122,9 @@ Cubes cubes_about(const LabelBox& box, const ImageLayout& l, Vec3 spacing_mm, Ve
 Result<Grid, ImportFailure> cubes_over(const Image& image, const ImageTissues& what, Vec3 spacing_mm, Vec3 origin_mm,
                                        double voxel_mm, const std::string& name, const VolumeLimits& limits) {
   std::optional<LimitFigures> passed;
-  for (const bool largest_piece : {false, true}) {
-    if (largest_piece && !what.largest_piece) break;
-    const LabelBox box = box_of_chosen(image, what, largest_piece);
+  for (const Extent extent : {Extent::all, Extent::largest_component}) {
+    if (extent == Extent::largest_component && !what.largest_component) break;
+    const LabelBox box = box_of_chosen(image, what, extent);
     if (box.empty()) return fail(ImportError::nothing_solid, name);
     Cubes cubes = cubes_about(box, image.layout, spacing_mm, origin_mm, voxel_mm);
     passed = passed_limit(cubes.size + 2.0 * kPadVoxels, cubes.extent_mm, voxel_mm, limits);
@@ -185,8 +187,8 @@ Result<VoxelVolume, ImportFailure> make(const Image& image, const ImageTissues& 
   const GreyField field{image.value, l.size, spacing, origin};
   const bool grey = !what.thresholds.empty();
   std::vector<Tissue> labels = grey ? grey_tissues(field, what, *grid, progress) : nearest_tissues(image, field, what, *grid);
-  if (what.largest_piece) {
-    if (const std::size_t gone = keep_largest_piece(*grid, labels)) remarks.push_back({RemarkCode::pieces_removed, {}, {static_cast<double>(gone)}});
+  if (what.largest_component) {
+    if (const std::size_t gone = keep_largest_component(*grid, labels)) remarks.push_back({RemarkCode::components_removed, {}, {static_cast<double>(gone)}});
   }
   if (what.hollows) {
     if (const std::size_t filled = fill_hollows(*grid, labels, *what.hollows)) remarks.push_back({RemarkCode::hollows_filled, {}, {static_cast<double>(filled)}});

@@ -21,7 +21,7 @@ struct ImageTissues {
   /// that metal above enamel can go. Below the first there is nothing.
   std::vector<std::pair<double, Tissue>> thresholds;
   std::optional<Tissue> hollows;   // what nothing from outside reaches becomes this: the pulp of a scanned tooth
-  bool largest_piece = false;      // all but the largest piece that hangs together goes: noise, table, neighbours
+  bool largest_component = false;      // keeps the largest connected component: drops noise, table, neighbours
 
   double unit_mm = 1.0;            // length of one of the file's own, > 0
   std::optional<double> voxel_mm;  // none: the least of the spacings
@@ -32,7 +32,7 @@ struct ImageTissues {
 Tissue tissue_at(double value, const std::vector<std::pair<double, Tissue>>& thresholds) noexcept;
 
 /// Labels: the nearest voxel of the file; the surface is known to half a voxel of the file. Grey values: trilinear, and
-/// the surface is where they cross a threshold, with exact distances to it. Resampled to cubes, which a remark says.
+/// the surface is where they cross a threshold, with exact distances to it. Resampled to cubes, with a remark.
 /// Seconds; limits are held before memory is taken. Codes: bad_option, bad_tissue, too_large, nothing_solid.
 [[nodiscard]] Result<VoxelVolume, ImportFailure> volume_of_image(const Image& image, const ImageTissues& what,
                                                                  const std::string& name, const VolumeLimits& limits,

@@ -107,7 +107,7 @@ Result<std::vector<MeshInfo>, ImportFailure> list_meshes(const std::filesystem::
     if (!c.closed) {
       info.gaps = gaps_of(m);
       info.gap_count = info.gaps.size();
-      if (info.gaps.size() > kMaxGapsTold) info.gaps.resize(kMaxGapsTold);
+      if (info.gaps.size() > kMaxGapsListed) info.gaps.resize(kMaxGapsListed);
     } else if (!c.oriented) {
       info.turned_at = c.bad_edge;
     }

@@ -51,13 +51,13 @@ struct MeshInfo {
   double volume = 0.0;       // enclosed, in cubic units; 0 unless closed and oriented
   bool closed = false;       // no edge has an odd number of triangles
   bool oriented = false;     // neighbours are wound alike
-  std::vector<MeshGap> gaps;  // the widest kMaxGapsTold of them
+  std::vector<MeshGap> gaps;  // the widest kMaxGapsListed of them
   std::size_t gap_count = 0;
   Vec3 turned_at{0.0};       // where a closed mesh is not oriented
   friend bool operator==(const MeshInfo&, const MeshInfo&) = default;
 };
 
-inline constexpr std::size_t kMaxGapsTold = 8;
+inline constexpr std::size_t kMaxGapsListed = 8;
 
 /// Units that files are made in, in millimetres, the most usual first.
 inline constexpr std::array<double, 5> kUsualUnitsMm = {1.0, 10.0, 1000.0, 25.4, 0.001};
@@ -101,7 +101,7 @@ struct FileLook {
 };
 
 enum class FileKind : std::uint8_t { mesh, image, unknown };
-/// By its ending, and by its first bytes where that says nothing; a folder is a CT series.
+/// By its ending, else by its first bytes; a folder is a CT series.
 FileKind file_kind(const std::filesystem::path& path);
 /// Meshes in the order in which the files name them; parts of one name are one mesh. Of several files a mesh is called as
 /// its file without the ending, and, where it is not alone in it, ": " and its own name.

@@ -1,5 +1,5 @@
 /// Why a specimen could not be read, made or written. One list for volume files, meshes, the import worker and the
-/// generators, so that whoever asks for a specimen has one set of codes to put into words.
+/// generators, so that a caller of make_specimen describes one set of codes.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace cusp::scenarios {
 
 enum class ImportError : std::uint8_t {
   missing_file,     // no file there
-  io,               // it cannot be read or written (permissions, full disk); detail: the system's words
+  io,               // it cannot be read or written (permissions, full disk); detail: the system's message
   unknown_format,   // not of a kind that is read here
   bad_header,       // where: file and line or key
   unsupported,      // a legal file that asks for what is not read here; where: the key

@@ -43,7 +43,7 @@ std::optional<LimitFigures> limit_figures(std::string_view detail);
 inline constexpr double kBytesPerVoxel = 3.0;
 
 /// Which limit a specimen of this size passes; nullopt: none. `extent_mm` is what its voxels of `voxel_mm` cover without
-/// the padding: it tells which voxel would fit.
+/// the padding: it computes the voxel that would fit.
 std::optional<LimitFigures> passed_limit(Vec3 voxels, Vec3 extent_mm, double voxel_mm, const VolumeLimits& limits);
 /// The same for a file's own voxels, as text; empty: it passes none.
 std::string passed_file_limit(Vec3 voxels, const VolumeLimits& limits);

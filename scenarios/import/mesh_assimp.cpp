@@ -36,9 +36,9 @@ Transform file_from_library(bool is_3ds) {
 
 class Collector {
  public:
-  /// by_node: meshes bear numbers and their nodes the names, as in 3DS.
-  Collector(const aiScene& scene, std::string file_stem, bool by_node)
-      : scene_(scene), file_stem_(std::move(file_stem)), by_node_(by_node) {}
+  enum class NamesIn : std::uint8_t { meshes, nodes };  // nodes: as in 3DS, whose meshes have numbers
+  Collector(const aiScene& scene, std::string file_stem, NamesIn names_in)
+      : scene_(scene), file_stem_(std::move(file_stem)), by_node_(names_in == NamesIn::nodes) {}
 
   void visit(const aiNode& node, const Transform& file_from_parent) {
     const Transform file_from_node = file_from_parent * transform_of(node.mTransformation);
@@ -93,7 +93,7 @@ class OneFile : public Assimp::DefaultIOSystem {
   std::string path_;
 };
 
-/// Whether a PLY file can hold as many things as its header counts: assimp takes the room, or the time, for any number.
+/// Whether a PLY file can hold as many elements as its header counts: assimp reserves memory for any number.
 bool ply_can_be_true(const std::filesystem::path& path, std::uintmax_t bytes) {
   constexpr int kMostLines = 1000;
   std::ifstream in(path, std::ios::binary);
@@ -101,7 +101,7 @@ bool ply_can_be_true(const std::filesystem::path& path, std::uintmax_t bytes) {
   for (int n = 0; n < kMostLines && std::getline(in, line); ++n) {
     while (line.ends_with('\r') || line.ends_with(' ')) line.pop_back();
     if (line == "end_header") return true;
-    const auto word = words(line);
+    const auto word = tokens(line);
     if (word.size() != 3 || word[0] != "element") continue;
     const auto count = whole_number<std::uintmax_t>(word[2]);
     if (!count || *count > bytes) return false;  // each takes a byte at the least
@@ -109,7 +109,7 @@ bool ply_can_be_true(const std::filesystem::path& path, std::uintmax_t bytes) {
   return false;
 }
 
-/// The library hands a file's own numbers on, and its later steps follow them without a look.
+/// assimp passes on a file's own indices, and its later steps use them unchecked.
 bool faces_name_their_points(const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
@@ -146,7 +146,7 @@ Result<std::vector<TriangleMesh>, ImportFailure> read(const std::filesystem::pat
   if (scene) scene = importer.ApplyPostProcessing(aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType);
   if (!scene || !scene->mRootNode) return fail(ImportError::corrupt, name, importer.GetErrorString());
   const bool is_3ds = lower(path.extension().string()) == ".3ds";
-  Collector collector(*scene, path.stem().string(), is_3ds);
+  Collector collector(*scene, path.stem().string(), is_3ds ? Collector::NamesIn::nodes : Collector::NamesIn::meshes);
   collector.visit(*scene->mRootNode, file_from_library(is_3ds));
   if (!collector.finite()) return fail(ImportError::corrupt, name, "coordinates are not numbers");
   std::vector<TriangleMesh> meshes = collector.take();

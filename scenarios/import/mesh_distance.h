@@ -12,7 +12,7 @@
 namespace cusp::scenarios {
 
 /// Distance of each voxel in voxels, negative inside, [z][y][x]; clamped to +-kDistanceReach. The points are in the
-/// grid's frame; what lies outside the grid counts too. `progress` is told a hundred times at most. Throws std::bad_alloc.
+/// grid's frame; what lies outside the grid counts too. `progress` is called a hundred times at most. Throws std::bad_alloc.
 std::vector<float> mesh_distance(const TriangleMesh& shell, const Grid& grid, const ImportProgress& progress = {});
 
 /// For the former: whether each voxel is inside, by OpenVDB, which sees it right also where shells touch or cross

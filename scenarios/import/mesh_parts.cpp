@@ -44,7 +44,7 @@ std::unexpected<ImportFailure> refuse_open(const TriangleMesh& mesh, const MeshC
   const std::vector<MeshGap> gaps = gaps_of(mesh);
   const Vec3 at = gaps.empty() ? in_file.bad_edge : gaps.front().middle();
   std::string detail = std::to_string(gaps.size());
-  for (std::size_t i = 0; i < std::min(gaps.size(), kMaxGapsTold); ++i)
+  for (std::size_t i = 0; i < std::min(gaps.size(), kMaxGapsListed); ++i)
     detail += (i == 0 ? ": " : ", ") + short_text(gaps[i].width() * what.unit_mm) + " mm";
   return fail(ImportError::mesh_open, mesh.name + place(at * what.unit_mm), std::move(detail));
 }

@@ -114,16 +114,17 @@ class Reader {
     }
     return nullptr;
   }
-  bool is_true(std::initializer_list<std::string_view> names, bool otherwise) const {
+  enum class Otherwise : std::uint8_t { no, yes };
+  bool is_true(std::initializer_list<std::string_view> names, Otherwise otherwise = Otherwise::no) const {
     const std::string* text = field(names);
-    return text ? lower(*text) == "true" || *text == "1" : otherwise;
+    return text ? lower(*text) == "true" || *text == "1" : otherwise == Otherwise::yes;
   }
   /// So many finite numbers; an empty list when the key is not there.
   Result<std::vector<double>, ImportFailure> numbers(std::initializer_list<std::string_view> names, std::size_t count) const {
     std::vector<double> out;
     const std::string* text = field(names);
     if (!text) return out;
-    for (const std::string_view word : words(*text)) {
+    for (const std::string_view word : tokens(*text)) {
       const auto n = number(word);
       if (!n) return refuse(ImportError::bad_header, *names.begin());
       out.push_back(*n);
@@ -138,14 +139,14 @@ class Reader {
     const std::string* dimension = field({"NDims"});
     if (!dimension) return fail(ImportError::unknown_format, name_);
     if (*dimension != "3") return refuse(ImportError::bad_sizes, "NDims");
-    if (!is_true({"BinaryData"}, true)) return refuse(ImportError::unsupported, "BinaryData");
-    packed_ = is_true({"CompressedData"}, false);
+    if (!is_true({"BinaryData"}, Otherwise::yes)) return refuse(ImportError::unsupported, "BinaryData");
+    packing_ = is_true({"CompressedData"}) ? Packing::deflate : Packing::raw;
     const std::string* type = field({"ElementType"});
     if (!type) return refuse(ImportError::bad_header, "ElementType");
     const auto known = std::ranges::find(kTypes, std::string_view(*type), &ElementType::name);
     if (known == std::end(kTypes)) return refuse(ImportError::unsupported, "ElementType");
     format_ = {known->bytes, known->is_signed, known->is_float,
-               is_true({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"}, false)};
+               is_true({"BinaryDataByteOrderMSB", "ElementByteOrderMSB"})};
     if (const std::string* n = field({"ElementNumberOfChannels"}); n && *n != "1") {
       if ((*n != "3" && *n != "4") || known->bytes != 1) return refuse(ImportError::unsupported, "ElementNumberOfChannels");
       channels_ = *n == "3" ? 3 : 4;
@@ -193,7 +194,7 @@ class Reader {
     if (lower(*text) == "list") {
       files_ = header_.list;
     } else if (text->find('%') != text->npos) {
-      const auto word = words(*text);
+      const auto word = tokens(*text);
       if (word.size() != 4) return refuse(ImportError::bad_header, "ElementDataFile");
       const auto low = whole_number<int>(word[1]), high = whole_number<int>(word[2]), by = whole_number<int>(word[3]);
       if (!low || !high || !by || *by < 1 || *by > 1000000 || *low < 0 || *high < *low || *high > 1000000)
@@ -225,11 +226,11 @@ class Reader {
     const int slices_a_file = local || files_.size() == 1 ? size.z : 1;
     const std::uintmax_t needed = slice * static_cast<std::uintmax_t>(slices_a_file);
     SideFile side;
-    // All that is named must be there, and long enough, before room is made for it.
+    // Every named file must exist and be long enough before memory is reserved.
     for (std::size_t i = 0; files_.size() > 1 && i < files_.size(); ++i) {
       side = beside_(files_[i]);
       if (!side.in) return fail(ImportError::missing_file, files_[i]);
-      if (!data_can_be_there(*side.in, side.bytes, needed, packed_)) return fail(ImportError::truncated, files_[i]);
+      if (!data_can_be_there(*side.in, {side.bytes, needed}, packing_)) return fail(ImportError::truncated, files_[i]);
     }
     for (int k = 0; k < size.z; k += slices_a_file) {
       const std::string file = local ? name_ : files_[files_.size() == 1 ? 0 : static_cast<std::size_t>(k)];
@@ -238,11 +239,11 @@ class Reader {
         if (!side.in) return fail(ImportError::missing_file, file);
       }
       std::istream& from = local ? in_ : *side.in;
-      if (!data_can_be_there(from, local ? bytes_ : side.bytes, needed, packed_)) return fail(ImportError::truncated, file);
+      if (!data_can_be_there(from, {local ? bytes_ : side.bytes, needed}, packing_)) return fail(ImportError::truncated, file);
       if (k == 0) {
         out_.value.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z));
       }
-      PackedSource source(from, packed_);
+      PackedSource source(from, packing_);
       for (int n = k; n < k + slices_a_file; ++n) {
         if (progress_) progress_(static_cast<double>(n) / size.z);
         if (const auto r = read_slice(source, n); !r) return fail(r.error(), file);
@@ -278,7 +279,7 @@ class Reader {
   Header header_;
   SampleFormat format_;
   int channels_ = 1;
-  bool packed_ = false;
+  Packing packing_ = Packing::raw;
   std::vector<std::string> files_;
   Image out_;
 };

@@ -18,8 +18,14 @@ std::string text_of(IVec3 v) {
   return "(" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + ")";
 }
 
-/// Sample at p, least significant byte first unless big; a negative one comes out huge, and so above any code.
-std::uint64_t sample(const std::byte* p, int bytes, bool is_signed, bool big) noexcept {
+struct SampleType {
+  int bytes = 0;
+  bool is_signed = false, big_endian = false;
+};
+
+/// Sample at p. A negative one becomes huge, and so larger than any code.
+std::uint64_t sample(const std::byte* p, const SampleType& type) noexcept {
+  const auto [bytes, is_signed, big] = type;
   std::uint64_t value = 0;
   for (int i = 0; i < bytes; ++i)
     value |= static_cast<std::uint64_t>(p[big ? bytes - 1 - i : i]) << (8 * i);
@@ -54,7 +60,7 @@ Result<VoxelVolume, ImportFailure> read_labels(PackedSource& source, const NrrdH
                                                const VolumeLimits& limits) {
   std::vector<Tissue> labels(h.grid.voxels(), Tissue::empty);
   const auto r = for_each_voxel(source, h, 1, name, [&](std::size_t i, const std::byte* p) {
-    const std::uint64_t code = sample(p, h.sample_bytes, h.sample_signed, h.big_endian);
+    const std::uint64_t code = sample(p, {h.sample_bytes, h.sample_signed, h.big_endian});
     if (code >= kTissueCodes) return false;
     labels[i] = static_cast<Tissue>(code);
     return true;
@@ -75,8 +81,8 @@ Result<VoxelVolume, ImportFailure> read_tissue_and_s(PackedSource& source, const
   out.names = h.names;
   bool solid = false;
   const auto r = for_each_voxel(source, h, 2, name, [&](std::size_t i, const std::byte* p) {
-    const std::uint64_t code = sample(p, 2, false, h.big_endian);
-    const auto s = static_cast<std::uint16_t>(sample(p + 2, 2, false, h.big_endian));
+    const std::uint64_t code = sample(p, {2, false, h.big_endian});
+    const auto s = static_cast<std::uint16_t>(sample(p + 2, {2, false, h.big_endian}));
     if (code >= kTissueCodes || (code == 0 && s > 0)) return false;
     out.tissue[i] = static_cast<Tissue>(code);
     out.s[i] = s;
@@ -134,8 +140,9 @@ Result<VoxelVolume, ImportFailure> read_nrrd(std::istream& in, std::uintmax_t by
   if (!header) return std::unexpected(header.error());
   const std::uintmax_t samples = header->content == NrrdHeader::Content::labels ? 1 : 2;
   const std::uintmax_t needed = header->grid.voxels() * samples * static_cast<std::uintmax_t>(header->sample_bytes);
-  if (!data_can_be_there(in, bytes, needed, header->gzip)) return fail(ImportError::truncated, name);
-  PackedSource source(in, header->gzip);
+  const Packing packing = header->gzip ? Packing::deflate : Packing::raw;
+  if (!data_can_be_there(in, {bytes, needed}, packing)) return fail(ImportError::truncated, name);
+  PackedSource source(in, packing);
   if (header->content == NrrdHeader::Content::labels) return read_labels(source, *header, name, limits);
   return read_tissue_and_s(source, *header, name);
 }

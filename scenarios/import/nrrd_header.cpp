@@ -195,7 +195,7 @@ class Parser {
 
     const std::string* text = field("sizes");
     if (!text) return refuse(ImportError::bad_header, "sizes");
-    const auto list = words(*text);
+    const auto list = tokens(*text);
     if (list.size() != first_ + 3) return refuse(ImportError::bad_sizes, "sizes", *text);
     std::vector<std::size_t> size;
     for (const std::string_view word : list) {
@@ -238,7 +238,7 @@ class Parser {
 
   Result<void, ImportFailure> axes() {
     if (const std::string* units = field("space units")) {
-      for (const std::string_view word : words(*units)) {
+      for (const std::string_view word : tokens(*units)) {
         if (word == "\"mm\"") continue;
         if (!image_) return refuse(ImportError::bad_spacing, "space units", *units);
         out_.unit_mm = word == "\"um\"" ? 1e-3 : word == "\"cm\"" ? 10.0 : word == "\"m\"" ? 1000.0 : 0.0;
@@ -250,7 +250,7 @@ class Parser {
     std::array<Vec3, 3> direction{};
     std::string_view key = "space directions";
     if (const std::string* text = field(key)) {
-      const auto list = words(*text);
+      const auto list = tokens(*text);
       if (list.size() != first_ + 3) return refuse(ImportError::bad_header, key, *text);
       for (std::size_t i = 0; i < 3; ++i) {
         const auto v = vector3(list[first_ + i]);
@@ -263,7 +263,7 @@ class Parser {
       if (!spacings && !image_) return refuse(ImportError::bad_spacing, key);
       static const std::string none = "nan nan nan nan";
       if (!spacings) spacings = &none;
-      const auto list = words(*spacings);
+      const auto list = tokens(*spacings);
       if (list.size() != first_ + 3 && spacings != &none) return refuse(ImportError::bad_header, key, *spacings);
       for (std::size_t i = 0; i < 3; ++i) {
         const auto n = number(list[first_ + i]);

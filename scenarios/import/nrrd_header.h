@@ -1,4 +1,4 @@
-/// The text part of a NRRD file: what it says, checked against the limits, before anything is read or reserved.
+/// The header of a NRRD file, checked against the limits before any data is read or reserved.
 #pragma once
 
 #include <array>

@@ -25,9 +25,10 @@ Result<Image, ImportFailure> read_nrrd_image(std::istream& in, std::uintmax_t by
   const std::size_t voxels = static_cast<std::size_t>(h.file_size.x) * static_cast<std::size_t>(h.file_size.y) *
                              static_cast<std::size_t>(h.file_size.z);
   const auto voxel_bytes = static_cast<std::size_t>(h.samples * h.sample_bytes);
-  if (!data_can_be_there(in, bytes, voxels * voxel_bytes, h.gzip)) return fail(ImportError::truncated, name);
+  const Packing packing = h.gzip ? Packing::deflate : Packing::raw;
+  if (!data_can_be_there(in, {bytes, voxels * voxel_bytes}, packing)) return fail(ImportError::truncated, name);
   out.value.resize(voxels);
-  PackedSource source(in, h.gzip);
+  PackedSource source(in, packing);
   const SampleFormat format{h.sample_bytes, h.sample_signed, h.sample_float, h.big_endian};
   const bool colours = h.content == NrrdHeader::Content::colours;
   std::vector<std::byte> row(static_cast<std::size_t>(h.file_size.x) * voxel_bytes);

@@ -52,13 +52,13 @@ Result<std::string, ImportFailure> read_nrrd_text(std::istream& in, const std::s
   return fail(in.bad() ? ImportError::io : ImportError::truncated, name);
 }
 
-bool data_can_be_there(std::istream& in, std::uintmax_t bytes, std::uintmax_t needed, bool packed) {
+bool data_can_be_there(std::istream& in, DataSize size, Packing packing) {
   const std::streamoff at = in.tellg();
   if (at < 0) return false;
-  const std::uintmax_t there = bytes - std::min(bytes, static_cast<std::uintmax_t>(at));
+  const std::uintmax_t there = size.file - std::min(size.file, static_cast<std::uintmax_t>(at));
   // Deflate packs 258 bytes into two bits at the most.
   constexpr std::uintmax_t best_packing = 1032;
-  return needed <= (packed ? there * best_packing : there);
+  return size.needed <= (packing == Packing::deflate ? there * best_packing : there);
 }
 
 struct PackedSource::Packed {
@@ -67,8 +67,8 @@ struct PackedSource::Packed {
   bool ended = false;
 };
 
-PackedSource::PackedSource(std::istream& in, bool packed) : in_(in) {
-  if (!packed) return;
+PackedSource::PackedSource(std::istream& in, Packing packing) : in_(in) {
+  if (packing == Packing::raw) return;
   packed_ = std::make_unique<Packed>();
   if (inflateInit2(&packed_->z, kEither) != Z_OK) throw std::bad_alloc();
 }

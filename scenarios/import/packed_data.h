@@ -22,13 +22,20 @@ namespace cusp::scenarios {
 /// Lines of a NRRD header up to the blank one, which is taken from the stream too.
 [[nodiscard]] Result<std::string, ImportFailure> read_nrrd_text(std::istream& in, const std::string& name);
 
-/// Whether what follows in a stream of `bytes` can be `needed` bytes of data at all, before memory is taken for them.
-bool data_can_be_there(std::istream& in, std::uintmax_t bytes, std::uintmax_t needed, bool packed);
+enum class Packing : std::uint8_t { raw, deflate };  // deflate: gzip or zlib, whichever the bytes show
+
+/// Sizes in bytes.
+struct DataSize {
+  std::uintmax_t file = 0, needed = 0;
+};
+
+/// Whether the rest of a stream of `size.file` bytes can hold `size.needed` bytes of data. Asked before any allocation.
+bool data_can_be_there(std::istream& in, DataSize size, Packing packing);
 
 class PackedSource {
  public:
-  /// Reads on from where `in` stands; `in` outlives it. Packed: gzip or zlib, whichever the bytes say.
-  PackedSource(std::istream& in, bool packed);
+  /// Reads on from the position of `in`; `in` outlives it.
+  PackedSource(std::istream& in, Packing packing);
   ~PackedSource();
   PackedSource(const PackedSource&) = delete;
   PackedSource& operator=(const PackedSource&) = delete;

@@ -11,7 +11,7 @@ namespace cusp::scenarios {
 using PartOrder = std::vector<std::size_t>;
 
 /// Innermost first: of two parts the one more of whose own surface lies a voxel deep or deeper within the other. Caps are
-/// no surface of their own, so a shell that was closed yields to the body that it goes around. Parts that lie alike stand
+/// no surface of their own, so a shell that was closed yields to the body inside it. Parts that lie alike stand
 /// by their volumes, the smaller first, then by their names. The same whatever the order of `parts`.
 PartOrder innermost_first(const std::vector<MeshPart>& parts, const std::vector<PartField>& fields, const Grid& grid);
 

@@ -13,14 +13,14 @@ namespace cusp::scenarios {
 enum class RemarkCode : std::uint8_t {
   resampled,         // numbers: the file's spacing along x, y, z and the voxels' edge, mm
   straightened,      // oblique axes; numbers: degrees
-  spacing_assumed,   // the file says no length
+  spacing_assumed,   // the file has no length
   identity_left_out, // of a CT: only what the picture needs was read
   one_of_series,     // numbers: series in the folder, slices read
   points_joined,     // subject: mesh; numbers: how many
   triangles_dropped, // subject: mesh; numbers: how many
   triangles_turned,  // subject: mesh; numbers: how many
   holes_closed,      // subject: mesh; numbers: how many, the widest in mm
-  pieces_removed,    // numbers: voxels
+  components_removed,  // numbers: voxels
   hollows_filled,    // numbers: voxels
   shell_capped,      // an open shell was closed; subject: mesh; numbers: mm² of caps, share of the mesh's own area, tissue
   precedence,        // subject: mesh; numbers: its place (1 wins over all others), its tissue, 1 when the user gave the order

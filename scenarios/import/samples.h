@@ -26,7 +26,7 @@ inline double sample_value(const std::byte* p, SampleFormat format) noexcept {
   return static_cast<double>(static_cast<std::int64_t>(bits));
 }
 
-/// 0xRRGGBB of three or four bytes; 0 where a fourth says that it is wholly transparent.
+/// 0xRRGGBB of three or four bytes; 0 if a fourth makes it fully transparent.
 inline float colour_value(const std::byte* p, int channels) noexcept {
   if (channels == 4 && p[3] == std::byte{0}) return 0.0f;
   const auto channel = [&](int i) { return static_cast<std::uint32_t>(p[i]); };

@@ -67,7 +67,7 @@ MeshCheck check(const TriangleMesh& mesh) {
   std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
     return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.way < b.way;
   });
-  // An open edge tells more than a turned one, so the whole list is seen before the place is chosen.
+  // An open edge takes precedence over a turned one, so the place is chosen after the whole list.
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i;
     int sum = 0;

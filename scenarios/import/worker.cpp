@@ -9,12 +9,12 @@
 #include "scenarios/import/child_process.h"
 #include "scenarios/import/limit_figures.h"
 #include "scenarios/import/nrrd.h"
-#include "scenarios/import/worker_words.h"
+#include "scenarios/import/worker_messages.h"
 
 namespace cusp::scenarios {
 namespace {
 
-/// A folder of this import's own, gone with it.
+/// A folder of this import, removed with it.
 class PrivateFolder {
  public:
   PrivateFolder() {
@@ -38,7 +38,7 @@ class PrivateFolder {
   std::filesystem::path path_;
 };
 
-struct Heard {
+struct Received {
   std::optional<ImportFailure> failure;
   FileLook look;  // the preview without its values
   std::vector<ImportRemark> remarks;
@@ -58,35 +58,35 @@ bool preview_of(const std::vector<std::string>& w, ImagePreview& out) {
   return true;
 }
 
-void hear(std::string_view line, Heard& heard, const ImportProgress& progress) {
-  const auto words = worker_words(line);
-  if (!words) return;
-  const std::vector<std::string>& w = *words;
+void receive(std::string_view line, Received& received, const ImportProgress& progress) {
+  const auto fields = fields_of_line(line);
+  if (!fields) return;
+  const std::vector<std::string>& w = *fields;
   if (w[0] == "progress" && w.size() == 2) {
     if (const auto share = number_of<double>(w[1]); share && progress) progress(*share);
   } else if (w[0] == "fail" && w.size() == 4) {
-    if (const auto code = import_error_from_key(w[1])) heard.failure = ImportFailure{*code, w[2], w[3]};
-    else heard.garbled = true;
+    if (const auto code = import_error_from_key(w[1])) received.failure = ImportFailure{*code, w[2], w[3]};
+    else received.garbled = true;
   } else if (auto m = mesh_info_of(w)) {
-    heard.look.meshes.push_back(std::move(*m));
+    received.look.meshes.push_back(std::move(*m));
   } else if (auto image = image_info_of(w)) {
-    heard.look.image = std::move(*image);
+    received.look.image = std::move(*image);
   } else if (auto remark = remark_of(w)) {
-    heard.remarks.push_back(std::move(*remark));
-  } else if (w[0] != "preview" || !preview_of(w, heard.look.preview)) {
-    heard.garbled = true;
+    received.remarks.push_back(std::move(*remark));
+  } else if (w[0] != "preview" || !preview_of(w, received.look.preview)) {
+    received.garbled = true;
   }
 }
 
-Result<Heard, ImportFailure> run(const std::filesystem::path& file, std::vector<std::string> arguments,
+Result<Received, ImportFailure> run(const std::filesystem::path& file, std::vector<std::string> arguments,
                                  const WorkerSettings& settings, const ImportProgress& progress, std::stop_token stop) {
   std::vector<std::string> argv = settings.program;
   if (argv.empty()) argv = {own_program(), std::string(kWorkerVerb)};
   argv.insert(argv.end(), arguments.begin(), arguments.end());
-  Heard heard;
+  Received received;
   const ChildEnd end =
       run_child(argv, {settings.memory_bytes, settings.cpu, settings.wall},
-                [&](std::string_view line) { hear(line, heard, progress); }, stop);
+                [&](std::string_view line) { receive(line, received, progress); }, stop);
   if (settings.ended) settings.ended(end);
   const std::string where = file.filename().string();
   switch (end.how) {
@@ -101,16 +101,16 @@ Result<Heard, ImportFailure> run(const std::filesystem::path& file, std::vector<
       return fail(ImportError::crashed, where, "signal " + std::to_string(end.code) + "\n" + end.errors);
     case ChildEnd::How::exited: break;
   }
-  if (heard.failure) {
-    if (heard.failure->code == ImportError::out_of_memory) {
-      heard.failure->where = where;
-      heard.failure->detail = text_of({LimitKind::memory, 0.0, static_cast<double>(settings.memory_bytes)});
+  if (received.failure) {
+    if (received.failure->code == ImportError::out_of_memory) {
+      received.failure->where = where;
+      received.failure->detail = text_of({LimitKind::memory, 0.0, static_cast<double>(settings.memory_bytes)});
     }
-    return std::unexpected(*heard.failure);
+    return std::unexpected(*received.failure);
   }
-  if (end.code != 0 || heard.garbled)
+  if (end.code != 0 || received.garbled)
     return fail(ImportError::crashed, where, "status " + std::to_string(end.code) + "\n" + end.errors);
-  return heard;
+  return received;
 }
 
 /// The same for both kinds of import: a child that leaves a volume.
@@ -121,12 +121,12 @@ Result<VoxelVolume, ImportFailure> volume_from_child(const Job& what, const Work
   const PrivateFolder folder;
   if (folder.path().empty()) return fail(ImportError::io, where, "no temporary folder");
   const std::filesystem::path out = folder.path() / "volume.nrrd";
-  auto heard = run(what.path, arguments_of(what, out), settings, progress, stop);
-  if (!heard) return std::unexpected(heard.error());
+  auto received = run(what.path, arguments_of(what, out), settings, progress, stop);
+  if (!received) return std::unexpected(received.error());
   auto volume = read_nrrd(out, what.limits);
   // What the child wrote is at fault here, not the user's file: it is no more than a crash of the child.
   if (!volume) return fail(ImportError::crashed, where, std::string(key_of(volume.error().code)));
-  if (remarks) *remarks = std::move(heard->remarks);
+  if (remarks) *remarks = std::move(received->remarks);
   return volume;
 }
 
@@ -154,9 +154,9 @@ Result<FileLook, ImportFailure> look_in_child(const std::vector<std::filesystem:
   const std::filesystem::path preview = folder.path() / "preview";
   std::vector<std::string> arguments = {"look", preview.string()};
   for (const std::filesystem::path& file : files) arguments.push_back(std::filesystem::absolute(file).string());
-  auto heard = run(path, std::move(arguments), settings, progress, stop);
-  if (!heard) return std::unexpected(heard.error());
-  ImagePreview& p = heard->look.preview;
+  auto received = run(path, std::move(arguments), settings, progress, stop);
+  if (!received) return std::unexpected(received.error());
+  ImagePreview& p = received->look.preview;
   if (p.size.x > 0) {
     p.value.resize(static_cast<std::size_t>(p.size.x) * static_cast<std::size_t>(p.size.y) * static_cast<std::size_t>(p.size.z));
     std::ifstream in(preview, std::ios::binary);
@@ -165,8 +165,8 @@ Result<FileLook, ImportFailure> look_in_child(const std::vector<std::filesystem:
     for (float& v : p.value)
       if (!std::isfinite(v)) v = 0.0f;
   }
-  if (heard->look.meshes.empty() && !heard->look.image) return fail(ImportError::crashed, where, "nothing said");
-  return std::move(heard->look);
+  if (received->look.meshes.empty() && !received->look.image) return fail(ImportError::crashed, where, "no message");
+  return std::move(received->look);
 }
 
 }  // namespace cusp::scenarios

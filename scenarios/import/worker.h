@@ -21,7 +21,7 @@ struct WorkerSettings {
   std::chrono::milliseconds wall{600'000};
   /// Program and leading arguments; empty: this program with the verb `import-child`.
   std::vector<std::string> program;
-  /// Told of each process when it has ended, before its words are weighed; on the calling thread.
+  /// Called for each process after it has ended, before its messages are judged; on the calling thread.
   std::function<void(const ChildEnd&)> ended;
 };
 

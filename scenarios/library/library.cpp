@@ -1,10 +1,12 @@
 #include "scenarios/library/library.h"
 
-#include <array>
+#include <vector>
 
+#include "scenarios/blocks/block_exercises.h"
 #include "scenarios/format/read.h"
+#include "scenarios/format/write.h"
 
-// builtin_list.inc: CUSP_BUILTIN("channel-1", channel_1) and so on, written by CMakeLists.txt.
+// builtin_list.inc: CUSP_BUILTIN("class-1-36", class_1_36) and so on, written by CMakeLists.txt.
 namespace cusp::scenarios {
 namespace embedded {
 #define CUSP_BUILTIN(key, symbol) extern const std::string_view symbol;
@@ -15,27 +17,36 @@ namespace {
 
 struct Entry {
   std::string_view key;
-  const std::string_view* text;
-};
-constexpr Entry kEntries[] = {
-#define CUSP_BUILTIN(key, symbol) {key, &embedded::symbol},
-#include "builtin_list.inc"
-#undef CUSP_BUILTIN
+  std::string text;
 };
 
-constexpr auto kKeys = [] {
-  std::array<std::string_view, std::size(kEntries)> keys;
-  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = kEntries[i].key;
-  return keys;
-}();
+/// The generated exercises first, then the embedded files. Built once, at the first call.
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = [] {
+    std::vector<Entry> out;
+    for (const BlockExercise& e : block_exercises()) out.push_back({e.key, write_scenario(block_exercise(e.shape, e.level))});
+#define CUSP_BUILTIN(key, symbol) out.push_back({key, std::string(embedded::symbol)});
+#include "builtin_list.inc"
+#undef CUSP_BUILTIN
+    return out;
+  }();
+  return all;
+}
 
 }  // namespace
 
-std::span<const std::string_view> builtin_scenarios() noexcept { return kKeys; }
+std::span<const std::string_view> builtin_scenarios() {
+  static const std::vector<std::string_view> keys = [] {
+    std::vector<std::string_view> out;
+    for (const Entry& entry : entries()) out.push_back(entry.key);
+    return out;
+  }();
+  return keys;
+}
 
-std::string_view builtin_scenario_text(std::string_view key) noexcept {
-  for (const Entry& entry : kEntries) {
-    if (entry.key == key) return *entry.text;
+std::string_view builtin_scenario_text(std::string_view key) {
+  for (const Entry& entry : entries()) {
+    if (entry.key == key) return entry.text;
   }
   return {};
 }

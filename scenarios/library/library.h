@@ -1,4 +1,4 @@
-/// The scenarios that come with the program, built into it: an installed program needs no files.
+/// The exercises of the program: the generated block exercises and the files embedded by CMakeLists.txt. Any thread.
 #pragma once
 
 #include <span>
@@ -11,10 +11,10 @@
 namespace cusp::scenarios {
 
 /// Keys in the order in which a newcomer should meet them.
-std::span<const std::string_view> builtin_scenarios() noexcept;
+std::span<const std::string_view> builtin_scenarios();
 
 /// The text of its scenario.json; empty when there is none of that key.
-std::string_view builtin_scenario_text(std::string_view key) noexcept;
+std::string_view builtin_scenario_text(std::string_view key);
 
 /// unknown_builtin, or a scenario that reads.
 [[nodiscard]] Result<Scenario, FormatFailure> load_builtin(std::string_view key);

@@ -7,8 +7,8 @@
 
 namespace cusp::scenarios {
 
-/// Signed deviation in mm: positive cut too far (the cut surface lies outside the target by so much), negative left
-/// standing (tissue reaches into the target by so much). `cut`: the point is on a surface left by a bur
+/// Signed deviation in mm: positive over-cut (the cut surface lies outside the target), negative uncut remainder (tissue
+/// reaches into the target). `cut`: the point is on a surface left by a bur
 /// (SurfacePoint::cut). nullopt: the specimen's own surface outside the target, which nobody was to touch.
 [[nodiscard]] inline std::optional<double> deviation_mm(const TargetShape& target, Vec3 point_mm, bool cut) noexcept {
   if (target.empty()) return std::nullopt;

@@ -56,7 +56,7 @@ void FaceJudge::offer(const std::array<Vec3, 3>& corners, FaceKind kind, double 
   if (hopeless()) return;
   const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   const double voxel = volume_.grid().voxel_mm;
-  if (solid_at(middle + voxel * normal)) normal = -normal;  // into what is gone
+  if (solid_at(middle + voxel * normal)) normal = -normal;  // into the removed part
   if (kind == FaceKind::floor && normal.z < 0.0) fits = false;  // a ceiling
   if (hopeless()) return;
   const int rank = (fits ? 4 : 0) + (inside_original(middle) ? 2 : 0) + (open_above(middle + voxel * normal) ? 1 : 0);
@@ -98,8 +98,8 @@ std::optional<Vec3> exposed_pulp(const Reference& reference, const Volume& volum
   const Specimen& specimen = volume.specimen();
   const Grid& grid = volume.grid();
   const auto gone = [&](IVec3 v) { return was_there(specimen, v) && !volume.occupied(v); };
-  std::vector<Vec3> faces;       // between a pulp voxel that stands and a place that is gone
-  std::optional<Vec3> all_gone;  // a pulp voxel that is gone itself
+  std::vector<Vec3> faces;       // between a remaining pulp voxel and a removed place
+  std::optional<Vec3> all_gone;  // a removed pulp voxel
   Vec3 sum(0.0);
   for (const IVec3 v : reference.pulp().surface_voxels()) {
     if (gone(v)) {

@@ -46,7 +46,7 @@ class FaceJudge {
 /// The free surface above the tissue that stands deepest inside the target; nullopt where nothing stands in it.
 [[nodiscard]] std::optional<Vec3> standing_place(const Reference& reference, const Volume& volume);
 
-/// Where the pulp lies open: the face between a pulp voxel and what is gone, nearest to the middle of all that is open.
+/// Where the pulp lies open: the face between a pulp voxel and a removed one, nearest to the middle of all such faces.
 [[nodiscard]] std::optional<Vec3> exposed_pulp(const Reference& reference, const Volume& volume);
 
 }  // namespace cusp::scenarios

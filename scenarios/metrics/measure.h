@@ -1,5 +1,5 @@
 /// All measures of a finished (or interrupted) exercise, each with its uncertainty and its place. Sub-voxel for a banded
-/// volume; a filled one is its voxels, and says so by a larger uncertainty.
+/// volume; a filled one is its voxels, with a larger uncertainty.
 ///
 /// Keys: target_removed (%), overcut_leeway_floor, overcut_leeway_side, overcut_beyond_floor, overcut_beyond_side,
 /// undercut (mm3), depth_least, depth_mean, depth_most (mm), removed_<tissue key> (mm3, each tissue of the scenario; one

@@ -14,8 +14,8 @@ namespace cusp::scenarios {
 
 class Process {
  public:
-  /// Takes one tick's output; no heap, no lock. Force is the one before the guard, weighted by time in contact. What is
-  /// told of coolant and warmth means something only where the scene has heat.
+  /// Takes one tick's output; no heap, no lock. Force is the one before the guard, weighted by time in contact. Coolant
+  /// and warmth of the output count only if the scene has heat.
   void add(const StepOutput& output) noexcept;
 
   double time_s() const noexcept { return static_cast<double>(elapsed_us_) * 1e-6; }
@@ -32,7 +32,7 @@ class Process {
   /// Mean over the time in contact; 0 when nothing was touched.
   double force_mean_n() const noexcept { return contact_us_ > 0 ? impulse_ / static_cast<double>(contact_us_) : 0.0; }
 
-  /// All of it, exact to the bit, little-endian: an attempt goes on from here.
+  /// All of it, exact to the bit, little-endian: an attempt continues from it.
   std::vector<std::byte> save() const;
   /// nullopt when the bytes are none of save()'s.
   static std::optional<Process> restore(std::span<const std::byte> bytes);

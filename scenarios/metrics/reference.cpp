@@ -5,16 +5,16 @@
 #include <cmath>
 
 #include "scenarios/format/keys.h"
-#include "scenarios/metrics/place_sink.h"
+#include "scenarios/metrics/region_classifier.h"
 
 namespace cusp::scenarios {
 
 namespace {
 
 /// Adds up what lies in the target.
-class TargetSum final : public PlaceSink {
+class TargetSum final : public RegionClassifier {
  public:
-  using PlaceSink::PlaceSink;
+  using RegionClassifier::RegionClassifier;
   double mm3 = 0;
   void face(const std::array<Vec3, 3>&, double, Tissue) override {}
 

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "scenarios/metrics/place_sink.h"
+#include "scenarios/metrics/region_classifier.h"
 
 namespace cusp::scenarios {
 
 namespace {
 
-class ShareSink final : public PlaceSink {
+class ShareSink final : public RegionClassifier {
  public:
   ShareSink(const Reference& reference, const Volume& volume, RegionShares& shares)
-      : PlaceSink(reference.shape(), reference.leeway()), reference_(reference), judge_(volume), shares_(shares) {}
+      : RegionClassifier(reference.shape(), reference.leeway()), reference_(reference), judge_(volume), shares_(shares) {}
 
   void face(const std::array<Vec3, 3>& corners, double mm2, Tissue tissue) override {
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;

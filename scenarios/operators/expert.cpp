@@ -2,12 +2,12 @@
 
 namespace cusp::scenarios {
 
-HandStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
-  HandStyle style;
+OperatorStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
+  OperatorStyle style;
   style.muscles.seed = seed;
   style.muscles.tremor_mm = 0.01;  // braced fingers [M]
   if (reading_of(scenario.method) == Reading::filled) {
-    // The proxy goes from voxel to voxel: nothing finer can be felt or aimed at.
+    // The proxy moves from voxel to voxel: no tolerance below a voxel can be met.
     const double voxel = specimen.grid().voxel_mm;
     style.arrive_mm = 1.2 * voxel;
     style.wander_mm = 2.5 * voxel;
@@ -20,11 +20,11 @@ HandStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::
   return style;
 }
 
-Hand expert(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
+ScriptedOperator expert(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
   PlanErrors none;
-  // From voxel to voxel the bur stops up to half a voxel short of a wall.
+  // The filled reading stops the bur up to half a voxel before a wall.
   if (reading_of(scenario.method) == Reading::filled) none.wider_mm = 0.5 * specimen.grid().voxel_mm;
-  return Hand(plan_target(scenario, specimen, none), steady_style(scenario, specimen, seed), scenario);
+  return ScriptedOperator(plan_target(scenario, specimen, none), steady_style(scenario, specimen, seed), scenario);
 }
 
 }  // namespace cusp::scenarios

@@ -1,12 +1,12 @@
-/// The expert: the target's own path, a steady hand. It must earn the pass mark of every built-in exercise.
+/// The expert follows the target's own path with little tremor. It earns the pass mark of every built-in exercise.
 #pragma once
 
-#include "scenarios/operators/hand.h"
+#include "scenarios/operators/scripted_operator.h"
 
 namespace cusp::scenarios {
 
-/// A steady hand that can do what the scenario's method lets it feel.
-[[nodiscard]] HandStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed);
-[[nodiscard]] Hand expert(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed = 1);
+/// The expert's style: tolerances follow what the scenario's method resolves.
+[[nodiscard]] OperatorStyle steady_style(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed);
+[[nodiscard]] ScriptedOperator expert(const Scenario& scenario, const Specimen& specimen, std::uint64_t seed = 1);
 
 }  // namespace cusp::scenarios

@@ -8,14 +8,14 @@
 namespace cusp::scenarios {
 
 namespace {
-constexpr double kLooksDoneS = 450.0;  // to a novice, where tissues give way at their own speeds
+constexpr double kNoviceStopsS = 450.0;  // the novice ends then, where tissues give way at their own speeds
 }  // namespace
 
-Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
+ScriptedOperator faulty(OperatorFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed) {
   PlanErrors errors;
-  HandStyle style = steady_style(scenario, specimen, seed);
+  OperatorStyle style = steady_style(scenario, specimen, seed);
   switch (fault) {
-    case HandFault::novice:
+    case OperatorFault::novice:
       errors.deeper_mm = 0.9;
       style.coolant = false;
       style.arrive_mm = std::max(style.arrive_mm, 0.08);
@@ -26,55 +26,55 @@ Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen,
         errors.bolder = 1.6;
         style.wander_mm = 0.4;  // does not wait until the bur is back on its line
       } else {
-        // A narrow pit: further off, nothing of it would be drilled at all.
+        // A narrow pit: a larger shift would miss it.
         errors.shift_mm = {0.1, 0.12, 0.0};
         style.muscles.tremor_mm = 0.05;
       }
       style.correct_per_s = 4.0;
       style.patience_s = 1.5;
       break;
-    case HandFault::fair:
+    case OperatorFault::competent:
       errors.deeper_mm = 0.6 * scenario.leeway.floor_mm;
       errors.shift_mm = {0.4 * scenario.leeway.side_mm, 0.4 * scenario.leeway.side_mm, 0.0};
       style.muscles.tremor_mm = 0.05;
       break;
-    case HandFault::too_deep:
+    case OperatorFault::too_deep:
       errors.deeper_mm = 0.8;
       break;
-    case HandFault::too_shallow:
+    case OperatorFault::too_shallow:
       errors.deeper_mm = -std::min(0.8, 0.5 * scenario.target.depth_mm);
       break;
-    case HandFault::shaky:
+    case OperatorFault::shaky:
       style.muscles.tremor_mm = 0.3;
       style.wander_mm = 1.0;
       style.arrive_mm = std::max(style.arrive_mm, 0.1);
       break;
-    case HandFault::off_outline:
+    case OperatorFault::off_outline:
       errors.shift_mm = {0.0, 0.7, 0.0};
       break;
-    case HandFault::pulp:
+    case OperatorFault::pulp:
       errors.drill_to_pulp = true;
       break;
-    case HandFault::dry:
+    case OperatorFault::dry:
       style.coolant = false;
       break;
   }
   Plan plan = plan_target(scenario, specimen, errors);
-  if (fault == HandFault::novice) style.most_s = kLooksDoneS / light_speed_share(scenario, plan.bur);
-  return Hand(std::move(plan), style, scenario);
+  if (fault == OperatorFault::novice) style.max_s = kNoviceStopsS / light_speed_share(scenario, plan.bur);
+  return ScriptedOperator(std::move(plan), style, scenario);
 }
 
-std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen,
-                                 std::uint64_t seed) {
+std::optional<ScriptedOperator> operator_by_name(std::string_view name, const Scenario& scenario, const Specimen& specimen,
+                                                 std::uint64_t seed) {
   if (name == "expert") return expert(scenario, specimen, seed);
-  if (name == "novice") return faulty(HandFault::novice, scenario, specimen, seed);
-  if (name == "fair") return faulty(HandFault::fair, scenario, specimen, seed);
-  if (name == "too_deep") return faulty(HandFault::too_deep, scenario, specimen, seed);
-  if (name == "too_shallow") return faulty(HandFault::too_shallow, scenario, specimen, seed);
-  if (name == "shaky") return faulty(HandFault::shaky, scenario, specimen, seed);
-  if (name == "off_outline") return faulty(HandFault::off_outline, scenario, specimen, seed);
-  if (name == "dry") return faulty(HandFault::dry, scenario, specimen, seed);
-  if (name == "pulp") return faulty(HandFault::pulp, scenario, specimen, seed);
+  if (name == "novice") return faulty(OperatorFault::novice, scenario, specimen, seed);
+  if (name == "competent" || name == "fair") return faulty(OperatorFault::competent, scenario, specimen, seed);
+  if (name == "too_deep") return faulty(OperatorFault::too_deep, scenario, specimen, seed);
+  if (name == "too_shallow") return faulty(OperatorFault::too_shallow, scenario, specimen, seed);
+  if (name == "shaky") return faulty(OperatorFault::shaky, scenario, specimen, seed);
+  if (name == "off_outline") return faulty(OperatorFault::off_outline, scenario, specimen, seed);
+  if (name == "dry") return faulty(OperatorFault::dry, scenario, specimen, seed);
+  if (name == "pulp") return faulty(OperatorFault::pulp, scenario, specimen, seed);
   return std::nullopt;
 }
 

@@ -1,18 +1,18 @@
-/// Hands that make mistakes: the novice, who fails for many reasons, the fair one between expert and novice, and single
-/// faults, each of which a grade must find.
+/// Scripted operators that make mistakes: the novice, the competent one between expert and novice, and single faults.
+/// A grade must find each single fault.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-#include "scenarios/operators/hand.h"
+#include "scenarios/operators/scripted_operator.h"
 
 namespace cusp::scenarios {
 
-enum class HandFault : std::uint8_t {
+enum class OperatorFault : std::uint8_t {
   novice,       // shakes, cuts too deep and over the edge, forgets the coolant
-  fair,         // off by 0.6 of the leeway in depth and 0.4 at the side: its marks stand on the slopes of the bands, so
-                // that an audit sees what voxels change; whether it passes is the exercise's: at level 1 it fails
+  competent,    // off by 0.6 of the leeway in depth and 0.4 at the side: its marks lie on the slopes of the bands, where
+                // an audit sees what voxels change; it fails the blocks of level 1
   too_deep,     // floor 0.8 mm below the target's
   too_shallow,  // floor 0.8 mm above it (at most half the depth)
   shaky,        // the right path with a strong tremor
@@ -21,11 +21,12 @@ enum class HandFault : std::uint8_t {
   dry,          // the right path without coolant
 };
 
-[[nodiscard]] Hand faulty(HandFault fault, const Scenario& scenario, const Specimen& specimen, std::uint64_t seed = 1);
+[[nodiscard]] ScriptedOperator faulty(OperatorFault fault, const Scenario& scenario, const Specimen& specimen,
+                                      std::uint64_t seed = 1);
 
-/// "expert", "novice", "fair", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry":
-/// nullopt for anything else.
-[[nodiscard]] std::optional<Hand> hand_by_name(std::string_view name, const Scenario& scenario,
-                                               const Specimen& specimen, std::uint64_t seed = 1);
+/// "expert", "novice", "competent", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"; nullopt for any
+/// other name. "fair" is read as "competent": records of earlier versions hold it.
+[[nodiscard]] std::optional<ScriptedOperator> operator_by_name(std::string_view name, const Scenario& scenario,
+                                                               const Specimen& specimen, std::uint64_t seed = 1);
 
 }  // namespace cusp::scenarios

@@ -15,8 +15,8 @@ using Line = std::vector<Vec2>;
 
 /// Depth of a layer in bur radii, and below the distance of neighbouring loops: the ball leaves ridges of step² / 8r.
 constexpr double kLayerRadii = 0.75;
-/// Where the bur steps from voxel to voxel a layer is deep enough for its widest part to have a wall before it: against
-/// a slope the paper's proxy climbs out instead of cutting. Its ridges are then below a voxel.
+/// On the filled reading a layer is deep enough for the bur's widest part to face a wall: against a slope the paper's
+/// proxy climbs out instead of cutting. The ridges are then below a voxel.
 constexpr double kSteppedLayerRadii = 1.2;
 constexpr double kLoopRadii = 0.5;
 /// Loops nearer than this to the middle are the middle line itself.
@@ -69,7 +69,7 @@ Line loop_round(const Line& path, double off) {
   return out;
 }
 
-/// The same line begun where it is nearest: a loop at any of its points, an open line at one of its ends.
+/// The line begun at its point nearest to `here`: a loop at any of its points, an open line at one of its ends.
 Line from_nearest(const Line& line, Vec2 here) {
   if (line.size() < 2) return line;
   Line out = line;
@@ -99,8 +99,7 @@ Line rectangle(Vec2 centre, Vec2 half) {
   return {centre - half, centre + Vec2(half.x, -half.y), centre + half, centre + Vec2(-half.x, half.y), centre - half};
 }
 
-/// What is driven at each layer, one line after another, each about or inside the next, so that the stroke between them
-/// stays inside the outline. `room` is how far the bur's centre may leave the middle.
+/// The lines of one layer, each about or inside the next, so that the stroke between them stays inside the outline. `room` is how far the bur's centre may leave the middle.
 std::vector<Line> lines_of(const Target& target, std::size_t path, double room, double radius, Vec2 shift) {
   std::vector<Line> out;
   const double step = kLoopRadii * radius;
@@ -224,7 +223,7 @@ Plan plan_target(const Scenario& scenario, const Specimen& specimen, const PlanE
     const int layers = std::max(1, static_cast<int>(std::ceil((top - floor) / (errors.bolder * layer_radii * r))));
     for (int layer = 1; layer <= layers; ++layer) {
       const double z = layer == layers ? floor : top - (top - floor) * layer / layers;
-      // The floor is gone over twice: what the first time was left standing where the bur slipped or was held off.
+      // The floor takes two passes: the second removes the uncut remainder where the bur slipped or was held.
       const int times = layer == layers && reading_of(scenario.method) == Reading::banded ? 2 : 1;
       for (int time = 0; time < times; ++time)
         for (const Line& line : lines) {

@@ -1,4 +1,4 @@
-/// The path that a hand follows: where the bur's centre is to go, one stroke after another.
+/// The path that a scripted operator follows: the wanted places of the bur's centre, stroke after stroke.
 #pragma once
 
 #include <memory>

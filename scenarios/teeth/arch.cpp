@@ -15,10 +15,10 @@ namespace {
 constexpr double kUpperTurns[8] = {10, 14, 24, 26, 9, 6, 6, 8};
 constexpr double kLowerTurns[8] = {10, 12, 26, 24, 6, 3, 5, 6};
 
-double turn_at(int fdi, bool mesial) noexcept {
+double turn_at(int fdi, Proximal side) noexcept {
   const double* turns = fdi < 30 ? kUpperTurns : kLowerTurns;
   const int number = fdi % 10;
-  return glm::radians(turns[mesial ? number - 1 : number]);
+  return glm::radians(turns[side == Proximal::mesial ? number - 1 : number]);
 }
 
 std::optional<double> reach(const ToothBody& body, Vec3 from, Vec3 way, double most_mm) noexcept {
@@ -30,9 +30,9 @@ std::optional<double> reach(const ToothBody& body, Vec3 from, Vec3 way, double m
 
 }  // namespace
 
-int neighbour_fdi(int fdi, bool mesial) noexcept {
+int neighbour_fdi(int fdi, Proximal side) noexcept {
   const int quadrant = fdi / 10, number = fdi % 10;
-  if (!mesial) return number == 8 ? 0 : fdi + 1;
+  if (side == Proximal::distal) return number == 8 ? 0 : fdi + 1;
   if (number > 1) return fdi - 1;
   constexpr int kOther[5] = {0, 2, 1, 4, 3};
   return 10 * kOther[quadrant] + 1;
@@ -70,15 +70,16 @@ std::shared_ptr<const ToothShape> shape_in_mouth(int fdi, std::uint64_t mouth_se
   return shared_shape(*table_for(fdi)->table, seed_in_mouth(mouth_seed, fdi), voxel_mm);
 }
 
-Standing stand_beside(const Standing& before, bool mesial, std::shared_ptr<const ToothShape> shape) {
+Standing stand_beside(const Standing& before, Proximal side, std::shared_ptr<const ToothShape> shape) {
+  const bool mesial = side == Proximal::mesial;
   Standing out;
-  out.fdi = neighbour_fdi(before.fdi, mesial);
+  out.fdi = neighbour_fdi(before.fdi, side);
   out.shape = std::move(shape);
   const bool midline = mesial && before.fdi % 10 == 1;
   out.place.mirrored = before.place.mirrored != midline;
 
   // Mesially the arch bends towards lingual: in a tooth's own frame x turns to -y, in a mirrored one the other way.
-  const double turn = turn_at(before.fdi, mesial) * (mesial != before.place.mirrored ? -1.0 : 1.0);
+  const double turn = turn_at(before.fdi, side) * (mesial != before.place.mirrored ? -1.0 : 1.0);
   const double c = std::cos(turn), s = std::sin(turn);
   out.place.cos = before.place.cos * c - before.place.sin * s;
   out.place.sin = before.place.sin * c + before.place.cos * s;
@@ -92,10 +93,10 @@ Standing stand_beside(const Standing& before, bool mesial, std::shared_ptr<const
   out.place.move_mm += from - contact_of_new();
 
   // Along the middle of the two teeth's rows, pushed together until they touch.
-  const bool ahead = mesial != before.place.mirrored;
-  const double half = std::cos(0.5 * turn), side = std::sin(0.5 * turn);
-  Vec3 way = before.place.turned({ahead ? 1.0 : -1.0, 0.0, 0.0});
-  way = {half * way.x - side * way.y, side * way.x + half * way.y, 0.0};
+  const bool along_x = mesial != before.place.mirrored;
+  const double half = std::cos(0.5 * turn), across = std::sin(0.5 * turn);
+  Vec3 way = before.place.turned({along_x ? 1.0 : -1.0, 0.0, 0.0});
+  way = {half * way.x - across * way.y, across * way.x + half * way.y, 0.0};
   for (int round = 0; round < 3; ++round) {
     const ToothBody there(*out.shape, out.place, ToothMaterial::natural);
     const Gap gap = gap_between(here, there, way, from);

@@ -20,8 +20,10 @@ struct Standing {
   double gap_mm = 0.0;   // there
 };
 
-/// FDI number of the tooth on the mesial or distal side; 0 behind a third molar.
-int neighbour_fdi(int fdi, bool mesial) noexcept;
+enum class Proximal : std::uint8_t { mesial, distal };
+
+/// FDI number of the tooth on that side; 0 behind a third molar.
+int neighbour_fdi(int fdi, Proximal side) noexcept;
 
 /// A seed for a tooth of the mouth that `seed` grows; 0 stays the average.
 std::uint64_t seed_in_mouth(std::uint64_t seed, int fdi) noexcept;
@@ -29,9 +31,9 @@ std::uint64_t seed_in_mouth(std::uint64_t seed, int fdi) noexcept;
 /// The fields of a tooth of that mouth. Pre: fdi is a tooth's.
 std::shared_ptr<const ToothShape> shape_in_mouth(int fdi, std::uint64_t mouth_seed, double voxel_mm);
 
-/// The neighbour of a standing tooth, standing: turned as the arch turns there, its contact on the tooth's.
-/// Pre: neighbour_fdi(before.fdi, mesial) != 0.
-Standing stand_beside(const Standing& before, bool mesial, std::shared_ptr<const ToothShape> shape);
+/// The neighbour of a placed tooth: turned along the arch, its contact on the tooth's.
+/// Pre: neighbour_fdi(before.fdi, side) != 0.
+Standing stand_beside(const Standing& before, Proximal side, std::shared_ptr<const ToothShape> shape);
 
 /// Nearest two bodies come along `way` (unit, from a towards b, horizontal) about a place: the gap, negative where they
 /// overlap, and the middle of it.

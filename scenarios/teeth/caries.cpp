@@ -12,7 +12,7 @@ namespace cusp::scenarios {
 namespace {
 
 constexpr double kBelowContactMm = 1.0;   // proximal caries begins 0.5 to 1 mm below the contact [M]
-constexpr double kTowardsPulp = 0.35;     // and goes on as the tubules do, cervically [M]
+constexpr double kTowardsPulp = 0.35;     // and follows the tubules cervically [M]
 constexpr double kBelowCejMm = 1.2;       // root caries sits just below the gingival margin [M]
 constexpr double kSpread = 1.25;          // a lesion is that much wider in dentine than where it enters it (teeth.md)
 
@@ -103,7 +103,7 @@ std::optional<PlacedLesion> PlacedLesion::place(const Lesion& lesion, const Toot
   return out;
 }
 
-Tissue PlacedLesion::decayed(Tissue sound, Vec3 p, double outside_mm, double dentine_mm) const noexcept {
+Tissue PlacedLesion::carious(Tissue sound, Vec3 p, double outside_mm, double dentine_mm) const noexcept {
   if (sound != Tissue::enamel && sound != Tissue::dentine && sound != Tissue::cementum) return sound;
   const Vec3 off = p - at_;
   if (glm::dot(off, off) > reach_ * reach_) return sound;

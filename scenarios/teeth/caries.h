@@ -1,4 +1,4 @@
-/// Caries as lesions placed on a tooth: what of its enamel, cementum and dentine is decayed, and how soft it is there.
+/// Caries as lesions placed on a tooth: which enamel, cementum and dentine is carious, and how soft it is.
 /// Units: mm, in the frame of the tooth's table. Any thread (read only).
 #pragma once
 
@@ -32,11 +32,11 @@ struct Lesion {
   friend bool operator==(const Lesion&, const Lesion&) = default;
 };
 
-/// Where that tooth can be decayed so: pits, or sides; empty where it cannot (a front tooth has no fissure), and for a
+/// Sites of that tooth for such a lesion: pits, or sides; empty where it cannot (a front tooth has no fissure), and for a
 /// number that is no tooth's.
 std::vector<std::string> lesion_sites(int fdi, Lesion::Kind kind);
 
-/// Decay keeps this far from the pulp, whatever its depth [M]: exposing it is for the bur.
+/// A carious lesion keeps this far from the pulp, whatever its depth [M]: exposing it is for the bur.
 inline constexpr double kLesionFromPulpMm = 0.5;
 
 /// A lesion on its tooth. It reads the tooth's fields: the tooth must outlive it.
@@ -46,7 +46,7 @@ class PlacedLesion {
   static std::optional<PlacedLesion> place(const Lesion& lesion, const ToothShape& shape, const ToothLandmarks& landmarks);
 
   /// What the sound tissue of a place becomes. outside_mm as in Body; dentine_mm: below 0 within dentine.
-  Tissue decayed(Tissue sound, Vec3 p, double outside_mm, double dentine_mm) const noexcept;
+  Tissue carious(Tissue sound, Vec3 p, double outside_mm, double dentine_mm) const noexcept;
   Vec3 site_mm() const noexcept { return at_; }
   /// No place further from the site than this is touched.
   double reach_mm() const noexcept { return reach_; }

@@ -123,7 +123,7 @@ Line2::Nearest Line2::nearest(Vec2 p) const noexcept {
   }
   for (const Run& run : runs_) {
     const Vec2 off = glm::max(glm::max(run.low - p, p - run.high), Vec2(0.0));
-    if (glm::dot(off, off) > (1.0 + 1e-9) * std::min(bound, best2) + 1e-12) continue;  // with room for rounding
+    if (glm::dot(off, off) > (1.0 + 1e-9) * std::min(bound, best2) + 1e-12) continue;  // with a margin for rounding
     for (std::size_t i = run.begin; i < run.end; ++i) {
       const Vec2 a = points_[i], ab = points_[i + 1] - a;
       const double len2 = glm::dot(ab, ab);

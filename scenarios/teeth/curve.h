@@ -15,7 +15,7 @@ struct Knot {
   double z = 0.0, value = 0.0;
 };
 
-/// How a curve goes on beyond its knots.
+/// Continuation of a curve beyond its knots.
 enum class Beyond : std::uint8_t { constant, linear };
 
 /// Monotone cubic (PCHIP) through knots, then blurred, kept as samples. Without the blur every knot shows as a band
@@ -88,7 +88,7 @@ class Line2 {
   Vec2 high() const noexcept { return high_; }
 
  private:
-  /// Segments in a row, with a box about them: most are too far away to be looked at one by one.
+  /// Segments in a row, with a box about them: most are too far away to be tested one by one.
   struct Run {
     std::size_t begin = 0, end = 0;
     Vec2 low{0.0}, high{0.0};

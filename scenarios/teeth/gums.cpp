@@ -29,7 +29,7 @@ struct AboutTooth {
   std::size_t at(IVec3 v) const noexcept {
     return static_cast<std::size_t>(v.x - low.x + size.x * (v.y - low.y + size.y * (v.z - low.z)));
   }
-  /// Below them too: bone goes on below a short root as far as below the longest.
+  /// Bone reaches as far below a short root as below the longest.
   bool holds_column(IVec3 v) const noexcept {
     const IVec3 q = v - low;
     return q.x >= 0 && q.y >= 0 && q.x < size.x && q.y < size.y && q.z < size.z;

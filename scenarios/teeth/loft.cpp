@@ -203,7 +203,7 @@ void Wall::build_faces(const ToothTable& table, double min_half_width_mm) {
     }
     if (mine.empty()) continue;
     Face& face = faces_[k];
-    face.all = face.soft = Map2(low, high);
+    face.all = face.soft = HeightField(low, high);
     for (const FaceTable* f : mine) {
       const Line2 line(smooth_line<Vec2>(f->path, 8));
       const double width = std::max(f->width_mm, min_half_width_mm), reach = 2.8 * width;

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "scenarios/teeth/map2.h"
+#include "scenarios/teeth/height_field.h"
 #include "scenarios/teeth/tables.h"
 
 namespace cusp::scenarios {
@@ -80,7 +80,7 @@ class Wall {
   double first_z_ = 0.0, bottom_z_ = 0.0, cap_ = 0.0;
   std::vector<Section> sections_;
   struct Face {
-    Map2 all, soft;  // outward shift in mm
+    HeightField all, soft;  // outward shift in mm
   };
   std::array<Face, 4> faces_;  // mesial, distal, buccal, lingual
 };

@@ -46,12 +46,12 @@ double roof_height(const Roof& roof, Vec2 p, Vec2 centre) {
   return crest - k * (std::sqrt(d * d + r * r) - r);
 }
 
-Map2 steepness_of(const Map2& height) {
-  Map2 out = height;
+HeightField steepness_of(const HeightField& height) {
+  HeightField out = height;
   for (int j = 0; j < height.height(); ++j) {
     for (int i = 0; i < height.width(); ++i) {
-      const double dx = double(height.clamped(i + 1, j) - height.clamped(i - 1, j)) / (2.0 * Map2::kStepMm);
-      const double dy = double(height.clamped(i, j + 1) - height.clamped(i, j - 1)) / (2.0 * Map2::kStepMm);
+      const double dx = double(height.clamped(i + 1, j) - height.clamped(i - 1, j)) / (2.0 * HeightField::kStepMm);
+      const double dy = double(height.clamped(i, j + 1) - height.clamped(i, j - 1)) / (2.0 * HeightField::kStepMm);
       out.cell(i, j) = static_cast<float>(1.0 / std::sqrt(1.0 + dx * dx + dy * dy));
     }
   }
@@ -130,7 +130,7 @@ Occlusal::Occlusal(const ToothTable& table, std::uint64_t seed, double min_half_
     roofs.push_back({Line2(std::move(flat)), std::move(z), &r, highest});
   }
   const Vec2 centre = 0.5 * (low + high);
-  Map2 bare(Vec2(-kHalfExtentMm), Vec2(kHalfExtentMm));
+  HeightField bare(Vec2(-kHalfExtentMm), Vec2(kHalfExtentMm));
   const ValueNoise bump(seed * 3 + 2, kBumpLengthMm, kMapMm);
   for (int j = 0; j < bare.height(); ++j) {
     for (int i = 0; i < bare.width(); ++i) {

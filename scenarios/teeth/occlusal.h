@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scenarios/teeth/map2.h"
+#include "scenarios/teeth/height_field.h"
 #include "scenarios/teeth/tables.h"
 
 namespace cusp::scenarios {
@@ -22,7 +22,7 @@ class Occlusal {
   double lowest() const noexcept { return lowest_; }
 
  private:
-  Map2 height_, steepness_, soft_, soft_steepness_;  // steepness: 1 / sqrt(1 + slope²)
+  HeightField height_, steepness_, soft_, soft_steepness_;  // steepness: 1 / sqrt(1 + slope²)
   double lowest_ = 0.0;
 };
 

@@ -1,5 +1,5 @@
 /// Tissues that only some grown teeth have, in the last of the codes that a volume may name for itself (16 to 31): what an
-/// import numbers begins at the first. scenarios/tissues knows how they feel and look.
+/// import numbers begins at the first. scenarios/tissues has their feel and look.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace cusp::scenarios {
 
-/// A neighbour's tissues are told apart from the tooth's own: what is cut of a neighbour is damage.
+/// A neighbour's tissues have codes of their own, because a cut into a neighbour is damage.
 inline constexpr Tissue kNeighbourEnamel{29};
 inline constexpr Tissue kNeighbourDentine{30};  // with its cementum; its pulp is left out
 inline constexpr Tissue kFirmCariousDentine{31};

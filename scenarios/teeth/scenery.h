@@ -1,4 +1,4 @@
-/// Teeth and gums that no bur can reach, as a surface to look at: no voxels, a few thousand triangles each.
+/// Teeth and gums that no bur can reach, as a visible surface: no voxels, a few thousand triangles each.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,8 @@ SceneryMesh mesh_of(const Body& body, double step_mm);
 /// Triangles whose corners are all nearer than `margin_mm` to a body, or within it, no longer lie open.
 void cover(SceneryMesh& mesh, const Body& by, double margin_mm);
 
-/// Where what lies open ends over a body that covers the rest, its edge would stand off: it goes `under_mm` below that
-/// body's surface, so that nobody looks between the two.
+/// Moves the edge between the visible and the covered part `under_mm` below the covering body's surface, so that no gap
+/// shows between the two.
 void tuck_in(SceneryMesh& mesh, const Body& under, double under_mm);
 
 }  // namespace cusp::scenarios

@@ -11,7 +11,7 @@ constexpr double kGrooveVoxels = 1.8, kCanalVoxels = 0.8, kCoatVoxels = 1.2;
 constexpr double kRootTopMm = 1.2;       // roots end in a round top inside the crown
 constexpr double kTrunkCutMm = 1.2;      // rounding of the trunk's lower end
 constexpr double kWarpMm = 0.18, kWarpLengthMm = 3.6;  // a seed's sideways variation
-constexpr double kPastMm = 1e-6;  // a search for the outermost place goes so far past the best one, for rounding
+constexpr double kPastMm = 1e-6;  // a search for the outermost place passes the best one by this, for rounding
 const Vec3 kToothMm{9.0, 9.0, 24.0};  // no tooth, nor the space about it that is asked for, is longer
 constexpr double kMdBlSpread = 0.05, kCrownSpread = 0.06, kRootSpread = 0.09;  // one sigma, as shares (teeth.md)
 
@@ -224,6 +224,26 @@ void ToothShape::measure() {
   dims_.mesiodistal_neck = furthest({1, 0, 0}, cm, cm).x - furthest({-1, 0, 0}, cd, cd).x;
   dims_.buccolingual_neck = furthest({0, 1, 0}, t.cej_b, t.cej_b).y - furthest({0, -1, 0}, t.cej_l, t.cej_l).y;
 
+  measure_crown_and_root();
+  const double crown = dims_.crown_length, apex = -dims_.root_length;
+
+  high_ = {mesial_.x, buccal.y, crown};
+  low_ = {distal_.x, lingual.y, apex};
+  // Spread roots may reach beyond the crown.
+  if (!roots_.empty()) {
+    const double bottom = apex + 0.2, neck = -0.5;
+    high_.x = std::max(high_.x, furthest({1, 0, 0}, bottom, neck).x);
+    low_.x = std::min(low_.x, furthest({-1, 0, 0}, bottom, neck).x);
+    high_.y = std::max(high_.y, furthest({0, 1, 0}, bottom, neck).y);
+    low_.y = std::min(low_.y, furthest({0, -1, 0}, bottom, neck).y);
+  } else {
+    low_.x = std::min(low_.x, furthest({-1, 0, 0}, apex + 0.2, 0.0).x);  // a bent apex
+    high_.x = std::max(high_.x, furthest({1, 0, 0}, apex + 0.2, 0.0).x);
+  }
+}
+
+void ToothShape::measure_crown_and_root() {
+  const ToothTable& t = table_;
   double crown = 0.0;
   for (const CuspTable& cusp : t.cusps) {
     Vec3 tip = from_table(cusp.tip);
@@ -262,20 +282,6 @@ void ToothShape::measure() {
     apex = std::min(apex, z);
   }
   dims_.root_length = -apex;
-
-  high_ = {mesial_.x, buccal.y, crown};
-  low_ = {distal_.x, lingual.y, apex};
-  // Spread roots may reach beyond the crown.
-  if (!roots_.empty()) {
-    const double bottom = apex + 0.2, neck = -0.5;
-    high_.x = std::max(high_.x, furthest({1, 0, 0}, bottom, neck).x);
-    low_.x = std::min(low_.x, furthest({-1, 0, 0}, bottom, neck).x);
-    high_.y = std::max(high_.y, furthest({0, 1, 0}, bottom, neck).y);
-    low_.y = std::min(low_.y, furthest({0, -1, 0}, bottom, neck).y);
-  } else {
-    low_.x = std::min(low_.x, furthest({-1, 0, 0}, apex + 0.2, 0.0).x);  // a bent apex
-    high_.x = std::max(high_.x, furthest({1, 0, 0}, apex + 0.2, 0.0).x);
-  }
 }
 
 void ToothShape::fit() {

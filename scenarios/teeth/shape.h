@@ -51,6 +51,7 @@ class ToothShape {
   double cej_height(const WallSide& wall) const noexcept;
   void fit();
   void measure();
+  void measure_crown_and_root();
   Vec3 furthest(Vec3 way, double z_from, double z_to) const;
 
   ToothTable table_;  // with what the seed changed in it

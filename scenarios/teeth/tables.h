@@ -1,4 +1,4 @@
-/// The tables of teeth.json as values; its own "schema" line says what each means. Parsed once, from text that the
+/// The tables of teeth.json as values; its own "schema" line explains each. Parsed once, from text that the
 /// build embeds. Frame and units as there: mm, x mesial, y buccal, z occlusal.
 #pragma once
 

@@ -20,7 +20,7 @@ constexpr double kSceneryVoxelMm = 0.2;  // what the grooves of scenery are wide
 constexpr double kGumStepMm = 0.6;       // of scenery: gums have no finer form than 0.4 mm
 constexpr double kSeamMm = 0.05;         // nearer to the gums of voxels those of the scenery are not drawn
 constexpr double kFootMm = 0.8;          // more than the rounding of their lower edge
-constexpr double kTuckMm = 0.15;         // so far their edge goes below: its chords of 0.6 mm stay within
+constexpr double kTuckMm = 0.15;         // depth of their edge below it: its chords of 0.6 mm stay within
 
 bool stopped(ToothCancel cancel) { return cancel != nullptr && cancel->load(); }
 
@@ -51,8 +51,8 @@ Result<Row, ToothFailure> stand(const ToothRequest& request, ToothCancel cancel)
   const int fdi = table_side(request.fdi, row.mirrored);
   std::vector<int> fdis{fdi};
   if (request.neighbours) {
-    for (const bool mesial : {true, false}) {
-      if (const int beside = neighbour_fdi(fdi, mesial)) fdis.push_back(beside);
+    for (const Proximal side : {Proximal::mesial, Proximal::distal}) {
+      if (const int beside = neighbour_fdi(fdi, side)) fdis.push_back(beside);
     }
   }
   std::vector<std::shared_ptr<const ToothShape>> shapes(fdis.size());
@@ -72,8 +72,8 @@ Result<Row, ToothFailure> stand(const ToothRequest& request, ToothCancel cancel)
   }
   row.teeth.push_back(std::move(own));
   for (std::size_t i = 1; i < fdis.size(); ++i) {
-    const bool mesial = fdis[i] == neighbour_fdi(fdi, true);
-    row.teeth.push_back(stand_beside(row.teeth.front(), mesial, std::move(shapes[i])));
+    const Proximal side = fdis[i] == neighbour_fdi(fdi, Proximal::mesial) ? Proximal::mesial : Proximal::distal;
+    row.teeth.push_back(stand_beside(row.teeth.front(), side, std::move(shapes[i])));
   }
   return row;
 }
@@ -133,15 +133,14 @@ Result<Tooth, ToothFailure> grown(const ToothRequest& request, Row& row, ToothCa
   return out;
 }
 
-/// The teeth beyond a neighbour, in the order in which the jaw goes on: mesially over the midline to the other side's
+/// The teeth beyond a neighbour, in the order of the jaw: mesially over the midline to the other side's
 /// third molar, distally to this side's.
-std::vector<int> beyond(int neighbour, bool mesial) {
+std::vector<int> beyond(int neighbour, Proximal side) {
   std::vector<int> out;
-  bool forwards = mesial;
   for (int at = neighbour; at != 0;) {
-    const bool over = forwards && at % 10 == 1;
-    at = neighbour_fdi(at, forwards);
-    if (over) forwards = false;
+    const bool over = side == Proximal::mesial && at % 10 == 1;
+    at = neighbour_fdi(at, side);
+    if (over) side = Proximal::distal;
     if (at != 0) out.push_back(at);
   }
   return out;
@@ -189,8 +188,8 @@ Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& req
   std::vector<const Standing*> begins;  // for each of them the neighbour that its chain begins at
   for (std::size_t i = 1; i < row.teeth.size(); ++i) {
     // The neighbour of a central incisor is of the other side already: from there the way leads backwards.
-    const bool mesial = row.teeth[i].fdi == neighbour_fdi(fdi, true) && fdi % 10 != 1;
-    for (const int next : beyond(row.teeth[i].fdi, mesial)) {
+    const bool mesial = row.teeth[i].fdi == neighbour_fdi(fdi, Proximal::mesial) && fdi % 10 != 1;
+    for (const int next : beyond(row.teeth[i].fdi, mesial ? Proximal::mesial : Proximal::distal)) {
       begins.push_back(&row.teeth[i]);
       fdis.push_back(next);
     }
@@ -205,7 +204,8 @@ Result<std::vector<Jaw::Standing>, ToothFailure> rest_of(const ToothRequest& req
   for (std::size_t i = 0; i < fdis.size(); ++i) {
     const bool first = i == 0 || begins[i] != begins[i - 1];
     const Standing& before = first ? *begins[i] : rest.back();
-    rest.push_back(stand_beside(before, fdis[i] == neighbour_fdi(before.fdi, true), std::move(shapes[i])));
+    const Proximal side = fdis[i] == neighbour_fdi(before.fdi, Proximal::mesial) ? Proximal::mesial : Proximal::distal;
+    rest.push_back(stand_beside(before, side, std::move(shapes[i])));
   }
   std::vector<SceneryMesh> meshes(rest.size());
   const ToothMaterial material = request.typodont ? ToothMaterial::typodont : ToothMaterial::natural;

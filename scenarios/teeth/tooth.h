@@ -64,7 +64,7 @@ struct Tooth {
                                                      const ToothProgress& progress = {});
 
 /// A whole jaw about a tooth that can be drilled. What the bur can reach (the tooth, its neighbours, gingiva and bone
-/// about them where the request asks) is voxels; the other teeth, and the gums about those, are surfaces to look at.
+/// about them where the request asks) is voxels; the other teeth, and the gums about those, are scenery.
 struct Jaw {
   Tooth tooth;
   struct Standing {
@@ -73,7 +73,7 @@ struct Jaw {
   };
   std::vector<Standing> scenery;  // from the patient's right to the left; gums last
 };
-inline constexpr double kSceneryStepMm = 0.3;  // as fine as a look past the bur needs [M]
+inline constexpr double kSceneryStepMm = 0.3;  // fine enough behind the bur [M]
 /// As grow_tooth with neighbours; scenery of about `scenery_step_mm`. Pre: 0.1 <= scenery_step_mm <= 1.
 [[nodiscard]] Result<Jaw, ToothFailure> grow_jaw(const ToothRequest& request, double scenery_step_mm = kSceneryStepMm,
                                                  ToothCancel cancel = nullptr, const ToothProgress& progress = {});

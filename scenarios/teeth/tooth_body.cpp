@@ -37,8 +37,8 @@ Tissue ToothBody::inside(Vec3 p, double outside_mm) const noexcept {
     sound = shape_->above_cej(q) > 0.0 ? Tissue::enamel : Tissue::cementum;
   }
   for (const PlacedLesion& lesion : lesions_) {
-    const Tissue decayed = lesion.decayed(sound, q, outside_mm, dentine);
-    if (decayed != sound) return decayed;
+    const Tissue carious = lesion.carious(sound, q, outside_mm, dentine);
+    if (carious != sound) return carious;
   }
   return worn(sound);
 }
@@ -47,8 +47,8 @@ Tissue ToothBody::skin(Vec3 p) const noexcept {
   const Vec3 q = place_.to_tooth(p);
   const Tissue sound = shape_->above_cej(q) > 0.0 ? Tissue::enamel : Tissue::cementum;
   for (const PlacedLesion& lesion : lesions_) {
-    const Tissue decayed = lesion.decayed(sound, q, 0.0, 1.0);
-    if (decayed != sound) return decayed;
+    const Tissue carious = lesion.carious(sound, q, 0.0, 1.0);
+    if (carious != sound) return carious;
   }
   return worn(sound);
 }

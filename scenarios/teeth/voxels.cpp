@@ -239,7 +239,7 @@ class Maker {
   }
 
   void voxel(IVec3 v, Kind kind, Tissue whole) {
-    if (!inner(v)) return;  // padding, whatever a body says of its box
+    if (!inner(v)) return;  // padding, whatever the body's box
     const std::size_t i = field_.index(v.x, v.y, v.z);
     const double value = double(field_.f[i]);
     double d = value;
@@ -276,7 +276,7 @@ class Maker {
           const std::size_t next = field_.index(x + dx, y + dy, z + dz);
           int step = kMostStep[squares], other = out_.s[next];
           const double here = double(field_.f[at]), there = double(field_.f[next]);
-          if (here * there < 0.0) {  // the surface lies between: about where the field says
+          if (here * there < 0.0) {  // the surface lies between: near the zero of the field
             step = static_cast<int>(step * (here / (here - there)) * 1.1);
             other = kHalf;
           }
@@ -313,14 +313,14 @@ Result<VoxelVolume, ToothFailure> voxels_of(const Body& body, double voxel_mm, T
                                             const ToothProgress& progress, double from) {
   Maker maker(body, voxel_mm);
   const int layers = maker.layers();
-  const auto tell = [&](double low, double high) {
+  const auto report = [&](double low, double high) {
     return [&progress, low, high, layers](int i) {
       if (progress) progress(low + (high - low) * (i + 1) / layers);
     };
   };
   const double middle = from + 0.5 * (1.0 - from);
-  in_two_threads(layers, [&](int layer) { maker.sample(layer); }, tell(from, middle), cancel);
-  in_two_threads(layers, [&](int layer) { maker.fill(layer); }, tell(middle, 1.0), cancel);
+  in_two_threads(layers, [&](int layer) { maker.sample(layer); }, report(from, middle), cancel);
+  in_two_threads(layers, [&](int layer) { maker.fill(layer); }, report(middle, 1.0), cancel);
   if (cancel != nullptr && cancel->load()) return fail(ToothError::cancelled, "tooth");
   maker.settle();
   maker.join_strays();

@@ -1,5 +1,5 @@
-/// What a tissue feels, looks and sounds like unless an exercise says otherwise: tissues.json, inside the program. Every
-/// figure carries its source; one that nobody verified says so, and whoever shows it to a person shows that too.
+/// The default feel, look and sound of each tissue: tissues.json, built in. An exercise may override the figures. Every
+/// figure has its source; one that nobody verified is marked, and the interface shows the mark.
 #pragma once
 
 #include <array>

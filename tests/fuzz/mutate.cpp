@@ -1,7 +1,7 @@
 // Sends damaged files through the import's child and holds it to its promise: read or refused, within ten seconds and a
 // gigabyte, and this program lives. `mutate [COUNT] [SEED] [assimp|dcmtk|niftilib] [SECONDS] [FOLDER]`: COUNT files for that
 // library, or for each of the three; within SECONDS each, if given. FOLDER keeps a line for each file in LIBRARY.csv, with
-// which a later call goes on where this one stopped, and each file whose child crashed. Fails when a promise is broken, or
+// which a later call continues, and each file whose child crashed. Fails when a promise is broken, or
 // when not all had their turn.
 #include <algorithm>
 #include <array>
@@ -158,7 +158,7 @@ std::vector<Fate> fates_in(const std::filesystem::path& path) {
 Fate one(const Seed& seed, std::uint64_t number, const TempFolder& folder, const std::filesystem::path& keep) {
   std::mt19937_64 random(number);
   const std::string name = std::to_string(number) + "." + seed.ending;
-  // A folder of its own: a slice of a CT looks for its neighbours.
+  // A folder of its own: the reader of a CT slice searches for its neighbours.
   const std::filesystem::path place = folder / std::to_string(number);
   std::filesystem::create_directory(place);
   write_text(place / name, mutated(seed.bytes, random));

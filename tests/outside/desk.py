@@ -44,12 +44,9 @@ class Desk:
         return json.loads(out)
 
     def small_exercise(self, name="small.json", change=None):
-        """The straight channel in coarse voxels: light enough to be played many times."""
-        with open(os.path.join(SOURCE, "scenarios/library/channel-1/scenario.json"), encoding="utf-8") as f:
+        """A straight channel in coarse voxels: light enough to be played many times."""
+        with open(os.path.join(SOURCE, "tests/outside/small_exercise.json"), encoding="utf-8") as f:
             scenario = json.load(f)
-        scenario["id"] = "019a9f3c-6a00-7c41-9b1e-5d0f6a3c2eff"
-        del scenario["key"]  # that of a built-in one
-        scenario["specimen"] = {"generator": "block", "voxel_mm": 0.25}
         if change:
             change(scenario)
         with open(self.path(name), "w", encoding="utf-8") as f:

@@ -87,10 +87,10 @@ int audit_verb(const AuditOptions& o) {
     return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.json.file)));
 
   AuditSettings settings;
-  settings.hands.clear();
+  settings.operators.clear();
   settings.detail_alone = o.detail;
-  for (const char* hand : {"expert", "fair", "novice"}) {
-    for (int seed = 1; seed <= o.seeds; ++seed) settings.hands.push_back({hand, static_cast<std::uint64_t>(seed)});
+  for (const char* hand : {"expert", "competent", "novice"}) {
+    for (int seed = 1; seed <= o.seeds; ++seed) settings.operators.push_back({hand, static_cast<std::uint64_t>(seed)});
   }
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);

@@ -187,7 +187,7 @@ std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxi
   t.unit_mm = unit_of(o);
   t.voxel_mm = o.voxel_mm;
   t.up = up;
-  t.largest_piece = o.largest;
+  t.largest_component = o.largest;
   for (const std::string& text : o.tissues) {
     const auto pair = pair_of(text);
     if (!pair) return std::unexpected(not_a_pair(text));

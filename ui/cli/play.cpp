@@ -7,7 +7,7 @@
 #include "device/scripted/csv_port.h"
 #include "scenarios/library/library.h"
 #include "scenarios/operators/faults.h"
-#include "scenarios/operators/hand_port.h"
+#include "scenarios/operators/operator_port.h"
 #include "ui/cli/account.h"
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
@@ -53,7 +53,7 @@ DeviceChoice device_of(const std::string& text) {
 /// What stands against playing live; nullopt: nothing.
 std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device, const RunPlan& plan) {
   if (!can_play_live(device)) return wrong_usage(CliWords::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
-  if (device.kind == "emulated-falcon" && !hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+  if (device.kind == "emulated-falcon" && !operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
     return wrong_usage(CliWords::tr("An emulated Falcon needs a hand by name: expert, novice and so on."));
   }
   return std::nullopt;
@@ -61,8 +61,8 @@ std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device
 
 /// The port that --script names, a scripted operator or a file; a status where it is neither.
 std::optional<int> take_script(const PlayOptions& o, RunPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
-  if (auto hand = hand_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    port = std::make_unique<HandPort>(std::move(*hand));
+  if (auto hand = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
+    port = std::make_unique<OperatorPort>(std::move(*hand));
     plan.hand = o.script;
     return std::nullopt;
   }

@@ -29,7 +29,7 @@ constexpr std::size_t kMostHands = 64;
 /// allocates nor waits in it.
 class HandsInTurn {
  public:
-  explicit HandsInTurn(std::vector<Hand> hands) : hands_(std::move(hands)), at_mm_(hands_.front().start_mm()) {}
+  explicit HandsInTurn(std::vector<ScriptedOperator> hands) : hands_(std::move(hands)), at_mm_(hands_.front().start_mm()) {}
 
   EmulatedHandPose next(const Feedback& felt, double dt_s) noexcept {
     const double dt = std::clamp(dt_s, 1e-6, 0.004);
@@ -71,7 +71,7 @@ class HandsInTurn {
   Vec3 start_mm() const noexcept { return hands_.front().start_mm(); }
 
  private:
-  std::vector<Hand> hands_;
+  std::vector<ScriptedOperator> hands_;
   std::size_t now_ = 0;
   Vec3 at_mm_;
   StepOutput felt_;
@@ -128,9 +128,9 @@ Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOpt
   RunDevice device;
   EmulatedHand lead;
   if (choice.kind == "emulated-falcon") {
-    std::vector<Hand> made;
+    std::vector<ScriptedOperator> made;
     for (std::size_t i = 0; i < (options.seconds > 0 ? kMostHands : 1); ++i) {
-      auto hand = hand_by_name(options.script, plan.scenario, *plan.specimen, options.seed + i);
+      auto hand = operator_by_name(options.script, plan.scenario, *plan.specimen, options.seed + i);
       if (!hand) return run_fail(RunError::device, Failure<PortError>{PortError::bad_file, options.script, "hand"});
       made.push_back(std::move(*hand));
     }

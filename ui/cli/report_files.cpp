@@ -44,7 +44,7 @@ std::string report_text(const RunResult& result, Store& store, const Account& st
   head.duration_s = result.seconds;
   head.state = result.interrupted ? "interrupted" : "finished";
   head.volume_hash = hex(result.volume_hash);
-  ReportWords words;
+  ReportTexts words;
   words.label = [](const CriterionGrade& c) { return plain(metric_name(c.id)); };
   words.reason = [](const CriterionGrade& c) { return plain(reason_text(c)); };
   return report_json(head, result.grade, words);

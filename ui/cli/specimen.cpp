@@ -1,6 +1,6 @@
 // cusp specimen KIND [--fdi N --seed N --voxel-mm X] -o VOLUME
 
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 
 #include <algorithm>
 #include <charconv>

@@ -8,7 +8,7 @@
 #include "scenarios/format/read.h"
 #include "scenarios/format/validate.h"
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/words.h"

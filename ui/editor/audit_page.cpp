@@ -146,7 +146,7 @@ void AuditPage::follow_model() {
   const bool same = report_ && model_.scenario() == measured_;
   use_->setEnabled(same && report_->changed());
   if (!report_) return;
-  const int goes = static_cast<int>(report_->hands.size());
+  const int goes = static_cast<int>(report_->operators.size());
   aside_->setText(same ? tr("Each choice was left out or halved once, with %n scripted go(es) each.", nullptr, goes)
                        : tr("The exercise was changed since this was measured."));
 }

@@ -88,7 +88,7 @@ class EditorModel : public QObject {
   bool prove();
   const std::optional<SpecimenFacts>& facts() const { return facts_; }
 
-  /// Errors first: those of validate(), of check_regions() and of check_words(). Without facts the checks that need the
+  /// Errors first: those of validate(), of check_regions() and of check_texts(). Without facts the checks that need the
   /// specimen are left out; with the pulp's voxels alone its opening is held against the rule only.
   const std::vector<Finding>& findings() const { return findings_; }
   enum class Standing {

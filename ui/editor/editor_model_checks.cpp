@@ -42,7 +42,7 @@ bool EditorModel::allow_access() {
 void EditorModel::check() {
   findings_ = validate(scenario_, facts_ ? &*facts_ : nullptr);
   if (specimen_) add(check_regions(scenario_, *specimen_));
-  add(check_words(scenario_, library_patterns()));
+  add(check_texts(scenario_, library_patterns()));
   if (!specimen_) check_pulp();
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_grower.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/modules.h"

@@ -291,7 +291,7 @@ ImageTissues VolumeForm::tissues() const {
     else ++i;
   }
   if (hollows_ && hollows_->isChecked()) out.hollows = Tissue::pulp;
-  out.largest_piece = largest_ && largest_->isChecked();
+  out.largest_component = largest_ && largest_->isChecked();
   return out;
 }
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <mutex>
 
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

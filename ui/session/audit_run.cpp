@@ -12,8 +12,8 @@
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
 #include "scenarios/operators/faults.h"
-#include "scenarios/operators/hand_port.h"
-#include "scenarios/specimens.h"
+#include "scenarios/operators/operator_port.h"
+#include "scenarios/specimens/specimens.h"
 #include "ui/modules.h"
 #include "ui/session/cpu_meter.h"
 #include "ui/session/scene_builder.h"
@@ -53,7 +53,7 @@ Run<Table> lay(const Model& model, const std::filesystem::path& folder, const On
   const double ready = thread_cpu_s();
   const std::uint64_t before = heap_bytes();
   out.specimen = Specimen::build(*dense, reading_of(model.scenario.method));
-  HandPort device(Hand({}, {}, model.scenario));
+  OperatorPort device(ScriptedOperator({}, {}, model.scenario));
   auto scene = build_scene(model.scenario, out.specimen, device.limits());
   if (!scene) return std::unexpected(scene.error());
   out.scene = std::move(*scene);
@@ -73,7 +73,7 @@ using Tables = std::vector<std::shared_ptr<const Table>>;  // null: cannot be pl
 /// A hand that sways its handpiece where the exercise lets it turn.
 class Swaying final : public HapticPort {
  public:
-  Swaying(Hand hand, double dt_s, double turn_deg) : hand_(std::move(hand), dt_s), dt_s_(dt_s), turn_deg_(turn_deg) {}
+  Swaying(ScriptedOperator hand, double dt_s, double turn_deg) : hand_(std::move(hand), dt_s), dt_s_(dt_s), turn_deg_(turn_deg) {}
   Result<void, PortFailure> open() override { return {}; }
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override {
     Sample sample = hand_.wait(deadline);
@@ -89,7 +89,7 @@ class Swaying final : public HapticPort {
   void close() noexcept override {}
 
  private:
-  HandPort hand_;
+  OperatorPort hand_;
   double dt_s_, turn_deg_, clock_s_ = 0;
 };
 
@@ -165,7 +165,7 @@ struct Path {
   std::size_t touched_at = 0;
 };
 Path path_for_costs(const Table& table) {
-  auto hand = hand_by_name("expert", table.scenario, *table.specimen, 1);
+  auto hand = operator_by_name("expert", table.scenario, *table.specimen, 1);
   Path out;
   if (!hand) return out;
   Swaying port(std::move(*hand), 0.001, table.scenario.tool_turn_deg);
@@ -254,7 +254,7 @@ class Player {
 
  private:
   struct Known {
-    AuditHand hand;
+    AuditOperator hand;
     Go go;
   };
   /// A model is grown once for as long as runs ask for it, and for one run longer: a jaw of fine voxels takes half a
@@ -267,8 +267,8 @@ class Player {
   Run<std::shared_ptr<const Table>> laid(const Model& model, const Onwards& onwards);
   void put_away(const AuditRun& run);
   /// The hand's own go at home; played once.
-  Result<const Go*, AuditFailure> at_home(const Scenario& home, const AuditHand& who, const std::function<bool()>& go_on);
-  Result<std::optional<Go>, AuditFailure> felt(const Table& table, const AuditHand& who, const std::function<bool()>& go_on);
+  Result<const Go*, AuditFailure> at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on);
+  Result<std::optional<Go>, AuditFailure> felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on);
 
   std::filesystem::path folder_;
   Scenario home_;
@@ -297,14 +297,14 @@ void Player::put_away(const AuditRun& run) {
   });
 }
 
-Result<std::optional<Go>, AuditFailure> Player::felt(const Table& table, const AuditHand& who, const std::function<bool()>& go_on) {
-  auto hand = hand_by_name(who.hand, table.scenario, *table.specimen, who.seed);
-  if (!hand) return fail(AuditError::unplayable, who.hand);
+Result<std::optional<Go>, AuditFailure> Player::felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on) {
+  auto hand = operator_by_name(who.name, table.scenario, *table.specimen, who.seed);
+  if (!hand) return fail(AuditError::unplayable, who.name);
   Swaying port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
   return play(table, port, go_on);
 }
 
-Result<const Go*, AuditFailure> Player::at_home(const Scenario& home, const AuditHand& who, const std::function<bool()>& go_on) {
+Result<const Go*, AuditFailure> Player::at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on) {
   if (!home_table_ || !(home_ == home)) {
     bool stop = false;
     auto table = laid({home}, [&](double) { return !(stop = stop || !go_on()); });
@@ -329,7 +329,7 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
   std::vector<std::optional<ModelResult>> results;
   const auto stopped = [] { return fail(AuditError::cancelled, {}); };
   // Laying the tables is taken for a tenth, the goes for the rest.
-  const double goes = static_cast<double>(run.models.size() * run.hands.size());
+  const double goes = static_cast<double>(run.models.size() * run.operators.size());
   for (const Model& model : run.models) {
     bool stop = false;
     const auto onwards = [&](double share) {
@@ -346,7 +346,7 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
   if (run.costs) take_costs(tables, results);
   double done = 0;
   const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / std::max(goes, 1.0)); };
-  for (const AuditHand& who : run.hands) {
+  for (const AuditOperator& who : run.operators) {
     const bool home_first = !run.models.empty() && run.models.front().scenario == run.home;
     Result<const Go*, AuditFailure> home = nullptr;
     if (!run.felt || home_first) home = at_home(run.home, who, go_on);
@@ -365,7 +365,7 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
       }
       if (!own && !is_home) return stopped();
       const Go& came = own ? *own : **home;
-      results[m]->goes.push_back({who, came.grade, came.seconds, came.lost});
+      results[m]->attempts.push_back({who, came.grade, came.seconds, came.lost});
     }
   }
   if (watch) static_cast<void>(watch(1.0));

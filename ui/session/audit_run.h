@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "scenarios/audit/hands.h"
+#include "scenarios/audit/operators.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

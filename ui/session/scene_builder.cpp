@@ -5,7 +5,7 @@
 
 #include "engine/step/passivity.h"
 #include "scenarios/format/keys.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

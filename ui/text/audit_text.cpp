@@ -40,10 +40,10 @@ QStringList taken(const AuditReport& report) {
 
 /// Where single goes part by chance: what half the voxels change in the mean.
 QString means_sentence(const AuditReport& report) {
-  if (!report.at_half_voxel || report.at_half_voxel->goes_a_hand < 2) return {};
+  if (!report.at_half_voxel || report.at_half_voxel->attempts_per_operator < 2) return {};
   const GradeChange& half = *report.at_half_voxel;
   return u' ' + Words::tr("Single goes part by chance: over %1 goes of each hand, half the voxels change the mean score by %2 ± %3 points.")
-                    .arg(QLocale().toString(half.goes_a_hand), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
+                    .arg(QLocale().toString(half.attempts_per_operator), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ QString tell(const ImportRemark& r) {
     case RemarkCode::triangles_turned: return ImportWords::tr("In %1 %n triangle(s) were turned round.", nullptr, count).arg(mesh);
     case RemarkCode::holes_closed:
       return ImportWords::tr("In %1 %n hole(s) were closed, the widest of %2.", nullptr, count).arg(mesh, millimetres(n(1), 2));
-    case RemarkCode::pieces_removed: return ImportWords::tr("%n voxel(s) of loose pieces were left out.", nullptr, count);
+    case RemarkCode::components_removed: return ImportWords::tr("%n voxel(s) of loose pieces were left out.", nullptr, count);
     case RemarkCode::hollows_filled: return ImportWords::tr("%n voxel(s) of closed hollows were filled.", nullptr, count);
     case RemarkCode::shell_capped:
       return ImportWords::tr("%1 was an open shell. Caps of %2 closed it; what lies between shell and cap is %3, unless another part lies there.")

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 
 namespace cusp::test {

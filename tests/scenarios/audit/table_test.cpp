@@ -30,7 +30,7 @@ Cells cells_of(const std::string& line) {
 }
 
 struct Table {
-  std::map<std::string, Cells> audited;  // by key: voxels, scores, cost, twice, half, what the audit says
+  std::map<std::string, Cells> audited;  // by key: voxels, scores, cost, twice, half, result of the audit
   std::map<std::string, Cells> changed;  // by key: from, to, which is, half of the former, change, half of the new, cost
   int engines = 0;
 };
@@ -52,7 +52,7 @@ Table read() {
   return out;
 }
 
-/// "+1.6 ± 2.7 (8 goes)": as far from nothing as it may be. Words: not at all within.
+/// "+1.6 ± 2.7 (8 attempts)": as far from nothing as it may be. Text: infinite.
 double most_of(const std::string& change) {
   if (change.find("parts") != change.npos || change.find("lost") != change.npos) return INFINITY;
   const double score = std::abs(std::atof(change.c_str()));
@@ -77,7 +77,7 @@ TEST(AuditTable, HasEveryExerciseWithTheVoxelsThatItIsSetTo) {
     EXPECT_NEAR(std::atof(row->second[0].c_str()), scenario->specimen.voxel_mm, 0.0005) << key;
     ASSERT_NE(row->second[0].find("within "), std::string::npos) << key;
     EXPECT_NEAR(tolerance_of(row->second), scenario->tolerance_points, 1e-9) << key;
-    EXPECT_EQ(std::ranges::count(row->second[1], ','), 2) << key << ": three hands";
+    EXPECT_EQ(std::ranges::count(row->second[1], ','), 2) << key << ": three operators";
   }
 }
 
@@ -117,7 +117,7 @@ TEST(AuditTable, SomeExerciseIsCoarserAndSomeFinerBecauseOfIt) {
 
 TEST(AuditTable, AMeanIsAsFarOffAsItsStandardErrorMayTakeIt) {
   EXPECT_DOUBLE_EQ(most_of("-1.5"), 1.5);
-  EXPECT_DOUBLE_EQ(most_of("+1.6 ± 2.7 (8 goes)"), 4.3);
+  EXPECT_DOUBLE_EQ(most_of("+1.6 ± 2.7 (8 attempts)"), 4.3);
   EXPECT_EQ(most_of("+0.1, a pass or fail parts"), INFINITY);
   EXPECT_EQ(cells_of("| a-1 | 0.1 mm; within 2 |  | b |"), (Cells{"a-1", "0.1 mm; within 2", "", "b"}));
 }

@@ -1,4 +1,4 @@
-// The catalogue holds the rows of the facts' table, each a convex head of the size it says; a broken table is refused.
+// The catalogue holds the rows of the facts' table, each a convex head of the stated size; a broken table is refused.
 #include "scenarios/burs/bur_catalogue.h"
 #include "tests/modules.h"
 
@@ -50,7 +50,7 @@ TEST(BurCatalogue, holds_every_row_of_the_facts_table) {
   EXPECT_EQ(catalogue_bur("57L"), nullptr);
 }
 
-TEST(BurCatalogue, has_heads_of_the_size_it_says_with_an_fg_shank_behind) {
+TEST(BurCatalogue, has_heads_of_the_stated_size_with_an_fg_shank_behind) {
   for (const CatalogueBur& one : bur_catalogue()) {
     const Bur& b = one.bur;
     EXPECT_DOUBLE_EQ(b.shank_radius_mm, 0.8) << b.name;
@@ -103,23 +103,23 @@ TEST(BurCatalogue, refuses_what_is_not_a_table_of_burs) {
     EXPECT_FALSE(read);
     return read ? std::string("taken") : std::to_string(static_cast<int>(read.error().code)) + " " + read.error().where;
   };
-  const auto says = [](BurTableError code, const char* where) {
+  const auto failure = [](BurTableError code, const char* where) {
     return std::to_string(static_cast<int>(code)) + " " + where;
   };
   using E = BurTableError;
-  EXPECT_EQ(refused([](Json& t) { t["burs"][0].erase("diameter_mm"); }), says(E::missing, "/burs/0/diameter_mm"));
-  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["diameter_mm"] = -1; }), says(E::bad_value, "/burs/0/diameter_mm"));
-  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["diameter_mm"] = 1.2; }), says(E::bad_value, "/burs/0/outline"))
+  EXPECT_EQ(refused([](Json& t) { t["burs"][0].erase("diameter_mm"); }), failure(E::missing, "/burs/0/diameter_mm"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["diameter_mm"] = -1; }), failure(E::bad_value, "/burs/0/diameter_mm"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["diameter_mm"] = 1.2; }), failure(E::bad_value, "/burs/0/outline"))
       << "a head that is not as wide as it says";
-  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["outline"]["kind"] = "star"; }), says(E::unknown_word, "/burs/0/outline/kind"));
-  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["outline"]["depth_mm"] = 1; }), says(E::unknown_key, "/burs/0/outline/depth_mm"));
-  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["shape"] = "star"; }), says(E::unknown_word, "/burs/0/shape"));
-  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["use"] = {"nothing"}; }), says(E::unknown_word, "/burs/0/use"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["outline"]["kind"] = "star"; }), failure(E::unknown_value, "/burs/0/outline/kind"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["outline"]["depth_mm"] = 1; }), failure(E::unknown_key, "/burs/0/outline/depth_mm"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["shape"] = "star"; }), failure(E::unknown_value, "/burs/0/shape"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"][0]["use"] = {"nothing"}; }), failure(E::unknown_value, "/burs/0/use"));
   EXPECT_EQ(refused([](Json& t) { t["burs"][0]["sources"]["other"] = "hearsay"; }),
-            says(E::unknown_source, "/burs/0/sources/other"));
-  EXPECT_EQ(refused([](Json& t) { t["burs"].push_back(t["burs"][0]); }), says(E::twice, "/burs/1/number"));
-  EXPECT_EQ(refused([](Json& t) { t["burs"] = 3; }), says(E::missing, "/burs"));
-  EXPECT_EQ(refused([](Json& t) { t = 3; }), says(E::bad_json, ""));
+            failure(E::unknown_source, "/burs/0/sources/other"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"].push_back(t["burs"][0]); }), failure(E::twice, "/burs/1/number"));
+  EXPECT_EQ(refused([](Json& t) { t["burs"] = 3; }), failure(E::missing, "/burs"));
+  EXPECT_EQ(refused([](Json& t) { t = 3; }), failure(E::bad_json, ""));
   EXPECT_FALSE(read_bur_table("{"));
 }
 

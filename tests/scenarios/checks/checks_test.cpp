@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -57,7 +57,7 @@ TEST(Checks, EveryExerciseOfTheLibraryHasNoFinding) {
   for (const std::string_view key : builtin_scenarios()) {
     SCOPED_TRACE(key);
     Scenario s = load_builtin(key).value();
-    EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+    EXPECT_THAT(codes(check_texts(s, library_patterns())), IsEmpty());
     if (s.specimen.generator != "paper-block") s.specimen.voxel_mm = 0.2;
     if (key == "class-1-36-jaw") continue;  // as class-1-36, in half a minute more
     EXPECT_THAT(codes(check_exercise(s, grown(s))), IsEmpty());
@@ -72,7 +72,7 @@ TEST(Pulp, ATargetThatOpensItIsAnErrorWhetherOrNotItFailsTheAttempt) {
   EXPECT_THAT(t.regions(), Contains("error /target/depth_mm target_opens_pulp"));
 }
 
-TEST(Pulp, AnAccessIsSaidToBeOneAndIsNoError) {
+TEST(Pulp, ReportsAnAccessWithoutAnError) {
   Tooth t;
   deepen(t.scenario, 5.5);
   t.scenario.target.width_mm = 3;
@@ -158,54 +158,54 @@ Scenario copy_of(const char* key) {
   return s;
 }
 
-TEST(Words, ACopyWithAnotherToothStillDescribesItsTemplate) {
+TEST(Texts, ACopyWithAnotherToothStillDescribesItsTemplate) {
   Scenario s = copy_of("class-1-36");
-  EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+  EXPECT_THAT(codes(check_texts(s, library_patterns())), IsEmpty());
   s.specimen.fdi = 46;
-  EXPECT_THAT(codes(check_words(s, library_patterns())),
+  EXPECT_THAT(codes(check_texts(s, library_patterns())),
               ElementsAre("warning /title/de text_of_template", "warning /title/de text_other_tooth",
                           "warning /title/en text_of_template", "warning /title/en text_other_tooth",
                           "warning /briefing/de text_of_template", "warning /briefing/en text_of_template"));
   s.title = {{"en", "Class I, tooth 46"}};
   s.briefing = {{"en", "Prepare a class I cavity in the lower right first molar, 1.8 mm deep."}};
-  EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+  EXPECT_THAT(codes(check_texts(s, library_patterns())), IsEmpty());
 }
 
-TEST(Words, ADepthThatTheTargetNoLongerHasIsFoundInEveryLanguage) {
+TEST(Texts, ADepthThatTheTargetNoLongerHasIsFoundInEveryLanguage) {
   Scenario s = copy_of("class-1-36");
   s.title = {{"en", "Deep class I"}, {"de", "Tiefe Klasse I"}};
   s.briefing["en"] += " Take your time.";
   s.briefing["de"] += " Lassen Sie sich Zeit.";
   deepen(s, 2.2);
-  const auto findings = check_words(s, library_patterns());
+  const auto findings = check_texts(s, library_patterns());
   EXPECT_THAT(codes(findings), ElementsAre("warning /briefing/de text_figure", "warning /briefing/en text_figure"));
   EXPECT_EQ(findings[0].args.at("value"), 1.8);
   EXPECT_EQ(findings[0].detail, "de");
 }
 
-TEST(Words, ALeewayThatTheTemplateHadIsFoundThoughTheDepthIsRight) {
+TEST(Texts, ALeewayThatTheTemplateHadIsFoundThoughTheDepthIsRight) {
   Scenario s = copy_of("ring-2");
   s.briefing["en"] += " Mind the wall.";
   s.leeway = {0.4, 0.4};
-  const auto findings = check_words(s, library_patterns());
+  const auto findings = check_texts(s, library_patterns());
   ASSERT_THAT(codes(findings), Contains("warning /briefing/en text_figure"));
   EXPECT_EQ(findings.back().args.at("value"), 0.3);
 }
 
-TEST(Words, LengthsOfOtherThingsAreLeftAloneWhereTheDepthIsNamed) {
+TEST(Texts, LengthsOfOtherThingsAreLeftAloneWhereTheDepthIsNamed) {
   Scenario s = copy_of("class-1-36");
   s.title = {{"en", "My class I"}};
   s.briefing = {{"en", "Cut 1.8 mm deep and keep 1.6\xc2\xa0mm of the ridge; work for 12 minutes at 25 degrees."}};
-  EXPECT_THAT(codes(check_words(s, library_patterns())), IsEmpty());
+  EXPECT_THAT(codes(check_texts(s, library_patterns())), IsEmpty());
   s.briefing = {{"en", "Keep 1.6 mm of the ridge."}};
-  EXPECT_THAT(codes(check_words(s, library_patterns())), ElementsAre("warning /briefing/en text_figure"));
+  EXPECT_THAT(codes(check_texts(s, library_patterns())), ElementsAre("warning /briefing/en text_figure"));
 }
 
-TEST(Words, AnotherToothsNumberIsFoundWithoutATemplate) {
+TEST(Texts, AnotherToothsNumberIsFoundWithoutATemplate) {
   Scenario s = copy_of("class-1-36");
   s.title = {{"en", "Tooth 16"}};
   s.briefing = {{"en", "As for 36 and 37."}};
-  EXPECT_THAT(codes(check_words(s, {})), ElementsAre("warning /title/en text_other_tooth"));
+  EXPECT_THAT(codes(check_texts(s, {})), ElementsAre("warning /title/en text_other_tooth"));
 }
 
 }  // namespace

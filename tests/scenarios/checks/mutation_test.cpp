@@ -17,7 +17,7 @@
 #include "scenarios/grading/grader.h"
 #include "scenarios/library/library.h"
 #include "scenarios/metrics/measure.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 
 namespace cusp::test {

@@ -19,8 +19,8 @@ class ScenarioMaker {
     for (auto& byte : s.id.uuid.bytes) byte = static_cast<std::uint8_t>(random_());
     s.version = 1 + pick(1000);
     if (coin()) s.key = "made-" + std::to_string(pick(1000));
-    s.title = words();
-    s.briefing = words();
+    s.title = texts();
+    s.briefing = texts();
     s.specimen = specimen();
     for (std::size_t code = 1; code < kTissueCodes; ++code) {
       if (code >= kTissueKeys.size() && code < 16) continue;
@@ -84,7 +84,7 @@ class ScenarioMaker {
     for (int i = 1 + pick(8); i > 0; --i) out += parts[pick(12)];
     return out;
   }
-  LocalText words() {
+  LocalText texts() {
     LocalText out{{"en", text()}};
     if (coin()) out["de"] = text();
     if (coin()) out["pt_BR"] = text();

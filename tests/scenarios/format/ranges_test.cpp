@@ -116,7 +116,7 @@ std::vector<Finding> findings_with(const std::string& place, const json& value) 
 bool refuses(const std::vector<Finding>& findings, const std::string& place) {
   return std::ranges::any_of(findings, [&](const Finding& f) {
     if (f.severity != Severity::error || f.path != place || f.detail.empty()) return false;
-    // A head's outline is read as a whole: what is wrong in it the reader says of the whole, the schema of the number.
+    // The reader refuses a head's outline as a whole, the schema refuses the number.
     return f.code == "out_of_range" || f.code == "newer_format" || (f.code == "schema" && place.starts_with("/instruments/0/"));
   });
 }

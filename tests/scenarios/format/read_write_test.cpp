@@ -46,20 +46,20 @@ TEST(ScenarioFile, WhatIsWrittenFitsTheSchema) {
   }
 }
 
-TEST(ScenarioFile, EveryMethodHasItsWord) {
+TEST(ScenarioFile, EveryMethodHasItsKey) {
   // design.md, "Contact methods": five methods, the first of them in two readings.
-  const std::pair<Method, const char*> words[] = {{Method::occupancy, "occupancy"}, {Method::occupancy_pivot, "occupancy-pivot"},
+  const std::pair<Method, const char*> keys[] = {{Method::occupancy, "occupancy"}, {Method::occupancy_pivot, "occupancy-pivot"},
                                                   {Method::ray, "ray"},             {Method::penalty, "penalty"},
                                                   {Method::gradient, "gradient"},   {Method::surface, "surface"}};
-  EXPECT_EQ(std::size(words), kMethods.size());
-  for (const auto& [method, word] : words) {
+  EXPECT_EQ(std::size(keys), kMethods.size());
+  for (const auto& [method, key] : keys) {
     json document = sound();
-    document["method"] = word;
-    EXPECT_TRUE(check_schema(document.dump()).empty()) << word;
+    document["method"] = key;
+    EXPECT_TRUE(check_schema(document.dump()).empty()) << key;
     const auto scenario = read_scenario(document.dump());
-    ASSERT_TRUE(scenario) << word;
-    EXPECT_EQ(scenario->method, method) << word;
-    EXPECT_EQ(json::parse(write_scenario(*scenario))["method"], word);
+    ASSERT_TRUE(scenario) << key;
+    EXPECT_EQ(scenario->method, method) << key;
+    EXPECT_EQ(json::parse(write_scenario(*scenario))["method"], key);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(ScenarioFile, ATissueWithoutFiguresHasItsUsualOnesAndIsWrittenWithThem) {
   ASSERT_TRUE(scenario) << scenario.error().where;
   EXPECT_EQ(scenario->tissues[0].speed_mm_s, tissue_facts(Tissue::enamel).speed_mm_s.value);
   EXPECT_EQ(scenario->tissues[0].stiffness_n_per_mm, tissue_facts(Tissue::enamel).stiffness_n_per_mm.value);
-  EXPECT_EQ(scenario->tissues[1].speed_mm_s, 7.0) << "what the exercise says comes first";
+  EXPECT_EQ(scenario->tissues[1].speed_mm_s, 7.0) << "the exercise's own value comes first";
   const json written = json::parse(write_scenario(*scenario));
   EXPECT_TRUE(written["tissues"][0].contains("speed_mm_s")) << "a published exercise must not follow the table";
 }
@@ -126,7 +126,7 @@ TEST(ScenarioFile, PhenomenaBecomeWhatTheEngineRunsAndNothingElse) {
   EXPECT_EQ(phenomena_from_keys({"spindle-electric"}).handpiece, Handpiece::electric);
 }
 
-TEST(ScenarioFile, DecayAndWhatStandsAboutAToothReadAndComeBack) {
+TEST(ScenarioFile, CariousLesionsAndSurroundingsReadAndComeBack) {
   Scenario s = sound_scenario();
   s.specimen = SpecimenSource{};
   s.specimen.generator = "tooth";

@@ -77,9 +77,9 @@ TEST(RefusedScenarioFile, NumbersThatAreNoneAreNamed) {
   };
   const auto line =
       std::to_string(std::count(text.begin(), text.begin() + static_cast<long>(text.find("\"depth_mm\"")), '\n') + 1);
-  for (const std::string word : {"NaN", "Infinity", "-Infinity", "nan", "1e999", "-1e400"}) {
-    SCOPED_TRACE(word);
-    const FormatFailure failure = failure_of(replaced(word));
+  for (const std::string number : {"NaN", "Infinity", "-Infinity", "nan", "1e999", "-1e400"}) {
+    SCOPED_TRACE(number);
+    const FormatFailure failure = failure_of(replaced(number));
     EXPECT_EQ(failure.code, FormatError::not_finite);
     EXPECT_EQ(failure.where.substr(0, failure.where.find(':')), line);
   }
@@ -191,71 +191,72 @@ TEST(RefusedScenarioFile, WrongTypesAreRefusedAtTheirPlace) {
   EXPECT_GT(refused, 200);
 }
 
+struct Bound {
+  const char* pointer;
+  json inside, outside;
+};
+const Bound kBounds[] = {
+    {"/version", 1, 0},
+    {"/version", 1000000000, 1000000001},
+    {"/key", "a-1", ""},
+    {"/key", std::string(64, 'k'), std::string(65, 'k')},
+    {"/title", {{"en", "x"}}, {{"en", ""}}},
+    {"/title", {{"en", std::string(4000, 'x')}}, {{"en", std::string(4001, 'x')}}},
+    {"/specimen/voxel_mm", 0.04, 0.0399},
+    {"/specimen/voxel_mm", 1, 1.001},
+    {"/tissues/0/stiffness_n_per_mm", 1e-9, 0},
+    {"/tissues/0/stiffness_n_per_mm", 20, 20.001},
+    {"/tissues/0/speed_mm_s", 0, -1e-9},
+    {"/tissues/0/speed_mm_s", 100, 100.1},
+    {"/instruments/0/name", "x", ""},
+    {"/instruments/0/radius_mm", 1e-9, 0},
+    {"/instruments/0/radius_mm", 10, 10.1},
+    {"/instruments/0/neck_radius_mm", 1e-9, 0},
+    {"/instruments/0/neck_radius_mm", 10, 10.1},
+    {"/instruments/0/neck_length_mm", 0, -1},
+    {"/instruments/0/neck_length_mm", 50, 50.1},
+    {"/instruments/0/shank_radius_mm", 1e-9, 0},
+    {"/instruments/0/shank_radius_mm", 10, 10.1},
+    {"/instruments/0/shank_length_mm", 0, -1},
+    {"/instruments/0/shank_length_mm", 100, 100.1},
+    {"/device/needs_dof", 3, 2},
+    {"/device/needs_dof", 6, 7},
+    {"/device/full_force_n", 1e-9, 0},
+    {"/device/full_force_n", 50, 50.1},
+    {"/device/tool_tilt_deg", -80, -80.1},
+    {"/device/tool_tilt_deg", 80, 80.1},
+    {"/device/tool_turn_deg", 0, -0.1},
+    {"/device/tool_turn_deg", 60, 60.1},
+    {"/target/paths/0/0/2", -1000, -1000.1},
+    {"/target/paths/0/0/2", 1000, 1000.1},
+    {"/target/width_mm", 1e-9, 0},
+    {"/target/width_mm", 100, 100.1},
+    {"/target/depth_mm", 1e-9, 0},
+    {"/target/depth_mm", 100, 100.1},
+    {"/target/top_mm", -1000, -1000.1},
+    {"/target/top_mm", 1000, 1000.1},
+    {"/target/corner_radius_mm", 0, -1e-9},
+    {"/target/corner_radius_mm", 10, 10.1},
+    {"/leeway/floor_mm", 0, -1e-9},
+    {"/leeway/floor_mm", 10, 10.1},
+    {"/leeway/side_mm", 0, -1e-9},
+    {"/leeway/side_mm", 10, 10.1},
+    {"/limits/time_s", 0, -1},
+    {"/limits/time_s", 86400, 86401},
+    {"/rubric/pass", 0, -1},
+    {"/rubric/pass", 100, 100.1},
+    {"/rubric/criteria/0/weight", 0, -1},
+    {"/rubric/criteria/0/weight", 1000, 1001},
+    {"/rubric/criteria/0/bands/fail_lo", -1e6, -1.1e6},
+    {"/rubric/criteria/0/bands/fail_hi", 1e6, 1.1e6},
+    {"/tolerance/points", 0, -1},
+    {"/tolerance/points", 100, 100.1},
+};
+
 /// Bounds of the reader: the last value inside reads, the first outside is refused, by the schema too. What may be
 /// published is narrower for most numbers: ranges_test.cpp.
 TEST(RefusedScenarioFile, BoundsOfTheReaderAreHeldByTheSchemaToo) {
-  struct Bound {
-    const char* pointer;
-    json inside, outside;
-  };
-  const Bound bounds[] = {
-      {"/version", 1, 0},
-      {"/version", 1000000000, 1000000001},
-      {"/key", "a-1", ""},
-      {"/key", std::string(64, 'k'), std::string(65, 'k')},
-      {"/title", {{"en", "x"}}, {{"en", ""}}},
-      {"/title", {{"en", std::string(4000, 'x')}}, {{"en", std::string(4001, 'x')}}},
-      {"/specimen/voxel_mm", 0.04, 0.0399},
-      {"/specimen/voxel_mm", 1, 1.001},
-      {"/tissues/0/stiffness_n_per_mm", 1e-9, 0},
-      {"/tissues/0/stiffness_n_per_mm", 20, 20.001},
-      {"/tissues/0/speed_mm_s", 0, -1e-9},
-      {"/tissues/0/speed_mm_s", 100, 100.1},
-      {"/instruments/0/name", "x", ""},
-      {"/instruments/0/radius_mm", 1e-9, 0},
-      {"/instruments/0/radius_mm", 10, 10.1},
-      {"/instruments/0/neck_radius_mm", 1e-9, 0},
-      {"/instruments/0/neck_radius_mm", 10, 10.1},
-      {"/instruments/0/neck_length_mm", 0, -1},
-      {"/instruments/0/neck_length_mm", 50, 50.1},
-      {"/instruments/0/shank_radius_mm", 1e-9, 0},
-      {"/instruments/0/shank_radius_mm", 10, 10.1},
-      {"/instruments/0/shank_length_mm", 0, -1},
-      {"/instruments/0/shank_length_mm", 100, 100.1},
-      {"/device/needs_dof", 3, 2},
-      {"/device/needs_dof", 6, 7},
-      {"/device/full_force_n", 1e-9, 0},
-      {"/device/full_force_n", 50, 50.1},
-      {"/device/tool_tilt_deg", -80, -80.1},
-      {"/device/tool_tilt_deg", 80, 80.1},
-      {"/device/tool_turn_deg", 0, -0.1},
-      {"/device/tool_turn_deg", 60, 60.1},
-      {"/target/paths/0/0/2", -1000, -1000.1},
-      {"/target/paths/0/0/2", 1000, 1000.1},
-      {"/target/width_mm", 1e-9, 0},
-      {"/target/width_mm", 100, 100.1},
-      {"/target/depth_mm", 1e-9, 0},
-      {"/target/depth_mm", 100, 100.1},
-      {"/target/top_mm", -1000, -1000.1},
-      {"/target/top_mm", 1000, 1000.1},
-      {"/target/corner_radius_mm", 0, -1e-9},
-      {"/target/corner_radius_mm", 10, 10.1},
-      {"/leeway/floor_mm", 0, -1e-9},
-      {"/leeway/floor_mm", 10, 10.1},
-      {"/leeway/side_mm", 0, -1e-9},
-      {"/leeway/side_mm", 10, 10.1},
-      {"/limits/time_s", 0, -1},
-      {"/limits/time_s", 86400, 86401},
-      {"/rubric/pass", 0, -1},
-      {"/rubric/pass", 100, 100.1},
-      {"/rubric/criteria/0/weight", 0, -1},
-      {"/rubric/criteria/0/weight", 1000, 1001},
-      {"/rubric/criteria/0/bands/fail_lo", -1e6, -1.1e6},
-      {"/rubric/criteria/0/bands/fail_hi", 1e6, 1.1e6},
-      {"/tolerance/points", 0, -1},
-      {"/tolerance/points", 100, 100.1},
-  };
-  for (const Bound& bound : bounds) {
+  for (const Bound& bound : kBounds) {
     SCOPED_TRACE(bound.pointer);
     json document = sound();
     document[json::json_pointer(bound.pointer)] = bound.inside;
@@ -269,7 +270,7 @@ TEST(RefusedScenarioFile, BoundsOfTheReaderAreHeldByTheSchemaToo) {
   }
 }
 
-TEST(RefusedScenarioFile, UnknownWordsAreNamedByKind) {
+TEST(RefusedScenarioFile, UnknownKeysAreNamedByKind) {
   const struct {
     const char* pointer;
     json value;

@@ -200,7 +200,7 @@ TEST(Validate, KnowsAVolumeByItsOccupiedVoxels) {
   EXPECT_EQ(facts.tissues, (std::vector<Tissue>{Tissue::enamel, Tissue::pulp}));
 }
 
-TEST(Validate, ATextThatDoesNotReadSaysWhyAndWhatElseTheSchemaMinds) {
+TEST(Validate, AnUnreadableTextYieldsItsReasonAndTheSchemasFindings) {
   std::string text = write_scenario(sound_scenario());
   text.replace(text.find("\"depth_mm\": 2"), 13, "\"depth_mm\": -2");
   text.replace(text.find("\"surface\""), 9, "\"telepathy\"");

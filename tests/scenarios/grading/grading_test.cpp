@@ -90,13 +90,13 @@ TEST(Grade, IsTheWeightedSumOfPoints) {
   EXPECT_EQ(g.criteria[2].reason_code, "too_much");
 }
 
-TEST(Grade, TooLittleAndTooShallowAreSaidAsSuch) {
+TEST(Grade, NamesTooLittleAndTooShallow) {
   const Grade g = grade(scenario(), {value("target_removed", 85), value("depth_mean", 1.2), value("overcut_beyond_side", 0)});
   EXPECT_EQ(g.criteria[0].reason_code, "too_little");
   EXPECT_EQ(g.criteria[1].reason_code, "too_shallow");
 }
 
-TEST(Grade, WhatWasNotMeasuredIsLeftOutOfTheMaximumAndSaid) {
+TEST(Grade, LeavesUnmeasuredCriteriaOutOfTheMaximumAndListsThem) {
   const Grade g = grade(scenario(), {value("target_removed", 98), missing("depth_mean")});
   EXPECT_EQ(g.score, 100.0);
   EXPECT_EQ(g.criteria[1].band, "not_measured");
@@ -124,7 +124,7 @@ TEST(Grade, ACriticalEventFailsTheGoAndTheScoreStands) {
   EXPECT_TRUE(grade(scenario(), exposed).passed);
 }
 
-TEST(Grade, CuttingDryFailsTheGoWhereTheRubricSaysSoAndCostsPointsWhereItAsks) {
+TEST(Grade, DryCuttingFailsOrCostsPointsAsTheRubricAsks) {
   Scenario s = scenario();
   s.rubric.criteria.push_back({"dry_cutting_time", 10, {0, 0, 0, 5, 10, 20}});
   s.rubric.criteria.push_back({"temperature_rise_peak", 10, {0, 0, 0, 2, 4, 5.5}});
@@ -169,7 +169,7 @@ Scenario class_one() {
   return s;
 }
 
-/// A go without any fault but that only `percent` of the target is out.
+/// An attempt whose only fault is that `percent` of the target is out.
 std::vector<Measure> faultless(double percent) {
   return {value("target_removed", percent),     value("depth_mean", percent > 0 ? 1.8 : 0.0),
           value("depth_most", percent > 0 ? 1.9 : 0.0), value("overcut_leeway_floor", 0),
@@ -230,7 +230,7 @@ TEST(Grade, AlsoTimePushAndRemovedTissueAreNoMeritOfAnIdleHand) {
                        {"time", 10, {0, 0, 0, 300, 400, 600}},
                        {"force_peak", 10, {0, 0, 0, 1.5, 2, 3}},
                        {"removed_enamel", 10, {0, 0, 0, 5, 8, 12}},
-                       {"removed_carious_dentine", 10, {1, 2, 3, 5, 6, 8}},  // has to come out: its bands say enough
+                       {"removed_carious_dentine", 10, {1, 2, 3, 5, 6, 8}},  // must be removed: its bands ask for it
                        {"undercut", 10, {0, 0, 0, 1, 2, 4}}};
   const Grade idle = grade(s, {value("target_removed", 0), value("time", 0), value("force_peak", 0),
                                value("removed_enamel", 0), value("removed_carious_dentine", 0), value("undercut", 40)});
@@ -273,11 +273,11 @@ TEST(ReportJson, HasTheFieldsOfTheDesignInItsOrder) {
   EXPECT_FALSE(json["criteria"][1]["measured"].get<bool>());
 }
 
-TEST(ReportJson, TakesItsWordsFromOutsideAndSurvivesBadUtf8) {
-  ReportWords words;
-  words.label = [](const CriterionGrade& c) { return "label of " + c.id; };
-  words.reason = [](const CriterionGrade&) { return std::string("\xFF broken"); };
-  const auto json = nlohmann::json::parse(report_json({}, grade(scenario(), {value("target_removed", 98)}), words));
+TEST(ReportJson, TakesItsTextsFromTheCallerAndSurvivesBadUtf8) {
+  ReportTexts texts;
+  texts.label = [](const CriterionGrade& c) { return "label of " + c.id; };
+  texts.reason = [](const CriterionGrade&) { return std::string("\xFF broken"); };
+  const auto json = nlohmann::json::parse(report_json({}, grade(scenario(), {value("target_removed", 98)}), texts));
   EXPECT_EQ(json["criteria"][0]["label"], "label of target_removed");
 }
 

@@ -174,10 +174,10 @@ TEST(LossReasons, PutTheOpenedPulpFirstThenTheGreatestLoss) {
   Grade g = graded({{29, 30}, {0, 20}, {10, 10}, {0, 30}, {5, 10}});
   g.criteria[3].reason_code = "little_drilled";
   g.critical = {"dry_cutting", "pulp_exposure"};
-  std::vector<std::string> told;
+  std::vector<std::string> order;
   for (const LossReason& r : loss_reasons(g))
-    told.push_back(r.critical.empty() ? std::to_string(r.criterion) : r.critical);
-  EXPECT_THAT(told, ElementsAre("pulp_exposure", "dry_cutting", "1", "4", "0", "3"));
+    order.push_back(r.critical.empty() ? std::to_string(r.criterion) : r.critical);
+  EXPECT_THAT(order, ElementsAre("pulp_exposure", "dry_cutting", "1", "4", "0", "3"));
 }
 
 TEST(LossReasons, LeaveOutALossThatDoesNotShow) {

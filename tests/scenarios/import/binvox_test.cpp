@@ -73,7 +73,7 @@ TEST(Binvox, TranslateAndScaleAreThePlaceOfTheVoxels) {
   EXPECT_FALSE(image->spacing_known);
 }
 
-TEST(Binvox, ASpecimenGoesOutAsItsOccupiedVoxelsAndComesBackInPlace) {
+TEST(Binvox, WritesASpecimensOccupiedVoxelsAndReadsThemBackInPlace) {
   const VoxelVolume block = dexterity_block(0.5);
   const Binvox out = binvox_of(block);
   const auto image = image_of(out, "v", {});

@@ -142,7 +142,7 @@ TEST_F(Dicom, AMissingOrDoubledSliceIsRefusedWithItsFile) {
   EXPECT_EQ(key_of(read_dicom(folder.path(), {}).error().code), "bad_spacing");
 }
 
-TEST_F(Dicom, OfSeveralSeriesTheLargestIsReadAndThatIsSaid) {
+TEST_F(Dicom, ReadsTheLargestOfSeveralSeriesAndReportsIt) {
   for (int n = 0; n < 4; ++n) put("a" + std::to_string(n), slice(n));
   DicomWish scout = slice(0);
   scout.series = "9.9";
@@ -168,13 +168,13 @@ TEST_F(Dicom, NothingAboutThePatientLeavesTheReader) {
   ImageImport what;
   what.path = folder.path();
   what.tissues.thresholds = {{500.0, Tissue::dentine}};
-  std::vector<ImportRemark> said;
-  const auto v = import_image(what, {}, &said);
+  std::vector<ImportRemark> remarks;
+  const auto v = import_image(what, {}, &remarks);
   ASSERT_TRUE(v) << key_of(v.error().code) << v.error().where;
   EXPECT_TRUE(v->names.empty());
-  ASSERT_FALSE(said.empty());
-  EXPECT_EQ(said[0].code, RemarkCode::identity_left_out);
-  for (const ImportRemark& r : said) EXPECT_EQ(r.subject, "");
+  ASSERT_FALSE(remarks.empty());
+  EXPECT_EQ(remarks[0].code, RemarkCode::identity_left_out);
+  for (const ImportRemark& r : remarks) EXPECT_EQ(r.subject, "");
   for (const std::string& text : {std::string("cut"), std::string("short")}) {
     DicomWish w = slice(20);
     w.patient = "Secret^Name";
@@ -226,7 +226,7 @@ TEST_F(Dicom, APackedSliceThatIsCutOrClaimsMoreThanItCanHoldIsRefused) {
   w.frame = jpeg_lossless_frame(values, 32, 32).substr(0, 60);
   put("cut", w);
   EXPECT_FALSE(read_dicom(folder / "cut", {}));
-  // A few hundred bytes that say they hold 2000 x 2000 pixels.
+  // A few hundred bytes whose header states 2000 x 2000 pixels.
   w.series = "1.2.4";
   w.frame = jpeg_lossless_frame(values, 32, 32);
   w.columns = w.rows = 2000;
@@ -236,7 +236,7 @@ TEST_F(Dicom, APackedSliceThatIsCutOrClaimsMoreThanItCanHoldIsRefused) {
   EXPECT_EQ(key_of(claims.error().code), "truncated");
 }
 
-TEST_F(Dicom, PicturesPackedWithLossAndOtherFilesAreRefusedByTheKeyThatSaysIt) {
+TEST_F(Dicom, PicturesPackedWithLossAndOtherFilesAreRefusedByTheirTransferSyntax) {
   DicomWish w = slice(0);
   w.transfer = "1.2.840.10008.1.2.4.51";  // JPEG extended
   put("jpeg", w);

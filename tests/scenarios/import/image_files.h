@@ -36,7 +36,7 @@ struct DicomWish {
   std::string series = "1.2.3", patient = "Doe^Jane", transfer = "1.2.840.10008.1.2.1";
   bool placed = true;
   std::vector<std::int16_t> values;
-  std::string frame;  // packed (packed_dicom.h), instead of the values; `transfer` says how
+  std::string frame;  // packed (packed_dicom.h), instead of the values; `transfer` names the packing
 };
 /// Explicit VR, little endian, with preamble and meta header.
 std::string dicom_file(const DicomWish& wish);

@@ -53,70 +53,96 @@ Mesh torus(std::string name, Vec3 centre, double ring, double tube, int n) {
   return m;
 }
 
-Mesh rounded_box(std::string name, Vec3 centre, Vec3 core, double round, int level) {
-  Mesh out{std::move(name), {}, {}};
-  // Octants of a sphere at the corners, quarter cylinders along the edges, rectangles between them.
-  const int n = 1 << level;
-  std::map<std::array<long, 3>, int> known;
-  const auto point = [&](Vec3 p) {
-    const std::array<long, 3> key = {std::lround(p.x * 1e9), std::lround(p.y * 1e9), std::lround(p.z * 1e9)};
-    const auto [it, is_new] = known.try_emplace(key, static_cast<int>(out.points.size()));
-    if (is_new) out.points.push_back(p);
-    return it->second;
-  };
-  const auto quad = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    const int i = point(a), j = point(b), k = point(c), l = point(d);
-    if (i != j && j != k && k != i) out.triangles.push_back({i, j, k});
-    if (i != k && k != l && l != i) out.triangles.push_back({i, k, l});
-  };
-  for (int sx : {-1, 1})
-    for (int sy : {-1, 1})
-      for (int sz : {-1, 1}) {
-        const Vec3 s(sx, sy, sz);
-        const auto at = [&](int i, int j) {  // of the octant's triangle, by its sides' shares
-          const double a = static_cast<double>(i) / n, b = static_cast<double>(j) / n;
-          const Vec3 d = glm::normalize(Vec3(1.0 - a - b, a, b));
-          return s * (core + round * d);
-        };
-        const bool odd = sx * sy * sz < 0;
-        const auto triangle = [&](Vec3 a, Vec3 b, Vec3 c) { odd ? quad(a, c, b, b) : quad(a, b, c, c); };
-        for (int i = 0; i < n; ++i)
-          for (int j = 0; i + j < n; ++j) {
-            triangle(at(i, j), at(i + 1, j), at(i, j + 1));
-            if (i + j + 1 < n) triangle(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-          }
-      }
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+namespace {
+
+/// Octants of a sphere at the corners, quarter cylinders along the edges, rectangles between them; about the origin.
+class RoundedBox {
+ public:
+  RoundedBox(Mesh& out, Vec3 core, double round, int level) : out_(out), core_(core), round_(round), n_(1 << level) {}
+
+  void corners() {
+    for (int sx : {-1, 1})
+      for (int sy : {-1, 1})
+        for (int sz : {-1, 1}) corner({sx, sy, sz});
+  }
+  void edges(int axis) {
     for (int su : {-1, 1})
-      for (int sv : {-1, 1}) {
-        for (int i = 0; i < n; ++i) {
-          const auto at = [&](int k, double end) {
-            Vec3 d(0.0);
-            const double b = static_cast<double>(k) / n;
-            d[u] = 1.0 - b;
-            d[v] = b;
-            d = round * glm::normalize(d);
-            Vec3 p(0.0);
-            p[axis] = end * core[axis];
-            p[u] = su * (core[u] + d[u]);
-            p[v] = sv * (core[v] + d[v]);
-            return p;
-          };
+      for (int sv : {-1, 1})
+        for (int i = 0; i < n_; ++i) {
+          const auto at = [&](int k, double end) { return on_edge(axis, {su, sv}, static_cast<double>(k) / n_, end); };
           const Vec3 a = at(i, -1), b = at(i + 1, -1), c = at(i + 1, 1), d = at(i, 1);
-          su * sv > 0 ? quad(a, b, c, d) : quad(a, d, c, b);
+          su * sv > 0 ? quad({a, b, c, d}) : quad({a, d, c, b});
         }
-      }
+  }
+  void faces(int axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     for (int side : {-1, 1}) {
       const auto at = [&](int du, int dv) {
         Vec3 p(0.0);
-        p[axis] = side * (core[axis] + round);
-        p[u] = du * core[u];
-        p[v] = dv * core[v];
+        p[axis] = side * (core_[axis] + round_);
+        p[u] = du * core_[u];
+        p[v] = dv * core_[v];
         return p;
       };
-      side > 0 ? quad(at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)) : quad(at(-1, -1), at(-1, 1), at(1, 1), at(1, -1));
+      side > 0 ? quad({at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)}) : quad({at(-1, -1), at(-1, 1), at(1, 1), at(1, -1)});
     }
+  }
+
+ private:
+  int point(Vec3 p) {
+    const std::array<long, 3> key = {std::lround(p.x * 1e9), std::lround(p.y * 1e9), std::lround(p.z * 1e9)};
+    const auto [it, is_new] = known_.try_emplace(key, static_cast<int>(out_.points.size()));
+    if (is_new) out_.points.push_back(p);
+    return it->second;
+  }
+  void quad(const std::array<Vec3, 4>& corners) {
+    const int i = point(corners[0]), j = point(corners[1]), k = point(corners[2]), l = point(corners[3]);
+    if (i != j && j != k && k != i) out_.triangles.push_back({i, j, k});
+    if (i != k && k != l && l != i) out_.triangles.push_back({i, k, l});
+  }
+  /// `s`: the signs of its axes.
+  void corner(IVec3 s) {
+    const auto at = [&](int i, int j) {  // of the octant's triangle, by its sides' shares
+      const double a = static_cast<double>(i) / n_, b = static_cast<double>(j) / n_;
+      return Vec3(s) * (core_ + round_ * glm::normalize(Vec3(1.0 - a - b, a, b)));
+    };
+    const bool odd = s.x * s.y * s.z < 0;
+    const auto triangle = [&](Vec3 a, Vec3 b, Vec3 c) { odd ? quad({a, c, b, b}) : quad({a, b, c, c}); };
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; i + j < n_; ++j) {
+        triangle(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < n_) triangle(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+  Vec3 on_edge(int axis, std::array<int, 2> signs, double turn, double end) const {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Vec3 d(0.0);
+    d[u] = 1.0 - turn;
+    d[v] = turn;
+    d = round_ * glm::normalize(d);
+    Vec3 p(0.0);
+    p[axis] = end * core_[axis];
+    p[u] = signs[0] * (core_[u] + d[u]);
+    p[v] = signs[1] * (core_[v] + d[v]);
+    return p;
+  }
+
+  Mesh& out_;
+  Vec3 core_;
+  double round_;
+  int n_;
+  std::map<std::array<long, 3>, int> known_;
+};
+
+}  // namespace
+
+Mesh rounded_box(std::string name, Vec3 centre, Vec3 core, double round, int level) {
+  Mesh out{std::move(name), {}, {}};
+  RoundedBox box(out, core, round, level);
+  box.corners();
+  for (int axis = 0; axis < 3; ++axis) {
+    box.edges(axis);
+    box.faces(axis);
   }
   for (Vec3& p : out.points) p += centre;
   return out;

@@ -45,7 +45,7 @@ Mesh lopsided(std::string name);
 /// Turned about an axis that is none of the grid's, so that no facet lies along it.
 Mesh turned(Mesh mesh);
 
-/// A folder that is gone with the test.
+/// A folder that the test removes.
 class TempFolder {
  public:
   TempFolder();

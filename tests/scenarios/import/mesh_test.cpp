@@ -241,7 +241,7 @@ TEST(ImportMesh, OpenEmptyAndMiswoundMeshesAreRefusedWithNameAndPlace) {
   expect_refused(import(folder / "m.obj", {{"flat", Tissue::bone}}), ImportError::mesh_empty, "flat");
 }
 
-TEST(ImportMesh, ThePlaceOfTheWidestGapIsToldInMillimetres) {
+TEST(ImportMesh, ReportsThePlaceOfTheWidestGapInMillimetres) {
   const TempFolder folder;
   Mesh open = sphere("open", {7, 0, 0}, 1.0, 3);
   const auto gone = open.triangles[100];

@@ -33,59 +33,60 @@ struct Broken {
   const char* where;
 };
 
-TEST(NrrdRefusals, EachBrokenHeaderHasItsCodeAndPlace) {
-  using enum ImportError;
-  const Broken cases[] = {
-      {"NRRD0005", "NRRX0005", unknown_format, "v.nrrd"},
-      {"NRRD0005", "NRRD0009", unsupported, "v.nrrd:1"},
-      {"NRRD0005\n", "NRRD0005 \n", unknown_format, "v.nrrd:1"},
-      {"type: uint16", "type: float", unsupported, "v.nrrd:3 type"},
-      {"type: uint16\n", "", bad_header, "v.nrrd type"},
-      {"type: uint16", "type uint16", bad_header, "v.nrrd:3"},
-      {"type: uint16", "type: uint16\ntype: uint16", bad_header, "v.nrrd:3 type"},
-      {"type: uint16", "colour: red", bad_header, "v.nrrd:3 colour"},
-      {"dimension: 4", "dimension: 5", bad_sizes, "v.nrrd:4 dimension"},
-      {"dimension: 4", "dimension: 3", bad_sizes, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 2 3 3", bad_sizes, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 2 3 0 3", bad_sizes, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 2 3 -3 3", bad_sizes, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 2 3 3.5 3", bad_sizes, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 3 3 3 3", unsupported, "v.nrrd:6 sizes"},  // colours
-      {"sizes: 2 3 3 3", "sizes: 2 3 3 99999", too_large, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 2 2000 2000 2000", too_large, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 2 3 3 99999999999999999999999", too_large, "v.nrrd:6 sizes"},
-      {"sizes: 2 3 3 3", "sizes: 2 4294967297 4294967297 4294967297", too_large, "v.nrrd:6 sizes"},
-      {"space: right-anterior-superior", "space: left-right", bad_orientation, "v.nrrd:5 space"},
-      {"(0.1,0,0) (0,0.1,0)", "(0.1,0.01,0) (0,0.1,0)", bad_orientation, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0) (0.1,0,0)", bad_orientation, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0) (0,0.2,0)", bad_spacing, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "(nan,0,0) (0,0.1,0)", bad_spacing, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "(0,0,0) (0,0.1,0)", bad_spacing, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "(inf,0,0) (0,0.1,0)", bad_spacing, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "(0.1,0) (0,0.1,0)", bad_header, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0", bad_header, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0)", "none (0,0.1,0)", bad_header, "v.nrrd:7 space directions"},
-      {"(0.1,0,0) (0,0.1,0) (0,0,0.1)", "(9,0,0) (0,9,0) (0,0,9)", bad_spacing, "v.nrrd:7 space directions"},
-      {"space directions: none (0.1,0,0) (0,0.1,0) (0,0,0.1)", "spacings: nan 0.1 nan 0.1", bad_spacing,
+using enum ImportError;
+const Broken kBroken[] = {
+    {"NRRD0005", "NRRX0005", unknown_format, "v.nrrd"},
+    {"NRRD0005", "NRRD0009", unsupported, "v.nrrd:1"},
+    {"NRRD0005\n", "NRRD0005 \n", unknown_format, "v.nrrd:1"},
+    {"type: uint16", "type: float", unsupported, "v.nrrd:3 type"},
+    {"type: uint16\n", "", bad_header, "v.nrrd type"},
+    {"type: uint16", "type uint16", bad_header, "v.nrrd:3"},
+    {"type: uint16", "type: uint16\ntype: uint16", bad_header, "v.nrrd:3 type"},
+    {"type: uint16", "colour: red", bad_header, "v.nrrd:3 colour"},
+    {"dimension: 4", "dimension: 5", bad_sizes, "v.nrrd:4 dimension"},
+    {"dimension: 4", "dimension: 3", bad_sizes, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 2 3 3", bad_sizes, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 2 3 0 3", bad_sizes, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 2 3 -3 3", bad_sizes, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 2 3 3.5 3", bad_sizes, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 3 3 3 3", unsupported, "v.nrrd:6 sizes"},  // colours
+    {"sizes: 2 3 3 3", "sizes: 2 3 3 99999", too_large, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 2 2000 2000 2000", too_large, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 2 3 3 99999999999999999999999", too_large, "v.nrrd:6 sizes"},
+    {"sizes: 2 3 3 3", "sizes: 2 4294967297 4294967297 4294967297", too_large, "v.nrrd:6 sizes"},
+    {"space: right-anterior-superior", "space: left-right", bad_orientation, "v.nrrd:5 space"},
+    {"(0.1,0,0) (0,0.1,0)", "(0.1,0.01,0) (0,0.1,0)", bad_orientation, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0) (0.1,0,0)", bad_orientation, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0) (0,0.2,0)", bad_spacing, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(nan,0,0) (0,0.1,0)", bad_spacing, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(0,0,0) (0,0.1,0)", bad_spacing, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(inf,0,0) (0,0.1,0)", bad_spacing, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(0.1,0) (0,0.1,0)", bad_header, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "(0.1,0,0", bad_header, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0)", "none (0,0.1,0)", bad_header, "v.nrrd:7 space directions"},
+    {"(0.1,0,0) (0,0.1,0) (0,0,0.1)", "(9,0,0) (0,9,0) (0,0,9)", bad_spacing, "v.nrrd:7 space directions"},
+    {"space directions: none (0.1,0,0) (0,0.1,0) (0,0,0.1)", "spacings: nan 0.1 nan 0.1", bad_spacing,
        "v.nrrd:7 spacings"},
-      {"space directions: none (0.1,0,0) (0,0.1,0) (0,0,0.1)\n", "", bad_spacing, "v.nrrd spacings"},
-      {"endian: little", "endian: middle", bad_header, "v.nrrd:10 endian"},
-      {"endian: little\n", "", bad_header, "v.nrrd endian"},
-      {"encoding: gzip", "encoding: bzip2", unsupported, "v.nrrd:11 encoding"},
-      {"encoding: gzip", "encoding: raw", corrupt, "v.nrrd (0,0,0)"},
-      {"encoding: gzip\n", "", bad_header, "v.nrrd encoding"},
-      {"encoding: gzip", "encoding: gzip\ndata file: ../../secret", unsupported, "v.nrrd:12 data file"},
-      {"encoding: gzip", "encoding: gzip\nbyte skip: 12", unsupported, "v.nrrd:12 byte skip"},
-      {"space origin: (0,0,0)", "space origin: (0,nan,0)", bad_header, "v.nrrd:12 space origin"},
-      {"\"mm\" \"mm\" \"mm\"", "\"um\" \"um\" \"um\"", bad_spacing, "v.nrrd:13 space units"},
-      {"tissue 1:=enamel", "tissue 1:=dentine", bad_tissue, "v.nrrd:14"},
-      {"tissue 1:=enamel", "tissue 99:=enamel", bad_tissue, "v.nrrd:14"},
-      {"tissue 1:=enamel", "tissue 20:=enamel", bad_tissue, "v.nrrd:15"},
-  };
+    {"space directions: none (0.1,0,0) (0,0.1,0) (0,0,0.1)\n", "", bad_spacing, "v.nrrd spacings"},
+    {"endian: little", "endian: middle", bad_header, "v.nrrd:10 endian"},
+    {"endian: little\n", "", bad_header, "v.nrrd endian"},
+    {"encoding: gzip", "encoding: bzip2", unsupported, "v.nrrd:11 encoding"},
+    {"encoding: gzip", "encoding: raw", corrupt, "v.nrrd (0,0,0)"},
+    {"encoding: gzip\n", "", bad_header, "v.nrrd encoding"},
+    {"encoding: gzip", "encoding: gzip\ndata file: ../../secret", unsupported, "v.nrrd:12 data file"},
+    {"encoding: gzip", "encoding: gzip\nbyte skip: 12", unsupported, "v.nrrd:12 byte skip"},
+    {"space origin: (0,0,0)", "space origin: (0,nan,0)", bad_header, "v.nrrd:12 space origin"},
+    {"\"mm\" \"mm\" \"mm\"", "\"um\" \"um\" \"um\"", bad_spacing, "v.nrrd:13 space units"},
+    {"tissue 1:=enamel", "tissue 1:=dentine", bad_tissue, "v.nrrd:14"},
+    {"tissue 1:=enamel", "tissue 99:=enamel", bad_tissue, "v.nrrd:14"},
+    {"tissue 1:=enamel", "tissue 20:=enamel", bad_tissue, "v.nrrd:15"},
+};
+
+TEST(NrrdRefusals, EachBrokenHeaderHasItsCodeAndPlace) {
   const TempFolder folder;
   const std::string good = good_file(folder);
   ASSERT_TRUE(read_nrrd(folder / "good.nrrd"));
-  for (const Broken& c : cases) {
+  for (const Broken& c : kBroken) {
     SCOPED_TRACE(std::string(c.from) + " -> " + c.to);
     std::string text = good;
     const auto at = text.find(c.from);
@@ -100,7 +101,7 @@ TEST(NrrdRefusals, EachBrokenHeaderHasItsCodeAndPlace) {
   }
 }
 
-TEST(NrrdRefusals, AMissingFileAFolderAndAnEmptyFileAreTold) {
+TEST(NrrdRefusals, AMissingFileAFolderAndAnEmptyFileAreReported) {
   const TempFolder folder;
   EXPECT_EQ(read_nrrd(folder / "none.nrrd").error().code, ImportError::missing_file);
   EXPECT_EQ(read_nrrd(folder.path()).error().code, ImportError::io);
@@ -120,7 +121,7 @@ TEST(NrrdRefusals, AFileCutAnywhereIsRefused) {
 TEST(NrrdRefusals, AByteChangedInTheDataIsFoundByTheirCheckSum) {
   const TempFolder folder;
   const std::string good = good_file(folder);
-  // The first ten bytes of gzip hold its date and its system, which say nothing of the data.
+  // The first ten bytes of gzip hold its date and its system, which do not depend on the data.
   const std::size_t first = good.find("\n\n") + 2 + 10;
   const auto intact = read_nrrd(folder / "good.nrrd");
   ASSERT_TRUE(intact);
@@ -145,7 +146,7 @@ TEST(NrrdRefusals, ASizeThatTheFileIsTooShortForTakesNoMemory) {
   EXPECT_EQ(key_of(read_nrrd(folder / "v.nrrd").error().code), "truncated");
 }
 
-TEST(NrrdRefusals, MoreDataThanTheHeaderSaysIsRefusedWithoutMemoryForIt) {
+TEST(NrrdRefusals, MoreDataThanTheHeaderStatesIsRefusedWithoutMemoryForIt) {
   const TempFolder folder;
   ASSERT_TRUE(write_nrrd(dexterity_block(0.5), folder / "big.nrrd"));
   std::string text = read_text(folder / "big.nrrd");

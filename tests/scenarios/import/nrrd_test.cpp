@@ -71,7 +71,7 @@ TEST(Nrrd, TheSameVolumeGivesTheSameBytes) {
   EXPECT_EQ(read_text(folder / "a.nrrd"), read_text(folder / "b.nrrd"));
 }
 
-TEST(Nrrd, TheHeaderSaysWhatTheFormatPromises) {
+TEST(Nrrd, TheHeaderStatesWhatTheFormatPromises) {
   const TempFolder folder;
   VoxelVolume volume(Grid{{3, 2, 1}, 0.1, {-0.25, 1.0, 2.5}});
   volume.tissue[0] = Tissue::dentine;
@@ -110,7 +110,7 @@ TEST(Nrrd, AnOldFileStaysWhenTheNewOneCannotBeWritten) {
   EXPECT_EQ(read_text(folder / "v.nrrd"), before);
 }
 
-TEST(Nrrd, AFolderThatIsNotThereIsSaid) {
+TEST(Nrrd, AMissingFolderIsReported) {
   const TempFolder folder;
   const auto r = write_nrrd(random_volume(3), folder / "no" / "v.nrrd");
   ASSERT_FALSE(r);

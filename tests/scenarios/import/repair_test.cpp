@@ -152,7 +152,7 @@ TEST(Repair, ASoundMeshIsLeftAsItIs) {
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-TEST(Repair, AnImportMendsWhenAskedAndSaysWhatItDid) {
+TEST(Repair, AnImportMendsOnRequestAndReportsIt) {
   const TempFolder folder;
   Mesh open = sphere("ball", {0, 0, 0}, 4.0, 3);
   open.triangles.erase(open.triangles.begin() + 11);
@@ -168,12 +168,12 @@ TEST(Repair, AnImportMendsWhenAskedAndSaysWhatItDid) {
   what.mend_holes_mm = 0.01;
   EXPECT_FALSE(import_mesh(what));
   what.mend_holes_mm = 1.0;
-  std::vector<ImportRemark> said;
-  const auto mended = import_mesh(what, {}, &said);
+  std::vector<ImportRemark> remarks;
+  const auto mended = import_mesh(what, {}, &remarks);
   ASSERT_TRUE(mended) << key_of(mended.error().code);
-  ASSERT_EQ(said.size(), 1u);
-  EXPECT_EQ(said[0].code, RemarkCode::holes_closed);
-  EXPECT_EQ(said[0].subject, "ball");
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_EQ(remarks[0].code, RemarkCode::holes_closed);
+  EXPECT_EQ(remarks[0].subject, "ball");
   EXPECT_NEAR(static_cast<double>(count(*mended, Tissue::enamel)) * 1e-3, 33.5, 1.0);
   what.mend_holes_mm = -1.0;
   EXPECT_EQ(import_mesh(what).error().code, ImportError::bad_option);

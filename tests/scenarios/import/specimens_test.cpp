@@ -1,4 +1,4 @@
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ void expect_refused(const SpecimenSource& source, ImportError code, const std::s
   EXPECT_EQ(r.error().where, where);
 }
 
-TEST(MakeSpecimen, AToothAndTheRestOfItsJawAreGivenUpWhenToldTo) {
+TEST(MakeSpecimen, AToothAndTheRestOfItsJawCanBeCancelled) {
   const std::atomic<bool> stop{true};
   SpecimenSource tooth = generator("tooth", 0.1, 36);
   tooth.around = {"jaw"};

@@ -1,4 +1,4 @@
-// The children here are this test program itself, called with a first argument that says how to misbehave.
+// The children here are this test program itself, whose first argument names the misbehaviour.
 #include "scenarios/import/worker.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST_F(ImportWorker, ACrashIsACode) {
   }
 }
 
-TEST_F(ImportWorker, TheLastWordsOfACrashAreKeptForTheLog) {
+TEST_F(ImportWorker, TheLastOutputOfACrashIsKeptForTheLog) {
   const auto r = import_mesh_in_child(what, bad_child("child-abort"));
   ASSERT_FALSE(r);
   EXPECT_NE(r.error().detail.find("something is wrong"), std::string::npos) << r.error().detail;
@@ -141,16 +141,17 @@ TEST_F(ImportWorker, RemarksComeThroughAsTheyWereMade) {
   EXPECT_TRUE(std::ranges::none_of(volume->tissue, [](Tissue t) { return t == Tissue::pulp; }));
 }
 
-TEST_F(ImportWorker, WhatAChildTookIsTold) {
+TEST_F(ImportWorker, ReportsWhatAChildUsed) {
   WorkerSettings settings = bad_child("child-spin");
   settings.cpu = std::chrono::seconds(1);
   std::vector<ChildEnd> ends;
   settings.ended = [&](const ChildEnd& end) { ends.push_back(end); };
   EXPECT_EQ(outcome(import_mesh_in_child(what, settings)), "time_limit");
   ASSERT_EQ(ends.size(), 1u);
-  // It spins up to its limit of one second; the kernel looks at each of its own ticks, 10 ms at most.
-  EXPECT_NEAR(ends[0].cpu_s, 1.0, 0.1);
-  EXPECT_GT(ends[0].wall_s, 0.9);
+  // The kernel ends it after one second of its own processor time, however long that takes. One thread uses no more
+  // processor time than passes on the clock: a loaded machine only adds wall time.
+  EXPECT_GE(ends[0].cpu_s, 0.9);
+  EXPECT_LE(ends[0].cpu_s, ends[0].wall_s + 0.02);
   EXPECT_GT(ends[0].resident_bytes, std::uint64_t{1} << 20);  // no C++ program fits into less
   EXPECT_LT(ends[0].resident_bytes, std::uint64_t{1} << 30);
 }

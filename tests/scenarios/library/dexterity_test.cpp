@@ -7,7 +7,7 @@
 #include "engine/volume/specimen.h"
 #include "scenarios/operators/faults.h"
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 #include "tests/scenarios/operators/attempt.h"
 
@@ -23,11 +23,11 @@ std::shared_ptr<const Specimen> block(const SpecimenSource& source) {
 }
 
 /// In ticks of 4 ms: a tick cuts as far as four of 1 ms would.
-attempt::Result play(const std::string& key, const char* hand) {
+attempt::Result play(const std::string& key, const char* name) {
   const Scenario scenario = load_builtin(key).value();
   const auto specimen = block(scenario.specimen);
   const Reference reference(scenario, specimen);
-  return attempt::run(scenario, reference, specimen, *hand_by_name(hand, scenario, *specimen, 1), 4000);
+  return attempt::run(scenario, reference, specimen, *operator_by_name(name, scenario, *specimen, 1), 4000);
 }
 
 /// One of each level and material; with CUSP_ALL_LEVELS set all fifteen (two minutes).

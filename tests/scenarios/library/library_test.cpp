@@ -13,7 +13,7 @@
 #include "scenarios/format/validate.h"
 #include "scenarios/format/write.h"
 #include "scenarios/shapes/outline.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
 
@@ -58,13 +58,16 @@ TEST(Library, KnowsNoOtherKey) {
   }
 }
 
-TEST(Library, WhatIsBuiltInIsTheFileAsTheProgramWritesIt) {
-  for (const std::string_view key : builtin_scenarios()) {
+TEST(Library, EveryTextStandsAsTheProgramWritesIt) {
+  for (const std::string_view key : builtin_scenarios()) EXPECT_EQ(write_scenario(*load_builtin(key)), builtin_scenario_text(key)) << key;
+}
+
+TEST(Library, EmbedsTheFilesAsTheyStand) {
+  for (const std::string_view key : {"class-1-36", "class-1-36-wet", "class-1-36-jaw", "paper-block"}) {
     std::ifstream file(std::string(CUSP_SOURCE_DIR "/scenarios/library/") + std::string(key) + "/scenario.json",
                        std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     EXPECT_EQ(builtin_scenario_text(key), text) << key;
-    EXPECT_EQ(write_scenario(*load_builtin(key)), text) << key;
   }
 }
 
@@ -112,7 +115,7 @@ TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
   }
   const TargetShape shape(s.target);
   for (const SurfacePlace& pit : marks.pits) {
-    EXPECT_LT(shape.distance_mm(pit.at_mm), 0) << "the " << pit.name << " pit is left standing";
+    EXPECT_LT(shape.distance_mm(pit.at_mm), 0) << "the " << pit.name << " pit is not cut";
   }
 
   // Remaining ridge: from the cavity's end to the tooth's outermost at the ridge's height; at least 1.6 mm
@@ -145,27 +148,27 @@ TEST(Library, TheClassOneFollowsTheFissuresAndSparesPulpAndRidges) {
 }
 
 TEST(Library, TheHashOfAPublishedExerciseStaysWhatItIs) {
-  // A change of any value is a new version: raise `version` in the file and take the new hash from here.
+  // A change of any value is a new version: raise `version` in the file or in block_exercises.cpp, take the new hash from here.
   const std::pair<std::string_view, std::string_view> hashes[] = {
-      {"channel-1", "a2c613018c7411850333640b96871b531ddc164333e05e2ddbf8ff9f45df61be"},
-      {"class-1-36", "61bcca482db25a3a6518de54380f155408ca85f492dbfa5f7a99f4bec3e04896"},
-      {"class-1-36-wet", "ed841b8ea69c003cb63670c2b0fe7f342a3249a368d771b6783e4543af182f7d"},
-      {"class-1-36-jaw", "85e191ccc8bf6b483fed9827567a40c4b703742961385bac2ebb8b7f04e8e53f"},
+      {"channel-1", "52f195d13b730414064a9905a9734633fd0ac7326b65ee41b3e1875b0193f65d"},
+      {"class-1-36", "b102b495d4390c0615b90f5372ddf2e1b3033ba3c5d4060c9d4e99ec4a10e886"},
+      {"class-1-36-wet", "290b816cc18d02601d0cbfa02187b28455160ccbfbc23374537feb76d0c7f6c1"},
+      {"class-1-36-jaw", "8377af5fdd5c8ee3991b97fbc449f830148111e57e9da26577bd08f84fa35536"},
       {"paper-block", "ff3254c1c17b1207b314575e3846469d0e81af1dcfbfe2a5ff19aafcb275fe47"},
-      {"channel-2", "37d9bd3081f20782c20dd2c6c1879c407d9c6dd95368103c184bdbf641274bd2"},
-      {"channel-3", "ec3506ecbb866153bf3ea1409056f8497650082739b23c59ca2d85cb39cb145e"},
-      {"circle-1", "f6213101593b9916fd47eeb3a95a8a1e86180ceae2a581af3ae4c97e5eee31a4"},
-      {"circle-2", "1424d1107f94126f1b4c49bd5f86179484b62efc4970f4d4ec5631fa2542eec1"},
-      {"circle-3", "b068b52cab36873352fd7ac54e2282a46a56d23a3906cd2d01e8b6a1dddaea64"},
-      {"cross-1", "fc251cf6f09e9813ca7347dc59cf78edf3361778ff8dacb377b24329170c28bd"},
-      {"cross-2", "a18d52f5dfa005160917e3c785b358a940f1e1c337e60bb277de629368df2127"},
-      {"cross-3", "ea9cfef0178b5561367afef4fb65dd642b99340ca08e0f5f9210729dbccf11c4"},
-      {"line-1", "924f72358917e73d045c7b85df3752cae4ab20568b03973a8ad05dbc4c0f1159"},
-      {"line-2", "810b1ef3513efcbb44be79abf446aaa8701a73fd3dce06eeb15a08d5548751b4"},
-      {"line-3", "6d25c39fffdbfb158d10f6516a67523b02e174cc0058cb5fb3500f3af1a47d6e"},
-      {"ring-1", "e99959fea734a881def192512918717217368dd821bc970b7028641bb132b04b"},
-      {"ring-2", "285b0d18a601e2646c986890f14992142f8c4492e9295363f3ceba0103336586"},
-      {"ring-3", "8a39c01a9537f3236c1a750576bca8233f0223d87b5553678f9add05d6c916e8"},
+      {"channel-2", "be02e9086351af9c6700ff3e3317484c0a5e60692f6cc157434c8eb5144b96ae"},
+      {"channel-3", "84f71a9fa5df073e7b6f91b172fc44e9d823937eb6f239afe1b538f9efc7e4ab"},
+      {"circle-1", "dea097eec683d818b7fb58e10600f8df5cb4c7c34fb25b75fdca719b771d9bfe"},
+      {"circle-2", "891dee1efa3c54af5792d16f9fe5f6e2aeea87f884f08d6f0c0eb6f67e0775f0"},
+      {"circle-3", "9e94108fa8c160be92f1e58f325e540817149bf32157a9ad150e90a0841bdd7e"},
+      {"cross-1", "064a116f8e28c3071a549a75d50ddfd25c8b7b38bfd56d8b55ba73b573aa18b3"},
+      {"cross-2", "6b25d6f784c37e99f7cee5d5dfda74008efb435e8e9862ccd5ccd713f9f67adf"},
+      {"cross-3", "45bedbaa2bd58c554428b38a303b7538ad968efacf06f5c1417806f6a92d105c"},
+      {"line-1", "73831246a207c0da7c210569ed23a4ca9b8fa589cee4738ec73ef47499dfc73c"},
+      {"line-2", "6184c6068f22e3b95d4d9f4ba90c072d66e5c68689707d616ba350a6d9d21cb3"},
+      {"line-3", "e751fdf60a13dd8789d14926f5f93f354cae12d0a1099c54f23923f9b556ea02"},
+      {"ring-1", "0c239a3451551483bb3219590f0cef783dedc55a4f9e9d836aa414cb096d2f42"},
+      {"ring-2", "3266e25a6ce2f098db0579ff85ee5a707b1eb9e6e9d1cc51096056345662bf5d"},
+      {"ring-3", "4e638f49b804154ba8cccb3972119bd88e0e4570c6c568332d866c34d64b8e2f"},
   };
   for (const auto& [key, hash] : hashes) EXPECT_EQ(content_hash(*load_builtin(key)).hex(), hash) << key;
 }

@@ -1,6 +1,6 @@
-/// Where the pins stand: every place that a measure names lies on the surface that its definition names. Final volumes
-/// are the hands' own paths, shaken, as sweeps without a step: every hand on the teeth, each on one of the blocks, and the one
-/// that is too deep on all. With CUSP_EVIDENCE_FULL every hand drills every exercise itself.
+/// Places of the pins: every place of a measure lies on the surface that its definition names. Final volumes are the
+/// operators' own paths, shaken, as sweeps without a step: every operator on the teeth, each on one of the blocks, and
+/// too_deep on all. With CUSP_EVIDENCE_FULL every operator drills every exercise itself.
 #include "scenarios/metrics/evidence.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include "scenarios/operators/faults.h"
 #include "scenarios/library/library.h"
 #include "scenarios/shapes/distance.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "scenarios/teeth/tooth.h"
 #include "tests/modules.h"
 #include "tests/scenarios/operators/attempt.h"
@@ -21,7 +21,7 @@
 namespace cusp::test {
 namespace {
 
-constexpr const char* kHands[] = {"expert", "novice", "fair", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"};
+constexpr const char* kOperators[] = {"expert", "novice", "competent", "too_deep", "too_shallow", "shaky", "off_outline", "pulp", "dry"};
 
 struct Exercise {
   std::string name;
@@ -97,16 +97,16 @@ struct Final {
   Process process;
 };
 
-/// The hand's path with its strokes shaken sideways, so that walls come to lean over.
-Final swept(const Exercise& e, const std::string& name, const Hand& hand, double share_done) {
+/// The operator's path with its strokes shaken sideways, so that walls overhang.
+Final swept(const Exercise& e, const std::string& name, const ScriptedOperator& scripted, double share_done) {
   Final out{Volume(e.specimen), {}};
   std::mt19937_64 random(7);
   const double shake = name == "novice" || name == "shaky" ? 0.3 : name == "expert" ? 0.0 : 0.05;
   std::uniform_real_distribution<double> off(-shake, shake);
-  const double radius = e.scenario.instruments[hand.plan().bur].radius_mm;
-  Vec3 from = hand.plan().start_mm;
-  auto left = static_cast<std::size_t>(share_done * static_cast<double>(hand.plan().strokes.size()));
-  for (const Stroke& stroke : hand.plan().strokes) {
+  const double radius = e.scenario.instruments[scripted.plan().bur].radius_mm;
+  Vec3 from = scripted.plan().start_mm;
+  auto left = static_cast<std::size_t>(share_done * static_cast<double>(scripted.plan().strokes.size()));
+  for (const Stroke& stroke : scripted.plan().strokes) {
     if (left-- == 0) break;
     const Vec3 to = stroke.to_mm + (shake > 0.0 ? Vec3(off(random), off(random), 0.3 * off(random)) : Vec3(0.0));
     if (stroke.cut) carve_capsule(out.volume, from, to, radius);
@@ -115,9 +115,9 @@ Final swept(const Exercise& e, const std::string& name, const Hand& hand, double
   return out;
 }
 
-Final drilled(const Exercise& e, Hand hand) {
+Final drilled(const Exercise& e, ScriptedOperator scripted) {
   StepState state(attempt::scene_of(e.scenario, e.specimen));
-  HandPort port(std::move(hand), 0.004);
+  OperatorPort port(std::move(scripted), 0.004);
   StepInput last;
   Final out{Volume(e.specimen), {}};
   while (true) {
@@ -135,7 +135,7 @@ Final drilled(const Exercise& e, Hand hand) {
 /// What lies at a place: distances in voxels, and how the cut surface leans.
 struct Look {
   double original;  // from the original surface, negative inside
-  double cut;       // from the cut surface, positive in what is gone
+  double cut;       // from the cut surface, positive in the removed part
   double level;     // of the cut surface there: cosine to straight up, negative under an overhang
   bool open_above;
 };
@@ -211,7 +211,7 @@ TEST(Evidence, OfWhatIsLeftLiesOnItsSurfaceThoughNobodyHasBeenThere) {
     for (const double share : {0.0, 0.2, 0.4}) {
       if (!e.tooth() && share != 0.2 && !full()) continue;
       ++measured;
-      const Final end = swept(e, "expert", hand_by_name("expert", e.scenario, *e.specimen, 1).value(), share);
+      const Final end = swept(e, "expert", operator_by_name("expert", e.scenario, *e.specimen, 1).value(), share);
       for (const Measure& m : measure(reference, end.volume, end.process))
         if (m.where_mm) check_place(reference, end.volume, m, counts);
     }
@@ -224,14 +224,14 @@ TEST(Evidence, LiesOnTheSurfaceThatItsMeasureNames) {
   for (std::size_t i = 0; i < exercises().size(); ++i) {
     const Exercise& e = exercises()[i];
     const Reference reference(e.scenario, e.specimen);
-    for (std::size_t h = 0; h < std::size(kHands); ++h) {
-      const char* const name = kHands[h];
+    for (std::size_t h = 0; h < std::size(kOperators); ++h) {
+      const char* const name = kOperators[h];
       // Of a floor most is seen where it was cut too deep.
       const bool drills = e.tooth() || h % 3 == i % 3 || std::string_view(name) == "too_deep";
       if (!drills && !full()) continue;
       SCOPED_TRACE(e.name + " by " + name);
-      Hand hand = hand_by_name(name, e.scenario, *e.specimen, 1).value();
-      const Final end = full() ? drilled(e, std::move(hand)) : swept(e, name, hand, 1.0);
+      ScriptedOperator scripted = operator_by_name(name, e.scenario, *e.specimen, 1).value();
+      const Final end = full() ? drilled(e, std::move(scripted)) : swept(e, name, scripted, 1.0);
       for (const Measure& m : measure(reference, end.volume, end.process)) {
         if (m.where_mm && m.unit != "N" && m.unit != "K") check_place(reference, end.volume, m, counts);
       }

@@ -121,7 +121,7 @@ TEST(Measure, ThePerfectCutIsAllOfTheTargetAndNothingElse) {
   EXPECT_NEAR(bench.get(volume, "depth_most").value, 2.0, 0.01);
 }
 
-TEST(Measure, OverCutIsDividedByPlaceAsItsClosedFormSays) {
+TEST(Measure, OverCutIsDividedByRegionAsItsClosedForm) {
   const Bench bench;
   Volume volume(bench.specimen);
   // 0.5 mm too deep with the right walls: 0.3 of it is leeway. Below the old floor the new slot's own fillet lies.
@@ -151,7 +151,7 @@ TEST(Measure, OverCutIsDividedByPlaceAsItsClosedFormSays) {
   EXPECT_NEAR(bench.get(volume, "depth_mean").value, 2.5, 0.001);
 }
 
-TEST(Measure, WallsTooFarOutCountAsSide) {
+TEST(Measure, OverCutWallsCountAsSide) {
   const Bench bench;
   Volume volume(bench.specimen);
   carved::carve(volume, [](Vec3 p) { return cut_slot(p, 0, 0, 0.4); });
@@ -160,7 +160,7 @@ TEST(Measure, WallsTooFarOutCountAsSide) {
   // A shift of 0.4 sweeps 0.4 x 6 x 2 and the ends' crescents, less the fillet; 0.2 of the 0.4 mm is leeway.
   EXPECT_GT(side.value, 2.0);
   EXPECT_GT(beyond.value, 2.0);
-  // As much is left on the other side as was cut too far on this one; below the bisector it counts as floor.
+  // The uncut remainder on the other side equals the over-cut on this one; below the bisector it counts as floor.
   const double floor = bench.get(volume, "overcut_leeway_floor").value + bench.get(volume, "overcut_beyond_floor").value;
   EXPECT_NEAR(side.value + beyond.value + floor, bench.get(volume, "undercut").value, 0.03);
   ASSERT_TRUE(beyond.where_mm.has_value());
@@ -238,7 +238,7 @@ TEST(Measure, ACutThatReachesThePulpIsAnExposure) {
   EXPECT_NEAR(bench.get(volume, "remaining_over_pulp").value, 0.0, 1e-9);
 }
 
-TEST(Measure, WithoutPulpNothingIsSaidAboutIt) {
+TEST(Measure, WithoutPulpItIsNotMeasured) {
   const Bench bench(0.1, Reading::banded, false);
   Volume volume(bench.specimen);
   carved::carve(volume, [](Vec3 p) { return cut_slot(p, 0, 0); });
@@ -316,7 +316,7 @@ TEST(Live, AgreesWithTheFinalMeasuresAfterManyPieces) {
   EXPECT_EQ(live.reading().target_removed, 0.0);
 }
 
-TEST(Measure, TellsOfCoolantOnlyWhereTheExerciseReckonsIt) {
+TEST(Measure, MeasuresCoolantOnlyIfTheExerciseHasHeat) {
   Process p;
   StepOutput o;
   o.elapsed_us = 1000;
@@ -330,19 +330,19 @@ TEST(Measure, TellsOfCoolantOnlyWhereTheExerciseReckonsIt) {
   Scenario scenario = slot();
   scenario.phenomena = {"heat"};
   const Reference with(scenario, without.specimen);
-  int told = 0;
+  int reported = 0;
   for (const Measure& m : measure(with, volume, p)) {
     if (!needs_heat(m.metric)) continue;
-    ++told;
+    ++reported;
     EXPECT_TRUE(m.measured) << m.metric;
     EXPECT_NEAR(m.value, m.metric == "dry_cutting" ? 1.0 : m.metric == "dry_cutting_time" ? 0.0 : 6.0, 1e-6) << m.metric;
   }
-  EXPECT_EQ(told, 3);
+  EXPECT_EQ(reported, 3);
   for (const Measure& m : measure(with, volume, Process()))
-    EXPECT_FALSE(needs_heat(m.metric) && m.measured) << m.metric << " of a go that never began";
+    EXPECT_FALSE(needs_heat(m.metric) && m.measured) << m.metric << " of an attempt that never began";
 }
 
-TEST(Deviation, IsPositiveWhereItWasCutTooFarAndNegativeWhereTissueIsLeft) {
+TEST(Deviation, IsPositiveForOverCutAndNegativeForUncutRemainder) {
   const TargetShape shape(slot().target);
   EXPECT_NEAR(*deviation_mm(shape, {0, 0, -2.3}, true), 0.3, 1e-12);
   EXPECT_NEAR(*deviation_mm(shape, {0, 0, -1.8}, true), -0.2, 1e-12);

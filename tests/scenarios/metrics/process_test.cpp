@@ -1,4 +1,4 @@
-// What a go's process keeps, tick by tick.
+// What an attempt's process keeps, tick by tick.
 #include "scenarios/metrics/process.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(Process, CountsDryCuttingAndKnowsWhereTheToothWasWarmest) {
   EXPECT_EQ(p.heat_peak_at_mm(), Vec3(2, 0, 0));
 }
 
-TEST(Process, GoesOnFromItsBytesBitForBitAndRefusesAnyOthers) {
+TEST(Process, ContinuesFromItsBytesBitForBitAndRefusesAnyOthers) {
   const auto output_at = [](int tick) {
     StepOutput o;
     o.contact = o.cutting = true;

@@ -1,4 +1,4 @@
-// What the metrics say was removed, tissue by tissue, is what the volume has lost.
+// The metrics' removed volume equals the loss of the volume, tissue by tissue.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ class EveryReading : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Removed, EveryReading, testing::Values(Method::surface, Method::occupancy),
                          [](const auto& i) { return std::string(key_of(i.param)); });
 
-TEST_P(EveryReading, tissue_by_tissue_the_metrics_say_what_the_volume_lost) {
+TEST_P(EveryReading, tissue_by_tissue_the_metrics_equal_what_the_volume_lost) {
   // A block of 4 x 3 x 2.4 mm, top at z = 0; its layers lie obliquely: enamel, dentine, and pulp below.
   Grid grid{IVec3(50, 40, 34), 0.1, Vec3(-2.46, -1.94, -2.91)};
   const auto specimen = carved::specimen(

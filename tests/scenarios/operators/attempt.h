@@ -6,7 +6,7 @@
 #include "engine/step/step.h"
 #include "scenarios/format/keys.h"
 #include "scenarios/grading/grader.h"
-#include "scenarios/operators/hand_port.h"
+#include "scenarios/operators/operator_port.h"
 #include "scenarios/metrics/measure.h"
 #include "tests/modules.h"
 
@@ -28,7 +28,7 @@ struct Result {
   Process process;
   std::vector<Measure> measures;
   Grade grade;
-  std::size_t left_out = 0;  // strokes that the hand gave up
+  std::size_t skipped = 0;  // strokes that the operator gave up
   std::uint64_t ticks = 0, infeasible = 0, overflow = 0;
   bool faulted = false;
   const Measure& get(std::string_view key) const {
@@ -40,10 +40,10 @@ struct Result {
 };
 
 inline Result run(const Scenario& scenario, const Reference& reference, std::shared_ptr<const Specimen> specimen,
-                  Hand hand, std::uint32_t tick_us = 1000) {
+                  ScriptedOperator scripted, std::uint32_t tick_us = 1000) {
   Result out;
   StepState state(scene_of(scenario, std::move(specimen)));
-  HandPort port(std::move(hand), tick_us * 1e-6);
+  OperatorPort port(std::move(scripted), tick_us * 1e-6);
   StepInput last;
   while (true) {
     const Sample sample = port.wait({});
@@ -57,7 +57,7 @@ inline Result run(const Scenario& scenario, const Reference& reference, std::sha
     out.faulted = out.faulted || o.faulted;
     port.write({o.force_n, o.proxy_mm, o.stiffness_n_per_mm, Vec3(0, 0, 1), o.contact, o.faulted});
   }
-  out.left_out = port.hand().strokes_left_out();
+  out.skipped = port.scripted_operator().strokes_skipped();
   out.measures = measure(reference, state.volume(), out.process);
   out.grade = grade(scenario, out.measures);
   return out;

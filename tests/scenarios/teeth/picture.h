@@ -1,4 +1,4 @@
-/// Pictures of a grown tooth for a person's eye: orthographic views in grazing light from the upper left, which shows
+/// Pictures of a grown tooth: orthographic views in grazing light from the upper left, which shows
 /// flat slopes and ribs that a frontal light hides, and sections in the tissues' colours.
 #pragma once
 

@@ -50,8 +50,9 @@ TEST(Neighbours, TouchAtTheirContacts) {
     own.fdi = fdi % 100 / 10 % 2 == 1 ? fdi : fdi - 10;  // in the tables' frame
     own.shape = shape_in_mouth(own.fdi, 0, 0.2);
     const ToothBody here(*own.shape, own.place, ToothMaterial::natural);
-    for (const bool mesial : {true, false}) {
-      const Standing beside = stand_beside(own, mesial, shape_in_mouth(neighbour_fdi(own.fdi, mesial), 0, 0.2));
+    for (const Proximal side : {Proximal::mesial, Proximal::distal}) {
+      const bool mesial = side == Proximal::mesial;
+      const Standing beside = stand_beside(own, side, shape_in_mouth(neighbour_fdi(own.fdi, side), 0, 0.2));
       SCOPED_TRACE(std::to_string(own.fdi) + " beside " + std::to_string(beside.fdi));
       const ToothBody there(*beside.shape, beside.place, ToothMaterial::natural);
       // Densely, by the fields alone: the least sum of the two distances is the gap.
@@ -75,11 +76,11 @@ TEST(Neighbours, TouchAtTheirContacts) {
 }
 
 TEST(Neighbours, AreNumberedRoundTheJaw) {
-  EXPECT_EQ(neighbour_fdi(36, true), 35);
-  EXPECT_EQ(neighbour_fdi(36, false), 37);
-  EXPECT_EQ(neighbour_fdi(31, true), 41);
-  EXPECT_EQ(neighbour_fdi(11, true), 21);
-  EXPECT_EQ(neighbour_fdi(48, false), 0);
+  EXPECT_EQ(neighbour_fdi(36, Proximal::mesial), 35);
+  EXPECT_EQ(neighbour_fdi(36, Proximal::distal), 37);
+  EXPECT_EQ(neighbour_fdi(31, Proximal::mesial), 41);
+  EXPECT_EQ(neighbour_fdi(11, Proximal::mesial), 21);
+  EXPECT_EQ(neighbour_fdi(48, Proximal::distal), 0);
 }
 
 TEST(Neighbours, HaveTissuesOfTheirOwnAndTheOtherSideIsTheMirrorImage) {
@@ -219,7 +220,7 @@ TEST(Caries, HasPlacesWhereTheToothHasThem) {
   EXPECT_TRUE(lesion_sites(11, Lesion::Kind::fissure).empty());
   EXPECT_EQ(lesion_sites(11, Lesion::Kind::proximal).size(), 2u);
   EXPECT_TRUE(lesion_sites(19, Lesion::Kind::root).empty());
-  // Each place that is offered can be decayed; a front tooth is not decayed in a fissure that it has not.
+  // Each place that is offered can be carious; a front tooth is not carious in a fissure that it has not.
   for (const int fdi : {14, 48}) {
     for (const std::string& site : lesion_sites(fdi, Lesion::Kind::fissure)) {
       ToothRequest request{fdi, 0, 0.4};
@@ -320,7 +321,7 @@ double solid_at(const VoxelVolume& v, Vec3 p) {
   return sum;
 }
 
-/// Its edge once stood up to 0.12 mm off the voxels, with a slit to look through.
+/// An untucked edge is up to 0.12 mm off the voxels, with a visible slit.
 TEST(Jaw, HasGumsWhoseOpenEdgeLiesWithinTheVoxels) {
   for (const int fdi : {36, 41}) {
     ToothRequest request{fdi, 0, 0.3};

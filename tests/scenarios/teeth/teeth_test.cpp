@@ -44,7 +44,7 @@ void expect_single_pieces(const VoxelVolume& v) {
                            << " pulp " << p.pulp;
 }
 
-TEST(Teeth, TurnTheirMesialSideAsTheQuadrantSays) {
+TEST(Teeth, TurnTheirMesialSideAsTheQuadrantAsks) {
   for (const int fdi : {16, 26, 36, 46}) {
     const auto marks = tooth_landmarks({fdi, 0, 0.2});
     ASSERT_TRUE(marks);
@@ -72,7 +72,7 @@ TEST(FirstMolar, HasFiveCuspsAtTheHeightsOfTheTable) {
     EXPECT_LT(glm::length(Vec2(tip.at_mm) - Vec2(want.tip)), 0.3) << tip.name;
     EXPECT_NEAR(distance_mm(t.volume, tip.at_mm), 0.0, 0.02) << tip.name;
   }
-  EXPECT_EQ(peaks(t.volume, 0.25), 5);  // the voxels alone say so too
+  EXPECT_EQ(peaks(t.volume, 0.25), 5);  // by the voxels alone too
 }
 
 TEST(FirstMolar, IsOnePieceOfEachTissue) { expect_single_pieces(first_molar().volume); }

@@ -34,7 +34,7 @@ TEST(TissueFacts, the_file_reads_and_names_every_tissue_of_tissue_h_once) {
   EXPECT_EQ((*table)[index_of(Tissue::enamel)].speed_mm_s.value, tissue_facts(Tissue::enamel).speed_mm_s.value);
 }
 
-TEST(TissueFacts, every_figure_has_a_source_and_those_of_general_knowledge_say_that_nobody_verified_them) {
+TEST(TissueFacts, every_figure_has_a_source_and_those_of_general_knowledge_are_marked_unverified) {
   for (std::size_t t = 1; t < kTissueCodes; ++t) {
     const TissueFacts& facts = tissue_facts(static_cast<Tissue>(t));
     for (const auto& figure : {facts.stiffness_n_per_mm, facts.speed_mm_s, facts.tone_hz, facts.loudness}) {
@@ -72,7 +72,7 @@ TEST(TissueFacts, a_scenarios_own_tissues_take_turns_among_the_shades) {
   EXPECT_GT(tissue_facts(static_cast<Tissue>(16)).stiffness_n_per_mm.value, 0.0);
 }
 
-TEST(TissueFacts, a_neighbours_tissues_feel_as_the_tooths_own_and_firm_decay_lies_between_soft_and_sound) {
+TEST(TissueFacts, a_neighbours_tissues_feel_as_the_tooths_own_and_a_firm_lesion_lies_between_soft_and_sound) {
   const TissueFacts &enamel = tissue_facts(Tissue::enamel), &beside = tissue_facts(static_cast<Tissue>(29));
   EXPECT_EQ(beside.stiffness_n_per_mm.value, enamel.stiffness_n_per_mm.value);
   EXPECT_EQ(beside.speed_mm_s.value, enamel.speed_mm_s.value);

@@ -29,16 +29,16 @@ EditorStart draft() {
   return start;
 }
 
-ModelResult of(const Model& model, const std::vector<AuditHand>& hands, double score) {
+ModelResult of(const Model& model, const std::vector<AuditOperator>& hands, double score) {
   ModelResult out;
   out.cost.us_a_tick = 10.0 + 4.0 * static_cast<double>(model.scenario.phenomena.size());
   out.cost.us_more = out.cost.us_a_tick - 18.0;
   out.cost.bytes = 20'000'000;
-  for (const AuditHand& hand : hands) {
-    ModelGo go;
-    go.hand = hand;
-    go.grade.score = score;
-    out.goes.push_back(go);
+  for (const AuditOperator& hand : hands) {
+    ModelAttempt attempt;
+    attempt.by = hand;
+    attempt.grade.score = score;
+    out.attempts.push_back(attempt);
   }
   return out;
 }
@@ -50,7 +50,7 @@ AuditRunner at_once(const std::string&) {
     for (const Model& m : run.models) {
       if (!watch(0.5)) return fail(AuditError::cancelled, {});
       const bool heat = std::ranges::find(m.scenario.phenomena, "heat") != m.scenario.phenomena.end();
-      out.push_back(of(m, run.hands, (heat ? 90.0 : 85.0) - 5 * m.scenario.specimen.voxel_mm));
+      out.push_back(of(m, run.operators, (heat ? 90.0 : 85.0) - 5 * m.scenario.specimen.voxel_mm));
     }
     return out;
   };

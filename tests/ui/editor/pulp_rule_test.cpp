@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "scenarios/library/library.h"
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
 #include "ui/editor/editor_model.h"

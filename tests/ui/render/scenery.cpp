@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "scenarios/specimens.h"
+#include "scenarios/specimens/specimens.h"
 #include "tests/engine/volume/carved.h"
 #include "tests/ui/render/ball.h"
 #include "ui/render/gl_context_egl.h"

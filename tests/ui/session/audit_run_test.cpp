@@ -34,7 +34,7 @@ TEST(AuditRun, TheSameModelGradesTheSameAndFeelsTheSame) {
   AuditRun run;
   run.home = small();
   run.models = {{small()}, {small()}};
-  run.hands = {{"expert", 1}};
+  run.operators = {{"expert", 1}};
   double last = 0;
   const auto results = audit_runner({})(run, [&](double share) {
     EXPECT_GE(share, last);
@@ -44,12 +44,12 @@ TEST(AuditRun, TheSameModelGradesTheSameAndFeelsTheSame) {
   ASSERT_TRUE(results);
   ASSERT_TRUE((*results)[0] && (*results)[1]);
   const ModelResult &a = *(*results)[0], &b = *(*results)[1];
-  EXPECT_EQ(a.goes.at(0).grade.score, b.goes.at(0).grade.score);
-  EXPECT_EQ(a.goes.at(0).seconds, b.goes.at(0).seconds);
+  EXPECT_EQ(a.attempts.at(0).grade.score, b.attempts.at(0).grade.score);
+  EXPECT_EQ(a.attempts.at(0).seconds, b.attempts.at(0).seconds);
   EXPECT_EQ(b.force_rms_n, 0.0);
   EXPECT_EQ(b.force_most_n, 0.0);
-  EXPECT_GT(a.goes[0].grade.score, 50.0);
-  EXPECT_EQ(a.goes[0].lost, 0u);
+  EXPECT_GT(a.attempts[0].grade.score, 50.0);
+  EXPECT_EQ(a.attempts[0].lost, 0u);
   if (kHeapIsCounted) {
     EXPECT_GT(a.cost.bytes, 1'000'000u);
   }
@@ -64,7 +64,7 @@ TEST(AuditRun, FrictionIsFeltOnTheSamePath) {
   AuditRun run;
   run.home = rough;
   run.models = {{rough}, with({rough}, {Aspect::friction, {}, 1, 0})};
-  run.hands = {{"expert", 1}};
+  run.operators = {{"expert", 1}};
   const auto results = audit_runner({})(run, {});
   ASSERT_TRUE(results);
   EXPECT_GT((*results)[1]->force_rms_n, 0.01);
@@ -75,7 +75,7 @@ TEST(AuditRun, StopsInTheMiddleOfAGo) {
   AuditRun run;
   run.home = small();
   run.models = {{small()}};
-  run.hands = {{"expert", 1}};
+  run.operators = {{"expert", 1}};
   run.costs = false;
   int asked = 0;
   const auto results = audit_runner({})(run, [&](double) { return ++asked < 10; });
@@ -90,7 +90,7 @@ TEST(AuditRun, StopsWhileAToothGrows) {
   AuditRun run;
   run.home = tooth;
   run.models = {{tooth}};
-  run.hands = {{"expert", 1}};
+  run.operators = {{"expert", 1}};
   double last = 0;
   const auto results = audit_runner({})(run, [&](double share) {
     last = share;
@@ -120,7 +120,7 @@ TEST(AuditRun, AnExerciseThatCannotBePlayedIsRefused) {
   AuditRun run;
   run.home = s;
   run.models = {{s}};
-  run.hands = {{"expert", 1}};
+  run.operators = {{"expert", 1}};
   const auto results = audit_runner({})(run, {});
   ASSERT_FALSE(results);
   EXPECT_EQ(results.error().code, AuditError::unplayable);

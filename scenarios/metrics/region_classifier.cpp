@@ -1,0 +1,168 @@
+#include "scenarios/metrics/region_classifier.h"
+
+#include <cmath>
+
+namespace cusp::scenarios {
+
+namespace {
+
+/// A corner with its distances from wall (u) and floor (v) and from the target (d).
+struct Corner {
+  Vec3 p;
+  double u, v, d;
+};
+using Tetrahedron = std::array<Corner, 4>;
+
+Corner between(const Corner& a, const Corner& b, double t) noexcept {
+  return {a.p + t * (b.p - a.p), a.u + t * (b.u - a.u), a.v + t * (b.v - a.v), a.d + t * (b.d - a.d)};
+}
+
+double mm3_of(const Tetrahedron& t) noexcept {
+  return std::fabs(glm::dot(t[1].p - t[0].p, glm::cross(t[2].p - t[0].p, t[3].p - t[0].p))) / 6.0;
+}
+
+/// Divides a tetrahedron where a value, linear between its corners, is 0.
+template <class Value, class Below, class Above>
+void divide(const Tetrahedron& t, Value&& value, Below&& below, Above&& above) {
+  std::array<double, 4> f{};
+  std::array<std::size_t, 4> in{}, out{};
+  std::size_t ins = 0, outs = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    f[i] = value(t[i]);
+    if (f[i] < 0.0)
+      in[ins++] = i;
+    else
+      out[outs++] = i;
+  }
+  const auto mix = [&](std::size_t a, std::size_t b) { return between(t[a], t[b], f[a] / (f[a] - f[b])); };
+  const auto prism = [](auto&& side, const Corner& a0, const Corner& a1, const Corner& a2, const Corner& b0,
+                        const Corner& b1, const Corner& b2) {
+    side(Tetrahedron{a0, a1, a2, b2});
+    side(Tetrahedron{a0, a1, b1, b2});
+    side(Tetrahedron{a0, b0, b1, b2});
+  };
+  if (ins == 4) {
+    below(t);
+  } else if (outs == 4) {
+    above(t);
+  } else if (ins == 2) {
+    const Corner ac = mix(in[0], out[0]), ad = mix(in[0], out[1]), bc = mix(in[1], out[0]), bd = mix(in[1], out[1]);
+    prism(below, t[in[0]], ac, ad, t[in[1]], bc, bd);
+    prism(above, t[out[0]], ac, bc, t[out[1]], ad, bd);
+  } else {
+    const std::size_t one = ins == 1 ? in[0] : out[0];
+    const std::array<std::size_t, 4>& rest = ins == 1 ? out : in;
+    const Corner a = mix(one, rest[0]), b = mix(one, rest[1]), c = mix(one, rest[2]);
+    const Tetrahedron tip{t[one], a, b, c};
+    if (ins == 1) {
+      below(tip);
+      prism(above, t[rest[0]], t[rest[1]], t[rest[2]], a, b, c);
+    } else {
+      above(tip);
+      prism(below, t[rest[0]], t[rest[1]], t[rest[2]], a, b, c);
+    }
+  }
+}
+
+}  // namespace
+
+void RegionClassifier::cell(Vec3 low, Vec3 high) {
+  low_ = low;
+  high_ = high;
+  sampled_ = false;
+  const Vec3 c = 0.5 * (low + high);
+  const double h = high.x - low.x;
+  const double u = shape_.outline_mm({c.x, c.y});
+  const double v = shape_.below_floor_mm(c.z);
+  const double d = rounded_corner(u, v, shape_.corner_mm());
+  // Half the cell's diagonal; u - v changes by no more than half a face's diagonal and half an edge.
+  const double reach = 0.8661 * h;
+  const double turn = 1.2072 * h;
+  place_ = place_of(u, v, shape_.corner_mm(), leeway_);
+  if (place_ == Place::target) {
+    whole_ = d < -reach;
+  } else {
+    const bool floor = v >= u;
+    const double edge = floor ? leeway_.floor_mm : leeway_.side_mm;
+    whole_ = d > reach && std::fabs(u - v) > turn && std::fabs(d - edge) > reach;
+  }
+}
+
+double RegionClassifier::outline_at(Vec3 p) noexcept {
+  if (!sampled_) {
+    sampled_ = true;
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < 3; ++i)
+        outline_[i + 3 * j] = shape_.outline_mm({low_.x + 0.5 * static_cast<double>(i) * (high_.x - low_.x),
+                                                 low_.y + 0.5 * static_cast<double>(j) * (high_.y - low_.y)});
+  }
+  const double fx = 2.0 * (p.x - low_.x) / (high_.x - low_.x);
+  const double fy = 2.0 * (p.y - low_.y) / (high_.y - low_.y);
+  const std::size_t i = fx < 1.0 ? 0 : 1;
+  const std::size_t j = fy < 1.0 ? 0 : 1;
+  const double x = fx - static_cast<double>(i);
+  const double y = fy - static_cast<double>(j);
+  const double* o = &outline_[i + 3 * j];
+  return (1.0 - y) * ((1.0 - x) * o[0] + x * o[1]) + y * ((1.0 - x) * o[3] + x * o[4]);
+}
+
+Place RegionClassifier::place_at(Vec3 p, double& d) noexcept {
+  const double u = outline_at(p);
+  const double v = shape_.below_floor_mm(p.z);
+  d = rounded_corner(u, v, shape_.corner_mm());
+  return whole_ ? place_ : place_of(u, v, shape_.corner_mm(), leeway_);
+}
+
+void RegionClassifier::box(Vec3 low, Vec3 high, Tissue tissue) {
+  const Vec3 size = high - low;
+  if (whole_) {
+    solid(place_, size.x * size.y * size.z, tissue);
+    return;
+  }
+  // In halves of the cell, where the outline was sampled, each as six tetrahedra about the diagonal.
+  const int parts = size.x > 0.75 * (high_.x - low_.x) ? 2 : 1;
+  const Vec3 step = size / static_cast<double>(parts);
+  constexpr std::array<std::array<int, 4>, 6> kPaths = {
+      {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
+  for (int k = 0; k < parts; ++k)
+    for (int j = 0; j < parts; ++j)
+      for (int i = 0; i < parts; ++i) {
+        const Vec3 corner = low + step * Vec3(i, j, k);
+        for (const auto& path : kPaths) {
+          std::array<Vec3, 4> t;
+          for (std::size_t n = 0; n < 4; ++n)
+            t[n] = corner + step * Vec3(path[n] & 1, path[n] >> 1 & 1, path[n] >> 2);
+          tetrahedron(t, step.x * step.y * step.z / 6.0, tissue);
+        }
+      }
+}
+
+void RegionClassifier::tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) {
+  if (whole_) {
+    solid(place_, mm3, tissue);
+    return;
+  }
+  Tetrahedron t;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double u = outline_at(corners[i]);
+    const double v = shape_.below_floor_mm(corners[i].z);
+    t[i] = {corners[i], u, v, rounded_corner(u, v, shape_.corner_mm())};
+  }
+  const auto split = [&](const Tetrahedron& part, double edge, Place near, Place far) {
+    divide(
+        part, [&](const Corner& c) { return c.d - edge; },
+        [&](const Tetrahedron& x) { solid(near, mm3_of(x), tissue); },
+        [&](const Tetrahedron& x) { solid(far, mm3_of(x), tissue); });
+  };
+  divide(
+      t, [](const Corner& c) { return c.d; },
+      [&](const Tetrahedron& inside) { solid(Place::target, mm3_of(inside), tissue); },
+      [&](const Tetrahedron& outside) {
+        divide(
+            outside, [](const Corner& c) { return c.u - c.v; },
+            [&](const Tetrahedron& x) { split(x, leeway_.floor_mm, Place::leeway_floor, Place::beyond_floor); },
+            [&](const Tetrahedron& x) { split(x, leeway_.side_mm, Place::leeway_side, Place::beyond_side); });
+      });
+}
+
+}  // namespace cusp::scenarios

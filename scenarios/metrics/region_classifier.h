@@ -1,0 +1,41 @@
+/// Divides the pieces of a solid by their place (target, leeway, beyond): cells that lie wholly in one place go there at
+/// once, others are cut where the target's distance, the bisector of floor and side, and the leeway's edge pass.
+#pragma once
+
+#include <array>
+
+#include "engine/volume/cut_volume.h"
+#include "scenarios/modules.h"
+#include "scenarios/shapes/leeway.h"
+
+namespace cusp::scenarios {
+
+class RegionClassifier : public PieceSink {
+ public:
+  /// Both outlive the sink.
+  RegionClassifier(const TargetShape& shape, const Leeway& leeway) : shape_(shape), leeway_(leeway) {}
+
+  void cell(Vec3 low, Vec3 high) override;
+  void box(Vec3 low, Vec3 high, Tissue tissue) override;
+  void tetrahedron(const std::array<Vec3, 4>& corners, double mm3, Tissue tissue) override;
+
+ protected:
+  /// A share of a piece, wholly in one place.
+  virtual void solid(Place place, double mm3, Tissue tissue) = 0;
+  /// Place and distance from the target of a point in the current cell.
+  Place place_at(Vec3 p, double& d) noexcept;
+
+  Vec3 low_{0.0}, high_{0.0};  // of the current cell
+
+ private:
+  double outline_at(Vec3 p) noexcept;
+
+  const TargetShape& shape_;
+  const Leeway& leeway_;
+  bool whole_ = false;                // the cell lies in one place
+  Place place_ = Place::target;
+  bool sampled_ = false;              // outline_ is of this cell
+  std::array<double, 9> outline_{};   // from the wall, at thirds 0, 1/2, 1 of x (fastest) and y
+};
+
+}  // namespace cusp::scenarios
