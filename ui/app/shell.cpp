@@ -45,7 +45,7 @@ Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
   column->addLayout(row, 1);
 }
 
-void Shell::show_notice(const Told& told) { notice_->show_message(Band::Kind::look, told.what, told.more); }
+void Shell::show_notice(const Message& message) { notice_->show_message(Band::Kind::look, message.what, message.more); }
 
 QWidget* Shell::make_top_bar(const Account& account) {
   auto* bar = new QFrame;

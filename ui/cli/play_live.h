@@ -1,4 +1,4 @@
-/// `cusp play --device`: a go in real time on a device, without a window. The emulated Falcon is led by a scripted hand,
+/// `cusp play --device`: an attempt in real time on a device, without a window. The emulated Falcon is led by a scripted hand,
 /// a real one by whoever holds it.
 #pragma once
 
@@ -7,8 +7,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "ui/session/exercise_run.h"
-#include "ui/session/run_device.h"
+#include "ui/session/exercise_session.h"
+#include "ui/session/session_device.h"
 
 namespace cusp::ui {
 
@@ -20,7 +20,7 @@ struct LiveOptions {
   bool progress = false;
 };
 
-/// What a live go was like, for --json.
+/// What a live attempt was like, for --json.
 struct LiveFigures {
   LoopTimes loop;
   RealtimeGrant grant;
@@ -35,7 +35,7 @@ nlohmann::ordered_json to_json(const LiveFigures& figures);
 /// Whether such a device can be played on without a window.
 bool can_play_live(const DeviceChoice& choice) noexcept;
 /// `choice` of the station; `stop` is looked at twenty times a second.
-Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOptions& options,
+Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, const LiveOptions& options,
                          const std::function<bool()>& stop, LiveFigures& figures);
 
 }  // namespace cusp::ui

@@ -29,14 +29,14 @@ void add_specimen(CLI::App& program, Job& job);
 void add_history(CLI::App& program, Job& job);
 
 /// One line on stderr, "cusp: …", and kFailed.
-int failed(const Told& told);
+int failed(const Message& message);
 int failed(const QString& what);
 /// One line on stderr; the verb goes on.
 void warn(const QString& what);
 /// One line on stderr and kWrongUsage.
 int wrong_usage(const QString& what);
 /// One line on stdout.
-void say(const std::string& line);
+void print_line(const std::string& line);
 /// A sentence for a terminal: one line, without the marks that hold right-to-left text together on a screen.
 std::string plain(const QString& text);
 

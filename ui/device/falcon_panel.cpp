@@ -41,12 +41,12 @@ falcon::EmulatedBodySettings usual_body() { return {}; }
 
 QString way_text(int step) {
   switch (static_cast<falcon::ForceWay>(step)) {
-    case falcon::ForceWay::right: return FalconWords::tr("It pushes to the right");
-    case falcon::ForceWay::left: return FalconWords::tr("It pushes to the left");
-    case falcon::ForceWay::up: return FalconWords::tr("It pushes up");
-    case falcon::ForceWay::down: return FalconWords::tr("It pushes down");
-    case falcon::ForceWay::to_user: return FalconWords::tr("It pushes towards you");
-    case falcon::ForceWay::away: return FalconWords::tr("It pushes away from you");
+    case falcon::ForceWay::right: return FalconText::tr("It pushes to the right");
+    case falcon::ForceWay::left: return FalconText::tr("It pushes to the left");
+    case falcon::ForceWay::up: return FalconText::tr("It pushes up");
+    case falcon::ForceWay::down: return FalconText::tr("It pushes down");
+    case falcon::ForceWay::to_user: return FalconText::tr("It pushes towards you");
+    case falcon::ForceWay::away: return FalconText::tr("It pushes away from you");
   }
   return {};
 }
@@ -66,7 +66,7 @@ struct FalconPanel::Inner {
   BenchView view;
   Running running = Running::nothing;
   falcon::SelfTestResult found;
-  bool has_found = false, told_failure = false;
+  bool has_found = false, shown_failure = false;
   QTimer timer;
 
   Band* band;
@@ -189,7 +189,7 @@ void FalconPanel::set_device(const std::string& kind, const std::string& name) {
 void FalconPanel::open() {
   Inner& in = *inner_;
   if (in.kind.empty() || in.bench) return;
-  in.told_failure = false;
+  in.shown_failure = false;
   in.bench = std::make_unique<DeviceBench>(in.settings.choice_of(in.kind, in.name), usual_body());
   in.timer.start();
 }
@@ -223,11 +223,11 @@ void FalconPanel::look() {
   in.view = in.bench->view();
   const BenchView& v = in.view;
   in.homing->show_falcon(v.falcon);
-  if (v.phase == BenchPhase::failed && !in.told_failure) {
-    in.told_failure = true;
+  if (v.phase == BenchPhase::failed && !in.shown_failure) {
+    in.shown_failure = true;
     if (const auto failure = in.bench->failure()) {
-      const Told told = tell_falcon(*failure);
-      in.band->show_message(Band::Kind::bad, told.what, told.more);
+      const Message message = describe_falcon(*failure);
+      in.band->show_message(Band::Kind::bad, message.what, message.more);
       if (failure->code == PortError::no_permission)
         in.rights->set_command(QString::fromStdString(falcon::udev_install_command()));
     }
@@ -308,7 +308,7 @@ void FalconPanel::trial_over() {
     } else {
       profile.gravity = *weight;
       const QString kilos = format({weight->grip_kg * 1e3, {}, QStringLiteral("g"), 0});
-      in.outcome->setText(real ? tr("The grip weighs %1. From the next go on it carries itself.").arg(kilos)
+      in.outcome->setText(real ? tr("The grip weighs %1. From the next attempt on it carries itself.").arg(kilos)
                                : tr("The grip weighs %1. Nothing is kept of an emulated one.").arg(kilos));
       if (real) in.settings.set_profile(in.name, profile);
     }

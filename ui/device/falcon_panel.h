@@ -23,7 +23,7 @@ class FalconPanel : public QWidget {
   void set_device(const std::string& kind, const std::string& name);
   /// What it says of itself, for lists and tests.
   QString summary() const;
-  /// Lets go of the device, so that a go may have it.
+  /// Lets go of the device, so that an attempt may have it.
   void let_go();
 
  public Q_SLOTS:

@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "ui/device/panel_card.h"
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 #include "ui/settings/device_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/chip.h"
@@ -36,7 +36,7 @@ double radians(int degrees) { return degrees * std::numbers::pi / 180.0; }
 
 QString millimetres(double m) { return format({m * 1000.0, {}, QStringLiteral("mm"), 1}); }
 
-/// What the errand brings back, whenever that is.
+/// What the background task brings back, whenever that is.
 struct Answer {
   std::mutex mutex;
   std::optional<Result<void, PortFailure>> result;
@@ -50,8 +50,8 @@ struct InversePanel::Inner {
   std::optional<DeviceSettings> kept;
   MakePort make;
   InverseSettings settings;
-  std::shared_ptr<InversePort> port;  // the errand has it too: whoever drops it last closes it
-  Errand asking;
+  std::shared_ptr<InversePort> port;  // the background task has it too: whoever drops it last closes it
+  BackgroundTask asking;
   std::shared_ptr<Answer> answer;
   QElapsedTimer asked_for;
   State state = State::away;
@@ -60,7 +60,7 @@ struct InversePanel::Inner {
   QString said;
 
   Chip* chip;
-  QLabel *told, *place, *rate, *handle;
+  QLabel *message, *place, *rate, *handle;
   QPushButton *ask, *free, *cancel;
   Bar* progress;
   QComboBox* turned;
@@ -87,9 +87,9 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
                            TextRole::caption, false, "text2");
   about->setWordWrap(true);
   column->addWidget(about);
-  in.told = make_label({});
-  in.told->setWordWrap(true);
-  column->addWidget(in.told);
+  in.message = make_label({});
+  in.message->setWordWrap(true);
+  column->addWidget(in.message);
   in.progress = new Bar(Bar::Role::accent);
   in.progress->setAccessibleName(tr("Asking the service."));
   in.progress->hide();
@@ -178,7 +178,7 @@ void InversePanel::connect_to_it() {
   in.state = Inner::State::asking;
   in.port = in.make(in.settings);
   in.answer = std::make_shared<Answer>();
-  in.asking = Errand([port = in.port, answer = in.answer] {
+  in.asking = BackgroundTask([port = in.port, answer = in.answer] {
     auto result = port->open();
     const std::lock_guard lock(answer->mutex);
     answer->result = std::move(result);
@@ -206,7 +206,7 @@ void InversePanel::take_answer() {
     in.port.reset();  // closed already
   }
   look();
-  announce(this, in.told->text());
+  announce(this, in.message->text());
 }
 
 void InversePanel::let_go() {
@@ -215,7 +215,7 @@ void InversePanel::let_go() {
   if (in.port) {
     in.port->cancel();
     // The last words go out and the line is closed on a thread that may wait for that.
-    Errand([port = std::move(in.port)]() mutable { port.reset(); });
+    BackgroundTask([port = std::move(in.port)]() mutable { port.reset(); });
   }
   in.asking = {};
   in.state = Inner::State::away;
@@ -229,29 +229,29 @@ void InversePanel::look() {
     take_answer();
     if (in.state != State::asking) return;  // it has looked
   }
-  QString told;
+  QString message;
   bool values = false;
   switch (in.state) {
     case State::away:
       in.chip->set(tr("not asked"), Chip::Kind::plain);
-      told = tr("Start its service, switch the device on, and look for it.");
+      message = tr("Start its service, switch the device on, and look for it.");
       break;
     case State::asking:
       in.chip->set(tr("asking"), Chip::Kind::plain);
-      told = tr("Asking the service.");
+      message = tr("Asking the service.");
       in.progress->set_share(1e-3 * static_cast<double>(in.asked_for.elapsed()) /
                                  std::chrono::duration<double>(InversePort::kLongestOpen).count(),
-                             told);
+                             message);
       break;
     case State::refused:
       in.chip->set(tr("not found"), Chip::Kind::look);
       if (in.failure.code == PortError::not_found && in.failure.where == "service") {
-        told = tr("No service answers at port %1. Start the maker's service and look again.")
+        message = tr("No service answers at port %1. Start the maker's service and look again.")
                    .arg(QString::number(in.settings.service.port));
       } else if (in.failure.code == PortError::not_found) {
-        told = tr("The service answers, but it knows of no Inverse3. Check its cable and power, and look again.");
+        message = tr("The service answers, but it knows of no Inverse3. Check its cable and power, and look again.");
       } else {
-        told = tr("Something answers at port %1, but not as an Inverse3's service does.")
+        message = tr("Something answers at port %1, but not as an Inverse3's service does.")
                    .arg(QString::number(in.settings.service.port));
       }
       break;
@@ -261,7 +261,7 @@ void InversePanel::look() {
       const bool ready = s.phase == inverse::Phase::ready;
       values = true;
       in.chip->set(ready ? tr("answers") : tr("silent"), ready ? Chip::Kind::good : Chip::Kind::look);
-      told = ready ? tr("Move it: the place below follows the hand.")
+      message = ready ? tr("Move it: the place below follows the hand.")
                    : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
       const Vec3 at = s.reading.position_m;
       in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres(at.x), millimetres(at.y), millimetres(at.z)));
@@ -276,7 +276,7 @@ void InversePanel::look() {
       break;
     }
   }
-  if (in.told->text() != told) in.told->setText(told);
+  if (in.message->text() != message) in.message->setText(message);
   in.values->setVisible(values);
   in.ask->setEnabled(in.state == State::away || in.state == State::refused);
   in.free->setVisible(in.state == State::answers);

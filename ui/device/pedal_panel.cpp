@@ -15,7 +15,7 @@
 #include "device/hid/permissions.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/panel_card.h"
-#include "ui/device/pedal_words.h"
+#include "ui/device/pedal_text.h"
 #include "ui/device/rights_row.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"

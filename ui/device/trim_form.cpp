@@ -66,9 +66,9 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
   QVBoxLayout* column = make_column(this, 12);
   auto* live = new QHBoxLayout;
   live->setSpacing(px(12));
-  live->addWidget(make_label(tr("Bur, from where a go begins"), TextRole::body, false, "text2"));
+  live->addWidget(make_label(tr("Bur, from where an attempt begins"), TextRole::body, false, "text2"));
   in.place = make_label(QStringLiteral("–"), TextRole::body, true);
-  in.place->setAccessibleDescription(tr("Bur, from where a go begins"));
+  in.place->setAccessibleDescription(tr("Bur, from where an attempt begins"));
   live->addWidget(in.place);
   in.held = new Chip(tr("held by the clutch"), Chip::Kind::accent);
   in.held->hide();
@@ -78,7 +78,7 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
 
   auto* start = new QHBoxLayout;
   start->setSpacing(px(12));
-  column->addWidget(make_label(tr("Where the grip stands when a go begins, from the middle of its travel:"), TextRole::body, false, "text2"));
+  column->addWidget(make_label(tr("Where the grip stands when an attempt begins, from the middle of its travel:"), TextRole::body, false, "text2"));
   const QString ways[] = {tr("Right"), tr("Up"), tr("Nearer")};
   for (std::size_t i = 0; i < in.centre.size(); ++i) {
     auto* box = new NumberField;

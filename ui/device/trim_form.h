@@ -1,4 +1,4 @@
-/// How the grip of one Falcon leads the bur, and how strong it is: where it stands when a go begins, how much of the
+/// How the grip of one Falcon leads the bur, and how strong it is: where it stands when an attempt begins, how much of the
 /// hand's way the bur goes, which button is the clutch, and the force's correction. Every change can be taken back; what
 /// it does is shown live under the hand. Thread: GUI.
 #pragma once

@@ -20,7 +20,7 @@ enum class Coach : std::uint8_t {
   sideways,      // the floor is reached here
   finish,        // hardly anything is left
   carry_on,      // lifted
-  quiet,         // no target, or the go stands: there is nothing to say
+  quiet,         // no target, or the attempt stands: there is nothing to say
 };
 
 /// How the sentence is signed: on the way, worth a look, or wrong.
@@ -41,7 +41,7 @@ bool worth_saying(const CoachLine& spoken, const CoachLine& line) noexcept;
 /// mm: twice what the sentence shows as its last digit; every tenth would talk without a pause.
 inline constexpr double kWorthSayingMm = 0.2;
 
-/// Whether the go stands: paused, held, or without its device. What the loop said last is then no longer so: the force is
+/// Whether the attempt stands: paused, held, or without its device. What the loop said last is then no longer so: the force is
 /// off and the handpiece stands.
 bool stands_still(const LiveView& live) noexcept;
 

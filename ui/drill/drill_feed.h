@@ -1,4 +1,4 @@
-/// Follows a running go on the mirror's thread: rebuilds the mesh where the tooth changed, draws the section a few
+/// Follows a running attempt on the mirror's thread: rebuilds the mesh where the tooth changed, draws the section a few
 /// times a second, and notes when voxels changed. What it makes is taken by the window's thread.
 #pragma once
 

@@ -144,7 +144,7 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   legend_row->addWidget(make_label(tr("Target"), TextRole::caption));
   legend_row->addSpacing(px(6));
   legend_row->addWidget(new LineSample(true, legend_));
-  legend_row->addWidget(make_label(tr("Leeway"), TextRole::caption));
+  legend_row->addWidget(make_label(tr("Tolerance zone"), TextRole::caption));
   legend_->hide();
 
   compass_ = new Compass(*view_, this);
@@ -284,7 +284,7 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   } else if (live.phase == LoopPhase::paused) {
     stop = Stop::paused;
   }
-  show_stopped(stop, live.recording_failure ? tell(*live.recording_failure) : Told{}, live.fault);
+  show_stopped(stop, live.recording_failure ? describe(*live.recording_failure) : Message{}, live.fault);
   if (stop_card_->show_falcon(falcon)) place_all();
 
   if (look_) show_coach(coach(live, look_->shape(), leeway_, radius));
@@ -313,7 +313,7 @@ void DrillStage::show_coach(CoachLine line) {
   if (line.what != Coach::quiet) announce(coach_, coach_->text());
 }
 
-void DrillStage::show_stopped(Stop stop, const Told& record, Fault fault) {
+void DrillStage::show_stopped(Stop stop, const Message& record, Fault fault) {
   if (asking_ && stop == Stop::paused) stop = Stop::none;
   if (stop_card_->show_stop(stop, record, fault)) place_all();
 }

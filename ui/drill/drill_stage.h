@@ -37,12 +37,12 @@ class DrillStage : public QWidget {
   /// `pulp_depth_mm`: of the highest pulp under the target, below its top; nullopt: none.
   void set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse, bool is_tooth,
                     std::optional<double> pulp_depth_mm = {});
-  /// `falcon`: what it tells while it does not answer the go; nullptr for another device.
+  /// `falcon`: what it tells while it does not answer the attempt; nullptr for another device.
   void show_values(const LiveView& live, const FalconView* falcon = nullptr);
   /// What the mouse would push with, N.
   void show_wanted_push(double newtons);
   void show_cutaway(SectionImage image);
-  void show_stopped(Stop stop, const Told& record = {}, Fault fault = Fault::none);
+  void show_stopped(Stop stop, const Message& record = {}, Fault fault = Fault::none);
   /// While a question stands over the screen, the pause that it made is not told besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);

@@ -25,7 +25,7 @@ Bar::Role role_of(Tissue tissue) {
     case Tissue::dentine:
     case Tissue::cementum: return Bar::Role::dentine;
     case Tissue::carious_dentine:
-    case Tissue::carious_enamel: return Bar::Role::decay;
+    case Tissue::carious_enamel: return Bar::Role::caries;
     case Tissue::pulp: return Bar::Role::pulp;
     default: return Bar::Role::plain;
   }
@@ -177,7 +177,7 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   percent_bar_ = new Bar(Bar::Role::target, part);
   percent_bar_->setAccessibleName(tr("Target removed"));
   part->layout()->addWidget(percent_bar_);
-  part->layout()->addWidget(make_fact_row(QStringLiteral("warning"), tr("Cut too far"), &too_far_));
+  part->layout()->addWidget(make_fact_row(QStringLiteral("warning"), tr("Over-cut"), &over_cut_));
   over_pulp_row_ = make_fact_row(QStringLiteral("shield"), tr("Least dentine over pulp"), &over_pulp_);
   part->layout()->addWidget(over_pulp_row_);
 
@@ -253,7 +253,7 @@ void ScorePanel::show_values(const LiveView& live) {
   const QString mm3 = QStringLiteral("mm3");
   set_value(percent_, format({live.target_removed_percent, {}, QStringLiteral("%"), 0}));
   percent_bar_->set_share(live.target_removed_percent / 100, percent_->text());
-  set_value(too_far_, format({live.over_leeway_mm3 + live.over_beyond_mm3, {}, mm3, 1}));
+  set_value(over_cut_, format({live.over_leeway_mm3 + live.over_beyond_mm3, {}, mm3, 1}));
   set_value(over_pulp_, live.pulp_exposed    ? tr("open")
                         : live.over_pulp_mm ? format({*live.over_pulp_mm, {}, QStringLiteral("mm"), 1})
                                             : tr("enough"));

@@ -64,7 +64,7 @@ class ScorePanel : public QFrame {
   SectionView* section_;
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
-  QLabel *section_aside_, *percent_, *too_far_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
+  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
   QWidget *progress_part_, *over_pulp_row_;
   Bar* percent_bar_;
   QGridLayout* tissue_grid_;

@@ -99,15 +99,15 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     column->addWidget(width_->note());
     connect(mend_, &QCheckBox::toggled, this, [this](bool on) {
       width_->setEnabled(on);
-      tell();
+      describe();
       Q_EMIT changed();
     });
     connect(width_, &QDoubleSpinBox::valueChanged, this, [this] {
-      tell();
+      describe();
       Q_EMIT changed();
     });
   }
-  tell();
+  describe();
 }
 
 void MeshForm::add_precedence(QVBoxLayout& column) {
@@ -125,7 +125,7 @@ void MeshForm::add_precedence(QVBoxLayout& column) {
 
 void MeshForm::set_unit_mm(double unit_mm) {
   unit_mm_ = unit_mm;
-  tell();
+  describe();
 }
 
 std::optional<double> MeshForm::mend_mm() const {
@@ -136,7 +136,7 @@ PartPrecedence MeshForm::precedence() const {
   return precedence_ ? static_cast<PartPrecedence>(precedence_->currentIndex()) : PartPrecedence::innermost;
 }
 
-void MeshForm::tell() {
+void MeshForm::describe() {
   const auto mend = mend_mm();
   for (const Row& row : rows_) {
     const MeshInfo& m = row.info;

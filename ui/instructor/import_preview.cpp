@@ -121,14 +121,14 @@ void ImportPreview::show_specimen(ImportedSpecimen made, const std::vector<Impor
   QStringList warnings;
   for (const ImportRemark& remark : remarks) {
     if (remark.code == RemarkCode::size_odd) continue;  // asked beside the size
-    if (warns(remark.code)) warnings << tell(remark);
+    if (warns(remark.code)) warnings << describe(remark);
     else notes.push_back(remark);
   }
   warnings_->setText(warnings.join(u'\n'));
   warnings_->setVisible(!warnings.isEmpty());
-  const QStringList told = tell(notes);
-  notes_->setText(told.join(u'\n'));
-  notes_->setVisible(!told.isEmpty());
+  const QStringList lines = describe(notes);
+  notes_->setText(lines.join(u'\n'));
+  notes_->setVisible(!lines.isEmpty());
   show_made();
 }
 

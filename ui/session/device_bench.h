@@ -10,7 +10,7 @@
 #include "device/falcon/trial.h"
 #include "engine/loop/realtime.h"
 #include "ui/modules.h"
-#include "ui/session/run_device.h"
+#include "ui/session/session_device.h"
 
 namespace cusp::ui {
 

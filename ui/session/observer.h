@@ -22,10 +22,10 @@ namespace cusp::ui {
 using Observer = MirrorObserver;
 
 enum class RecordingState : std::uint8_t {
-  off,        // a try-out or guest go: nothing is kept
+  off,        // a try-out or guest attempt: nothing is kept
   recording,
   behind,     // the disk is slow; nothing is lost yet
-  failed,     // could not be written: the go is held, LiveView::recording_failure says why
+  failed,     // could not be written: the attempt is held, LiveView::recording_failure says why
 };
 
 /// One copy of everything that panels and gauges show, about 40 times a second. Plain values.

@@ -1,4 +1,4 @@
-/// Writes a go into the database: one transaction a second, in order. On a thread of its own, so that a slow disk never
+/// Writes an attempt into the database: one transaction a second, in order. On a thread of its own, so that a slow disk never
 /// makes the mirror late; or at once, in virtual time. A file that another process holds and a full disk are tried again
 /// until they pass; nothing is dropped.
 #pragma once

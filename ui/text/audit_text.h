@@ -10,8 +10,8 @@ namespace cusp::ui {
 /// "Voxels 0.2 mm", "Pulp left out".
 QString choice_name(const Choice& choice);
 QString verdict_name(Verdict verdict);
-/// What was found: "Every go keeps its score within 2 points: Vibration left out. An update takes 31 µs instead of 40, …"
+/// What was found: "Every attempt keeps its score within 2 points: Vibration left out. An update takes 31 µs instead of 40, …"
 QString leanest_sentence(const AuditReport& report);
-Told tell(const AuditFailure& failure);
+Message describe(const AuditFailure& failure);
 
 }  // namespace cusp::ui

@@ -16,63 +16,63 @@ QString local(const LocalText& texts) {
 
 QString role_name(Role role) {
   switch (role) {
-    case Role::student: return Words::tr("Student");
-    case Role::instructor: return Words::tr("Teacher");
-    case Role::administrator: return Words::tr("Administrator");
+    case Role::student: return Text::tr("Student");
+    case Role::instructor: return Text::tr("Instructor");
+    case Role::administrator: return Text::tr("Administrator");
   }
   return {};
 }
 
 QString state_name(SessionState state) {
   switch (state) {
-    case SessionState::running: return Words::tr("Running");
-    case SessionState::interrupted: return Words::tr("Interrupted");
-    case SessionState::finished: return Words::tr("Not graded");
-    case SessionState::graded: return Words::tr("Graded");
-    case SessionState::closed: return Words::tr("Closed");
+    case SessionState::running: return Text::tr("Running");
+    case SessionState::interrupted: return Text::tr("Interrupted");
+    case SessionState::finished: return Text::tr("Not graded");
+    case SessionState::graded: return Text::tr("Graded");
+    case SessionState::closed: return Text::tr("Closed");
   }
   return {};
 }
 
 QString kind_name(SessionKind kind) {
   switch (kind) {
-    case SessionKind::practice: return Words::tr("Practice");
-    case SessionKind::assessment: return Words::tr("Assessment");
-    case SessionKind::try_it: return Words::tr("Try it");
-    case SessionKind::try_out: return Words::tr("Try-out");
+    case SessionKind::practice: return Text::tr("Practice");
+    case SessionKind::assessment: return Text::tr("Assessment");
+    case SessionKind::try_it: return Text::tr("Try it");
+    case SessionKind::try_out: return Text::tr("Try-out");
   }
   return {};
 }
 
 QString device_name(const std::string& device_class) {
-  if (device_class == "pointer") return Words::tr("Mouse and keys");
+  if (device_class == "pointer") return Text::tr("Mouse and keys");
   if (device_class == "falcon") return QStringLiteral("Falcon");
-  if (device_class == "emulated-falcon") return Words::tr("Emulated Falcon");
+  if (device_class == "emulated-falcon") return Text::tr("Emulated Falcon");
   if (device_class == "inverse3") return QStringLiteral("Inverse3");
-  if (device_class == "scripted") return Words::tr("Scripted hand");
+  if (device_class == "scripted") return Text::tr("Scripted operator");
   return text(device_class);
 }
 
 QString tissue_name(Tissue tissue) {
   switch (tissue) {
-    case Tissue::empty: return Words::tr("Nothing");
-    case Tissue::enamel: return Words::tr("Enamel");
-    case Tissue::dentine: return Words::tr("Dentine");
-    case Tissue::carious_dentine: return Words::tr("Decay");
-    case Tissue::cementum: return Words::tr("Cementum");
-    case Tissue::pulp: return Words::tr("Pulp");
-    case Tissue::bone: return Words::tr("Bone");
-    case Tissue::gingiva: return Words::tr("Gingiva");
-    case Tissue::ligament: return Words::tr("Ligament");
-    case Tissue::amalgam: return Words::tr("Amalgam");
-    case Tissue::composite: return Words::tr("Composite");
-    case Tissue::plastic: return Words::tr("Plastic");
-    case Tissue::carious_enamel: return Words::tr("Decayed enamel");
+    case Tissue::empty: return Text::tr("Nothing");
+    case Tissue::enamel: return Text::tr("Enamel");
+    case Tissue::dentine: return Text::tr("Dentine");
+    case Tissue::carious_dentine: return Text::tr("Carious dentine");
+    case Tissue::cementum: return Text::tr("Cementum");
+    case Tissue::pulp: return Text::tr("Pulp");
+    case Tissue::bone: return Text::tr("Bone");
+    case Tissue::gingiva: return Text::tr("Gingiva");
+    case Tissue::ligament: return Text::tr("Ligament");
+    case Tissue::amalgam: return Text::tr("Amalgam");
+    case Tissue::composite: return Text::tr("Composite");
+    case Tissue::plastic: return Text::tr("Plastic");
+    case Tissue::carious_enamel: return Text::tr("Carious enamel");
   }
-  if (tissue == kNeighbourEnamel) return Words::tr("Neighbour enamel");
-  if (tissue == kNeighbourDentine) return Words::tr("Neighbour dentine");
-  if (tissue == kFirmCariousDentine) return Words::tr("Firm decay");
-  return Words::tr("Material %1").arg(static_cast<int>(tissue) - 15);
+  if (tissue == kNeighbourEnamel) return Text::tr("Neighbour enamel");
+  if (tissue == kNeighbourDentine) return Text::tr("Neighbour dentine");
+  if (tissue == kFirmCariousDentine) return Text::tr("Firm carious dentine");
+  return Text::tr("Material %1").arg(static_cast<int>(tissue) - 15);
 }
 
 }  // namespace cusp::ui

@@ -1,5 +1,5 @@
 /// Codes of every room, put into words. The rooms below ui have codes only; whoever shows one to a person comes here.
-/// Needs no window. Here: people, goes, devices and tissues; with it come the words of failures and of grades.
+/// Needs no window. Here: people, attempts, devices and tissues; with it come the words of failures and of grades.
 #pragma once
 
 #include <QString>

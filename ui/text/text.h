@@ -7,8 +7,8 @@
 
 namespace cusp::ui {
 
-/// Words::tr("…") is looked up in the context Sentences.
-struct Words {
+/// Text::tr("…") is looked up in the context Sentences.
+struct Text {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Sentences)
 };
 

@@ -16,7 +16,7 @@
 #include "tests/ui/session/gate.h"
 #include "ui/settings/device_settings.h"
 #include "ui/settings/settings.h"
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/number_field.h"
 
@@ -120,7 +120,7 @@ TEST_F(InversePanelTest, a_service_that_hangs_holds_the_window_neither_while_it_
   }
   EXPECT_FALSE(gate->gave_up());
   gate->open();
-  wait_for_dropped_errands();
+  wait_for_dropped_tasks();
   EXPECT_FALSE(gate->gave_up());
 }
 
@@ -146,7 +146,7 @@ TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {
   InverseSettings stands = kept.inverse();
   stands.service.port = service.port();
   kept.set_inverse(stands);
-  auto device = make_run_device(kept.choice(), {1, 2, 3}, 2);
+  auto device = make_session_device(kept.choice(), {1, 2, 3}, 2);
   ASSERT_TRUE(device);
   EXPECT_FALSE(device->hand);
   ASSERT_TRUE(device->port->open());
@@ -156,7 +156,7 @@ TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {
     sample = device->port->wait(std::chrono::steady_clock::now() + std::chrono::milliseconds(20));
     device->port->write({});
   }
-  EXPECT_LT(glm::length(sample.position_mm - Vec3(1, 2, 3)), 1e-9);  // where the go begins
+  EXPECT_LT(glm::length(sample.position_mm - Vec3(1, 2, 3)), 1e-9);  // where the attempt begins
   device->port->close();
 }
 

@@ -1,4 +1,4 @@
-// A whole go on the platform "offscreen": real loop, mirror and scores, by keys alone, nothing drawn.
+// A whole attempt on the platform "offscreen": real loop, mirror and scores, by keys alone, nothing drawn.
 #include "tests/modules.h"
 #include "ui/drill/drill_screen.h"
 
@@ -36,7 +36,7 @@ class Screen : public testing::Test {
     screen->show();
   }
   void begin(const char* key, const std::vector<std::string>& phenomena = {}) {
-    RunPlan plan;
+    SessionPlan plan;
     plan.scenario = load_builtin(key).value();
     plan.scenario.phenomena = phenomena;
     plan.kind = SessionKind::try_it;
@@ -77,7 +77,7 @@ TEST_F(Screen, space_alone_drills_the_block_and_finishing_brings_the_grade) {
   screen->ask_finish();
   ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatienceMs));
   ASSERT_EQ(failed.count(), 0);
-  const auto result = finished[0][0].value<std::shared_ptr<const RunResult>>();
+  const auto result = finished[0][0].value<std::shared_ptr<const SessionResult>>();
   ASSERT_TRUE(result);
   EXPECT_GT(result->seconds, 0);
   EXPECT_FALSE(result->volume->cut_bricks().empty());
@@ -179,7 +179,7 @@ class LaidAside final : public HapticPort {
 };
 
 TEST_F(Screen, the_cutaway_of_a_bur_that_is_laid_aside_cuts_the_target) {
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = load_builtin("channel-1").value();
   plan.kind = SessionKind::try_it;
   screen->begin(std::move(plan), {}, std::make_unique<LaidAside>());
@@ -214,7 +214,7 @@ TEST_F(Screen, leaving_before_anything_is_cut_asks_nothing) {
 }
 
 TEST_F(Screen, a_scenario_whose_volume_is_missing_fails_with_its_reason) {
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = load_builtin("channel-1").value();
   plan.scenario.specimen = {};
   plan.scenario.specimen.volume = "nowhere.nrrd";
@@ -222,7 +222,7 @@ TEST_F(Screen, a_scenario_whose_volume_is_missing_fails_with_its_reason) {
   QSignalSpy failed(screen.get(), &DrillScreen::failed);
   screen->begin(std::move(plan), {});
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatienceMs));
-  EXPECT_EQ(failed[0][0].value<RunFailure>().code, RunError::specimen);
+  EXPECT_EQ(failed[0][0].value<SessionFailure>().code, SessionError::specimen);
   EXPECT_FALSE(screen->running());
 }
 
@@ -238,7 +238,7 @@ TEST_F(Screen, brackets_go_through_the_burs_and_stop_at_the_ends) {
 }
 
 TEST_F(Screen, it_can_be_closed_while_the_tooth_is_being_made_ready) {
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = load_builtin("channel-1").value();
   plan.kind = SessionKind::try_it;
   screen->begin(std::move(plan), {});

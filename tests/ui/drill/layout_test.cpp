@@ -178,7 +178,7 @@ TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
   for (const StorageError other : {StorageError::read_only, StorageError::busy, StorageError::io, StorageError::corrupt}) {
     const StorageFailure failure{other, "/data/cusp.db", {}};
     const QString text = shown(failure);
-    EXPECT_TRUE(text.contains(tell(failure).what)) << text.toStdString();
+    EXPECT_TRUE(text.contains(describe(failure).what)) << text.toStdString();
     EXPECT_FALSE(text.contains(u"room on the disk"_qs) || text.contains(u"disk is full"_qs)) << text.toStdString();
   }
 }

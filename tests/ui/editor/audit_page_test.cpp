@@ -35,10 +35,10 @@ ModelResult of(const Model& model, const std::vector<AuditHand>& hands, double s
   out.cost.us_more = out.cost.us_a_tick - 18.0;
   out.cost.bytes = 20'000'000;
   for (const AuditHand& hand : hands) {
-    ModelGo go;
-    go.hand = hand;
-    go.grade.score = score;
-    out.goes.push_back(go);
+    ModelGo attempt;
+    attempt.hand = hand;
+    attempt.grade.score = score;
+    out.goes.push_back(attempt);
   }
   return out;
 }

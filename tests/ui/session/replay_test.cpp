@@ -216,7 +216,7 @@ TEST(Replay, ASessionThatIsNotThereSaysSo) {
   const auto store = work.store();
   const auto opened = open_session(*store, SessionId::make());
   ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().code, RunError::storage);
+  EXPECT_EQ(opened.error().code, SessionError::storage);
   EXPECT_EQ(std::get<StorageError>(opened.error().cause), StorageError::not_found);
 }
 

@@ -72,7 +72,7 @@ TEST(BuildScene, TellsTheGuardWhatTheDeviceIs) {
 TEST(BuildScene, AReplayHasTheStiffnessAndTheGuardOfItsSession) {
   const Workplace work;
   test::DrillingPort port(1500, false);
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.scenario.tissues = {{Tissue::plastic, 2.0, 4.0}};
   const auto result = play_through(plan, port);
   ASSERT_TRUE(result) << key_of(result.error().code);

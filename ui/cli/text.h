@@ -11,7 +11,7 @@
 
 namespace cusp::ui {
 
-struct CliWords {
+struct CliText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Cli)
 };
 /// Descriptions of options are given to CLI11 as text.

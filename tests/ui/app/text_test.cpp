@@ -16,15 +16,15 @@ namespace {
 
 template <class Code, class Failure>
 void each_code_has_its_own_sentence(int codes) {
-  std::set<QString> told;
+  std::set<QString> messages;
   for (int i = 0; i < codes; ++i) {
-    const Told t = tell(Failure{static_cast<Code>(i), "the/place", {}});
+    const Message t = describe(Failure{static_cast<Code>(i), "the/place", {}});
     EXPECT_FALSE(t.what.isEmpty()) << i;
     EXPECT_TRUE(t.what.endsWith(u'.')) << t.what.toStdString();
     EXPECT_FALSE(t.line().contains(u'%')) << t.line().toStdString();
-    told.insert(t.line());
+    messages.insert(t.line());
   }
-  EXPECT_GE(static_cast<int>(told.size()), codes - 8);  // kinds of "not known" share one sentence with another place
+  EXPECT_GE(static_cast<int>(messages.size()), codes - 8);  // kinds of "not known" share one sentence with another place
 }
 
 TEST(Sentences, every_code_of_every_room_has_words) {
@@ -32,8 +32,8 @@ TEST(Sentences, every_code_of_every_room_has_words) {
   each_code_has_its_own_sentence<FormatError, FormatFailure>(static_cast<int>(FormatError::unknown_builtin) + 1);
   each_code_has_its_own_sentence<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
   each_code_has_its_own_sentence<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
-  for (int i = 0; i <= static_cast<int>(RunError::specimen_changed); ++i) {
-    EXPECT_FALSE(tell(RunFailure{static_cast<RunError>(i), "place"}).what.isEmpty());
+  for (int i = 0; i <= static_cast<int>(SessionError::specimen_changed); ++i) {
+    EXPECT_FALSE(describe(SessionFailure{static_cast<SessionError>(i), "place"}).what.isEmpty());
   }
 }
 
@@ -41,30 +41,30 @@ TEST(Sentences, why_a_device_may_be_late_is_told_with_a_way_out) {
   RealtimeGrant grant;
   grant.level = RealtimeLevel::rtkit;
   grant.refusal = RealtimeRefusal::none;
-  EXPECT_EQ(tell(grant).line().toStdString(), "The device goes before other programs.");
+  EXPECT_EQ(describe(grant).line().toStdString(), "The device goes before other programs.");
   grant.level = RealtimeLevel::normal;
   grant.refusal = RealtimeRefusal::no_service;
-  const QString missing = tell(grant).more;
+  const QString missing = describe(grant).more;
   EXPECT_TRUE(missing.contains("rtkit"));
   grant.refusal = RealtimeRefusal::not_permitted;
-  EXPECT_NE(tell(grant).more, missing);
-  EXPECT_FALSE(tell(RealtimeGrant{}).what.isEmpty());
+  EXPECT_NE(describe(grant).more, missing);
+  EXPECT_FALSE(describe(RealtimeGrant{}).what.isEmpty());
 }
 
-TEST(Sentences, a_failed_go_tells_its_cause_not_its_consequence) {
-  const RunFailure full{RunError::recording_failed, "/data/cusp.db", {}, StorageError::disk_full};
-  EXPECT_EQ(tell(full).what.toStdString(), "The disk is full.");
+TEST(Sentences, a_failed_attempt_names_its_cause_not_its_consequence) {
+  const SessionFailure full{SessionError::recording_failed, "/data/cusp.db", {}, StorageError::disk_full};
+  EXPECT_EQ(describe(full).what.toStdString(), "The disk is full.");
 }
 
 TEST(Sentences, a_newer_database_is_refused_by_name_and_stays_as_it_is) {
-  const QString line = tell(StorageFailure{StorageError::newer_schema, "/data/cusp.db"}).line();
+  const QString line = describe(StorageFailure{StorageError::newer_schema, "/data/cusp.db"}).line();
   EXPECT_TRUE(line.contains(QStringLiteral("/data/cusp.db")));
   EXPECT_TRUE(line.contains(QStringLiteral("left as it is")));
 }
 
 TEST(Sentences, nobody_is_shouted_at_or_blamed) {
   for (int i = 0; i <= static_cast<int>(StorageError::bad_trace); ++i) {
-    const QString line = tell(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();
+    const QString line = describe(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();
     for (const char* word : {"!", "please", "invalid", "error", "oops", "sorry"}) {
       EXPECT_FALSE(line.contains(QLatin1String(word))) << line.toStdString();
     }
@@ -145,7 +145,7 @@ std::string bare(QString text) {
 TEST(Sentences, a_failure_about_a_person_names_the_number_and_never_the_file) {
   const std::string file = "/var/lib/cusp/school.db";
   const auto line = [&](StorageError code, const char* where, Secret asked, const std::string& detail = {}) {
-    return bare(tell_account({code, where, detail}, QStringLiteral("20267314"), asked).line());
+    return bare(describe_account({code, where, detail}, QStringLiteral("20267314"), asked).line());
   };
   EXPECT_EQ(line(StorageError::duplicate, file.c_str(), Secret::pin, "UNIQUE constraint failed: people.number"),
             "The number 20267314 is taken. Nothing was changed. Choose another number.");
@@ -162,13 +162,13 @@ TEST(Sentences, a_failure_about_a_person_names_the_number_and_never_the_file) {
     }
   }
   // Without a person in hand the file is not what is taken either.
-  EXPECT_EQ(bare(tell(StorageFailure{StorageError::duplicate, file, "UNIQUE constraint failed"}).line()),
+  EXPECT_EQ(bare(describe(StorageFailure{StorageError::duplicate, file, "UNIQUE constraint failed"}).line()),
             "This number or name is taken. Nothing was changed.");
 }
 
 TEST(Sentences, a_pin_is_called_a_pin_and_a_password_a_password) {
   const auto line = [](StorageError code, const char* where, Secret asked) {
-    return tell_account({code, where, {}}, QStringLiteral("7"), asked).line();
+    return describe_account({code, where, {}}, QStringLiteral("7"), asked).line();
   };
   for (const StorageError code : {StorageError::wrong_password, StorageError::weak_password}) {
     EXPECT_TRUE(line(code, "sign_in", Secret::pin).contains(QStringLiteral("PIN")));
@@ -177,28 +177,28 @@ TEST(Sentences, a_pin_is_called_a_pin_and_a_password_a_password) {
     EXPECT_FALSE(line(code, "sign_in", Secret::password).contains(QStringLiteral("PIN")));
   }
   // Storage says which of the two was too weak, whatever was asked.
-  EXPECT_EQ(tell(StorageFailure{StorageError::weak_password, "pin"}).what.toStdString(), "A PIN has exactly six digits.");
+  EXPECT_EQ(describe(StorageFailure{StorageError::weak_password, "pin"}).what.toStdString(), "A PIN has exactly six digits.");
 }
 
 TEST(Sentences, a_table_of_the_records_is_never_named) {
   for (const char* table : {"people", "sessions", "scenario_versions", "blobs", "trace_chunks", "cohort_students"}) {
-    const QString line = tell(StorageFailure{StorageError::not_found, table, "0199"}).line();
+    const QString line = describe(StorageFailure{StorageError::not_found, table, "0199"}).line();
     EXPECT_FALSE(line.contains(QLatin1String(table))) << line.toStdString();
     EXPECT_TRUE(line.contains(QStringLiteral("0199"))) << line.toStdString();
   }
 }
 
 TEST(Sentences, a_full_disk_is_said_only_where_the_disk_is_full) {
-  const QString failed = tell(StorageFailure{StorageError::io, "/cache/tooth.nrrd", "Permission denied"}).line();
+  const QString failed = describe(StorageFailure{StorageError::io, "/cache/tooth.nrrd", "Permission denied"}).line();
   EXPECT_FALSE(failed.contains(QStringLiteral("full"))) << failed.toStdString();
   EXPECT_TRUE(failed.contains(QStringLiteral("Permission denied"))) << failed.toStdString();
-  const QString memory = tell(StorageFailure{StorageError::io, "memory"}).line();
+  const QString memory = describe(StorageFailure{StorageError::io, "memory"}).line();
   EXPECT_TRUE(memory.contains(QStringLiteral("memory to check a password"))) << memory.toStdString();
 }
 
 TEST(Sentences, a_place_for_a_database_that_admits_no_file_is_not_called_missing) {
   const auto line = [](StorageError code, const char* detail) {
-    QString text = tell(StorageFailure{code, "/sys/cusp.db", detail}).line();
+    QString text = describe(StorageFailure{code, "/sys/cusp.db", detail}).line();
     for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
     return text.toStdString();
   };

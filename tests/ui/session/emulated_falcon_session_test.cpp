@@ -1,4 +1,4 @@
-// A whole go on the emulated Falcon in real time: bytes, loop, mirror, recorder, a device that falls silent, proof. The
+// A whole attempt on the emulated Falcon in real time: bytes, loop, mirror, recorder, a device that falls silent, proof. The
 // ten minutes of the same stand in tests/README.md. Nothing is judged by the clock: progress is waited for.
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "tests/modules.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
-#include "ui/session/run_device.h"
+#include "ui/session/session_device.h"
 
 namespace cusp::test {
 namespace {
@@ -24,10 +24,10 @@ DeviceChoice kind(const std::string& key) {
   return out;
 }
 
-TEST(EmulatedFalconRun, a_device_that_falls_silent_holds_the_go_and_the_session_is_stored_whole) {
+TEST(EmulatedFalconSession, a_device_that_falls_silent_holds_the_go_and_the_session_is_stored_whole) {
   const test::Workplace place;
   std::atomic<bool> mute{false};
-  RunDevice device;
+  SessionDevice device;
   double t = 0;
   const EmulatedHand hand = [&](const Feedback&, double dt_s) noexcept {
     t += std::min(dt_s, 0.004);
@@ -35,12 +35,12 @@ TEST(EmulatedFalconRun, a_device_that_falls_silent_holds_the_go_and_the_session_
     const double depth = t < 0.3 ? 1.0 - 3.0 * t : std::max(0.1 - 0.3 * (t - 0.3), -0.6);
     return EmulatedHandPose{{0.5 * std::sin(3.0 * t), 0.6, depth}, t > 0.2, 0};
   };
-  auto made = make_run_device(kind("emulated-falcon"), Vec3(0.0, 0.6, 1.0), 2, hand);
+  auto made = make_session_device(kind("emulated-falcon"), Vec3(0.0, 0.6, 1.0), 2, hand);
   ASSERT_TRUE(made);
   device = std::move(*made);
-  auto started = ExerciseRun::start(place.plan(), *device.port);
+  auto started = ExerciseSession::start(place.plan(), *device.port);
   ASSERT_TRUE(started) << started.error().where;
-  ExerciseRun& run = **started;
+  ExerciseSession& run = **started;
   // Somebody goes on whenever the device is there again.
   const auto until = [&run](auto reached) {
     while (!reached(run.view())) {
@@ -75,21 +75,21 @@ TEST(EmulatedFalconRun, a_device_that_falls_silent_holds_the_go_and_the_session_
   EXPECT_EQ(proof->volume_hash, result->volume_hash);
 }
 
-TEST(RunDevice, says_why_there_is_none) {
-  EXPECT_EQ(make_run_device(kind("trackball"), Vec3(0.0), 1).error().code, PortError::not_found);
-  const auto scripted = make_run_device(kind("scripted"), Vec3(0.0), 1);
+TEST(SessionDevice, says_why_there_is_none) {
+  EXPECT_EQ(make_session_device(kind("trackball"), Vec3(0.0), 1).error().code, PortError::not_found);
+  const auto scripted = make_session_device(kind("scripted"), Vec3(0.0), 1);
   ASSERT_FALSE(scripted);
   EXPECT_EQ(scripted.error().detail, "needs_file");
   DeviceChoice falcon = kind("falcon");
   falcon.firmware = {"/nowhere/firmware.bin", "00"};
-  const auto file = make_run_device(falcon, Vec3(0.0), 1);
+  const auto file = make_session_device(falcon, Vec3(0.0), 1);
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, PortError::bad_file);
   EXPECT_EQ(file.error().detail, "unreadable");
 }
 
-TEST(RunDevice, the_mouse_leads_the_emulated_falcon_over_the_place_that_it_shows) {
-  auto made = make_run_device(kind("emulated-falcon"), Vec3(0.0, 0.0, 5.0), 1);
+TEST(SessionDevice, the_mouse_leads_the_emulated_falcon_over_the_place_that_it_shows) {
+  auto made = make_session_device(kind("emulated-falcon"), Vec3(0.0, 0.0, 5.0), 1);
   ASSERT_TRUE(made);
   ASSERT_TRUE(made->hand);
   ASSERT_TRUE(made->port->open());

@@ -1,4 +1,4 @@
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -9,14 +9,14 @@
 
 namespace cusp::ui {
 
-struct Errand::Job {
+struct BackgroundTask::Job {
   std::thread thread;
   std::atomic<bool> over{false};
 };
 
 namespace {
 
-/// Errands that nobody holds any more.
+/// BackgroundTasks that nobody holds any more.
 class Dropped {
  public:
   ~Dropped() { wait(); }
@@ -81,8 +81,8 @@ Dropped& dropped() {
 
 }  // namespace
 
-Errand::Errand(std::function<void()> work) : job_(std::make_shared<Job>()) {
-  dropped();  // stands before the first errand, and goes after it
+BackgroundTask::BackgroundTask(std::function<void()> work) : job_(std::make_shared<Job>()) {
+  dropped();  // stands before the first background task, and goes after it
   job_->thread = std::thread([work = std::move(work), job = job_.get()]() mutable {
     work();
     work = nullptr;  // what it holds goes here, not on the window's thread
@@ -90,22 +90,22 @@ Errand::Errand(std::function<void()> work) : job_(std::make_shared<Job>()) {
   });
 }
 
-Errand::~Errand() {
+BackgroundTask::~BackgroundTask() {
   if (!job_) return;
   std::thread thread = std::move(job_->thread);
   dropped().take([job = std::move(job_)] { return job->over.load(std::memory_order_acquire); }, std::move(thread));
 }
 
-Errand::Errand(Errand&& other) noexcept = default;
+BackgroundTask::BackgroundTask(BackgroundTask&& other) noexcept = default;
 
-Errand& Errand::operator=(Errand&& other) noexcept {
-  Errand gone(std::move(*this));
+BackgroundTask& BackgroundTask::operator=(BackgroundTask&& other) noexcept {
+  BackgroundTask gone(std::move(*this));
   job_ = std::move(other.job_);
   return *this;
 }
 
-bool Errand::over() const noexcept { return !job_ || job_->over.load(std::memory_order_acquire); }
+bool BackgroundTask::over() const noexcept { return !job_ || job_->over.load(std::memory_order_acquire); }
 
-void wait_for_dropped_errands() { dropped().wait_for_all(); }
+void wait_for_dropped_tasks() { dropped().wait_for_all(); }
 
 }  // namespace cusp::ui

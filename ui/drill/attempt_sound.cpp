@@ -1,4 +1,4 @@
-#include "ui/drill/go_sound.h"
+#include "ui/drill/attempt_sound.h"
 
 #include "scenarios/format/keys.h"
 #include "ui/drill/handpiece_panel.h"
@@ -8,7 +8,7 @@
 
 namespace cusp::ui {
 
-GoSound::GoSound(HandpiecePanel& panel, QObject* parent) : QObject(parent), panel_(panel), sound_(new DrillSound(this)) {
+AttemptSound::AttemptSound(HandpiecePanel& panel, QObject* parent) : QObject(parent), panel_(panel), sound_(new DrillSound(this)) {
   connect(&panel_, &HandpiecePanel::volume_changed, this, [this](int percent) {
     sound_->set_volume(percent);
     if (settings_) settings_->set_volume_percent(percent);
@@ -19,7 +19,7 @@ GoSound::GoSound(HandpiecePanel& panel, QObject* parent) : QObject(parent), pane
   });
 }
 
-void GoSound::begin(const Scenario& scenario) {
+void AttemptSound::begin(const Scenario& scenario) {
   if (!has_phenomenon(scenario.phenomena, "sound")) return;
   const int volume = settings_ ? settings_->volume_percent() : Settings::kUsualVolumePercent;
   const bool muted = settings_ && settings_->muted();
@@ -28,11 +28,11 @@ void GoSound::begin(const Scenario& scenario) {
   panel_.set_sound(sound_->start(), volume, muted);
 }
 
-void GoSound::follow(const LiveView& live, const Scene& scene) {
+void AttemptSound::follow(const LiveView& live, const Scene& scene) {
   if (!sound_->available()) return;
   sound_->follow(live.phase == LoopPhase::running ? heard_of(live.output, scene) : DrillHeard{});
 }
 
-void GoSound::stop() { sound_->stop(); }
+void AttemptSound::stop() { sound_->stop(); }
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-#include "ui/student/picture_shelf.h"
+#include "ui/student/thumbnail_cache.h"
 
 #include <QFile>
 #include <QRunnable>
@@ -25,18 +25,18 @@ Colour linear(const QColor& c) {
 }
 
 /// Null when told to stop.
-QImage draw(const Scenario& scenario, const std::filesystem::path& folder, PictureShelf::Use use, bool dark,
+QImage draw(const Scenario& scenario, const std::filesystem::path& folder, ThumbnailCache::Use use, bool dark,
             const std::atomic<bool>& stop) {
   const auto specimen = build_specimen(scenario, folder, &stop);
   if (!specimen) return {};
   const Volume volume(*specimen);
-  const QSize size = use == PictureShelf::Use::card ? kCard : kCover;
+  const QSize size = use == ThumbnailCache::Use::card ? kCard : kCover;
   const auto context = EglContext::create(2 * size.width(), 2 * size.height());
   if (!context) return {};
   const auto picture = ToothPicture::create();
   if (!picture) return {};
   const TargetLook look(scenario.target, scenario.leeway);
-  const bool card = use == PictureShelf::Use::card;
+  const bool card = use == ThumbnailCache::Use::card;
   PatchFeed feed(card ? look.feed() : FeedSettings{});
   if (stop) return {};
   feed.build_all(volume);
@@ -66,19 +66,19 @@ QImage draw(const Scenario& scenario, const std::filesystem::path& folder, Pictu
 
 }  // namespace
 
-PictureShelf::PictureShelf(std::filesystem::path cache, QObject* parent) : QObject(parent), cache_(std::move(cache)) {
+ThumbnailCache::ThumbnailCache(std::filesystem::path cache, QObject* parent) : QObject(parent), cache_(std::move(cache)) {
   pool_.setMaxThreadCount(1);
   std::error_code ignored;
   std::filesystem::create_directories(cache_, ignored);
 }
 
-PictureShelf::~PictureShelf() {
+ThumbnailCache::~ThumbnailCache() {
   closing_ = true;
   pool_.clear();
   pool_.waitForDone();
 }
 
-QImage PictureShelf::picture(const Exercise& exercise, const std::filesystem::path& folder, Use use, bool dark) {
+QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::path& folder, Use use, bool dark) {
   const QString name = QString::fromStdString(content_hash(exercise.scenario).hex()).left(32) +
                        (use == Use::card ? u"-card"_qs : u"-cover"_qs) + (dark ? u"-dark.png"_qs : u"-light.png"_qs);
   const QString file = QString::fromStdString((cache_ / name.toStdString()).string());
@@ -92,7 +92,7 @@ QImage PictureShelf::picture(const Exercise& exercise, const std::filesystem::pa
     if (!drawn.save(file + u".part"_qs, "PNG")) return;
     QFile::remove(file);
     QFile::rename(file + u".part"_qs, file);
-    QMetaObject::invokeMethod(this, &PictureShelf::ready, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &ThumbnailCache::ready, Qt::QueuedConnection);
   });
   return {};
 }

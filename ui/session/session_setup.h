@@ -1,4 +1,4 @@
-/// The beginning and the end that a live go and a scripted one share: scene, rows, recorder; then final volume and grade.
+/// The beginning and the end that a live attempt and a scripted one share: scene, rows, recorder; then final volume and grade.
 #pragma once
 
 #include <memory>
@@ -8,11 +8,11 @@
 #include "scenarios/metrics/process.h"
 #include "storage/store.h"
 #include "ui/modules.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 
 namespace cusp::ui {
 
-struct RunSetup {
+struct SessionSetup {
   DeviceLimits device;
   std::shared_ptr<const Scene> scene;
   double stiffness_share = 1.0;          // of the scenario's, that the device leaves
@@ -24,22 +24,22 @@ struct RunSetup {
 };
 
 /// `plan` gets its specimen. No row is written before everything else has succeeded.
-Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device);
+Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device);
 
-/// Why a go is over; the key is the reason stored with the event.
-enum class RunEnd : std::uint8_t {
+/// Why an attempt is over; the key is the reason stored with the event.
+enum class SessionEnd : std::uint8_t {
   student,         // finished by hand
   time_limit,      // finished, the scenario's time was used
   script,          // finished, the hand had nothing more to do
   recorder_full,   // interrupted: inputs were not taken off in time
   stopped,         // interrupted from outside
 };
-std::string_view key_of(RunEnd end) noexcept;
-constexpr bool interrupts(RunEnd end) noexcept { return end == RunEnd::recorder_full || end == RunEnd::stopped; }
+std::string_view key_of(SessionEnd end) noexcept;
+constexpr bool interrupts(SessionEnd end) noexcept { return end == SessionEnd::recorder_full || end == SessionEnd::stopped; }
 
 /// Grades the volume and, with a store, writes final volume, event and grade. Measured before anything is written.
-Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store, const StepState& state,
-                        const Process& process, RunEnd end);
+Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& setup, Store* store, const StepState& state,
+                        const Process& process, SessionEnd end);
 
 /// Of the rubric's canonical JSON, as stored beside a grade.
 Hash256 rubric_hash(const Rubric& rubric);

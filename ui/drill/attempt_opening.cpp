@@ -1,11 +1,11 @@
-#include "ui/drill/go_opening.h"
+#include "ui/drill/attempt_opening.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "ui/render/scenery_look.h"
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 #include "ui/session/scene_builder.h"
 
 namespace cusp::ui {
@@ -49,17 +49,17 @@ std::optional<double> pulp_under(const Specimen& specimen, const TargetLook& loo
 
 }  // namespace
 
-GoOpening::GoOpening(Order order, Answer answer) {
+AttemptOpening::AttemptOpening(Order order, Answer answer) {
   auto shared = std::make_shared<Order>(std::move(order));
   thread_ = std::thread([this, shared, answer = std::move(answer)] {
-    open(std::move(*shared), [this, &answer](std::shared_ptr<OpenedGo> go, std::optional<RunFailure> failure) {
+    open(std::move(*shared), [this, &answer](std::shared_ptr<OpenedAttempt> attempt, std::optional<SessionFailure> failure) {
       over_.store(true, std::memory_order_release);
-      answer(std::move(go), std::move(failure));
+      answer(std::move(attempt), std::move(failure));
     });
   });
 }
 
-GoOpening::~GoOpening() {
+AttemptOpening::~AttemptOpening() {
   // A port forgets a cancel() that came before its open().
   while (!over_.load(std::memory_order_acquire)) {
     call_off();
@@ -68,57 +68,57 @@ GoOpening::~GoOpening() {
   thread_.join();
 }
 
-void GoOpening::call_off() noexcept {
+void AttemptOpening::call_off() noexcept {
   called_off_ = true;
   if (FalconPort* falcon = falcon_.load(std::memory_order_acquire)) falcon->cancel();
   if (InversePort* inverse = inverse_.load(std::memory_order_acquire)) inverse->cancel();
 }
 
-void GoOpening::open(Order order, const Answer& answer) {
-  RunPlan& plan = order.plan;
-  auto go = std::make_shared<OpenedGo>();
+void AttemptOpening::open(Order order, const Answer& answer) {
+  SessionPlan& plan = order.plan;
+  auto attempt = std::make_shared<OpenedAttempt>();
   // Beside the specimen: a jaw's other teeth take as long as its own.
-  std::jthread beside([&go = *go, source = plan.scenario.specimen] { go.scenery = scenery_of(source); });
-  auto specimen = plan.specimen ? Run<std::shared_ptr<const Specimen>>(plan.specimen)
+  std::jthread beside([&attempt = *attempt, source = plan.scenario.specimen] { attempt.scenery = scenery_of(source); });
+  auto specimen = plan.specimen ? Outcome<std::shared_ptr<const Specimen>>(plan.specimen)
                                 : build_specimen(plan.scenario, plan.scenario_folder);
   if (!specimen) return answer(nullptr, specimen.error());
   plan.specimen = *specimen;
-  go->look = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
-  go->patches = std::make_shared<PatchFeed>(go->look->feed());
+  attempt->look = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
+  attempt->patches = std::make_shared<PatchFeed>(attempt->look->feed());
   {
     const Volume whole(*specimen);
-    go->patches->build_all(whole);
-    go->lines = go->look->lines(whole);
+    attempt->patches->build_all(whole);
+    attempt->lines = attempt->look->lines(whole);
   }
   const Grid& grid = (*specimen)->grid();
-  go->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
-  for (const ScenarioTissue& t : plan.scenario.tissues) go->has_pulp = go->has_pulp || t.tissue == Tissue::pulp;
-  if (go->has_pulp) go->pulp_depth_mm = pulp_under(**specimen, *go->look);
+  attempt->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
+  for (const ScenarioTissue& t : plan.scenario.tissues) attempt->has_pulp = attempt->has_pulp || t.tissue == Tissue::pulp;
+  if (attempt->has_pulp) attempt->pulp_depth_mm = pulp_under(**specimen, *attempt->look);
   beside.join();
-  go->feed = std::make_shared<DrillFeed>(go->patches, *go->look, go->bounds, std::move(order.frame_wanted), go->scenery);
-  plan.observers.push_back(go->feed.get());
+  attempt->feed = std::make_shared<DrillFeed>(attempt->patches, *attempt->look, attempt->bounds, std::move(order.frame_wanted), attempt->scenery);
+  plan.observers.push_back(attempt->feed.get());
   if (order.port) {
-    go->device.port = std::move(order.port);
+    attempt->device.port = std::move(order.port);
   } else {
     const Vec3 start =
-        start_place(**specimen, *go->look, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
-    auto device = make_run_device(order.choice, start, plan.scenario.instruments.size());
-    if (!device) return answer(nullptr, std::move(run_fail(RunError::device, device.error()).error()));
-    go->device = std::move(*device);
+        start_place(**specimen, *attempt->look, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
+    auto device = make_session_device(order.choice, start, plan.scenario.instruments.size());
+    if (!device) return answer(nullptr, std::move(session_fail(SessionError::device, device.error()).error()));
+    attempt->device = std::move(*device);
   }
-  wait_for_dropped_errands();  // a page may still be closing the device
-  falcon_.store(go->device.falcon, std::memory_order_release);
-  inverse_.store(go->device.inverse, std::memory_order_release);
-  auto run = ExerciseRun::start(std::move(plan), *go->device.port);
+  wait_for_dropped_tasks();  // a page may still be closing the device
+  falcon_.store(attempt->device.falcon, std::memory_order_release);
+  inverse_.store(attempt->device.inverse, std::memory_order_release);
+  auto run = ExerciseSession::start(std::move(plan), *attempt->device.port);
   falcon_.store(nullptr, std::memory_order_release);
   inverse_.store(nullptr, std::memory_order_release);
   if (!run) {
     // The window may hold the pointer for the length of one look: the port goes with the answer, on its thread.
     auto failed = run.error();
-    return answer(std::move(go), std::move(failed));
+    return answer(std::move(attempt), std::move(failed));
   }
-  go->run = std::move(*run);
-  answer(std::move(go), std::nullopt);
+  attempt->run = std::move(*run);
+  answer(std::move(attempt), std::nullopt);
 }
 
 }  // namespace cusp::ui

@@ -18,21 +18,21 @@ Replay::Replay(Store& store, OpenedSession session, std::vector<StepInput> input
   shown_revision_.assign(static_cast<std::size_t>(n.x) * static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z), 0);
 }
 
-Run<Replay> Replay::open(Store& store, OpenedSession session) {
+Outcome<Replay> Replay::open(Store& store, OpenedSession session) {
   if (!session.same_engine) {
-    return run_fail(RunError::other_engine, std::to_string(session.session.header.engine_version));
+    return session_fail(SessionError::other_engine, std::to_string(session.session.header.engine_version));
   }
   auto inputs = store.traces.inputs(session.session.id);
-  if (!inputs) return run_fail(RunError::storage, inputs.error());
+  if (!inputs) return session_fail(SessionError::storage, inputs.error());
   Replay replay(store, std::move(session), std::move(*inputs));
   if (auto read = replay.read_marks(); !read) return std::unexpected(read.error());
   return replay;
 }
 
-Run<void> Replay::read_marks() {
+Outcome<void> Replay::read_marks() {
   const SessionId id = session_.session.id;
   const auto chunks = store_->traces.chunks(id);
-  if (!chunks) return run_fail(RunError::storage, chunks.error());
+  if (!chunks) return session_fail(SessionError::storage, chunks.error());
   std::uint64_t before_us = 0;
   for (const ChunkInfo& chunk : *chunks) {
     if (!chunk.state_hash) continue;
@@ -41,7 +41,7 @@ Run<void> Replay::read_marks() {
     before_us = chunk.elapsed_us;
   }
   const auto stored = store_->traces.key_state_ticks(id);
-  if (!stored) return run_fail(RunError::storage, stored.error());
+  if (!stored) return session_fail(SessionError::storage, stored.error());
   for (const std::uint64_t tick : *stored) {
     if (const auto mark = marks_.find(tick); mark != marks_.end()) mark->second.stored = true;
   }
@@ -125,7 +125,7 @@ bool Replay::run(std::uint64_t target, const ReplayJump& jump) {
   return true;
 }
 
-Run<bool> Replay::to(std::uint64_t tick, const ReplayJump& jump) {
+Outcome<bool> Replay::to(std::uint64_t tick, const ReplayJump& jump) {
   const FpGuard fp;
   const std::uint64_t target = std::min<std::uint64_t>(tick, inputs_.size());
   const std::uint64_t here = state_->last().tick;

@@ -1,4 +1,4 @@
-/// How running, opening and replaying a go can fail. Codes: ui/app turns them into sentences.
+/// How running, opening and replaying an attempt can fail. Codes: ui/app turns them into sentences.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace cusp::ui {
 
-enum class RunError : std::uint8_t {
+enum class SessionError : std::uint8_t {
   specimen,           // the scenario's volume cannot be made or read; cause: ImportError
   scene,              // where: the key of scenario.json whose value the engine refuses
   device,             // the port did not open; cause: PortError
@@ -25,17 +25,17 @@ enum class RunError : std::uint8_t {
   storage,            // cause: StorageError
   recording_failed,   // the record could not be written; what stands in the database is whole; cause: StorageError
   not_deterministic,  // loop and mirror came to different states; where: the tick
-  fell_behind,        // inputs were not taken off in time; the go ended as interrupted
-  wrong_state,        // finish() of a go that is over; grading one that still runs
+  fell_behind,        // inputs were not taken off in time; the attempt ended as interrupted
+  wrong_state,        // finish() of an attempt that is over; grading one that still runs
   other_engine,       // recorded by another engine version: only its stored results open; where: that version
-  specimen_changed,   // what is stored is not the specimen that the go began with
+  specimen_changed,   // what is stored is not the specimen that the attempt began with
 };
 
 /// Stable keys, for --json.
-std::string_view key_of(RunError code) noexcept;
+std::string_view key_of(SessionError code) noexcept;
 
-struct RunFailure {
-  RunError code = RunError::storage;
+struct SessionFailure {
+  SessionError code = SessionError::storage;
   std::string where;     // file, key or device; never a sentence
   std::string detail{};  // what a library said
   /// The code of the room below, where it has one.
@@ -43,15 +43,15 @@ struct RunFailure {
 };
 
 template <class T>
-using Run = std::expected<T, RunFailure>;
+using Outcome = std::expected<T, SessionFailure>;
 
-inline std::unexpected<RunFailure> run_fail(RunError code, std::string where, std::string detail = {}) {
-  return std::unexpected(RunFailure{code, std::move(where), std::move(detail), {}});
+inline std::unexpected<SessionFailure> session_fail(SessionError code, std::string where, std::string detail = {}) {
+  return std::unexpected(SessionFailure{code, std::move(where), std::move(detail), {}});
 }
 /// Carries a failure of a room below upwards.
 template <class Code>
-std::unexpected<RunFailure> run_fail(RunError code, const Failure<Code>& below) {
-  return std::unexpected(RunFailure{code, below.where, below.detail, below.code});
+std::unexpected<SessionFailure> session_fail(SessionError code, const Failure<Code>& below) {
+  return std::unexpected(SessionFailure{code, below.where, below.detail, below.code});
 }
 
 }  // namespace cusp::ui

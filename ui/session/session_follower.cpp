@@ -1,4 +1,4 @@
-#include "ui/session/run_follower.h"
+#include "ui/session/session_follower.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ constexpr std::size_t kMostInputsASecond = 60'000;
 std::uint64_t next_multiple(std::uint64_t now, std::uint64_t step) { return (now / step + 1) * step; }
 }  // namespace
 
-RunFollower::RunFollower(std::shared_ptr<const Reference> reference, const StepState& start, Recorder* recorder,
+SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Recorder* recorder,
                          const Process& process, std::function<void()> hold)
     : reference_(std::move(reference)),
       recorder_(recorder),
@@ -27,7 +27,7 @@ RunFollower::RunFollower(std::shared_ptr<const Reference> reference, const StepS
   second_.inputs.reserve(1100);
 }
 
-void RunFollower::on_tick(const StepInput& input, const StepState& after) {
+void SessionFollower::on_tick(const StepInput& input, const StepState& after) {
   const StepOutput& output = after.last();
   process_.add(output);
   if (output.cutting) {
@@ -48,7 +48,7 @@ void RunFollower::on_tick(const StepInput& input, const StepState& after) {
   if (output.elapsed_us >= next_second_us_ || second_.inputs.size() >= kMostInputsASecond) flush(after);
 }
 
-void RunFollower::flush(const StepState& after) {
+void SessionFollower::flush(const StepState& after) {
   const std::uint64_t now = after.last().elapsed_us;
   const std::uint64_t next_tick = after.last().tick + 1;
   if (!second_.inputs.empty()) {
@@ -71,7 +71,7 @@ void RunFollower::flush(const StepState& after) {
   next_second_us_ = next_multiple(now, kSecondUs);
 }
 
-void RunFollower::update_scores(const StepState& state) {
+void SessionFollower::update_scores(const StepState& state) {
   const Volume& volume = state.volume();
   const Specimen& specimen = volume.specimen();
   const bool filled = specimen.reading() == Reading::filled;
@@ -96,7 +96,7 @@ void RunFollower::update_scores(const StepState& state) {
   live_.update(volume, changed_, state.last(), state.scene().burs[state.last().bur]);
 }
 
-std::vector<RemovedTissue> RunFollower::removed() const {
+std::vector<RemovedTissue> SessionFollower::removed() const {
   std::vector<RemovedTissue> out;
   for (std::size_t t = 1; t < kTissueCodes; ++t) {
     const double mm3 = live_.reading().removed_mm3[t];
@@ -105,7 +105,7 @@ std::vector<RemovedTissue> RunFollower::removed() const {
   return out;
 }
 
-void RunFollower::on_state(const StepState& state, const StateNews& news) {
+void SessionFollower::on_state(const StepState& state, const StateNews& news) {
   if (state.last().elapsed_us >= next_scores_us_ || news.first || news.last) {
     next_scores_us_ = state.last().elapsed_us + kScoresUs;
     update_scores(state);
@@ -122,7 +122,7 @@ void RunFollower::on_state(const StepState& state, const StateNews& news) {
   view_.peak_push_n = process_.force_peak_n();
 }
 
-FollowedView RunFollower::view() const {
+FollowedView SessionFollower::view() const {
   const std::lock_guard lock(mutex_);
   return view_;
 }

@@ -1,4 +1,4 @@
-/// The drilling sound of one go: the synthesiser, its volume on the handpiece's panel, and where that is kept. Silent
+/// The drilling sound of one attempt: the synthesiser, its volume on the handpiece's panel, and where that is kept. Silent
 /// where the exercise has no sound. Thread: GUI.
 #pragma once
 
@@ -14,12 +14,12 @@ class DrillSound;
 class HandpiecePanel;
 class Settings;
 
-class GoSound : public QObject {
+class AttemptSound : public QObject {
   Q_OBJECT
 
  public:
   /// `panel` outlives this.
-  GoSound(HandpiecePanel& panel, QObject* parent);
+  AttemptSound(HandpiecePanel& panel, QObject* parent);
 
   /// Where volume and mute are kept; outlives this. Without: the usual ones, not kept.
   void keep_in(Settings* settings) { settings_ = settings; }

@@ -1,5 +1,5 @@
 #include "tests/modules.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 
 #include <gtest/gtest.h>
 
@@ -23,13 +23,13 @@ class Counter final : public Observer {
   std::atomic<std::size_t> firsts{0}, lasts{0}, cut_bricks{0};
 };
 
-TEST(ExerciseRun, DrillsRecordsAndGradesWhatTheReplayConfirms) {
+TEST(ExerciseSession, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   const Workplace work;
   Counter counter;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.observers = {&counter};
   DrillingPort port(1u << 30, true);
-  auto run = ExerciseRun::start(plan, port);
+  auto run = ExerciseSession::start(plan, port);
   ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
   // Panels and gauges read all the while.
   ASSERT_TRUE(eventually([&] {
@@ -49,7 +49,7 @@ TEST(ExerciseRun, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   EXPECT_EQ(counter.lasts, 1u);
   EXPECT_EQ(counter.cut_bricks, result->volume->cut_bricks().size());
   EXPECT_EQ(port.last_force_n(), 0.0);
-  EXPECT_FALSE((*run)->finish()) << "a go is finished once";
+  EXPECT_FALSE((*run)->finish()) << "an attempt is finished once";
   run->reset();
 
   const auto store = work.store();
@@ -63,10 +63,10 @@ TEST(ExerciseRun, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   EXPECT_EQ(opened->grade.score, result->grade.score);
 }
 
-TEST(ExerciseRun, PausedItsClockStandsStill) {
+TEST(ExerciseSession, PausedItsClockStandsStill) {
   const Workplace work;
   DrillingPort port(1u << 30, true);
-  auto run = ExerciseRun::start(work.plan(), port);
+  auto run = ExerciseSession::start(work.plan(), port);
   ASSERT_TRUE(run);
   ASSERT_TRUE(eventually([&] { return (*run)->view().seconds > 0.1; }));
   (*run)->pause();
@@ -82,12 +82,12 @@ TEST(ExerciseRun, PausedItsClockStandsStill) {
   EXPECT_TRUE((*run)->finish());
 }
 
-TEST(ExerciseRun, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
+TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   const Workplace work;
   SessionId session;
   {
     DrillingPort port(1u << 30, true);
-    auto run = ExerciseRun::start(work.plan(), port);
+    auto run = ExerciseSession::start(work.plan(), port);
     ASSERT_TRUE(run);
     session = (*run)->session();
     ASSERT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
@@ -103,13 +103,13 @@ TEST(ExerciseRun, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   EXPECT_TRUE(proof->has_grade && proof->grade_equal);
 }
 
-TEST(ExerciseRun, AnInterruptedGoGoesOnWithItsToothAndItsClock) {
+TEST(ExerciseSession, AnInterruptedGoGoesOnWithItsToothAndItsClock) {
   const Workplace work;
   SessionId session;
   double before = 0, taken = 0;
   {
     DrillingPort port(1u << 30, true);
-    auto run = ExerciseRun::start(work.plan(), port);
+    auto run = ExerciseSession::start(work.plan(), port);
     ASSERT_TRUE(run);
     session = (*run)->session();
     ASSERT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
@@ -117,10 +117,10 @@ TEST(ExerciseRun, AnInterruptedGoGoesOnWithItsToothAndItsClock) {
     before = (*run)->view().seconds;
     taken = (*run)->view().removed_mm3[index_of(Tissue::plastic)];
   }
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.go_on = session;
   DrillingPort port(1u << 30, true);
-  auto run = ExerciseRun::start(plan, port);
+  auto run = ExerciseSession::start(plan, port);
   ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
   EXPECT_EQ((*run)->session(), session);
   // It waits for the operator, whose hand is elsewhere than the record ends.
@@ -140,7 +140,7 @@ TEST(ExerciseRun, AnInterruptedGoGoesOnWithItsToothAndItsClock) {
   EXPECT_FALSE(proof->differs_at_tick);
 }
 
-TEST(ExerciseRun, APortThatDoesNotOpenLeavesNoSession) {
+TEST(ExerciseSession, APortThatDoesNotOpenLeavesNoSession) {
   class Absent final : public HapticPort {
    public:
     Result<void, PortFailure> open() override { return fail(PortError::not_found, "falcon"); }
@@ -151,9 +151,9 @@ TEST(ExerciseRun, APortThatDoesNotOpenLeavesNoSession) {
   };
   const Workplace work;
   Absent port;
-  const auto run = ExerciseRun::start(work.plan(), port);
+  const auto run = ExerciseSession::start(work.plan(), port);
   ASSERT_FALSE(run);
-  EXPECT_EQ(run.error().code, RunError::device);
+  EXPECT_EQ(run.error().code, SessionError::device);
   EXPECT_EQ(std::get<PortError>(run.error().cause), PortError::not_found);
   EXPECT_TRUE(work.store()->history.list(work.demo.actor())->empty());
 }

@@ -1,4 +1,4 @@
-#include "ui/session/run_setup.h"
+#include "ui/session/session_setup.h"
 
 #include <fstream>
 #include <iterator>
@@ -20,18 +20,18 @@ namespace cusp::ui {
 
 namespace {
 
-Run<std::vector<std::byte>> bytes_of_file(const std::filesystem::path& file) {
+Outcome<std::vector<std::byte>> bytes_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::vector<char> chars{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (!in.good() && !in.eof()) {
-    return run_fail(RunError::specimen, Failure<ImportError>{ImportError::io, file.string(), {}});
+    return session_fail(SessionError::specimen, Failure<ImportError>{ImportError::io, file.string(), {}});
   }
   const auto* data = reinterpret_cast<const std::byte*>(chars.data());
   return std::vector<std::byte>(data, data + chars.size());
 }
 
-/// The version that this go is of: the one that the plan names, or the scenario's own, published at need.
-Run<VersionId> version_of(const RunPlan& plan, Store& store) {
+/// The version that this attempt is of: the one that the plan names, or the scenario's own, published at need.
+Outcome<VersionId> version_of(const SessionPlan& plan, Store& store) {
   if (!plan.version.is_nil()) return plan.version;
   std::map<std::string, std::vector<std::byte>> beside;
   std::map<std::string, Hash256> files;
@@ -40,24 +40,24 @@ Run<VersionId> version_of(const RunPlan& plan, Store& store) {
     auto bytes = bytes_of_file(plan.scenario_folder / name);
     if (!bytes) return std::unexpected(bytes.error());
     auto kept = store.blobs.put(*bytes);
-    if (!kept) return run_fail(RunError::storage, kept.error());
+    if (!kept) return session_fail(SessionError::storage, kept.error());
     files[name] = *kept;
     beside[name] = std::move(*bytes);
   }
   const std::string json = canonical_json(plan.scenario);
   auto version = store.scenarios.ensure(plan.scenario, json, content_hash(plan.scenario, beside).bytes, files);
-  if (!version) return run_fail(RunError::storage, version.error());
+  if (!version) return session_fail(SessionError::storage, version.error());
   return version->id;
 }
 
-Run<void> go_on(RunPlan& plan, RunSetup& setup) {
+Outcome<void> go_on(SessionPlan& plan, SessionSetup& setup) {
   auto opened = open_session(*setup.store, plan.go_on);
   if (!opened) return std::unexpected(opened.error());
   if (opened->session.student != plan.student.id) {
-    return run_fail(RunError::storage, Failure<StorageError>{StorageError::not_allowed, "drill", {}});
+    return session_fail(SessionError::storage, Failure<StorageError>{StorageError::not_allowed, "drill", {}});
   }
   if (opened->session.header.device.device_class != setup.device.device_class) {
-    return run_fail(RunError::device_class, setup.device.device_class);
+    return session_fail(SessionError::device_class, setup.device.device_class);
   }
   plan.scenario = opened->scenario;
   plan.specimen = opened->scene->specimen;
@@ -73,7 +73,7 @@ Run<void> go_on(RunPlan& plan, RunSetup& setup) {
   setup.mirror_start = StepState::restore(setup.scene, bytes);
   setup.reference = std::make_shared<const Reference>(plan.scenario, plan.specimen);
   if (auto resumed = setup.store->sessions.resume(plan.go_on, "student"); !resumed) {
-    return run_fail(RunError::storage, resumed.error());
+    return session_fail(SessionError::storage, resumed.error());
   }
   setup.session = plan.go_on;
   return {};
@@ -81,16 +81,16 @@ Run<void> go_on(RunPlan& plan, RunSetup& setup) {
 
 }  // namespace
 
-Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device) {
-  RunSetup setup;
+Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
+  SessionSetup setup;
   setup.device = device;
   if (!plan.database.empty()) {
     auto store = Store::open(plan.database);
-    if (!store) return run_fail(RunError::storage, store.error());
+    if (!store) return session_fail(SessionError::storage, store.error());
     setup.store = std::move(*store);
   }
   if (!plan.go_on.is_nil()) {
-    if (!setup.store) return run_fail(RunError::wrong_state, plan.go_on.text());
+    if (!setup.store) return session_fail(SessionError::wrong_state, plan.go_on.text());
     if (auto done = go_on(plan, setup); !done) return std::unexpected(done.error());
     return setup;
   }
@@ -111,12 +111,12 @@ Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device) {
 
   // A session that could not be opened again must not begin.
   if (auto readable = read_scenario(canonical_json(plan.scenario)); !readable) {
-    return run_fail(RunError::scenario, readable.error());
+    return session_fail(SessionError::scenario, readable.error());
   }
   auto version = version_of(plan, *setup.store);
   if (!version) return std::unexpected(version.error());
   auto blob = setup.store->blobs.put(specimen_bytes(plan.specimen->dense()));
-  if (!blob) return run_fail(RunError::storage, blob.error());
+  if (!blob) return session_fail(SessionError::storage, blob.error());
   NewSession row;
   row.student = plan.student.id;
   row.version = *version;
@@ -135,18 +135,18 @@ Run<RunSetup> set_up(RunPlan& plan, const DeviceLimits& device) {
   account["full_force_n"] = setup.scene->full_force_n;
   row.header.scene = account.dump();
   auto session = setup.store->sessions.start(plan.student, row);
-  if (!session) return run_fail(RunError::storage, session.error());
+  if (!session) return session_fail(SessionError::storage, session.error());
   setup.session = session->id;
   return setup;
 }
 
-std::string_view key_of(RunEnd end) noexcept {
+std::string_view key_of(SessionEnd end) noexcept {
   switch (end) {
-    case RunEnd::student: return "student";
-    case RunEnd::time_limit: return "time_limit";
-    case RunEnd::script: return "script";
-    case RunEnd::recorder_full: return "recorder_full";
-    case RunEnd::stopped: return "stopped";
+    case SessionEnd::student: return "student";
+    case SessionEnd::time_limit: return "time_limit";
+    case SessionEnd::script: return "script";
+    case SessionEnd::recorder_full: return "recorder_full";
+    case SessionEnd::stopped: return "stopped";
   }
   return "stopped";
 }
@@ -163,7 +163,7 @@ namespace {
 
 /// Final volume, event and grade, each in its own transaction. What passes by itself is waited for; a second try after
 /// any failure goes on where the first stopped.
-Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume, RunEnd end) {
+Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume, SessionEnd end) {
   const std::string reason(key_of(end));
   const auto now = write_patiently({}, [&] { return store.sessions.state(session); });
   if (!now) return std::unexpected(now.error());
@@ -183,9 +183,9 @@ Stored<void> keep_end(Store& store, SessionId session, const FinalVolume& volume
 
 }  // namespace
 
-Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store, const StepState& state,
-                        const Process& process, RunEnd end) {
-  RunResult result;
+Outcome<SessionResult> conclude(const SessionPlan& plan, const SessionSetup& setup, Store* store, const StepState& state,
+                        const Process& process, SessionEnd end) {
+  SessionResult result;
   result.session = setup.session;
   result.scenario = plan.scenario;
   result.volume = std::make_shared<const Volume>(state.volume());
@@ -201,11 +201,11 @@ Run<RunResult> conclude(const RunPlan& plan, const RunSetup& setup, Store* store
 
   const FinalVolume volume{result.volume->save_cuts(), result.volume_hash, state.last().tick};
   if (auto done = keep_end(*store, setup.session, volume, end); !done) {
-    return run_fail(RunError::recording_failed, done.error());
+    return session_fail(SessionError::recording_failed, done.error());
   }
   const Hash256 rubric = rubric_hash(plan.scenario.rubric);
   const auto graded = write_patiently({}, [&] { return store->grades.save(setup.session, result.grade, rubric); });
-  if (!graded) return run_fail(RunError::recording_failed, graded.error());
+  if (!graded) return session_fail(SessionError::recording_failed, graded.error());
   store->key_states.release(setup.session);
   return result;
 }

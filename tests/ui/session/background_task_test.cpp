@@ -1,7 +1,7 @@
-// Errands and the watch in the background: whoever starts one never waits for it. A step that would wait is held by a
+// BackgroundTasks and the watch in the background: whoever starts one never waits for it. A step that would wait is held by a
 // gate that only opens afterwards; the gate gives up by itself, so that a fault is a failure and no hang.
 #include "tests/modules.h"
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 
 #include <gtest/gtest.h>
 
@@ -19,42 +19,42 @@ using namespace std::chrono_literals;
 using test::Gate;
 using test::eventually;
 
-TEST(Errand, dropping_one_that_hangs_does_not_wait_and_it_is_waited_for_by_who_must) {
+TEST(BackgroundTask, dropping_one_that_hangs_does_not_wait_and_it_is_waited_for_by_who_must) {
   auto gate = std::make_shared<Gate>();
   auto done = std::make_shared<std::atomic<bool>>(false);
   {
-    Errand errand([gate, done] {
+    BackgroundTask background_task([gate, done] {
       gate->pass();
       *done = true;
     });
-    EXPECT_FALSE(errand.over());
+    EXPECT_FALSE(background_task.over());
   }
   EXPECT_FALSE(*done);
   gate->open();
-  wait_for_dropped_errands();
+  wait_for_dropped_tasks();
   EXPECT_TRUE(*done);
   EXPECT_FALSE(gate->gave_up());
 }
 
-TEST(Errand, what_it_holds_goes_on_its_own_thread_before_it_is_over) {
+TEST(BackgroundTask, what_it_holds_goes_on_its_own_thread_before_it_is_over) {
   struct Held {
     std::atomic<std::thread::id>& where;
     ~Held() { where = std::this_thread::get_id(); }
   };
   std::atomic<std::thread::id> where{};
-  Errand errand([held = std::make_shared<Held>(where)] {});
-  ASSERT_TRUE(eventually([&] { return errand.over(); }));
+  BackgroundTask background_task([held = std::make_shared<Held>(where)] {});
+  ASSERT_TRUE(eventually([&] { return background_task.over(); }));
   EXPECT_NE(where.load(), std::thread::id());
   EXPECT_NE(where.load(), std::this_thread::get_id());
 }
 
-TEST(Errand, none_is_over_and_another_may_take_its_place) {
-  Errand errand;
-  EXPECT_TRUE(errand.over());
+TEST(BackgroundTask, none_is_over_and_another_may_take_its_place) {
+  BackgroundTask background_task;
+  EXPECT_TRUE(background_task.over());
   std::atomic<int> runs{0};
-  for (int i = 0; i < 20; ++i) errand = Errand([&runs] { ++runs; });
-  errand = {};
-  wait_for_dropped_errands();
+  for (int i = 0; i < 20; ++i) background_task = BackgroundTask([&runs] { ++runs; });
+  background_task = {};
+  wait_for_dropped_tasks();
   EXPECT_EQ(runs, 20);
 }
 
@@ -90,7 +90,7 @@ TEST(BackgroundWatch, it_can_be_left_while_the_bus_hangs) {
   watch_in_background([gate] { return std::make_unique<SlowWatch>(gate); }, 1ms).reset();
   EXPECT_FALSE(gate->gave_up());
   gate->open();
-  wait_for_dropped_errands();
+  wait_for_dropped_tasks();
   EXPECT_FALSE(gate->gave_up());
 }
 

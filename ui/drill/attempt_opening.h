@@ -1,4 +1,4 @@
-/// The beginning of a go, on a thread of its own: specimen, pictures, device, and the run itself. A Falcon that waits to be
+/// The beginning of an attempt, on a thread of its own: specimen, pictures, device, and the run itself. A Falcon that waits to be
 /// homed can be looked at and called off meanwhile.
 #pragma once
 
@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "ui/drill/drill_feed.h"
-#include "ui/session/exercise_run.h"
-#include "ui/session/run_device.h"
+#include "ui/session/exercise_session.h"
+#include "ui/session/session_device.h"
 
 namespace cusp::ui {
 
 /// What the window gets.
-struct OpenedGo {
-  RunDevice device;
+struct OpenedAttempt {
+  SessionDevice device;
   std::shared_ptr<PatchFeed> patches;
   std::shared_ptr<DrillFeed> feed;
   std::vector<OverlayLine> lines;
@@ -26,26 +26,26 @@ struct OpenedGo {
   Box bounds;
   bool has_pulp = false;
   std::optional<double> pulp_depth_mm;  // of the highest pulp under the target, below its top
-  std::unique_ptr<ExerciseRun> run;
+  std::unique_ptr<ExerciseSession> run;
 };
 
-class GoOpening {
+class AttemptOpening {
  public:
   struct Order {
-    RunPlan plan;
+    SessionPlan plan;
     DeviceChoice choice;
     std::unique_ptr<HapticPort> port;    // instead of the device that was chosen
-    std::function<void()> frame_wanted;  // called on the mirror's thread, as long as the go lives
+    std::function<void()> frame_wanted;  // called on the mirror's thread, as long as the attempt lives
   };
-  /// On the opening's thread, once. Without a failure the run has started; with one, the go may be there or not.
-  using Answer = std::function<void(std::shared_ptr<OpenedGo>, std::optional<RunFailure>)>;
+  /// On the opening's thread, once. Without a failure the run has started; with one, the attempt may be there or not.
+  using Answer = std::function<void(std::shared_ptr<OpenedAttempt>, std::optional<SessionFailure>)>;
 
   /// Begins at once.
-  GoOpening(Order order, Answer answer);
+  AttemptOpening(Order order, Answer answer);
   /// Calls it off, and waits until the device is let go.
-  ~GoOpening();
-  GoOpening(const GoOpening&) = delete;
-  GoOpening& operator=(const GoOpening&) = delete;
+  ~AttemptOpening();
+  AttemptOpening(const AttemptOpening&) = delete;
+  AttemptOpening& operator=(const AttemptOpening&) = delete;
 
   // The window's thread.
   /// A Falcon that is being opened; nullptr before and after, and for other devices.
@@ -57,7 +57,7 @@ class GoOpening {
  private:
   void open(Order order, const Answer& answer);
 
-  // The port lives in the OpenedGo, which comes to the window whole, or the pointer is taken back first.
+  // The port lives in the OpenedAttempt, which comes to the window whole, or the pointer is taken back first.
   std::atomic<FalconPort*> falcon_{nullptr};
   std::atomic<InversePort*> inverse_{nullptr};
   std::atomic<bool> over_{false};  // nothing more is done with the device

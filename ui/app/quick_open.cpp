@@ -1,4 +1,4 @@
-#include "ui/app/go_anywhere.h"
+#include "ui/app/quick_open.h"
 
 #include <QBoxLayout>
 #include <QCoreApplication>
@@ -10,7 +10,7 @@
 
 namespace cusp::ui {
 
-GoAnywhere::GoAnywhere(QVector<Destination> places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
+QuickOpen::QuickOpen(QVector<Destination> places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Go to"));
   setMinimumWidth(px(480));
@@ -25,14 +25,14 @@ GoAnywhere::GoAnywhere(QVector<Destination> places, QWidget* parent) : QDialog(p
   list_->setAccessibleName(tr("Where to"));
   column->addWidget(line_);
   column->addWidget(list_);
-  connect(line_, &QLineEdit::textChanged, this, &GoAnywhere::narrow);
-  connect(line_, &QLineEdit::returnPressed, this, &GoAnywhere::open_chosen);
-  connect(list_, &QListWidget::itemActivated, this, &GoAnywhere::open_chosen);
-  connect(list_, &QListWidget::itemClicked, this, &GoAnywhere::open_chosen);
+  connect(line_, &QLineEdit::textChanged, this, &QuickOpen::narrow);
+  connect(line_, &QLineEdit::returnPressed, this, &QuickOpen::open_chosen);
+  connect(list_, &QListWidget::itemActivated, this, &QuickOpen::open_chosen);
+  connect(list_, &QListWidget::itemClicked, this, &QuickOpen::open_chosen);
   narrow({});
 }
 
-void GoAnywhere::narrow(const QString& text) {
+void QuickOpen::narrow(const QString& text) {
   list_->clear();
   for (int i = 0; i < places_.size(); ++i) {
     if (!places_[i].name.contains(text.trimmed(), Qt::CaseInsensitive)) continue;
@@ -42,14 +42,14 @@ void GoAnywhere::narrow(const QString& text) {
   list_->setCurrentRow(0);
 }
 
-void GoAnywhere::open_chosen() {
+void QuickOpen::open_chosen() {
   if (!list_->currentItem()) return;
-  const auto go = places_[list_->currentItem()->data(Qt::UserRole).toInt()].go;
+  const auto attempt = places_[list_->currentItem()->data(Qt::UserRole).toInt()].attempt;
   accept();
-  go();
+  attempt();
 }
 
-bool GoAnywhere::eventFilter(QObject* watched, QEvent* event) {
+bool QuickOpen::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Down || key == Qt::Key_Up) {

@@ -13,15 +13,15 @@
 
 namespace cusp::ui {
 
-class PictureShelf : public QObject {
+class ThumbnailCache : public QObject {
   Q_OBJECT
 
  public:
   enum class Use { card, cover };  // with the target on it, for lists; the bare tooth, for the sign-in
 
-  explicit PictureShelf(std::filesystem::path cache, QObject* parent = nullptr);
+  explicit ThumbnailCache(std::filesystem::path cache, QObject* parent = nullptr);
   /// Gives up the picture that is being drawn, and does not wait for it to grow.
-  ~PictureShelf() override;
+  ~ThumbnailCache() override;
 
   /// The picture, or a null image: then it is being drawn, and ready() comes. Where there is no OpenGL it never comes.
   QImage picture(const Exercise& exercise, const std::filesystem::path& folder, Use use, bool dark);

@@ -12,14 +12,14 @@ namespace cusp::ui {
 
 struct Destination {
   QString name, kind, icon;
-  std::function<void()> go;
+  std::function<void()> attempt;
 };
 
-class GoAnywhere : public QDialog {
+class QuickOpen : public QDialog {
   Q_OBJECT
 
  public:
-  GoAnywhere(QVector<Destination> places, QWidget* parent);
+  QuickOpen(QVector<Destination> places, QWidget* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,4 +1,4 @@
-/// Words for what a pedal has: its controls and its devices. Thread: GUI.
+/// Text for what a pedal has: its controls and its devices. Thread: GUI.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-/// Follows a go on the mirror's thread: keeps the live scores, cuts the inputs into seconds for the recorder, and copies
+/// Follows an attempt on the mirror's thread: keeps the live scores, cuts the inputs into seconds for the recorder, and copies
 /// what panels show under a mutex that the loop never takes.
 #pragma once
 
@@ -25,11 +25,11 @@ struct FollowedView {
   double peak_push_n = 0;
 };
 
-class RunFollower final : public MirrorObserver {
+class SessionFollower final : public MirrorObserver {
  public:
   /// `recorder` null: nothing is kept. `process`: of the part before, when a session goes on.
   /// `hold` is called when the record cannot be written: no session goes on without one.
-  RunFollower(std::shared_ptr<const Reference> reference, const StepState& start, Recorder* recorder,
+  SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Recorder* recorder,
               const Process& process, std::function<void()> hold);
 
   void on_tick(const StepInput& input, const StepState& after) override;

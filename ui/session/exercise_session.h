@@ -1,4 +1,4 @@
-/// One go at an exercise, live: joins a device, the loop, its mirror, the live scores and the recorder.
+/// One attempt at an exercise, live: joins a device, the loop, its mirror, the live scores and the recorder.
 /// Thread: every function is called from one thread (the window's); loop, mirror and recorder have their own.
 #pragma once
 
@@ -19,12 +19,12 @@
 #include "storage/repositories/sessions.h"
 #include "ui/modules.h"
 #include "ui/session/observer.h"
-#include "ui/session/run_error.h"
+#include "ui/session/session_error.h"
 
 namespace cusp::ui {
 
 /// Who and what.
-struct RunPlan {
+struct SessionPlan {
   Scenario scenario;
   std::filesystem::path scenario_folder;     // where a volume named by the scenario lies; empty for generators
   std::filesystem::path database;            // empty: nothing is kept (an editor's try-out, a trial without an account)
@@ -39,8 +39,8 @@ struct RunPlan {
   std::shared_ptr<const PedalSource> pedal;  // a foot pedal beside the device; may be null
 };
 
-/// What a go came to; also what an old session opens as (replay.h).
-struct RunResult {
+/// What an attempt came to; also what an old session opens as (replay.h).
+struct SessionResult {
   SessionId session;                         // nil when nothing was kept
   SessionState state = SessionState::graded;
   bool interrupted = false;                  // it never came to its finish: graded as it stands
@@ -56,15 +56,15 @@ struct RunResult {
   int engine_version = kEngineVersion;
 };
 
-class ExerciseRun {
+class ExerciseSession {
  public:
   /// Builds the scene, opens the port, makes the session's rows and starts loop, mirror and recorder.
   /// `port` outlives the run. Up to seconds for a large specimen: then not on the window's thread.
-  static Run<std::unique_ptr<ExerciseRun>> start(RunPlan plan, HapticPort& port);
+  static Outcome<std::unique_ptr<ExerciseSession>> start(SessionPlan plan, HapticPort& port);
   /// Abandons when neither finish() nor abandon() was called.
-  ~ExerciseRun();
-  ExerciseRun(const ExerciseRun&) = delete;
-  ExerciseRun& operator=(const ExerciseRun&) = delete;
+  ~ExerciseSession();
+  ExerciseSession(const ExerciseSession&) = delete;
+  ExerciseSession& operator=(const ExerciseSession&) = delete;
 
   void pause();
   /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in.
@@ -75,9 +75,9 @@ class ExerciseRun {
   void set_coolant(bool on);
 
   /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
-  /// run as it was (stopped): finish() may be tried again when the disk is well. A go that ended by itself because inputs
-  /// were not taken off in time is graded as it stands, RunResult::interrupted says so.
-  Run<RunResult> finish();
+  /// run as it was (stopped): finish() may be tried again when the disk is well. An attempt that ended by itself because inputs
+  /// were not taken off in time is graded as it stands, SessionResult::interrupted says so.
+  Outcome<SessionResult> finish();
   /// Stops; the session stays as interrupted in the database and can be graded as it stands.
   void abandon();
 
@@ -94,7 +94,7 @@ class ExerciseRun {
 
  private:
   struct Inner;
-  explicit ExerciseRun(std::unique_ptr<Inner> inner);
+  explicit ExerciseSession(std::unique_ptr<Inner> inner);
   std::unique_ptr<Inner> inner_;
 };
 

@@ -1,4 +1,4 @@
-#include "ui/session/run_device.h"
+#include "ui/session/session_device.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ EmulatedHand mouse_hand(std::shared_ptr<PointerHand> hand, Vec3 start_mm) {
 
 }  // namespace
 
-const FalconView* RunDevice::view() const noexcept {
+const FalconView* SessionDevice::view() const noexcept {
   if (falcon != nullptr) return &falcon->view();
   if (emulated != nullptr) return &emulated->view();
   return nullptr;
@@ -35,12 +35,12 @@ Result<falcon::FirmwareImage, PortFailure> read_firmware(const FirmwareChoice& c
   return std::move(*image);
 }
 
-Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burs,
+Result<SessionDevice, PortFailure> make_session_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burs,
                                                EmulatedHand hand) {
   const DeviceKind* kind = device_kind(choice.kind);
   if (kind == nullptr) return fail(PortError::not_found, choice.kind);
   if (kind->needs_file) return fail(PortError::bad_file, choice.kind, "needs_file");
-  RunDevice out;
+  SessionDevice out;
   if (choice.kind == "falcon") {
     auto link = falcon::make_usb_link(choice.name);
     if (!link) return std::unexpected(link.error());

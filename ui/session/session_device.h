@@ -1,4 +1,4 @@
-/// What a station drills with: its choice, and the port that is made of it for one go.
+/// What a station drills with: its choice, and the port that is made of it for one attempt.
 #pragma once
 
 #include <atomic>
@@ -28,11 +28,11 @@ struct DeviceChoice {
   std::string name;              // which of several Falcons; empty: the first
   FirmwareChoice firmware;
   FalconProfile profile;         // of that Falcon
-  InverseSettings inverse{};     // of the Inverse3; place and burs are the go's
+  InverseSettings inverse{};     // of the Inverse3; place and burs are the attempt's
 };
 
-/// A port for one go, and what a screen may look at meanwhile. Its parts live as long as the port.
-struct RunDevice {
+/// A port for one attempt, and what a screen may look at meanwhile. Its parts live as long as the port.
+struct SessionDevice {
   std::unique_ptr<HapticPort> port;
   std::shared_ptr<PointerHand> hand;         // mouse and keys lead it: the pointer, or the emulated Falcon
   FalconPort* falcon = nullptr;              // a real one: to look at while its open() waits for homing
@@ -46,10 +46,10 @@ struct RunDevice {
 /// `burs` instruments. A Falcon's open() ends when it is homed. `hand`: leads the emulated Falcon instead of the mouse.
 /// Fails with bad_file: "needs_file" for a kind that plays a file, "changed" where the firmware file is not the one that
 /// was named, else its ImageError's key; not_found for an unknown kind; io where libusb does not start.
-Result<RunDevice, PortFailure> make_run_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burs,
+Result<SessionDevice, PortFailure> make_session_device(const DeviceChoice& choice, Vec3 start_mm, std::size_t burs,
                                                EmulatedHand hand = {});
 
-/// Reads the file that was named, and checks that it is still the same. Fails as make_run_device().
+/// Reads the file that was named, and checks that it is still the same. Fails as make_session_device().
 Result<falcon::FirmwareImage, PortFailure> read_firmware(const FirmwareChoice& choice);
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,8 +7,8 @@
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/loose_pieces.h"
 #include "ui/modules.h"
-#include "ui/session/run_follower.h"
-#include "ui/session/run_setup.h"
+#include "ui/session/session_follower.h"
+#include "ui/session/session_setup.h"
 
 namespace cusp::ui {
 
@@ -17,18 +17,18 @@ namespace {
 constexpr std::uint32_t kShowUs = 10'000;
 }  // namespace
 
-struct ExerciseRun::Inner {
-  Inner(RunPlan p, RunSetup s, HapticPort& device_port)
+struct ExerciseSession::Inner {
+  Inner(SessionPlan p, SessionSetup s, HapticPort& device_port)
       : plan(std::move(p)), setup(std::move(s)), port(device_port), with_pedal(device_port, plan.pedal) {}
 
-  RunPlan plan;
-  RunSetup setup;
+  SessionPlan plan;
+  SessionSetup setup;
   HapticPort& port;
   PedalledPort with_pedal;  // what the loop reads
   std::unique_ptr<Recorder> recorder;
   std::unique_ptr<HapticLoop> loop;
   std::unique_ptr<Mirror> mirror;
-  std::unique_ptr<RunFollower> follower;
+  std::unique_ptr<SessionFollower> follower;
   std::unique_ptr<LooseFinder> loose;
   std::unique_ptr<Store> store;  // back from the recorder, once all is written
   bool stopped = false, over = false;
@@ -46,21 +46,21 @@ struct ExerciseRun::Inner {
     mirror->stop();
     port.close();
   }
-  RunEnd end() const {
-    if (loop->hand_over().end.load() == LoopEnd::ring_full) return RunEnd::recorder_full;
+  SessionEnd end() const {
+    if (loop->hand_over().end.load() == LoopEnd::ring_full) return SessionEnd::recorder_full;
     const double limit = plan.scenario.time_limit_s;
-    return limit > 0 && follower->process().time_s() >= limit ? RunEnd::time_limit : RunEnd::student;
+    return limit > 0 && follower->process().time_s() >= limit ? SessionEnd::time_limit : SessionEnd::student;
   }
 };
 
-ExerciseRun::ExerciseRun(std::unique_ptr<Inner> inner) : inner_(std::move(inner)) {}
+ExerciseSession::ExerciseSession(std::unique_ptr<Inner> inner) : inner_(std::move(inner)) {}
 
-ExerciseRun::~ExerciseRun() {
+ExerciseSession::~ExerciseSession() {
   if (inner_) abandon();
 }
 
-Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& port) {
-  if (auto opened = port.open(); !opened) return run_fail(RunError::device, opened.error());
+Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan plan, HapticPort& port) {
+  if (auto opened = port.open(); !opened) return session_fail(SessionError::device, opened.error());
   auto setup = set_up(plan, port.limits());
   if (!setup) {
     port.close();
@@ -71,7 +71,7 @@ Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& p
   if (run.setup.store) {
     run.recorder = std::make_unique<Recorder>(std::move(run.setup.store), run.setup.session, Recorder::Writing::on_a_thread);
   }
-  run.follower = std::make_unique<RunFollower>(run.setup.reference, *run.setup.mirror_start, run.recorder.get(),
+  run.follower = std::make_unique<SessionFollower>(run.setup.reference, *run.setup.mirror_start, run.recorder.get(),
                                                run.setup.process, [&run] { run.loop->pause(); });
   run.loop = std::make_unique<HapticLoop>(run.with_pedal, std::move(*run.setup.loop_start));
   run.mirror = std::make_unique<Mirror>(std::move(*run.setup.mirror_start), run.loop->hand_over(),
@@ -88,32 +88,32 @@ Run<std::unique_ptr<ExerciseRun>> ExerciseRun::start(RunPlan plan, HapticPort& p
   // Who continues holds the bur elsewhere than the record ends: the guard would call that a jump. resume() re-arms it.
   if (!run.plan.go_on.is_nil()) run.loop->pause();
   run.loop->start();
-  return std::unique_ptr<ExerciseRun>(new ExerciseRun(std::move(inner)));
+  return std::unique_ptr<ExerciseSession>(new ExerciseSession(std::move(inner)));
 }
 
-void ExerciseRun::pause() { inner_->loop->pause(); }
+void ExerciseSession::pause() { inner_->loop->pause(); }
 
-void ExerciseRun::resume() {
+void ExerciseSession::resume() {
   if (inner_->recorder && inner_->recorder->state() == RecordingState::failed) inner_->recorder->retry();
   inner_->loop->resume();
 }
 
-void ExerciseRun::change_bur(std::size_t index) {
+void ExerciseSession::change_bur(std::size_t index) {
   if (index < inner_->setup.scene->burs.size()) inner_->loop->change_bur(static_cast<std::uint16_t>(index));
 }
 
-void ExerciseRun::set_coolant(bool on) { inner_->loop->set_coolant(on); }
+void ExerciseSession::set_coolant(bool on) { inner_->loop->set_coolant(on); }
 
-Run<RunResult> ExerciseRun::finish() {
+Outcome<SessionResult> ExerciseSession::finish() {
   Inner& run = *inner_;
-  if (run.over) return run_fail(RunError::wrong_state, run.setup.session.text());
+  if (run.over) return session_fail(SessionError::wrong_state, run.setup.session.text());
   run.stop();
   if (run.recorder) {
     if (run.recorder->state() == RecordingState::failed) run.recorder->retry();
     if (!run.recorder->drain()) {
       const auto failure = run.recorder->failure();
-      return failure ? run_fail(RunError::recording_failed, *failure)
-                     : run_fail(RunError::recording_failed, run.plan.database.string());
+      return failure ? session_fail(SessionError::recording_failed, *failure)
+                     : session_fail(SessionError::recording_failed, run.plan.database.string());
     }
     run.store = run.recorder->take_store();
     run.recorder.reset();
@@ -125,14 +125,14 @@ Run<RunResult> ExerciseRun::finish() {
     const std::uint64_t tick = mismatch ? mismatch->tick : run.mirror->ticks();
     // Kept as it was recorded, for whoever looks into it; a grade of it would be of a volume that nobody felt.
     if (run.store) static_cast<void>(run.store->sessions.interrupt(run.setup.session, "not_deterministic"));
-    return run_fail(RunError::not_deterministic, std::to_string(tick));
+    return session_fail(SessionError::not_deterministic, std::to_string(tick));
   }
   auto result = conclude(run.plan, run.setup, run.store.get(), run.mirror->state(), run.follower->process(), run.end());
-  if (result || result.error().code != RunError::recording_failed) run.over = true;
+  if (result || result.error().code != SessionError::recording_failed) run.over = true;
   return result;
 }
 
-void ExerciseRun::abandon() {
+void ExerciseSession::abandon() {
   Inner& run = *inner_;
   run.stop();
   if (run.over) return;
@@ -147,7 +147,7 @@ void ExerciseRun::abandon() {
   run.store.reset();
 }
 
-LiveView ExerciseRun::view() const {
+LiveView ExerciseSession::view() const {
   Inner& run = *inner_;
   LiveView view;
   const LoopLatest& latest = run.loop->hand_over().latest.read();
@@ -195,11 +195,11 @@ LiveView ExerciseRun::view() const {
   return view;
 }
 
-SessionId ExerciseRun::session() const { return inner_->setup.session; }
-const Scenario& ExerciseRun::scenario() const { return inner_->plan.scenario; }
-const std::shared_ptr<const Scene>& ExerciseRun::scene() const { return inner_->setup.scene; }
-const std::shared_ptr<const Reference>& ExerciseRun::reference() const { return inner_->setup.reference; }
-DeviceLimits ExerciseRun::device() const { return inner_->setup.device; }
-double ExerciseRun::stiffness_share() const { return inner_->setup.stiffness_share; }
+SessionId ExerciseSession::session() const { return inner_->setup.session; }
+const Scenario& ExerciseSession::scenario() const { return inner_->plan.scenario; }
+const std::shared_ptr<const Scene>& ExerciseSession::scene() const { return inner_->setup.scene; }
+const std::shared_ptr<const Reference>& ExerciseSession::reference() const { return inner_->setup.reference; }
+DeviceLimits ExerciseSession::device() const { return inner_->setup.device; }
+double ExerciseSession::stiffness_share() const { return inner_->setup.stiffness_share; }
 
 }  // namespace cusp::ui
