@@ -9,6 +9,7 @@
 #include "ui/admin/people_model.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {

@@ -6,7 +6,7 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/ports.h"
 
 class QComboBox;

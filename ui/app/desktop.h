@@ -13,7 +13,7 @@
 #include "ui/session/exercise_session.h"
 #include "ui/settings/settings.h"
 #include "ui/student/exercises.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/ports.h"
 
 class QStackedWidget;

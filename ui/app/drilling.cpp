@@ -10,6 +10,7 @@
 #include "ui/device/space_mouse_turner.h"
 #include "ui/drill/drill_screen.h"
 #include "ui/modules.h"
+#include "ui/text/names.h"
 #include "ui/settings/device_settings.h"
 
 namespace cusp::ui {

@@ -13,7 +13,8 @@
 #include <QToolButton>
 
 #include "ui/text/language.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {

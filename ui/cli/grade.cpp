@@ -12,6 +12,7 @@
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
+#include "ui/text/grade_text.h"
 #include "ui/session/replay.h"
 
 namespace cusp::ui {

@@ -10,6 +10,7 @@
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
+#include "ui/text/names.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

@@ -18,6 +18,7 @@
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
 #include "ui/modules.h"
+#include "ui/text/names.h"
 #include "ui/text/import_text.h"
 
 namespace cusp::ui {

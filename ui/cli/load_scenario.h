@@ -7,7 +7,7 @@
 
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 

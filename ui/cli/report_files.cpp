@@ -8,6 +8,7 @@
 #include "ui/cli/text.h"
 #include "ui/modules.h"
 #include "ui/report/report_data.h"
+#include "ui/text/grade_text.h"
 #include "ui/report/report_pdf.h"
 
 namespace cusp::ui {

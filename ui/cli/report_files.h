@@ -9,7 +9,7 @@
 #include "storage/store.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 

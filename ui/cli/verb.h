@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 

@@ -1,5 +1,6 @@
 #include "ui/device/falcon_text.h"
 
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {

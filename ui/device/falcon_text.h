@@ -8,7 +8,7 @@
 #include "device/falcon/session.h"
 #include "ui/modules.h"
 #include "ui/session/session_device.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 

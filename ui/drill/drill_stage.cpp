@@ -13,7 +13,7 @@
 
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"

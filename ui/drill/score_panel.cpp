@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "ui/drill/handpiece_panel.h"
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"

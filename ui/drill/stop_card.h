@@ -6,7 +6,7 @@
 #include "device/falcon/falcon_port.h"
 #include "engine/step/step.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 class QLabel;
 

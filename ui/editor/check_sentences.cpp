@@ -6,7 +6,9 @@
 #include "scenarios/format/keys.h"
 #include "scenarios/format/ranges.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {

@@ -11,7 +11,7 @@
 #include "ui/editor/words_form.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 

@@ -15,7 +15,7 @@
 #include "scenarios/library/library.h"
 #include "ui/editor/form_parts.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 

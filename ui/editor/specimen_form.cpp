@@ -16,7 +16,7 @@
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/tooth_form.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 

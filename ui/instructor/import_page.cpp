@@ -20,7 +20,7 @@
 #include "ui/instructor/import_size.h"
 #include "ui/modules.h"
 #include "ui/text/import_text.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"

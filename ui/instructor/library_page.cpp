@@ -7,7 +7,8 @@
 #include "ui/editor/editor_records.h"
 #include "ui/editor/words_form.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 

@@ -7,7 +7,8 @@
 #include "ui/modules.h"
 #include "ui/render/target_look.h"
 #include "ui/text/bur_text.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {

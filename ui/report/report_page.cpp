@@ -13,7 +13,7 @@
 #include "ui/report/criteria_model.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_pdf.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "ui/report/criteria_model.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
 

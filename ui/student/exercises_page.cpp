@@ -8,7 +8,7 @@
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"

@@ -6,7 +6,8 @@
 #include <map>
 
 #include "ui/student/history_charts.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"

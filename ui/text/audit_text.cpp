@@ -1,3 +1,4 @@
+#include "ui/text/names.h"
 #include "ui/text/audit_text.h"
 
 #include <QCoreApplication>

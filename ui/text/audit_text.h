@@ -3,7 +3,7 @@
 
 #include "scenarios/audit/audit.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 

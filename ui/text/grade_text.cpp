@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 

@@ -6,7 +6,8 @@
 
 #include "scenarios/import/size_question.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {

@@ -12,6 +12,7 @@
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
 #include "ui/app/desktop.h"
+#include "ui/text/grade_text.h"
 #include "ui/text/language.h"
 #include "ui/app/shell.h"
 #include "ui/widgets/format.h"

@@ -8,7 +8,9 @@
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/settings/settings.h"
 
 namespace cusp::test {

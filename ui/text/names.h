@@ -1,5 +1,4 @@
-/// Codes of every room, put into words. The rooms below ui have codes only; whoever shows one to a person comes here.
-/// Needs no window. Here: people, attempts, devices and tissues; with it come the words of failures and of grades.
+/// Codes of the modules below as names that people read: roles, states, kinds of session, devices, tissues. Thread: any.
 #pragma once
 
 #include <QString>
@@ -10,8 +9,6 @@
 #include "storage/repositories/sessions.h"
 #include "storage/rights.h"
 #include "ui/modules.h"
-#include "ui/text/failure_text.h"
-#include "ui/text/grade_text.h"
 
 namespace cusp::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 
 #include "scenarios/teeth/own_tissues.h"
 #include "ui/modules.h"
