@@ -148,7 +148,7 @@ QVector<NavEntry> Desktop::entries() {
                const DeviceKind* device = device_kind(DeviceSettings(settings_.file()).choice().kind);
                auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(),
                                           device != nullptr ? std::string(device->device_class) : std::string());
-               connect(page, &StartPage::resume_wanted, this, &Desktop::go_on);
+               connect(page, &StartPage::resume_wanted, this, &Desktop::resume_attempt);
                connect(page, &StartPage::grade_wanted, this, &Desktop::grade_interrupted);
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
                connect(page, &StartPage::start_wanted, this, &Desktop::drill);

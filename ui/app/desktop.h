@@ -1,4 +1,4 @@
-/// The window: sign-in first, then top bar, sidebar and pages by role; work that needs the room (drilling, report,
+/// The window: sign-in first, then top bar, sidebar and pages by role; work that needs the space (drilling, report,
 /// editor) takes the whole window with a way back. Holds what the pages share: the records and who is signed in.
 #pragma once
 
@@ -49,7 +49,7 @@ class Desktop : public QMainWindow {
   void use_hid(hid::HidStation& station) { hid_ = &station; }
   hid::HidStation* hid() const { return hid_; }
 
-  /// Opens the records and shows sign-in, or says why they cannot be opened. Where nothing can be written they are opened
+  /// Opens the records and shows sign-in, or shows why they cannot be opened. Where nothing can be written they are opened
   /// for reading: then there are results and reports, and neither drilling nor the library.
   void start();
 
@@ -67,8 +67,8 @@ class Desktop : public QMainWindow {
 
   /// Starts an attempt; without an account nothing is kept.
   void drill(const Exercise& exercise);
-  /// Goes on with an attempt that broke off, from where it stood.
-  void go_on(const SessionId& session);
+  /// Resumes an attempt that broke off, from where it stood.
+  void resume_attempt(const SessionId& session);
   void open_report(const SessionId& session);
   /// Grades an attempt that broke off as it stands, keeps that grade and shows it.
   void grade_interrupted(const SessionId& session);

@@ -16,7 +16,7 @@
 namespace cusp::ui {
 
 DrillScreen* Desktop::open_drilling(const SessionPlan& plan, const DrillText& text) {
-  auto* screen = new DrillScreen(nullptr, ports_);
+  auto* screen = new DrillScreen(ports_);
   screen->keep_sound_in(&settings_);
   const DeviceChoice device = DeviceSettings(settings_.file()).choice();
   screen->use_device(device);
@@ -53,7 +53,7 @@ void Desktop::drill(const Exercise& exercise) {
   show_drilling(exercise, std::move(plan), aside);
 }
 
-void Desktop::go_on(const SessionId& session) {
+void Desktop::resume_attempt(const SessionId& session) {
   const auto details = store_->history.details(account_->actor(), session);
   if (!details) return show_failure(describe(details.error()));
   // The exercise as it was then: a newer version may have another target.
@@ -64,7 +64,7 @@ void Desktop::go_on(const SessionId& session) {
   SessionPlan plan;
   plan.database = database_;
   plan.student = account_->actor();
-  plan.go_on = session;
+  plan.resumes = session;
   const Exercise exercise{std::move(*scenario), version->id, version->number, version->files};
   show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.go));
 }

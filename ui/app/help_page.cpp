@@ -29,6 +29,11 @@ void add_keys(Card* card, const QVector<std::pair<QStringList, QString>>& keys) 
   card->body()->addLayout(grid);
 }
 
+void add_line(Card* card, QLabel* line) {
+  line->setWordWrap(true);
+  card->body()->addWidget(line);
+}
+
 }  // namespace
 
 HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
@@ -47,9 +52,7 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
         tr("4. Finish ends the attempt and grades it. The report says what was measured, how well it is known, and what to do "
            "next time."),
         tr("5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.")}) {
-    QLabel* label = make_label(line);
-    label->setWordWrap(true);
-    attempt->body()->addWidget(label);
+    add_line(attempt, make_label(line));
   }
   body->addWidget(attempt);
 
@@ -80,17 +83,15 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
   row->addWidget(drilling, 1);
   body->addLayout(row);
 
-  auto* words = new Card(tr("How it is marked"));
+  auto* marking = new Card(tr("How it is marked"));
   for (const QString& line :
        {tr("Target removed: how much of the required cavity is cut. Not removed: what of it still stands."),
         tr("Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much."),
         tr("± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so."),
         tr("Time earns no points.")}) {
-    QLabel* label = make_label(line, TextRole::body, false, "text2");
-    label->setWordWrap(true);
-    words->body()->addWidget(label);
+    add_line(marking, make_label(line, TextRole::body, false, "text2"));
   }
-  body->addWidget(words);
+  body->addWidget(marking);
   body->addStretch();
 }
 

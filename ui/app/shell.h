@@ -11,7 +11,10 @@
 
 class QButtonGroup;
 class QLabel;
+class QMenu;
+class QPushButton;
 class QStackedWidget;
+class QToolButton;
 class QVBoxLayout;
 
 namespace cusp::ui {
@@ -54,6 +57,9 @@ class Shell : public QWidget {
 
  private:
   QWidget* make_top_bar(const Account& account);
+  QToolButton* make_language_button();
+  QPushButton* make_account_button(const Account& account);
+  QMenu* make_account_menu(const Account& account, QWidget* button);
   QWidget* make_sidebar();
 
   QVector<NavEntry> entries_;

@@ -33,7 +33,7 @@ std::expected<std::unique_ptr<Store>, Message> open_records(const std::filesyste
 
 namespace {
 
-/// What opening met, or why the counter lags: said once, on stderr; the verb goes on.
+/// Prints what opening met, or why the counter lags, once on stderr; the verb continues.
 void warn_of(const StorageContext& context) {
   for (const FindingCode code : {FindingCode::rolled_back, FindingCode::counter_missing, FindingCode::counter_broken,
                                  FindingCode::log_damaged}) {

@@ -35,7 +35,7 @@ struct ImportOptions {
   JsonOption json;
 };
 
-constexpr double kMeshVoxelMm = 0.1;  // where a mesh says nothing: a tenth, as the teeth that come with the program
+constexpr double kMeshVoxelMm = 0.1;  // a mesh has no voxel size: a tenth, as the teeth that come with the program
 
 /// One line on stderr that does not end the verb.
 void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
@@ -170,7 +170,7 @@ int list_verb(const ImportOptions& o) {
 
 std::optional<Tissue> tissue_named(const std::string& key) { return tissue_from_key(key); }
 
-/// NAME=TISSUE, told apart at the last sign.
+/// NAME=TISSUE, split at the last "=".
 std::optional<std::pair<std::string, Tissue>> pair_of(const std::string& text) {
   const auto split = text.rfind('=');
   const auto tissue = split == std::string::npos ? std::nullopt : tissue_named(text.substr(split + 1));
@@ -182,7 +182,7 @@ QString not_a_pair(const std::string& text) {
   return CliText::tr("%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.").arg(QString::fromStdString(text));
 }
 
-/// What was typed as an image's tissues; the sentence says what is wrong with it.
+/// What was typed as an image's tissues, or why it is wrong.
 std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up) {
   ImageTissues t;
   t.unit_mm = unit_of(o);
@@ -301,7 +301,7 @@ Result<VoxelVolume, ImportFailure> volume_from_image(const ImportOptions& o, Ima
   return import_image_in_child(what, {}, show_progress, std::move(stop), &remarks);
 }
 
-/// What was typed as the import of meshes; the sentence says what is wrong with it.
+/// What was typed as the import of meshes, or why it is wrong.
 std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up) {
   MeshImport what;
   what.path = o.files.front();

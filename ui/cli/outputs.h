@@ -14,7 +14,7 @@ namespace cusp::ui {
 std::optional<std::filesystem::path> records_of(const std::filesystem::path& file,
                                                 const std::filesystem::path& database = {});
 
-/// A sentence if one of `outputs` is a file of the records. Empty names and "-" are no files.
+/// A message if one of `outputs` is a file of the records. Empty names and "-" are no files.
 std::optional<Message> refuse_outputs(const std::vector<std::filesystem::path>& outputs,
                                    const std::filesystem::path& database = {});
 

@@ -99,6 +99,38 @@ void print_phase(const FalconView& view, falcon::Phase& printed) {
   std::fprintf(stderr, "falcon %s\n", std::string(falcon::key_of(printed)).c_str());
 }
 
+/// Until the operator has finished, the time is up, or somebody stops it. `hands` null: a real device.
+void follow(ExerciseSession& session, const HandsInTurn* hands, const LiveOptions& options, const std::function<bool()>& stop,
+            LiveFigures& figures) {
+  bool was_held = false, coolant = false;
+  double printed_s = 0;
+  for (;;) {
+    std::this_thread::sleep_for(kLook);
+    const LiveView view = session.view();
+    if (options.progress && view.seconds >= printed_s + 1.0) {
+      printed_s = view.seconds;
+      std::fprintf(stderr, "%.3f\n", view.seconds);
+    }
+    if (view.loop.tick_max_us > figures.loop.tick_max_us) {
+      figures.loop.tick_max_us = view.loop.tick_max_us;
+      figures.tick_max_at_s = view.seconds;
+      if (options.progress) std::fprintf(stderr, "tick %.0f us\n", view.loop.tick_max_us);
+    }
+    if (hands && hands->wants_coolant() && !coolant) session.set_coolant(coolant = true);
+    const bool held = view.phase == LoopPhase::held;
+    if (held && !was_held) {
+      ++figures.holds;
+      if (options.progress) std::fprintf(stderr, "held\n");
+    }
+    was_held = held;
+    // Nobody is there to press a button: it goes on as soon as the device has come back.
+    if (held && view.device == Sample::Status::fresh) session.resume();
+    if (stop() || view.time_is_up || view.phase == LoopPhase::ended) break;
+    if (options.seconds > 0 && view.seconds >= options.seconds) break;
+    if (hands && hands->done()) break;
+  }
+}
+
 }  // namespace
 
 bool can_play_live(const DeviceChoice& choice) noexcept {
@@ -160,41 +192,15 @@ Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, c
   }
   auto started = starting.get();
   if (!started) return std::unexpected(started.error());
-  ExerciseSession& run = **started;
+  ExerciseSession& session = **started;
 
   const auto began = std::chrono::steady_clock::now();
-  bool was_held = false, coolant = false;
-  double said_s = 0;
-  for (;;) {
-    std::this_thread::sleep_for(kLook);
-    const LiveView view = run.view();
-    if (options.progress && view.seconds >= said_s + 1.0) {
-      said_s = view.seconds;
-      std::fprintf(stderr, "%.3f\n", view.seconds);
-    }
-    if (view.loop.tick_max_us > figures.loop.tick_max_us) {
-      figures.loop.tick_max_us = view.loop.tick_max_us;
-      figures.tick_max_at_s = view.seconds;
-      if (options.progress) std::fprintf(stderr, "tick %.0f us\n", view.loop.tick_max_us);
-    }
-    if (hands && hands->wants_coolant() && !coolant) run.set_coolant(coolant = true);
-    const bool held = view.phase == LoopPhase::held;
-    if (held && !was_held) {
-      ++figures.holds;
-      if (options.progress) std::fprintf(stderr, "held\n");
-    }
-    was_held = held;
-    // Nobody is there to press a button: it goes on as soon as the device has come back.
-    if (held && view.device == Sample::Status::fresh) run.resume();
-    if (stop() || view.phase == LoopPhase::ended) break;
-    if (options.seconds > 0 && view.seconds >= options.seconds) break;
-    if (hands && hands->done()) break;
-  }
+  follow(session, hands.get(), options, stop, figures);
   figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  const LiveView last = run.view();
+  const LiveView last = session.view();
   figures.loop = last.loop;
   figures.grant = last.grant;
-  auto result = run.finish();
+  auto result = session.finish();
   if (const FalconView* falcon = device.view()) {
     figures.silences = falcon->session.silences;
     figures.lost_answers = falcon->session.lost;

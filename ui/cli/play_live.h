@@ -1,4 +1,4 @@
-/// `cusp play --device`: an attempt in real time on a device, without a window. The emulated Falcon is led by a scripted hand,
+/// `cusp play --device`: an attempt in real time on a device, without a window. The emulated Falcon is led by a scripted operator,
 /// a real one by whoever holds it.
 #pragma once
 
@@ -13,9 +13,9 @@
 namespace cusp::ui {
 
 struct LiveOptions {
-  std::string script;          // of the emulated Falcon's hand; begun anew while there is time
+  std::string script;          // of the operator of the emulated Falcon; repeated until `seconds`
   std::uint64_t seed = 1;
-  double seconds = 0;          // of session time; 0: until the hand has done its work, or is told to stop
+  double seconds = 0;          // of session time; 0: until the operator has finished or is stopped
   double silence_every_s = 0;  // the emulated Falcon answers nothing for 50 ms so often; 0: never
   bool progress = false;
 };

@@ -13,7 +13,7 @@
 
 namespace cusp::ui {
 
-/// The text of report.json: fields of design.md, words in the installed language.
+/// The text of report.json: keys are fixed, names in the installed language.
 std::string report_text(const SessionResult& result, Store& store, const Account& student);
 
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.

@@ -1,4 +1,4 @@
-/// Sentences that only the verbs say; what other rooms' codes mean stands in ui/text/sentences.h.
+/// Text that only the verbs print. Codes of other modules have theirs in ui/text.
 #pragma once
 
 #include <QCoreApplication>

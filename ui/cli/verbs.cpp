@@ -67,7 +67,7 @@ int run_verb(int argc, char** argv) {
 #ifdef CUSP_HAS_IMPORT
   if (const auto status = import_child_main(argc, argv)) return *status;
 #endif
-  // A verb says one line when it fails, and Qt's remarks about the session it runs in are none of it.
+  // A verb prints one line when it fails, and Qt's remarks about the session it runs in are none of it.
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type == QtFatalMsg) std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(message));
   });

@@ -109,15 +109,15 @@ void AttemptOpening::open(Order order, const Answer& answer) {
   wait_for_dropped_tasks();  // a page may still be closing the device
   falcon_.store(attempt->device.falcon, std::memory_order_release);
   inverse_.store(attempt->device.inverse, std::memory_order_release);
-  auto run = ExerciseSession::start(std::move(plan), *attempt->device.port);
+  auto session = ExerciseSession::start(std::move(plan), *attempt->device.port);
   falcon_.store(nullptr, std::memory_order_release);
   inverse_.store(nullptr, std::memory_order_release);
-  if (!run) {
+  if (!session) {
     // The window may hold the pointer for the length of one look: the port goes with the answer, on its thread.
-    auto failed = run.error();
+    auto failed = session.error();
     return answer(std::move(attempt), std::move(failed));
   }
-  attempt->run = std::move(*run);
+  attempt->session = std::move(*session);
   answer(std::move(attempt), std::nullopt);
 }
 

@@ -1,4 +1,4 @@
-/// The beginning of an attempt, on a thread of its own: specimen, pictures, device, and the run itself. A Falcon that waits to be
+/// The beginning of an attempt, on a thread of its own: specimen, pictures, device, and the session itself. A Falcon that waits to be
 /// homed can be looked at and called off meanwhile.
 #pragma once
 
@@ -26,7 +26,7 @@ struct OpenedAttempt {
   Box bounds;
   bool has_pulp = false;
   std::optional<double> pulp_depth_mm;  // of the highest pulp under the target, below its top
-  std::unique_ptr<ExerciseSession> run;
+  std::unique_ptr<ExerciseSession> session;
 };
 
 class AttemptOpening {
@@ -37,7 +37,7 @@ class AttemptOpening {
     std::unique_ptr<HapticPort> port;    // instead of the device that was chosen
     std::function<void()> frame_wanted;  // called on the mirror's thread, as long as the attempt lives
   };
-  /// On the opening's thread, once. Without a failure the run has started; with one, the attempt may be there or not.
+  /// On the opening's thread, once. Without a failure the session has started; with one, the attempt may be there or not.
   using Answer = std::function<void(std::shared_ptr<OpenedAttempt>, std::optional<SessionFailure>)>;
 
   /// Begins at once.

@@ -81,7 +81,7 @@ void DrillBar::set_stopped(bool stopped) {
   stopped_ = stopped;
   const QString act = stopped ? tr("Go on") : tr("Pause");
   pause_->setIcon(icon(stopped ? QStringLiteral("play") : QStringLiteral("pause")));
-  pause_->setText(u' ' + act);  // as make_button: the style leaves no room after the sign
+  pause_->setText(u' ' + act);  // as make_button: the style leaves no space after the sign
   pause_->setAccessibleName(act);
   pause_->setToolTip(QStringLiteral("%1 (%2)").arg(act, QKeySequence(Qt::Key_P).toString(QKeySequence::NativeText)));
   pause_->setShortcut(Qt::Key_P);  // a new text takes the shortcut away

@@ -21,7 +21,7 @@ class DrillBar : public QFrame {
   void set_exercise(const QString& title, const QString& aside);
   void set_seconds(double seconds);
   void set_device(const DeviceLimits& device);
-  /// Only a device that pushes a hand suffers from late ticks; said, and read out, as soon as the loop knows what it was
+  /// Only a device that pushes a hand suffers from late ticks; shown, and read out, as soon as the loop knows what it was
   /// granted.
   void show_grant(const RealtimeGrant& grant);
   /// Pause, or Go on once it stands.

@@ -5,23 +5,10 @@
 #include <QKeyEvent>
 #include <QPointer>
 #include <QShortcut>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <thread>
 
-#include "ui/drill/bur_tray.h"
-#include "ui/drill/drill_bar.h"
-#include "ui/drill/drill_stage.h"
-#include "ui/drill/attempt_opening.h"
-#include "ui/drill/attempt_sound.h"
-#include "ui/drill/handpiece_panel.h"
-#include "ui/drill/homing_card.h"
-#include "ui/drill/pointer_input.h"
-#include "ui/drill/score_panel.h"
-#include "ui/view/frame_stats.h"
-#include "ui/view/tooth_view.h"
-#include "ui/widgets/busy.h"
+#include "ui/drill/drill_screen_inner.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
 
@@ -36,32 +23,7 @@ constexpr double kLeastUsualN = 0.4;
 
 }  // namespace
 
-struct DrillScreen::Inner {
-  Ports ports;
-  // Widgets.
-  DrillBar* bar;
-  DrillStage* stage;
-  ScorePanel* panel;
-  BurTray* tray;
-  Busy* busy;
-  QTimer look_timer;
-  AttemptSound* sound;
-  HomingCard* homing;
-
-  // The attempt.
-  DeviceChoice choice;
-  std::unique_ptr<AttemptOpening> opening;  // until the attempt has started
-  QTimer opening_timer;
-  std::shared_ptr<OpenedAttempt> attempt;
-  std::unique_ptr<PointerInput> input;
-  std::thread worker;  // grades
-  FrameStats stats;
-  LiveView live;
-  int looks = 0;
-  bool working = false, over = false;
-};
-
-DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_(std::make_unique<Inner>()) {
+DrillScreen::DrillScreen(Ports ports, QWidget* parent) : QWidget(parent), inner_(std::make_unique<Inner>()) {
   Inner& in = *inner_;
   in.ports = std::move(ports);
   set_kind(this, "page");
@@ -75,7 +37,26 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   connect(in.bar, &DrillBar::pause, this, &DrillScreen::toggle_pause);
   connect(in.bar, &DrillBar::finish, this, &DrillScreen::ask_finish);
   column->addWidget(in.bar);
+  make_main(*column);
 
+  in.busy = new Busy(in.stage);
+  in.busy->hide();
+  in.stage->set_centre(in.busy);
+  in.stage->view()->set_stats(&in.stats);
+  in.stage->view()->installEventFilter(this);
+
+  in.homing = new HomingCard(in.stage);
+  in.opening_timer.setInterval(kLookMs);
+  connect(&in.opening_timer, &QTimer::timeout, this, &DrillScreen::show_opening);
+  in.look_timer.setInterval(kLookMs);
+  connect(&in.look_timer, &QTimer::timeout, this, &DrillScreen::look);
+  make_keys();
+  enable_controls(false);
+}
+
+/// Stage and tray at the left, the panel at the right.
+void DrillScreen::make_main(QVBoxLayout& column) {
+  Inner& in = *inner_;
   auto* middle = new QHBoxLayout;
   middle->setSpacing(0);
   auto* left = new QVBoxLayout;
@@ -90,7 +71,7 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   left->addWidget(in.stage, 1);
   in.tray = new BurTray(this);
   connect(in.tray, &BurTray::bur_chosen, this, [this](int index) {
-    if (inner_->attempt && inner_->attempt->run) inner_->attempt->run->change_bur(static_cast<std::size_t>(index));
+    if (inner_->attempt && inner_->attempt->session) inner_->attempt->session->change_bur(static_cast<std::size_t>(index));
     if (inner_->attempt && inner_->attempt->device.hand) inner_->attempt->device.hand->set_bur(static_cast<std::uint16_t>(index));
   });
   left->addWidget(in.tray);
@@ -98,22 +79,13 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   in.panel = new ScorePanel(this);
   in.sound = new AttemptSound(*in.panel->handpiece(), this);
   connect(in.panel->handpiece(), &HandpiecePanel::coolant_changed, this, [this](bool on) {
-    if (inner_->attempt && inner_->attempt->run) inner_->attempt->run->set_coolant(on);
+    if (inner_->attempt && inner_->attempt->session) inner_->attempt->session->set_coolant(on);
   });
   middle->addWidget(in.panel);
-  column->addLayout(middle, 1);
+  column.addLayout(middle, 1);
+}
 
-  in.busy = new Busy(in.stage);
-  in.busy->hide();
-  in.stage->set_centre(in.busy);
-  in.stage->view()->set_stats(&in.stats);
-  in.stage->view()->installEventFilter(this);
-
-  in.homing = new HomingCard(in.stage);
-  in.opening_timer.setInterval(kLookMs);
-  connect(&in.opening_timer, &QTimer::timeout, this, &DrillScreen::show_opening);
-  in.look_timer.setInterval(kLookMs);
-  connect(&in.look_timer, &QTimer::timeout, this, &DrillScreen::look);
+void DrillScreen::make_keys() {
   const auto key = [this](const QKeySequence& keys, auto act) {
     connect(new QShortcut(keys, this), &QShortcut::activated, this, act);
   };
@@ -124,7 +96,6 @@ DrillScreen::DrillScreen(QWidget* parent, Ports ports) : QWidget(parent), inner_
   key(QKeySequence(Qt::CTRL | Qt::Key_Space), [this] {
     announce(this, (inner_->stage->spoken() + u' ' + inner_->panel->handpiece()->spoken()).trimmed());
   });
-  enable_controls(false);
 }
 
 void DrillScreen::use_device(DeviceChoice choice) { inner_->choice = std::move(choice); }
@@ -149,11 +120,11 @@ DrillScreen::~DrillScreen() {
   inner_->stage->view()->set_bur_source({});
   inner_->stage->view()->set_stats(nullptr);
   inner_->input.reset();
-  if (inner_->attempt) inner_->attempt->run.reset();
+  if (inner_->attempt) inner_->attempt->session.reset();
 }
 
 void DrillScreen::keep_sound_in(Settings* settings) { inner_->sound->keep_in(settings); }
-bool DrillScreen::running() const { return inner_->attempt && inner_->attempt->run && !inner_->over; }
+bool DrillScreen::running() const { return inner_->attempt && inner_->attempt->session && !inner_->over; }
 ToothView* DrillScreen::view() const { return inner_->stage->view(); }
 
 void DrillScreen::enable_controls(bool on) {
@@ -201,21 +172,25 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   }
   in.attempt = std::move(opened);
   OpenedAttempt& attempt = *in.attempt;
-  const Scenario& scenario = attempt.run->scenario();
+  const Scenario& scenario = attempt.session->scenario();
   const bool is_tooth = !scenario.specimen.generator.ends_with("block");
-  in.panel->set_exercise(scenario, !attempt.look->empty(), attempt.has_pulp, is_tooth);
-  in.panel->set_device(attempt.run->device(), attempt.run->stiffness_share());
-  in.bar->set_device(attempt.run->device());
+  in.panel->set_exercise(scenario, {.target = !attempt.look->empty(), .pulp = attempt.has_pulp, .tooth = is_tooth});
+  in.panel->set_device(attempt.session->device(), attempt.session->stiffness_share());
+  in.bar->set_device(attempt.session->device());
   in.sound->begin(scenario);
-  in.stage->set_exercise(scenario, *attempt.look, attempt.bounds, attempt.device.hand != nullptr, is_tooth, attempt.pulp_depth_mm);
+  in.stage->set_exercise(scenario, *attempt.look,
+                         {.bounds = attempt.bounds,
+                          .by_mouse = attempt.device.hand != nullptr,
+                          .is_tooth = is_tooth,
+                          .pulp_depth_mm = attempt.pulp_depth_mm});
   ToothView* view = in.stage->view();
   view->set_feed(attempt.patches);
   view->set_scenery(attempt.scenery);
   view->set_lines(attempt.lines);
   view->set_bur_source([this, view]() -> std::optional<BurPose> {
     if (!running() || inner_->working) return view->scene().bur;
-    const Scene& scene = *inner_->attempt->run->scene();
-    const LiveView live = inner_->attempt->run->view();
+    const Scene& scene = *inner_->attempt->session->scene();
+    const LiveView live = inner_->attempt->session->view();
     const StepOutput& out = live.output;
     const Bur& bur = scene.burs[std::min<std::size_t>(out.bur, scene.burs.size() - 1)];
     return BurPose{bur, out.proxy_mm, out.tick > 0 ? out.axis : scene.tool_axis, out.cutting && !stands_still(live)};
@@ -223,7 +198,7 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
   if (attempt.device.hand) {
     // An emulated Falcon has three axes: it cannot turn the handpiece.
     attempt.device.hand->set_turn_limit(attempt.device.emulated == nullptr ? scenario.tool_turn_deg : 0.0);
-    in.input = std::make_unique<PointerInput>(*view, *attempt.device.hand, attempt.run->scene()->tool_axis,
+    in.input = std::make_unique<PointerInput>(*view, *attempt.device.hand, attempt.session->scene()->tool_axis,
                                               std::clamp(kUsualShare * scenario.device.full_force_n, kLeastUsualN,
                                                          PointerHand::kMaxPushN),
                                               nullptr);
@@ -238,13 +213,14 @@ void DrillScreen::opened(std::shared_ptr<OpenedAttempt> opened, const std::optio
 void DrillScreen::look() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
-  in.live = in.attempt->run->view();
-  in.sound->follow(in.live, *in.attempt->run->scene());
+  in.live = in.attempt->session->view();
+  in.sound->follow(in.live, *in.attempt->session->scene());
   in.stage->view()->follow_bur(kFollow);
   if (auto image = in.attempt->feed->take_panel()) in.panel->section()->show_image(*image);
   if (auto image = in.attempt->feed->take_lid()) in.stage->show_cutaway(std::move(*image));
   if (in.looks++ % kTextEvery != 0) return;
   in.bar->set_seconds(in.live.seconds);
+  if (in.live.time_is_up) return finish_now();  // the session holds itself at its time limit
   in.panel->show_values(in.live);
   in.tray->choose(in.live.output.bur);
   in.bar->show_grant(in.live.grant);
@@ -252,120 +228,22 @@ void DrillScreen::look() {
   const bool stopped = in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held;
   if (in.input) in.input->set_enabled(!stopped);
   in.bar->set_stopped(stopped);
-  // The clock of the exercise has run out, or inputs could not be kept: the attempt is graded as it stands.
-  const bool behind = in.live.end == LoopEnd::ring_full;
-  if (behind) in.stage->show_stopped(DrillStage::Stop::behind);
-  if (const double limit = in.attempt->run->scenario().time_limit_s; behind || (limit > 0 && in.live.seconds >= limit)) finish_now();
+  // Inputs could not be kept: the attempt is graded as it stands.
+  if (in.live.end != LoopEnd::ring_full) return;
+  in.stage->show_stopped(DrillStage::Stop::behind);
+  finish_now();
 }
 
 void DrillScreen::toggle_pause() {
   Inner& in = *inner_;
   if (!running() || in.working) return;
   if (in.live.phase == LoopPhase::paused || in.live.phase == LoopPhase::held) {
-    in.attempt->run->resume();
+    in.attempt->session->resume();
     setFocus();
   } else {
     if (in.input) in.input->let_go();
-    in.attempt->run->pause();
+    in.attempt->session->pause();
   }
-}
-
-void DrillScreen::ask_finish() {
-  Inner& in = *inner_;
-  if (!running() || in.working) return;
-  if (in.input) in.input->let_go();
-  in.stage->set_asking(true);
-  in.attempt->run->pause();
-  in.ports.ask(this, {tr("Finish and see the result?"), tr("The tooth is measured as it is now."), tr("Finish")},
-               [self = QPointer(this)](bool yes) {
-                 if (!self || !self->running()) return;
-                 self->inner_->stage->set_asking(false);
-                 if (yes) {
-                   self->finish_now();
-                 } else {
-                   self->inner_->attempt->run->resume();
-                   self->setFocus();
-                 }
-               });
-}
-
-void DrillScreen::finish_now() {
-  Inner& in = *inner_;
-  if (!running() || in.working) return;
-  if (in.input) in.input->set_enabled(false);
-  in.working = true;
-  in.look_timer.stop();
-  in.sound->stop();
-  enable_controls(false);
-  in.bar->enable_leave(false);
-  in.stats.write_where_asked();
-  in.busy->start(tr("Measuring the tooth"), false);
-  in.worker = std::thread([this, run = in.attempt->run.get()] {
-    auto result = std::make_shared<Outcome<SessionResult>>(run->finish());
-    QMetaObject::invokeMethod(this, [this, result] { graded(result); }, Qt::QueuedConnection);
-  });
-}
-
-void DrillScreen::graded(const std::shared_ptr<Outcome<SessionResult>>& result) {
-  Inner& in = *inner_;
-  if (in.worker.joinable()) in.worker.join();
-  in.working = false;
-  in.busy->finish();
-  in.bar->enable_leave(true);
-  if (!*result && result->error().code == SessionError::recording_failed) {
-    // The disk may come back: nothing is lost while this screen stands.
-    in.stage->show_stopped(DrillStage::Stop::record, describe(result->error()));
-    in.bar->enable_finish(true);
-    return;
-  }
-  in.over = true;
-  in.stage->view()->set_bur_source({});
-  in.attempt->run.reset();
-  if (*result) {
-    Q_EMIT finished(std::make_shared<const SessionResult>(std::move(**result)));
-  } else {
-    Q_EMIT failed(result->error());
-  }
-}
-
-void DrillScreen::ask_leave() {
-  Inner& in = *inner_;
-  if (in.opening) in.opening->call_off();
-  if (in.working) return;
-  if (!running()) {
-    Q_EMIT left();
-    return;
-  }
-  const auto leave = [self = QPointer(this)](bool yes) {
-    if (!self || !self->running()) return;
-    Inner& inner = *self->inner_;
-    inner.stage->set_asking(false);
-    if (!yes) {
-      inner.attempt->run->resume();
-      self->setFocus();
-      return;
-    }
-    inner.look_timer.stop();
-    inner.sound->stop();
-    inner.stats.write_where_asked();
-    inner.over = true;
-    inner.stage->view()->set_bur_source({});
-    inner.attempt->run->abandon();
-    inner.attempt->run.reset();
-    Q_EMIT self->left();
-  };
-  if (in.input) in.input->let_go();
-  double removed = 0;
-  for (const double mm3 : in.attempt->run->view().removed_mm3) removed += mm3;
-  if (removed <= 0) return leave(true);
-  in.stage->set_asking(true);
-  in.attempt->run->pause();
-  in.ports.ask(this,
-               {tr("Leave this attempt?"),
-                in.live.recording == RecordingState::off ? tr("Nothing of it is kept.")
-                                                         : tr("It stays in your results as interrupted."),
-                tr("Leave"), true},
-               leave);
 }
 
 void DrillScreen::keyPressEvent(QKeyEvent* event) {
@@ -385,7 +263,7 @@ void DrillScreen::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void DrillScreen::focusOutEvent(QFocusEvent* event) {
-  // Another widget or window, or a menu, gets what follows: a key that is let go there is never told here.
+  // Another widget or window, or a menu, gets what follows: this widget never hears of a key released there.
   if (inner_->input) inner_->input->let_go();
   QWidget::focusOutEvent(event);
 }

@@ -1,4 +1,4 @@
-/// The drilling screen: the tooth in the middle, depth and push beside it, the coach's sentence below, instruments in
+/// The drilling screen: the tooth in the middle, depth and push beside it, the coach's message below, instruments in
 /// the tray, section and scores at the right. It runs one attempt at an exercise from begin() to finished() or left().
 /// Thread: GUI. It decides nothing about the tooth: the step does, and what it shows comes from the mirror.
 #pragma once
@@ -15,15 +15,16 @@
 namespace cusp::ui {
 
 struct DrillText {
-  QString title;    // of the exercise, in the user's language
-  QString aside;    // "Practice, attempt 7"; may be empty
+  QString title;  // of the exercise, in the user's language
+  QString aside;  // "Practice, attempt 7"; may be empty
 };
 
 class DrillScreen : public QWidget {
   Q_OBJECT
 
  public:
-  explicit DrillScreen(QWidget* parent = nullptr, Ports ports = Ports::of_the_system());
+  /// `ports`: who answers questions.
+  explicit DrillScreen(Ports ports, QWidget* parent = nullptr);
   ~DrillScreen() override;
 
   /// What the next attempt is drilled with; mouse and keys unless it is called. Before begin().
@@ -49,7 +50,7 @@ class DrillScreen : public QWidget {
   void finished(std::shared_ptr<const SessionResult> result);
   /// The attempt was left; nothing is running.
   void left();
-  /// It could not start or be graded: the page that opened it says so in words.
+  /// It could not start or be graded: the page that opened it shows why.
   void failed(SessionFailure failure);
 
  protected:
@@ -59,6 +60,8 @@ class DrillScreen : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void make_main(class QVBoxLayout& column);
+  void make_keys();
   void look();
   void opened(std::shared_ptr<struct OpenedAttempt> attempt, const std::optional<SessionFailure>& failure);
   void finish_now();

@@ -1,4 +1,4 @@
-/// The card over the view that says why the attempt stands still, and the ways on. Thread: GUI.
+/// The card over the view that shows why the attempt stands still, and the ways on. Thread: GUI.
 #pragma once
 
 #include <QFrame>
@@ -24,7 +24,7 @@ class StopCard : public QFrame {
   /// `record`: why Stop::record cannot be written; `fault`: of Stop::fault. Read out when another stop or another cause
   /// stands there. True if it did.
   bool show_stop(Stop stop, const Message& record, Fault fault);
-  /// While it is gone, what a Falcon tells of its way back, with the picture of homing. True if the card grew or shrank.
+  /// While a Falcon is gone, its state, with the picture of homing. True if the card grew or shrank.
   bool show_falcon(const FalconView* view);
   /// Its height at that width.
   void fit_width(int width);

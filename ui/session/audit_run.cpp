@@ -125,7 +125,7 @@ struct AuditAttempt {
   std::uint64_t lost = 0;
 };
 
-/// As play_through plays, without mirror and record. nullopt: told to stop.
+/// As play_through plays, without mirror and record. nullopt: stopped.
 std::optional<AuditAttempt> play(const Table& table, HapticPort& port, const std::function<bool()>& go_on) {
   LoopSettings settings;
   settings.period = std::chrono::microseconds(kAuditTickUs);
@@ -159,7 +159,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// What an expert's device said, in ticks of 1 ms: up to the first touch, and so many ticks from there on.
+/// The samples of an expert's device, in ticks of 1 ms: up to the first touch, and so many ticks from there on.
 struct Path {
   std::vector<StepInput> inputs;
   std::size_t touched_at = 0;

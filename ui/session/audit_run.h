@@ -1,4 +1,4 @@
-/// Plays an audit's models with scripted hands, in virtual time: the loop's ticks, measures and grades of a real attempt.
+/// Plays an audit's models with scripted operators, in virtual time: the loop's ticks, measures and grades of a real attempt.
 /// Nothing is kept. Thread: the caller's. Up to minutes.
 #pragma once
 

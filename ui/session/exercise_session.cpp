@@ -7,6 +7,7 @@
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/loose_pieces.h"
 #include "ui/modules.h"
+#include "ui/session/bur_depth.h"
 #include "ui/session/session_follower.h"
 #include "ui/session/session_setup.h"
 
@@ -48,8 +49,7 @@ struct ExerciseSession::Inner {
   }
   SessionEnd end() const {
     if (loop->hand_over().end.load() == LoopEnd::ring_full) return SessionEnd::recorder_full;
-    const double limit = plan.scenario.time_limit_s;
-    return limit > 0 && follower->process().time_s() >= limit ? SessionEnd::time_limit : SessionEnd::student;
+    return follower->time_is_up() ? SessionEnd::time_limit : SessionEnd::student;
   }
 };
 
@@ -71,8 +71,10 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
   if (run.setup.store) {
     run.recorder = std::make_unique<Recorder>(std::move(run.setup.store), run.setup.session, Recorder::Writing::on_a_thread);
   }
-  run.follower = std::make_unique<SessionFollower>(run.setup.reference, *run.setup.mirror_start, run.recorder.get(),
-                                               run.setup.process, [&run] { run.loop->pause(); });
+  run.follower = std::make_unique<SessionFollower>(
+      run.setup.reference, *run.setup.mirror_start,
+      SessionFollower::Settings{run.recorder.get(), run.setup.process, run.plan.scenario.time_limit_s,
+                                [&run] { run.loop->pause(); }});
   run.loop = std::make_unique<HapticLoop>(run.with_pedal, std::move(*run.setup.loop_start));
   run.mirror = std::make_unique<Mirror>(std::move(*run.setup.mirror_start), run.loop->hand_over(),
                                         MirrorSettings{.show_every_us = kShowUs});
@@ -86,7 +88,7 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
   run.rate_at = std::chrono::steady_clock::now();
   run.mirror->start();
   // Who continues holds the bur elsewhere than the record ends: the guard would call that a jump. resume() re-arms it.
-  if (!run.plan.go_on.is_nil()) run.loop->pause();
+  if (!run.plan.resumes.is_nil()) run.loop->pause();
   run.loop->start();
   return std::unique_ptr<ExerciseSession>(new ExerciseSession(std::move(inner)));
 }
@@ -94,6 +96,7 @@ Outcome<std::unique_ptr<ExerciseSession>> ExerciseSession::start(SessionPlan pla
 void ExerciseSession::pause() { inner_->loop->pause(); }
 
 void ExerciseSession::resume() {
+  if (inner_->follower->time_is_up()) return;
   if (inner_->recorder && inner_->recorder->state() == RecordingState::failed) inner_->recorder->retry();
   inner_->loop->resume();
 }
@@ -164,6 +167,7 @@ LiveView ExerciseSession::view() const {
   const FollowedView followed = run.follower->view();
   const LiveReading& scores = followed.scores;
   const auto over = [&scores](Place place) { return scores.overcut_mm3[static_cast<std::size_t>(place)]; };
+  view.time_is_up = run.follower->time_is_up();
   view.shown_tick = followed.tick;
   view.target_removed_percent = scores.target_measured ? scores.target_removed : 0.0;
   view.over_leeway_mm3 = over(Place::leeway_floor) + over(Place::leeway_side);
@@ -175,7 +179,7 @@ LiveView ExerciseSession::view() const {
   view.peak_push_n = followed.peak_push_n;
   const auto& burs = run.setup.scene->burs;
   const Bur& bur = burs[std::min<std::size_t>(latest.output.bur, burs.size() - 1)];
-  view.bur_depth_mm = run.setup.reference->shape().top_mm() - (latest.output.proxy_mm.z - bur.radius_mm);
+  view.bur_depth_mm = bur_depth_mm(run.setup.reference->shape(), latest.output, bur);
 
   if (run.recorder) {
     view.recording = run.recorder->state();

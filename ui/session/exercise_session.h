@@ -1,4 +1,4 @@
-/// One attempt at an exercise, live: joins a device, the loop, its mirror, the live scores and the recorder.
+/// One session of an exercise, live: joins a device, the loop, its mirror, the live scores and the recorder.
 /// Thread: every function is called from one thread (the window's); loop, mirror and recorder have their own.
 #pragma once
 
@@ -32,10 +32,10 @@ struct SessionPlan {
   VersionId version;                         // published version; nil: the scenario's own, published at need
   SessionKind kind = SessionKind::practice;  // try_it and try_out stay out of histories and figures
   std::optional<AssignmentId> assignment;
-  std::string hand = "person";               // or "expert", "novice", a file's name
-  SessionId go_on;                           // an interrupted session to go on with; nil: a new one
+  std::string hand = "person";               // the user; else a scripted operator's name or a file's
+  SessionId resumes;                         // an interrupted session to resume; nil: a new one
   std::shared_ptr<const Specimen> specimen;  // build_specimen()'s, to save the time; may be null
-  std::vector<Observer*> observers;          // outlive the run
+  std::vector<Observer*> observers;          // outlive the session
   std::shared_ptr<const PedalSource> pedal;  // a foot pedal beside the device; may be null
 };
 
@@ -59,7 +59,7 @@ struct SessionResult {
 class ExerciseSession {
  public:
   /// Builds the scene, opens the port, makes the session's rows and starts loop, mirror and recorder.
-  /// `port` outlives the run. Up to seconds for a large specimen: then not on the window's thread.
+  /// `port` outlives the session. Up to seconds for a large specimen: then not on the window's thread.
   static Outcome<std::unique_ptr<ExerciseSession>> start(SessionPlan plan, HapticPort& port);
   /// Abandons when neither finish() nor abandon() was called.
   ~ExerciseSession();
@@ -67,7 +67,8 @@ class ExerciseSession {
   ExerciseSession& operator=(const ExerciseSession&) = delete;
 
   void pause();
-  /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in.
+  /// Also after a fault, or when the device or the disk has come back: re-arms the guard, the force ramps in. Without
+  /// effect once LiveView::time_is_up: the session itself holds the loop at its time limit, and only finish() is left.
   void resume();
   /// Index into the scenario's instruments.
   void change_bur(std::size_t index);
@@ -75,8 +76,8 @@ class ExerciseSession {
   void set_coolant(bool on);
 
   /// Stops, works through every input, writes the final volume, grades, and stores the grade. recording_failed leaves the
-  /// run as it was (stopped): finish() may be tried again when the disk is well. An attempt that ended by itself because inputs
-  /// were not taken off in time is graded as it stands, SessionResult::interrupted says so.
+  /// session as it was (stopped): finish() may be tried again when the disk is well. An attempt that ended by itself because inputs
+  /// were not taken off in time is graded as it stands, with SessionResult::interrupted set.
   Outcome<SessionResult> finish();
   /// Stops; the session stays as interrupted in the database and can be graded as it stands.
   void abandon();

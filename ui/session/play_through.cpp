@@ -11,27 +11,10 @@
 
 namespace cusp::ui {
 
-Outcome<SessionResult> play_through(SessionPlan plan, HapticPort& port, const PlaySettings& settings) {
-  if (auto opened = port.open(); !opened) return session_fail(SessionError::device, opened.error());
-  auto made = set_up(plan, port.limits());
-  if (!made) {
-    port.close();
-    return std::unexpected(made.error());
-  }
-  SessionSetup setup = std::move(*made);
-  std::unique_ptr<Recorder> recorder;
-  if (setup.store) {
-    recorder = std::make_unique<Recorder>(std::move(setup.store), setup.session, Recorder::Writing::at_once);
-  }
-  SessionFollower follower(setup.reference, *setup.mirror_start, recorder.get(), setup.process, {});
-  VirtualLoop loop(port, std::move(*setup.loop_start));
-  if (settings.elapsed_us) loop.take_elapsed_from(settings.elapsed_us);
-  MirrorSettings mirror_settings;
-  mirror_settings.show_every_us = settings.show_every_us;
-  Mirror mirror(std::move(*setup.mirror_start), loop.hand_over(), mirror_settings);
-  mirror.add(follower);
-  for (Observer* observer : plan.observers) mirror.add(*observer);
+namespace {
 
+/// Runs loop and mirror until the script ends, `go_on` refuses or the record fails.
+SessionEnd run_script(VirtualLoop& loop, Mirror& mirror, const Recorder* recorder, const PlaySettings& settings) {
   // The mirror follows on the other core. Short turns and a short wait: what stands on the disk is never more than a
   // fraction of a second of the session behind what was played.
   constexpr std::uint64_t kTurn = 25;
@@ -54,6 +37,34 @@ Outcome<SessionResult> play_through(SessionPlan plan, HapticPort& port, const Pl
       }
     }
   }
+  return end;
+}
+
+}  // namespace
+
+Outcome<SessionResult> play_through(SessionPlan plan, HapticPort& port, const PlaySettings& settings) {
+  if (auto opened = port.open(); !opened) return session_fail(SessionError::device, opened.error());
+  auto made = set_up(plan, port.limits());
+  if (!made) {
+    port.close();
+    return std::unexpected(made.error());
+  }
+  SessionSetup setup = std::move(*made);
+  std::unique_ptr<Recorder> recorder;
+  if (setup.store) {
+    recorder = std::make_unique<Recorder>(std::move(setup.store), setup.session, Recorder::Writing::at_once);
+  }
+  // A script ends by itself: no time limit, nothing to hold.
+  SessionFollower follower(setup.reference, *setup.mirror_start, {recorder.get(), setup.process, 0.0, {}});
+  VirtualLoop loop(port, std::move(*setup.loop_start));
+  if (settings.elapsed_us) loop.take_elapsed_from(settings.elapsed_us);
+  MirrorSettings mirror_settings;
+  mirror_settings.show_every_us = settings.show_every_us;
+  Mirror mirror(std::move(*setup.mirror_start), loop.hand_over(), mirror_settings);
+  mirror.add(follower);
+  for (Observer* observer : plan.observers) mirror.add(*observer);
+
+  const SessionEnd end = run_script(loop, mirror, recorder.get(), settings);
   loop.ticker().end(LoopEnd::asked);
   mirror.stop();
   port.close();

@@ -53,7 +53,7 @@ class Replay {
   static Outcome<Replay> open(Store& store, OpenedSession session);
 
   /// Runs to just after `tick` (at most the last): forward from where it stands, or from a key state when that is less
-  /// work. False: `watch` stopped it, and it stands where state() says.
+  /// work. False: `watch` stopped it, and it stands at state().
   Outcome<bool> to(std::uint64_t tick, const ReplayJump& jump = {});
   void add(Observer& observer) { observers_.push_back(&observer); }  // sees the state after each to()
 
@@ -118,7 +118,7 @@ struct ReplayProof {
   bool has_grade = false, grade_equal = false;
   std::string grade_differs;                    // id of the first criterion that differs, or "score"
   std::uint64_t volume_hash = 0;                // of the replay
-  /// Intact and reproduced as far as this engine can tell.
+  /// Intact and reproduced as far as this engine can compute.
   bool holds() const noexcept;
 };
 Outcome<ReplayProof> prove_session(Store& store, SessionId id);

@@ -48,6 +48,29 @@ bool ReplayProof::holds() const noexcept {
   return !differs_at_tick && (!has_final_volume || volume_equal) && (!has_grade || grade_equal);
 }
 
+namespace {
+
+void compare_grade(ReplayProof& proof, const std::vector<StoredGrade>& grades, const OpenedSession& opened,
+                   const Replay& replay) {
+  // Of the program's own grades by the scenario's rubric the newest; others cannot follow from the replay alone.
+  const Hash256 own_rubric = rubric_hash(opened.scenario.rubric);
+  const auto by_program = [&](const StoredGrade& g) {
+    return g.grader.is_nil() && g.rubric_hash == own_rubric && g.engine_version == kEngineVersion;
+  };
+  const auto found = std::find_if(grades.rbegin(), grades.rend(), by_program);
+  if (found != grades.rend()) {
+    const Reference reference(opened.scenario, opened.scene->specimen);
+    const Grade again = grade(opened.scenario, measure(reference, replay.state().volume(), replay.process()));
+    if (again.evaluator == found->grade.evaluator) {
+      proof.has_grade = true;
+      proof.grade_differs = difference(found->grade, again);
+      proof.grade_equal = proof.grade_differs.empty();
+    }
+  }
+}
+
+}  // namespace
+
 Outcome<ReplayProof> prove_session(Store& store, SessionId id) {
   ReplayProof proof;
   auto chain = verify_session(store.context(), id);
@@ -93,21 +116,7 @@ Outcome<ReplayProof> prove_session(Store& store, SessionId id) {
   }
   auto grades = store.grades.all(id);
   if (!grades) return failed({SessionError::storage, grades.error().where, grades.error().detail, grades.error().code});
-  // Of the program's own grades by the scenario's rubric the newest; others cannot follow from the replay alone.
-  const Hash256 own_rubric = rubric_hash(opened->scenario.rubric);
-  const auto by_program = [&](const StoredGrade& g) {
-    return g.grader.is_nil() && g.rubric_hash == own_rubric && g.engine_version == kEngineVersion;
-  };
-  const auto found = std::find_if(grades->rbegin(), grades->rend(), by_program);
-  if (found != grades->rend()) {
-    const Reference reference(opened->scenario, opened->scene->specimen);
-    const Grade again = grade(opened->scenario, measure(reference, volume, replay->process()));
-    if (again.evaluator == found->grade.evaluator) {
-      proof.has_grade = true;
-      proof.grade_differs = difference(found->grade, again);
-      proof.grade_equal = proof.grade_differs.empty();
-    }
-  }
+  compare_grade(proof, *grades, *opened, *replay);
   return proof;
 }
 

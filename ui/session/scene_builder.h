@@ -14,11 +14,11 @@
 namespace cusp::ui {
 
 /// The scenario's voxels in the reading of its method. Up to seconds. `folder`: where a volume that it names lies.
-/// stop: told from another thread, it ends early and fails (specimen); may be null.
+/// stop: set by another thread, it ends early and fails (specimen); may be null.
 Outcome<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder,
                                                     const std::atomic<bool>* stop = nullptr);
 
-/// What a device leaves of a scenario's stiffness: all tissues get the same share, so that they stay told apart.
+/// What a device leaves of a scenario's stiffness: all tissues get the same share, so that they keep their order.
 struct StiffnessCut {
   double share = 1.0;              // (0, 1]
   double asked_n_per_mm = 0.0;     // of the stiffest tissue

@@ -38,7 +38,7 @@ struct SessionDevice {
   FalconPort* falcon = nullptr;              // a real one: to look at while its open() waits for homing
   InversePort* inverse = nullptr;        // to call off while its open() waits
   EmulatedFalconPort* emulated = nullptr;
-  /// What the Falcon tells, real or emulated; nullptr for others. One thread.
+  /// Live values of the Falcon, real or emulated; nullptr for others. One thread.
   const FalconView* view() const noexcept;
 };
 

@@ -1,4 +1,4 @@
-/// How running, opening and replaying an attempt can fail. Codes: ui/app turns them into sentences.
+/// How running, opening and replaying an attempt can fail. Codes only; ui/text has their text.
 #pragma once
 
 #include <cstdint>
@@ -36,9 +36,9 @@ std::string_view key_of(SessionError code) noexcept;
 
 struct SessionFailure {
   SessionError code = SessionError::storage;
-  std::string where;     // file, key or device; never a sentence
-  std::string detail{};  // what a library said
-  /// The code of the room below, where it has one.
+  std::string where;     // file, key or device; never text for people
+  std::string detail{};  // a library's own message
+  /// The code of the module below, where it has one.
   std::variant<std::monostate, StorageError, ImportError, PortError, FormatError> cause{};
 };
 
@@ -48,7 +48,7 @@ using Outcome = std::expected<T, SessionFailure>;
 inline std::unexpected<SessionFailure> session_fail(SessionError code, std::string where, std::string detail = {}) {
   return std::unexpected(SessionFailure{code, std::move(where), std::move(detail), {}});
 }
-/// Carries a failure of a room below upwards.
+/// Carries a failure of a module below upwards.
 template <class Code>
 std::unexpected<SessionFailure> session_fail(SessionError code, const Failure<Code>& below) {
   return std::unexpected(SessionFailure{code, below.where, below.detail, below.code});

@@ -1,6 +1,10 @@
 #include "ui/session/session_follower.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/session/bur_depth.h"
 
 namespace cusp::ui {
 
@@ -9,16 +13,22 @@ constexpr std::uint64_t kSecondUs = 1'000'000;
 constexpr std::uint64_t kScoresUs = 100'000;      // as often as they are read; the picture of the tooth comes first
 constexpr std::size_t kMostInputsASecond = 60'000;
 
+std::uint64_t limit_us(double limit_s) {
+  if (limit_s <= 0) return std::numeric_limits<std::uint64_t>::max();
+  return static_cast<std::uint64_t>(std::ceil(limit_s * 1e6));
+}
+
 std::uint64_t next_multiple(std::uint64_t now, std::uint64_t step) { return (now / step + 1) * step; }
 }  // namespace
 
-SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Recorder* recorder,
-                         const Process& process, std::function<void()> hold)
+SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Settings settings)
     : reference_(std::move(reference)),
-      recorder_(recorder),
-      hold_(std::move(hold)),
+      recorder_(settings.recorder),
+      hold_(std::move(settings.hold)),
+      limit_us_(limit_us(settings.time_limit_s)),
+      time_is_up_(start.last().elapsed_us >= limit_us_),
       live_(reference_),
-      process_(process),
+      process_(std::move(settings.process)),
       next_second_us_(next_multiple(start.last().elapsed_us, kSecondUs)),
       next_key_us_(next_multiple(start.last().elapsed_us, kKeyStateUs)) {
   const IVec3 n = start.volume().specimen().brick_count();
@@ -30,9 +40,13 @@ SessionFollower::SessionFollower(std::shared_ptr<const Reference> reference, con
 void SessionFollower::on_tick(const StepInput& input, const StepState& after) {
   const StepOutput& output = after.last();
   process_.add(output);
+  if (output.elapsed_us >= limit_us_) {
+    time_is_up_.store(true, std::memory_order_release);
+    if (hold_) hold_();
+  }
   if (output.cutting) {
     const Bur& bur = after.scene().burs[output.bur];
-    deepest_mm_ = std::max(deepest_mm_, reference_->shape().top_mm() - (output.proxy_mm.z - bur.radius_mm));
+    deepest_mm_ = std::max(deepest_mm_, bur_depth_mm(reference_->shape(), output, bur));
   }
   if (!recorder_) return;
   const double push = glm::length(output.force_raw_n);

@@ -2,6 +2,7 @@
 /// what panels show under a mutex that the loop never takes.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -27,16 +28,22 @@ struct FollowedView {
 
 class SessionFollower final : public MirrorObserver {
  public:
-  /// `recorder` null: nothing is kept. `process`: of the part before, when a session goes on.
-  /// `hold` is called when the record cannot be written: no session goes on without one.
-  SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Recorder* recorder,
-              const Process& process, std::function<void()> hold);
+  struct Settings {
+    Recorder* recorder = nullptr;  // null: nothing is kept
+    Process process;               // of the part before, when a session is resumed
+    double time_limit_s = 0;       // of session time; 0: none
+    std::function<void()> hold;    // stops the loop's clock; mirror's thread; may be empty
+  };
+  /// Calls `hold` when the record cannot be written and when the time limit is reached.
+  SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Settings settings);
 
   void on_tick(const StepInput& input, const StepState& after) override;
   void on_state(const StepState& state, const StateNews& news) override;
 
   /// Any thread.
   FollowedView view() const;
+  /// Any thread. Whether the time limit is reached; never false again. Not in view(): a held loop brings no new state.
+  bool time_is_up() const noexcept { return time_is_up_.load(std::memory_order_acquire); }
   /// After the mirror has stopped.
   const Process& process() const noexcept { return process_; }
 
@@ -48,6 +55,8 @@ class SessionFollower final : public MirrorObserver {
   std::shared_ptr<const Reference> reference_;
   Recorder* recorder_;
   std::function<void()> hold_;
+  std::uint64_t limit_us_;  // of session time
+  std::atomic<bool> time_is_up_{false};
   LiveMetrics live_;
   Process process_;
   double deepest_mm_ = 0;

@@ -50,8 +50,8 @@ Outcome<VersionId> version_of(const SessionPlan& plan, Store& store) {
   return version->id;
 }
 
-Outcome<void> go_on(SessionPlan& plan, SessionSetup& setup) {
-  auto opened = open_session(*setup.store, plan.go_on);
+Outcome<void> resume(SessionPlan& plan, SessionSetup& setup) {
+  auto opened = open_session(*setup.store, plan.resumes);
   if (!opened) return std::unexpected(opened.error());
   if (opened->session.student != plan.student.id) {
     return session_fail(SessionError::storage, Failure<StorageError>{StorageError::not_allowed, "drill", {}});
@@ -72,10 +72,10 @@ Outcome<void> go_on(SessionPlan& plan, SessionSetup& setup) {
   setup.loop_start = StepState::restore(setup.scene, bytes);
   setup.mirror_start = StepState::restore(setup.scene, bytes);
   setup.reference = std::make_shared<const Reference>(plan.scenario, plan.specimen);
-  if (auto resumed = setup.store->sessions.resume(plan.go_on, "student"); !resumed) {
+  if (auto resumed = setup.store->sessions.resume(plan.resumes, "student"); !resumed) {
     return session_fail(SessionError::storage, resumed.error());
   }
-  setup.session = plan.go_on;
+  setup.session = plan.resumes;
   return {};
 }
 
@@ -89,9 +89,9 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
     if (!store) return session_fail(SessionError::storage, store.error());
     setup.store = std::move(*store);
   }
-  if (!plan.go_on.is_nil()) {
-    if (!setup.store) return session_fail(SessionError::wrong_state, plan.go_on.text());
-    if (auto done = go_on(plan, setup); !done) return std::unexpected(done.error());
+  if (!plan.resumes.is_nil()) {
+    if (!setup.store) return session_fail(SessionError::wrong_state, plan.resumes.text());
+    if (auto done = resume(plan, setup); !done) return std::unexpected(done.error());
     return setup;
   }
 

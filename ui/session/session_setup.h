@@ -28,9 +28,9 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device);
 
 /// Why an attempt is over; the key is the reason stored with the event.
 enum class SessionEnd : std::uint8_t {
-  student,         // finished by hand
+  student,         // finished by the student
   time_limit,      // finished, the scenario's time was used
-  script,          // finished, the hand had nothing more to do
+  script,          // finished, the scripted operator had nothing more to do
   recorder_full,   // interrupted: inputs were not taken off in time
   stopped,         // interrupted from outside
 };

@@ -31,7 +31,7 @@ class Screen : public testing::Test {
       asked << question.act;
       then(answer);
     };
-    screen = std::make_unique<DrillScreen>(nullptr, ports);
+    screen = std::make_unique<DrillScreen>(ports);
     screen->resize(1280, 800);
     screen->show();
   }

@@ -90,7 +90,7 @@ struct DrillGauges : testing::Test {
     scenario.leeway = {0.2, 0.2};
     stage.resize(900, 600);
     stage.show();
-    stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway), {{-10, -10, -10}, {10, 10, 0}}, true, true, 3.1);
+    stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway), {.bounds = {{-10, -10, -10}, {10, 10, 0}}, .by_mouse = true, .is_tooth = true, .pulp_depth_mm = 3.1});
     live.phase = LoopPhase::running;
     live.output.contact = true;
     live.push_n = 0.8;
@@ -205,12 +205,12 @@ TEST(Compass, is_hidden_where_no_side_of_the_specimen_is_known) {
   auto* compass = stage.findChild<Compass*>();
   Scenario scenario;
   scenario.specimen.volume = "molar.nrrd";
-  stage.set_exercise(scenario, TargetLook(Target{}, {}), Box{Vec3(-5.0), Vec3(5.0)}, true, true);
+  stage.set_exercise(scenario, TargetLook(Target{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_TRUE(compass->isHidden());
   scenario.specimen = {};
   scenario.specimen.generator = "tooth";
   scenario.specimen.fdi = 46;
-  stage.set_exercise(scenario, TargetLook(Target{}, {}), Box{Vec3(-5.0), Vec3(5.0)}, true, true);
+  stage.set_exercise(scenario, TargetLook(Target{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_FALSE(compass->isHidden());
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/replay.h"
 
@@ -63,6 +65,32 @@ TEST(ExerciseSession, DrillsRecordsAndGradesWhatTheReplayConfirms) {
   EXPECT_EQ(opened->grade.score, result->grade.score);
 }
 
+TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAndIsGradedAsUsedUp) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.scenario.time_limit_s = 0.5;
+  DrillingPort port(1u << 30, true);
+  auto session = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(session);
+  EXPECT_FALSE((*session)->view().time_is_up);
+  ASSERT_TRUE(eventually([&] { return (*session)->view().time_is_up && (*session)->view().phase == LoopPhase::paused; }));
+  EXPECT_GE((*session)->view().seconds, 0.5);
+  const double at = (*session)->view().seconds;
+  (*session)->resume();
+  const auto written = port.writes();
+  ASSERT_TRUE(eventually([&] { return port.writes() > written + 30; }));
+  EXPECT_EQ((*session)->view().phase, LoopPhase::paused) << "nobody resumes a session whose time is up";
+  EXPECT_EQ((*session)->view().seconds, at);
+  EXPECT_EQ(port.last_force_n(), 0.0);
+  const auto result = (*session)->finish();
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->seconds, at);
+  EXPECT_FALSE(result->interrupted);
+  const auto events = work.store()->sessions.events(result->session);
+  ASSERT_TRUE(events);
+  EXPECT_TRUE(std::ranges::any_of(*events, [](const SessionEvent& e) { return e.reason == "time_limit"; }));
+}
+
 TEST(ExerciseSession, PausedItsClockStandsStill) {
   const Workplace work;
   DrillingPort port(1u << 30, true);
@@ -118,7 +146,7 @@ TEST(ExerciseSession, AnInterruptedGoGoesOnWithItsToothAndItsClock) {
     taken = (*run)->view().removed_mm3[index_of(Tissue::plastic)];
   }
   SessionPlan plan = work.plan();
-  plan.go_on = session;
+  plan.resumes = session;
   DrillingPort port(1u << 30, true);
   auto run = ExerciseSession::start(plan, port);
   ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;

@@ -72,7 +72,7 @@ SessionId play_and_die(const Workplace& work) {
 
 void expect_same_as_uninterrupted(const Workplace& work, SessionId session) {
   SessionPlan plan = work.plan();
-  plan.go_on = session;
+  plan.resumes = session;
   const std::uint64_t stored = open_session(*work.store(), session)->ticks;
   LaterPort port(stored, kTicks);
   const auto result = play_through(plan, port);
