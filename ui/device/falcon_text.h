@@ -1,4 +1,4 @@
-/// What a Falcon does and what went wrong with it, in words. Needs no window.
+/// Text for a Falcon's phases and failures. Needs no window.
 #pragma once
 
 #include <QCoreApplication>

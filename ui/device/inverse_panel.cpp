@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -20,7 +21,6 @@
 #include "ui/settings/settings.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/gauge.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -62,7 +62,7 @@ struct InversePanel::Inner {
   Chip* chip;
   QLabel *message, *place, *rate, *handle;
   QPushButton *ask, *free, *cancel;
-  Bar* progress;
+  QProgressBar* progress;
   QComboBox* turned;
   NumberField *scale, *service;
   QWidget* values;
@@ -90,11 +90,24 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   in.message = make_label({});
   in.message->setWordWrap(true);
   column->addWidget(in.message);
-  in.progress = new Bar(Bar::Role::accent);
+  in.progress = new QProgressBar;
+  in.progress->setRange(0, static_cast<int>(InversePort::kLongestOpen / std::chrono::milliseconds(1)));
+  in.progress->setTextVisible(false);
   in.progress->setAccessibleName(tr("Asking the service."));
   in.progress->hide();
   column->addWidget(in.progress);
 
+  make_values(column);
+  make_fields(column);
+  make_acts(column);
+  connect_all();
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &InversePanel::look);
+  look();
+}
+
+void InversePanel::make_values(QVBoxLayout* column) {
+  Inner& in = *inner_;
   in.values = new QWidget;
   auto* grid = new QGridLayout(in.values);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -112,7 +125,10 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   row(2, tr("Handle"), &in.handle);
   column->addWidget(in.values);
   in.values->hide();
+}
 
+void InversePanel::make_fields(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* fields = new QHBoxLayout;
   fields->setSpacing(px(12));
   in.turned = new QComboBox;
@@ -134,7 +150,10 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   in.service->setValue(in.settings.service.port);
   fields->addWidget(labelled(tr("Port of the service"), in.service));
   column->addLayout(fields);
+}
 
+void InversePanel::make_acts(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(8));
   in.ask = make_button(tr("Look for it"), ButtonKind::standard, QStringLiteral("search"));
@@ -146,7 +165,10 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   acts->addWidget(in.cancel);
   acts->addStretch(1);
   column->addLayout(acts);
+}
 
+void InversePanel::connect_all() {
+  Inner& in = *inner_;
   connect(in.ask, &QPushButton::clicked, this, &InversePanel::connect_to_it);
   connect(in.free, &QPushButton::clicked, this, &InversePanel::let_go);
   connect(in.cancel, &QPushButton::clicked, this, &InversePanel::let_go);
@@ -162,9 +184,6 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
     inner_->settings.service.port = static_cast<std::uint16_t>(value);
     inner_->keep();
   });
-  in.timer.setInterval(kLookMs);
-  connect(&in.timer, &QTimer::timeout, this, &InversePanel::look);
-  look();
 }
 
 InversePanel::~InversePanel() { let_go(); }
@@ -239,9 +258,7 @@ void InversePanel::look() {
     case State::asking:
       in.chip->set(tr("asking"), Chip::Kind::plain);
       message = tr("Asking the service.");
-      in.progress->set_share(1e-3 * static_cast<double>(in.asked_for.elapsed()) /
-                                 std::chrono::duration<double>(InversePort::kLongestOpen).count(),
-                             message);
+      in.progress->setValue(static_cast<int>(in.asked_for.elapsed()));
       break;
     case State::refused:
       in.chip->set(tr("not found"), Chip::Kind::look);
@@ -255,26 +272,10 @@ void InversePanel::look() {
                    .arg(QString::number(in.settings.service.port));
       }
       break;
-    case State::answers: {
-      const InverseView view = in.port->view();
-      const auto& s = view.session;
-      const bool ready = s.phase == inverse::Phase::ready;
+    case State::answers:
       values = true;
-      in.chip->set(ready ? tr("answers") : tr("silent"), ready ? Chip::Kind::good : Chip::Kind::look);
-      message = ready ? tr("Move it: the place below follows the hand.")
-                   : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
-      const Vec3 at = s.reading.position_m;
-      in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres(at.x), millimetres(at.y), millimetres(at.z)));
-      in.rate->setText(view.updates_per_s > 0 ? format_number(view.updates_per_s, 0) : QStringLiteral("–"));
-      QStringList down;
-      if (s.reading.a) down << QStringLiteral("A");
-      if (s.reading.b) down << QStringLiteral("B");
-      if (s.reading.c) down << QStringLiteral("C");
-      in.handle->setText(!s.has_orientation ? tr("None: the bur keeps its axis")
-                         : down.isEmpty()   ? tr("Tells how it is turned")
-                                            : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
+      message = show_answers();
       break;
-    }
   }
   if (in.message->text() != message) in.message->setText(message);
   in.values->setVisible(values);
@@ -289,6 +290,28 @@ void InversePanel::look() {
     in.said = now;
     Q_EMIT summary_changed(now);
   }
+}
+
+/// Fills chip, place, rate and handle; what the device does, as a sentence.
+QString InversePanel::show_answers() {
+  Inner& in = *inner_;
+  const InverseView view = in.port->view();
+  const auto& s = view.session;
+  const bool ready = s.phase == inverse::Phase::ready;
+  in.chip->set(ready ? tr("answers") : tr("silent"), ready ? Chip::Kind::good : Chip::Kind::look);
+  const QString message = ready ? tr("Move it: the place below follows the hand.")
+               : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
+  const Vec3 at = s.reading.position_m;
+  in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres(at.x), millimetres(at.y), millimetres(at.z)));
+  in.rate->setText(view.updates_per_s > 0 ? format_number(view.updates_per_s, 0) : QStringLiteral("–"));
+  QStringList down;
+  if (s.reading.a) down << QStringLiteral("A");
+  if (s.reading.b) down << QStringLiteral("B");
+  if (s.reading.c) down << QStringLiteral("C");
+  in.handle->setText(!s.has_orientation ? tr("None: the bur keeps its axis")
+                     : down.isEmpty()   ? tr("Tells how it is turned")
+                                        : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
+  return message;
 }
 
 QString InversePanel::summary() const { return QStringLiteral("Haply Inverse3: %1").arg(inner_->chip->text()); }

@@ -1,4 +1,4 @@
-/// The Haply Inverse3 on the device page: whether its service answers, what it tells, and how it lies in the hand's
+/// The Haply Inverse3 on the device page: whether its service answers, its live values, and how it lies in the hand's
 /// space. It stands in the card that it is put into, or brings one. Thread: GUI. The service is asked as a background task, and only
 /// when the user asks for it; no call here waits for it.
 #pragma once
@@ -9,6 +9,8 @@
 
 #include "device/inverse/inverse_port.h"
 #include "ui/modules.h"
+
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -39,8 +41,13 @@ class InversePanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void make_values(QVBoxLayout* column);
+  void make_fields(QVBoxLayout* column);
+  void make_acts(QVBoxLayout* column);
+  void connect_all();
   void look();
   void take_answer();
+  QString show_answers();
 
   struct Inner;
   std::unique_ptr<Inner> inner_;

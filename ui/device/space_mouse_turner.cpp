@@ -16,7 +16,7 @@ constexpr int kIdleMs = 100;           // while it is not there, or nobody sees 
 constexpr double kLongestS = 0.1;      // after a stall the view goes on, it does not leap
 constexpr double kTurnRadS = std::numbers::pi / 2;
 constexpr double kMoveShareS = 0.5;    // of the view's shorter side
-constexpr double kSidePx = 1000.0;     // moves are told in shares: any length will do
+constexpr double kSidePx = 1000.0;     // moves are shares: any length will do
 constexpr std::uint32_t kLeft = 1, kRight = 2;
 
 }  // namespace

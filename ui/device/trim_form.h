@@ -9,6 +9,8 @@
 #include "device/falcon/profile.h"
 #include "ui/modules.h"
 
+class QVBoxLayout;
+
 namespace cusp::ui {
 
 /// The part of a profile that people set by hand.
@@ -44,6 +46,10 @@ class TrimForm : public QWidget {
   void changed(const FalconTrim& trim);
 
  private:
+  void make_place(QVBoxLayout* column);
+  void make_start(QVBoxLayout* column);
+  void make_ratios(QVBoxLayout* column);
+  void connect_fields();
   void set(const FalconTrim& trim, int field);
   void fill();
 

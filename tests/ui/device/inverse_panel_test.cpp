@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -131,9 +132,9 @@ TEST_F(InversePanelTest, one_that_says_nothing_is_asked_until_the_limit_and_the_
   panel.show();
   panel.findChildren<NumberField*>().last()->setValue(service.port());
   panel.connect_to_it();
-  const auto* bar = panel.findChild<Bar*>();
+  const auto* bar = panel.findChild<QProgressBar*>();
   EXPECT_TRUE(bar->isVisibleTo(&panel));
-  EXPECT_TRUE(eventually([&] { return bar->share() > 0.5; }));
+  EXPECT_TRUE(eventually([&] { return 2 * bar->value() > bar->maximum(); }));
   EXPECT_TRUE(eventually([&] { return panel.summary().contains("not found"); }));
   EXPECT_FALSE(bar->isVisibleTo(&panel));
   EXPECT_TRUE(shows(panel, "not as an Inverse3's service does"));
