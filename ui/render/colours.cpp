@@ -13,17 +13,4 @@ std::array<Colour, kTissueCodes> tissue_colours() noexcept {
   return out;
 }
 
-Colour difference_colour(float mm) noexcept {
-  const float size = std::abs(mm);
-  const std::size_t half = mm < 0 ? 1 : 3, end = mm < 0 ? 0 : 4;
-  const auto mix = [](Colour a, Colour b, float t) {
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return Colour{a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t, 1.0f};
-  };
-  if (size <= kDifferenceHalfMm)
-    return mix(kDifference[2], kDifference[half], (size - kDifferenceQuietMm) / (kDifferenceHalfMm - kDifferenceQuietMm));
-  return mix(kDifference[half], kDifference[end],
-             (size - kDifferenceHalfMm) / (kDifferenceEndMm - kDifferenceHalfMm));
-}
-
 }  // namespace cusp::ui
