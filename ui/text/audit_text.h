@@ -1,4 +1,4 @@
-/// What an audit found, in words: for the verb and for the editor's page.
+/// Text for the findings of an audit: for the verb and for the editor's page.
 #pragma once
 
 #include "scenarios/audit/audit.h"

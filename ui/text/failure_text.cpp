@@ -108,7 +108,7 @@ Message describe(const PortFailure& f) {
 }
 
 Message describe(const SessionFailure& f) {
-  // What the room below says is nearer to the cause; here comes only what it meant for the attempt.
+  // The code of the module below is nearer to the cause; SessionError names only the consequence.
   if (const auto* code = std::get_if<StorageError>(&f.cause)) return describe(StorageFailure{*code, f.where, f.detail});
   if (const auto* code = std::get_if<ImportError>(&f.cause)) return describe(ImportFailure{*code, f.where, f.detail});
   if (const auto* code = std::get_if<PortError>(&f.cause)) return describe(PortFailure{*code, f.where, f.detail});

@@ -1,4 +1,4 @@
-/// What went wrong in any room, put into words: what happened, where, what was kept, and one way out. Needs no window.
+/// Messages for failures of every module: what happened, where, what was kept, and one way out. Needs no window.
 #pragma once
 
 #include <QString>
@@ -14,7 +14,7 @@
 
 namespace cusp::ui {
 
-/// A failure as people read it: one bold sentence, and what else there is to know.
+/// A failure as people read it: one bold sentence, and the rest.
 struct Message {
   QString what;
   QString more;
@@ -22,9 +22,9 @@ struct Message {
 };
 
 Message describe(const StorageFailure& failure);
-/// What a person was asked for.
+/// What the user was asked for.
 enum class Secret : std::uint8_t { password, pin };
-/// Of signing in, of making an account and of changing one: names the person's number, never the database's file.
+/// Of signing in, of making an account and of changing one: names the account's number, never the database's file.
 Message describe_account(const StorageFailure& failure, const QString& number, Secret asked);
 Message describe(const FormatFailure& failure);
 Message describe(const ImportFailure& failure);

@@ -67,7 +67,7 @@ QString with_unit(double value, const QString& unit) {
   return isolate(unit.isEmpty() ? number_of(value) : number_of(value) + QChar(0x00A0) + unit_text(unit));
 }
 
-/// Down to the tenth of a percent: "100 %" is never said where points are missing.
+/// Down to the tenth of a percent: "100 %" never appears where points are missing.
 QString share_text(double share) { return with_unit(std::floor(share * 1000 + 1e-6) / 10, u"%"_qs); }
 
 /// As many decimals as keep value and limit apart, up to three, and never fewer than `least`: "96.97", not "97", of 97.

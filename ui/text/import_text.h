@@ -1,4 +1,4 @@
-/// What an import did to a file, put into words. Needs no window.
+/// Text for what an import did to a file. Needs no window.
 #pragma once
 
 #include <QString>

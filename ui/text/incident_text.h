@@ -1,4 +1,4 @@
-/// What opening the records met, put into words for staff: StorageContext::incident (storage/sealing.h). Needs no window.
+/// Messages for staff about opening the records: StorageContext::incident (storage/sealing.h). Needs no window.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Failures of storage, put into words.
+// Messages for failures of storage.
 
 #include <QDateTime>
 #include <QLocale>
@@ -102,7 +102,7 @@ Message describe_bad_value(const StorageFailure& f) {
           Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
 }
 
-/// A path, as SQLite names what it refused: it does not know which person or exercise was meant.
+/// A path, as SQLite names what it refused: it does not name the account or exercise that was meant.
 bool names_file(const StorageFailure& f) { return f.where.find('/') != std::string::npos; }
 
 }  // namespace
