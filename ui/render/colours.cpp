@@ -1,7 +1,5 @@
 #include "ui/render/colours.h"
 
-#include <cmath>
-
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/modules.h"
 

@@ -34,7 +34,7 @@ TEST(Wilson, gives_the_published_interval) {
   EXPECT_NEAR(wilson_95(0, 20).high, 0.1611, 5e-5);
 }
 
-TEST(Figures, count_graded_goes_only) {
+TEST(Figures, count_graded_attempts_only) {
   std::vector<HistoryRow> rows = {attempt(1, 1, 60, 100, false), attempt(1, 2, 80, 200), attempt(2, 1, 90, 300)};
   rows.push_back(HistoryRow{});  // broke off: no score
   const Figures f = figures_of(rows);
@@ -46,7 +46,7 @@ TEST(Figures, count_graded_goes_only) {
   EXPECT_FALSE(figures_of({}).median_score.has_value());
 }
 
-TEST(Spread, counts_every_go_once_also_at_the_ends) {
+TEST(Spread, counts_every_attempt_once_also_at_the_ends) {
   const std::vector<HistoryRow> rows = {attempt(1, 1, 12), attempt(1, 2, 40), attempt(1, 3, 44.9), attempt(1, 4, 45), attempt(1, 5, 100)};
   const std::vector<int> bars = spread_of(rows, 40, 5);
   ASSERT_EQ(bars.size(), 12u);

@@ -140,7 +140,7 @@ TEST_F(AdminPages, performance_shows_everybody_and_filters) {
   EXPECT_EQ(page.attempts().rowCount(), 3);
 }
 
-TEST_F(AdminPages, a_row_opens_the_report_of_that_go_also_when_sorted) {
+TEST_F(AdminPages, a_row_opens_the_report_of_that_attempt_also_when_sorted) {
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 78, 100);
   const SessionId worst = records.attempt(lena, "channel-1", 20, 100);

@@ -101,7 +101,7 @@ TEST_F(DesktopTest, what_was_typed_at_sign_in_survives_a_change_of_language) {
   EXPECT_EQ(page->typed_number().toStdString(), "20267314");
 }
 
-TEST_F(DesktopTest, a_file_that_is_no_database_is_refused_in_words_and_left_alone) {
+TEST_F(DesktopTest, a_file_that_is_no_database_is_refused_with_a_message_and_left_alone) {
   const QString name = folder.filePath(QStringLiteral("letter.txt"));
   QFile letter(name);
   ASSERT_TRUE(letter.open(QIODevice::WriteOnly));

@@ -17,7 +17,7 @@ namespace cusp::test {
 namespace {
 
 template <class Code, class Failure>
-void each_code_has_its_own_sentence(int codes) {
+void each_code_has_its_own_text(int codes) {
   std::set<QString> messages;
   for (int i = 0; i < codes; ++i) {
     const Message t = describe(Failure{static_cast<Code>(i), "the/place", {}});
@@ -29,17 +29,17 @@ void each_code_has_its_own_sentence(int codes) {
   EXPECT_GE(static_cast<int>(messages.size()), codes - 8);  // kinds of "not known" share one sentence with another place
 }
 
-TEST(Sentences, every_code_of_every_room_has_words) {
-  each_code_has_its_own_sentence<StorageError, StorageFailure>(static_cast<int>(StorageError::bad_trace) + 1);
-  each_code_has_its_own_sentence<FormatError, FormatFailure>(static_cast<int>(FormatError::unknown_builtin) + 1);
-  each_code_has_its_own_sentence<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
-  each_code_has_its_own_sentence<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
+TEST(Sentences, every_code_of_every_module_has_text) {
+  each_code_has_its_own_text<StorageError, StorageFailure>(static_cast<int>(StorageError::bad_trace) + 1);
+  each_code_has_its_own_text<FormatError, FormatFailure>(static_cast<int>(FormatError::unknown_builtin) + 1);
+  each_code_has_its_own_text<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
+  each_code_has_its_own_text<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
   for (int i = 0; i <= static_cast<int>(SessionError::specimen_changed); ++i) {
     EXPECT_FALSE(describe(SessionFailure{static_cast<SessionError>(i), "place"}).what.isEmpty());
   }
 }
 
-TEST(Sentences, why_a_device_may_be_late_is_told_with_a_way_out) {
+TEST(Sentences, why_a_device_may_be_late_is_reported_with_a_way_out) {
   RealtimeGrant grant;
   grant.level = RealtimeLevel::rtkit;
   grant.refusal = RealtimeRefusal::none;
@@ -96,7 +96,7 @@ std::string reason(CriterionGrade grade) {
   return text.replace(QChar(0x00A0), u' ').toStdString();
 }
 
-TEST(Sentences, what_was_too_little_or_too_much_is_said_with_what_earns_full_points) {
+TEST(Sentences, what_was_too_little_or_too_much_is_shown_with_what_earns_full_points) {
   CriterionGrade g;
   const auto set = [&](const char* id, const char* unit, const char* code, double value, double limit) {
     g.id = id;
@@ -116,7 +116,7 @@ TEST(Sentences, what_was_too_little_or_too_much_is_said_with_what_earns_full_poi
   EXPECT_EQ(reason(g), "2.50 mm³; full points up to 0.3 mm³");
 }
 
-TEST(Sentences, little_drilled_is_said_to_the_tenth_and_advised_about_by_the_target_alone) {
+TEST(Sentences, little_drilled_is_shown_to_the_tenth_and_advised_about_by_the_target_alone) {
   CriterionGrade g;
   g.id = "overcut_beyond_floor";
   g.reason_code = "little_drilled";
@@ -190,7 +190,7 @@ TEST(Sentences, a_table_of_the_records_is_never_named) {
   }
 }
 
-TEST(Sentences, a_full_disk_is_said_only_where_the_disk_is_full) {
+TEST(Sentences, a_full_disk_is_shown_only_where_the_disk_is_full) {
   const QString failed = describe(StorageFailure{StorageError::io, "/cache/tooth.nrrd", "Permission denied"}).line();
   EXPECT_FALSE(failed.contains(QStringLiteral("full"))) << failed.toStdString();
   EXPECT_TRUE(failed.contains(QStringLiteral("Permission denied"))) << failed.toStdString();

@@ -317,7 +317,7 @@ TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   page->hide();  // lets go of it
 }
 
-TEST(SelfTestReport, says_what_was_measured_and_what_it_means_for_exercises) {
+TEST(SelfTestReport, shows_what_was_measured_and_what_it_means_for_exercises) {
   falcon::SelfTestResult found;
   falcon::MotionFit fit;
   fit.mass_kg = 0.2;
@@ -342,7 +342,7 @@ TEST(SelfTestReport, says_what_was_measured_and_what_it_means_for_exercises) {
   EXPECT_NEAR(json["scenes_may_use_n_per_mm"], 1.5, 1e-9);
 }
 
-TEST(FalconText, every_phase_and_every_end_has_its_sentence) {
+TEST(FalconText, every_phase_and_every_end_has_its_text) {
   for (int phase = 0; phase <= static_cast<int>(falcon::Phase::failed); ++phase) {
     falcon::SessionState state;
     state.phase = static_cast<falcon::Phase>(phase);

@@ -60,7 +60,7 @@ TEST_F(InversePanelTest, follows_the_hand_once_it_was_asked_for) {
   EXPECT_TRUE(panel.summary().contains("not asked"));
 }
 
-TEST_F(InversePanelTest, says_what_is_missing) {
+TEST_F(InversePanelTest, shows_what_is_missing) {
   FakeService service;
   service.set_way(FakeService::Way::no_device);
   InversePanel panel(&settings);
@@ -125,7 +125,7 @@ TEST_F(InversePanelTest, a_service_that_hangs_holds_the_window_neither_while_it_
   EXPECT_FALSE(gate->gave_up());
 }
 
-TEST_F(InversePanelTest, one_that_says_nothing_is_asked_until_the_limit_and_the_bar_shows_how_long_it_may_last) {
+TEST_F(InversePanelTest, a_silent_service_is_asked_until_the_limit_and_the_bar_shows_how_long_it_may_last) {
   FakeService service;
   service.set_way(FakeService::Way::silent);
   InversePanel panel(&settings);
@@ -140,7 +140,7 @@ TEST_F(InversePanelTest, one_that_says_nothing_is_asked_until_the_limit_and_the_
   EXPECT_TRUE(shows(panel, "not as an Inverse3's service does"));
 }
 
-TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {
+TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_an_attempt_is_drilled_with) {
   FakeService service;
   DeviceSettings kept(settings.file());
   kept.choose("inverse3", "");

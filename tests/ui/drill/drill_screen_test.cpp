@@ -111,7 +111,7 @@ TEST_F(Screen, speed_coolant_and_warmth_are_shown_where_the_exercise_reckons_the
   QTest::keyRelease(screen.get(), Qt::Key_Space);
 }
 
-TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_said) {
+TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_shown) {
   const QTemporaryDir folder;
   Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
   settings.set_volume_percent(30);
@@ -134,7 +134,7 @@ TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_s
   EXPECT_FALSE(slider->isEnabled());
 }
 
-TEST_F(Screen, answering_no_goes_on_with_the_go) {
+TEST_F(Screen, answering_no_continues_the_attempt) {
   begin("channel-1");
   answer = false;
   QSignalSpy finished(screen.get(), &DrillScreen::finished);
@@ -145,7 +145,7 @@ TEST_F(Screen, answering_no_goes_on_with_the_go) {
   EXPECT_EQ(finished.count(), 0);
 }
 
-TEST_F(Screen, pause_says_so_and_the_same_key_goes_on) {
+TEST_F(Screen, pause_is_shown_and_the_same_key_resumes) {
   begin("channel-1");
   const auto button = [this](const QString& text) {
     for (QPushButton* b : screen->findChildren<QPushButton*>()) {
@@ -245,7 +245,7 @@ TEST_F(Screen, it_can_be_closed_while_the_tooth_is_being_made_ready) {
   screen.reset();
 }
 
-TEST_F(Screen, it_can_be_closed_in_the_middle_of_a_go) {
+TEST_F(Screen, it_can_be_closed_in_the_middle_of_an_attempt) {
   begin("channel-1");
   QTest::keyPress(screen.get(), Qt::Key_Space);
   screen.reset();

@@ -133,7 +133,7 @@ TEST_F(DrillGauges, a_bur_beside_the_tooth_has_no_depth_and_one_over_the_cavity_
   EXPECT_TRUE(gauge("Depth").value().has_value());
 }
 
-TEST_F(DrillGauges, what_a_go_that_stands_said_last_is_no_longer_shown) {
+TEST_F(DrillGauges, last_values_of_an_attempt_that_stands_are_no_longer_shown) {
   EXPECT_GT(gauge("Push").value().value(), 0);
   EXPECT_TRUE(coach()->isVisible());
   live.phase = LoopPhase::paused;
@@ -214,7 +214,7 @@ TEST(Compass, is_hidden_where_no_side_of_the_specimen_is_known) {
   EXPECT_FALSE(compass->isHidden());
 }
 
-TEST(StopCard, a_device_that_answers_again_is_told_so_and_not_to_look_for_its_cable) {
+TEST(StopCard, a_device_that_answers_again_is_shown_as_back_without_its_cable) {
   DrillStage stage;
   stage.resize(800, 600);
   stage.show();

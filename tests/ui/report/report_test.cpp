@@ -218,7 +218,7 @@ TEST(Paper, numbers_of_places_that_lie_together_never_cover_each_other) {
   }
 }
 
-TEST(ReportData, gathers_student_go_and_the_best_before_from_the_records) {
+TEST(ReportData, gathers_student_attempt_and_the_best_before_from_the_records) {
   test::DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 60, 100);

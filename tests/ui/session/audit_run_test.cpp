@@ -71,7 +71,7 @@ TEST(AuditRun, FrictionIsFeltOnTheSamePath) {
   EXPECT_GE((*results)[1]->force_most_n, (*results)[1]->force_rms_n);
 }
 
-TEST(AuditRun, StopsInTheMiddleOfAGo) {
+TEST(AuditRun, StopsInTheMiddleOfAnAttempt) {
   AuditRun run;
   run.home = small();
   run.models = {{small()}};

@@ -24,7 +24,7 @@ DeviceChoice kind(const std::string& key) {
   return out;
 }
 
-TEST(EmulatedFalconSession, a_device_that_falls_silent_holds_the_go_and_the_session_is_stored_whole) {
+TEST(EmulatedFalconSession, a_device_that_falls_silent_holds_the_attempt_and_the_session_is_stored_whole) {
   const test::Workplace place;
   std::atomic<bool> mute{false};
   SessionDevice device;
@@ -75,7 +75,7 @@ TEST(EmulatedFalconSession, a_device_that_falls_silent_holds_the_go_and_the_sess
   EXPECT_EQ(proof->volume_hash, result->volume_hash);
 }
 
-TEST(SessionDevice, says_why_there_is_none) {
+TEST(SessionDevice, names_why_there_is_none) {
   EXPECT_EQ(make_session_device(kind("trackball"), Vec3(0.0), 1).error().code, PortError::not_found);
   const auto scripted = make_session_device(kind("scripted"), Vec3(0.0), 1);
   ASSERT_FALSE(scripted);

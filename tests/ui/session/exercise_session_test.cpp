@@ -131,7 +131,7 @@ TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
   EXPECT_TRUE(proof->has_grade && proof->grade_equal);
 }
 
-TEST(ExerciseSession, AnInterruptedGoGoesOnWithItsToothAndItsClock) {
+TEST(ExerciseSession, AnInterruptedAttemptGoesOnWithItsToothAndItsClock) {
   const Workplace work;
   SessionId session;
   double before = 0, taken = 0;

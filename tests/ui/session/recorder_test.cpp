@@ -53,7 +53,7 @@ void expect_whole(const Workplace& work, SessionId session, std::size_t seconds)
   EXPECT_TRUE(verify_session(store->context(), session)->intact());
 }
 
-TEST(Recorder, WaitsForAnotherProcessSaysSoAndLosesNothing) {
+TEST(Recorder, WaitsForAnotherProcessAndLosesNothing) {
   const Workplace work;
   LockHolder other(work.database());
   Begun begun(work, impatient());

@@ -52,7 +52,7 @@ TEST(BuildScene, LeavesAMouseAndACalibratedDeviceWhatTheScenarioAsks) {
   }
 }
 
-TEST(BuildScene, TellsTheGuardWhatTheDeviceIs) {
+TEST(BuildScene, GivesTheGuardWhatTheDeviceIs) {
   const auto specimen = Specimen::build(test::block_volume(), Reading::banded);
   DeviceLimits device = held_device();
   device.encoder_mm = 0.02;

@@ -101,7 +101,7 @@ TEST(DrillSynth, glides_and_never_clicks) {
   EXPECT_LT(most, 0.12);  // the whine itself moves so much from sample to sample: 0.1 * 2 pi * 3500 / 48000 = 0.05
 }
 
-TEST(DrillSynth, stays_within_its_bounds_and_is_a_number_whatever_it_is_told) {
+TEST(DrillSynth, stays_within_its_bounds_and_is_a_number_whatever_it_gets) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   DrillSynth synth(kRate);
   for (const double bad : {nan, inf, -inf, -1.0, 1e300}) {

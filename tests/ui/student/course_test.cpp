@@ -59,7 +59,7 @@ TEST(Course, the_next_exercise_is_the_first_that_was_not_passed_yet) {
   EXPECT_DOUBLE_EQ(*course->rows[0].best->score, 82);
 }
 
-TEST(Course, a_student_sees_no_one_elses_goes) {
+TEST(Course, a_student_sees_no_one_elses_attempts) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
   records.attempt(noah, "channel-1", 90, 100);
@@ -81,7 +81,7 @@ TEST(CourseModel, shows_what_is_not_yet_as_words_not_as_zero) {
   }
 }
 
-TEST(AttemptsModel, has_a_line_a_go_with_result_and_state) {
+TEST(AttemptsModel, has_a_line_an_attempt_with_result_and_state) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 78, 300);
@@ -103,7 +103,7 @@ TEST(AttemptsModel, has_a_line_a_go_with_result_and_state) {
   EXPECT_LT(model.index(0, AttemptsModel::kScore).data(SortRole).toDouble(), 0);
 }
 
-TEST(HistoryCharts, the_newest_go_is_the_strong_point_and_the_axes_hold_every_go) {
+TEST(HistoryCharts, the_newest_attempt_is_the_strong_point_and_the_axes_hold_every_attempt) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
   for (const auto& [score, seconds] : {std::pair{54.0, 744.0}, {61.0, 640.0}, {78.0, 426.0}}) {
@@ -126,7 +126,7 @@ TEST(HistoryCharts, the_newest_go_is_the_strong_point_and_the_axes_hold_every_go
   EXPECT_EQ(score_by_attempt(*rows).series[0].points.last().x, 3.0);
 }
 
-TEST(HistoryCharts, without_a_go_there_is_nothing_to_draw) {
+TEST(HistoryCharts, without_an_attempt_there_is_nothing_to_draw) {
   EXPECT_TRUE(time_and_score({}).series[0].points.isEmpty());
   EXPECT_TRUE(score_by_attempt({}).summary.isEmpty());
 }

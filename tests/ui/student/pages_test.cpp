@@ -255,7 +255,7 @@ TEST_F(Pages, my_results_filters_by_exercise_and_opens_a_report) {
   EXPECT_EQ(page.table()->model()->rowCount(), 1);
 }
 
-TEST_F(Pages, my_results_without_a_go_offers_the_exercises) {
+TEST_F(Pages, my_results_without_an_attempt_offers_the_exercises) {
   const Account lena = records.student("1", "Lena Brandt");
   OwnHistory page(records.store(), lena.actor());
   page.show();
