@@ -15,21 +15,21 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from desk import Desk, check, integrity, one_sentence  # noqa: E402
 
 
-def refused(desk, what, *arguments, says=(), **more):
+def refused(desk, what, *arguments, names=(), **more):
     status, out, err = desk.run(*arguments, **more)
     check(status == 1, f"{what}: exit {status}: {out}{err}")
     one_sentence(err, what)
-    for word in says:
-        check(word in err, f"{what}: {word!r} is not in {err!r}")
+    for name in names:
+        check(name in err, f"{what}: {name!r} is not in {err!r}")
     check(out.strip() == "" or arguments[0] == "validate", f"{what}: stdout {out!r}")
     print(f"{what}: {err.strip()}")
 
 
 def scenarios(desk):
-    hand = desk.small_hand(1)
+    script = desk.small_script(1)
 
     def play(scenario):
-        return ("play", scenario, "--script", hand, "--db", desk.path("s.db"), "--out", desk.path("o"))
+        return ("play", scenario, "--script", script, "--db", desk.path("s.db"), "--out", desk.path("o"))
 
     def broken(name, text):
         with open(desk.path(name), "w", encoding="utf-8") as f:
@@ -37,53 +37,53 @@ def scenarios(desk):
         return desk.path(name)
 
     for verb in (lambda s: ("validate", s), play):
-        refused(desk, "missing scenario", *verb(desk.path("none.json")), says=("none.json",))
+        refused(desk, "missing scenario", *verb(desk.path("none.json")), names=("none.json",))
         refused(desk, "broken JSON", *verb(broken("broken.json", '{"format": 1,\n  "id": }')))
-        refused(desk, "unknown key", *verb(desk.small_exercise("key.json", lambda s: s.update(colour="red"))), says=("colour",))
+        refused(desk, "unknown key", *verb(desk.small_exercise("key.json", lambda s: s.update(colour="red"))), names=("colour",))
         refused(desk, "future format", *verb(desk.small_exercise("future.json", lambda s: s.update(format=99))))
 
         def bad_depth(s):
             s["target"]["depth_mm"] = "deep"
 
-        refused(desk, "wrong type", *verb(desk.small_exercise("type.json", bad_depth)), says=("depth_mm",))
+        refused(desk, "wrong type", *verb(desk.small_exercise("type.json", bad_depth)), names=("depth_mm",))
 
         def soft(s):
             s["tissues"][0]["stiffness_n_per_mm"] = 1e-300
 
-        refused(desk, "a number out of its range", *verb(desk.small_exercise("soft.json", soft)), says=("/tissues/0/stiffness_n_per_mm",))
+        refused(desk, "a number out of its range", *verb(desk.small_exercise("soft.json", soft)), names=("/tissues/0/stiffness_n_per_mm",))
         refused(desk, "a pass mark of nothing", *verb(desk.small_exercise("pass.json", lambda s: s["rubric"].update({"pass": 0}))),
-                says=("/rubric/pass",))
+                names=("/rubric/pass",))
 
         def lost_volume(s):
             s["specimen"] = {"volume": "none.nrrd"}
 
-        refused(desk, "missing volume", *verb(desk.small_exercise("volume.json", lost_volume)), says=("none.nrrd",))
-    refused(desk, "missing hand", "play", "channel-1", "--script", desk.path("none.csv"), "--db", desk.path("s.db"),
-            "--out", desk.path("o"), says=("none.csv",))
+        refused(desk, "missing volume", *verb(desk.small_exercise("volume.json", lost_volume)), names=("none.nrrd",))
+    refused(desk, "missing script", "play", "channel-1", "--script", desk.path("none.csv"), "--db", desk.path("s.db"),
+            "--out", desk.path("o"), names=("none.csv",))
     with open(desk.path("bad.csv"), "w", encoding="utf-8") as f:
         f.write("elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal\n1000,0,0,zero,0,0,0,32767,0,0\n")
-    refused(desk, "broken hand", "play", desk.small_exercise(), "--script", desk.path("bad.csv"), "--db", desk.path("s.db"),
-            "--out", desk.path("o"), says=("bad.csv",))
+    refused(desk, "broken script", "play", desk.small_exercise(), "--script", desk.path("bad.csv"), "--db", desk.path("s.db"),
+            "--out", desk.path("o"), names=("bad.csv",))
     check(not os.path.exists(desk.path("s.db")), "what was refused left a database")
 
 
 def audits(desk):
     """Before what takes minutes is begun, everything that can be refused is; and a stop leaves the exercise as it was."""
-    refused(desk, "audit of nothing", "audit", desk.path("none.json"), says=("none.json",))
-    refused(desk, "audit of broken JSON", "audit", desk.path("broken.json"), "--apply", says=("broken.json",))
+    refused(desk, "audit of nothing", "audit", desk.path("none.json"), names=("none.json",))
+    refused(desk, "audit of broken JSON", "audit", desk.path("broken.json"), "--apply", names=("broken.json",))
     refused(desk, "audit of a folder without an exercise", "audit", desk.folder)
     small = desk.small_exercise("audit.json")
     with open(small, "rb") as f:
         before = f.read()
-    refused(desk, "a copy into no folder", "audit", small, "--apply", "-o", desk.path("none", "c.json"), says=("c.json",))
-    refused(desk, "figures into no folder", "audit", small, "--json", desk.path("none", "f.json"), says=("f.json",))
+    refused(desk, "a copy into no folder", "audit", small, "--apply", "-o", desk.path("none", "c.json"), names=("c.json",))
+    refused(desk, "figures into no folder", "audit", small, "--json", desk.path("none", "f.json"), names=("f.json",))
     os.mkdir(desk.path("folder.json"))
-    refused(desk, "figures over a folder", "audit", small, "--json", desk.path("folder.json"), says=("folder.json",))
+    refused(desk, "figures over a folder", "audit", small, "--json", desk.path("folder.json"), names=("folder.json",))
     for number in (signal.SIGINT, signal.SIGTERM):
         there = sorted(os.listdir(desk.folder))
         with subprocess.Popen([desk.cusp, "audit", small, "--seeds", "1", "--apply", "--progress"], stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=desk.environment()) as run:
-            check("%" in run.stderr.readline(), "no progress was told")
+            check("%" in run.stderr.readline(), "no progress was printed")
             run.send_signal(number)
             out, err = run.communicate(timeout=300)
         last = err.strip().splitlines()[-1]
@@ -95,33 +95,33 @@ def audits(desk):
 
 
 def databases(desk):
-    scenario, hand = desk.small_exercise(), desk.small_hand(1)
-    status, out, err = desk.run("play", scenario, "--script", hand, "--db", desk.path("good.db"), "--out", desk.path("o"))
+    scenario, script = desk.small_exercise(), desk.small_script(1)
+    status, out, err = desk.run("play", scenario, "--script", script, "--db", desk.path("good.db"), "--out", desk.path("o"))
     check(status == 0, f"play: {err}")
     session = out.strip()
     check(len(session) == 36 and out == session + "\n", f"the id stands alone on stdout: {out!r}")
-    refused(desk, "missing database", "replay", desk.path("none.db"), session, says=("none.db",))
+    refused(desk, "missing database", "replay", desk.path("none.db"), session, names=("none.db",))
     check(not os.path.exists(desk.path("none.db")), "a missing database was made")
     refused(desk, "unknown session", "replay", desk.path("good.db"), "019a9f3c-6a00-7c41-9b1e-000000000000")
     with open(desk.path("text.db"), "w", encoding="utf-8") as f:
         f.write("this is no database\n" * 1000)
-    refused(desk, "no database", "history", desk.path("text.db"), "list", says=("text.db",))
+    refused(desk, "no database", "history", desk.path("text.db"), "list", names=("text.db",))
     shutil.copy(desk.path("good.db"), desk.path("newer.db"))
     with contextlib.closing(sqlite3.connect(desk.path("newer.db"))) as db:
         db.execute("PRAGMA user_version = 999")
     with open(desk.path("newer.db"), "rb") as f:
         before = f.read()
-    refused(desk, "newer database", "history", desk.path("newer.db"), "list", says=("newer.db",))
-    refused(desk, "play into a newer database", "play", scenario, "--script", hand, "--db", desk.path("newer.db"), "--out",
+    refused(desk, "newer database", "history", desk.path("newer.db"), "list", names=("newer.db",))
+    refused(desk, "play into a newer database", "play", scenario, "--script", script, "--db", desk.path("newer.db"), "--out",
             desk.path("o"))
     with open(desk.path("newer.db"), "rb") as f:
         check(f.read() == before, "a newer database was touched")
     refused(desk, "unknown account", "history", desk.path("good.db"), "list", "--as", "nobody", CUSP_PASSWORD="wrong-password")
-    refused(desk, "broken rubric", "grade", desk.path("good.db"), session, "--rubric", desk.path("text.db"), says=("text.db",))
-    refused(desk, "folder that is a file", "play", scenario, "--script", hand, "--out", desk.path("text.db"), says=("text.db",))
+    refused(desk, "broken rubric", "grade", desk.path("good.db"), session, "--rubric", desk.path("text.db"), names=("text.db",))
+    refused(desk, "folder that is a file", "play", scenario, "--script", script, "--out", desk.path("text.db"), names=("text.db",))
     refused(desk, "volume into no folder", "specimen", "block", "--voxel-mm", "0.5", "-o", desk.path("none", "b.nrrd"))
     refused(desk, "missing mesh", "import", desk.path("none.obj"), "--tissue", "a=dentine", "-o", desk.path("v.nrrd"),
-            says=("none.obj",))
+            names=("none.obj",))
     check(not os.path.exists(desk.path("v.nrrd")), "a failed import left a volume")
 
 
@@ -143,8 +143,8 @@ def mounted(folder, options):
 
 
 def disks(desk):
-    """A disk that is full and one that is read-only; where nothing can be mounted this part says so."""
-    scenario, hand = desk.small_exercise(), desk.small_hand(6)
+    """A disk that is full and one that is read-only; where nothing can be mounted this part prints that."""
+    scenario, script = desk.small_exercise(), desk.small_script(6)
     full = desk.path("full")
     statuses = set()
     # From too small for an empty database to enough: the disk is full at another moment each time.
@@ -155,14 +155,14 @@ def disks(desk):
         try:
             database = os.path.join(full, "f.db")
             what = f"disk with {kilobytes} kB left"
-            status, out, err = desk.run("play", scenario, "--script", hand, "--db", database, "--out", desk.path(f"o{kilobytes}"))
+            status, out, err = desk.run("play", scenario, "--script", script, "--db", database, "--out", desk.path(f"o{kilobytes}"))
             print(f"{what}: exit {status} {err.strip()}")
             statuses.add(status)
             if status == 0:
                 continue
             check(status == 1 and out == "", f"{what}: {out}")
             one_sentence(err, what)
-            check(not os.path.exists(desk.path(f"o{kilobytes}", "report.json")), f"{what}: a report of a go that was not kept")
+            check(not os.path.exists(desk.path(f"o{kilobytes}", "report.json")), f"{what}: a report of an attempt that was not kept")
             check(subprocess.run(["mount", "-o", "remount,size=20m", full]).returncode == 0, "more room")
             if os.path.exists(database) and os.path.getsize(database) > 0:
                 check(integrity(database) == "ok", f"{what}: the database is not sound")
@@ -177,19 +177,19 @@ def disks(desk):
     fixed = desk.path("fixed")
     if mounted(fixed, "size=20m"):
         try:
-            status, out, err = desk.run("play", scenario, "--script", hand, "--db", os.path.join(fixed, "r.db"), "--out",
+            status, out, err = desk.run("play", scenario, "--script", script, "--db", os.path.join(fixed, "r.db"), "--out",
                                         desk.path("o3"))
             check(status == 0, f"play: {err}")
             session = out.strip()
             shutil.copy(scenario, os.path.join(fixed, "locked.json"))
             subprocess.run(["mount", "-o", "remount,ro", fixed], check=True)
-            refused(desk, "read-only folder", "play", scenario, "--script", hand, "--db", os.path.join(fixed, "new.db"),
+            refused(desk, "read-only folder", "play", scenario, "--script", script, "--db", os.path.join(fixed, "new.db"),
                     "--out", desk.path("o4"))
-            refused(desk, "read-only database", "play", scenario, "--script", hand, "--db", os.path.join(fixed, "r.db"),
+            refused(desk, "read-only database", "play", scenario, "--script", script, "--db", os.path.join(fixed, "r.db"),
                     "--out", desk.path("o4"))
             refused(desk, "audit applied to a read-only disk", "audit", os.path.join(fixed, "locked.json"), "--apply",
-                    says=("locked.json",))
-            refused(desk, "report into a read-only folder", "play", scenario, "--script", hand, "--db", desk.path("ok.db"),
+                    names=("locked.json",))
+            refused(desk, "report into a read-only folder", "play", scenario, "--script", script, "--db", desk.path("ok.db"),
                     "--out", os.path.join(fixed, "out"))
             status, out, err = desk.run("replay", "--verify", os.path.join(fixed, "r.db"), session)
             check(status == 0, f"a read-only record is still proved: {err}")

@@ -16,7 +16,7 @@ from desk import Desk, check, integrity  # noqa: E402
 
 
 def play(desk, database, after_s):
-    """Starts a play and kills it after so many seconds. The last second of the session that it said it had begun."""
+    """Starts a play and kills it after so many seconds. The last second of the session that it printed."""
     errors = desk.path("progress")
     with open(errors, "w", encoding="utf-8") as err:
         process = subprocess.Popen(
@@ -28,8 +28,8 @@ def play(desk, database, after_s):
             process.send_signal(signal.SIGKILL)
         process.wait(timeout=600)
     with open(errors, encoding="utf-8") as err:
-        said = [line for line in err.read().splitlines() if line.replace(".", "", 1).isdigit()]
-    return process.returncode, float(said[-1]) if said else 0.0
+        lines = [line for line in err.read().splitlines() if line.replace(".", "", 1).isdigit()]
+    return process.returncode, float(lines[-1]) if lines else 0.0
 
 
 def main():
@@ -42,7 +42,7 @@ def main():
     dice = random.Random(o.seed)
     with Desk(o.cusp) as desk:
         desk.small_exercise()
-        desk.small_hand(12)
+        desk.small_script(12)
         start = time.monotonic()
         status, _ = play(desk, desk.path("whole.db"), None)
         whole_s = time.monotonic() - start
@@ -59,8 +59,8 @@ def main():
             if kill % 5 == 0:  # a new file now and then: its making is a moment like any other
                 database = desk.path(f"{kill}.db")
                 known = set()
-            status, said = play(desk, database, dice.uniform(0.02, whole_s))
-            where = f"kill {kill} (seed {o.seed}, {said} s played)"
+            status, printed_s = play(desk, database, dice.uniform(0.02, whole_s))
+            where = f"kill {kill} (seed {o.seed}, {printed_s} s played)"
             if not os.path.exists(database):
                 before_first += 1
                 continue
@@ -68,7 +68,7 @@ def main():
             listed, out, err = desk.run("history", database, "list", "--json", "-")
             if listed != 0:
                 # Killed before the first account was there.
-                check(said == 0.0 and "--as" in err, f"{where}: the history does not open: {err}")
+                check(printed_s == 0.0 and "--as" in err, f"{where}: the history does not open: {err}")
                 before_first += 1
                 continue
             check(integrity(database) == "ok", f"{where}: not sound after opening")
@@ -76,7 +76,7 @@ def main():
             new = [row for row in rows if row["session"] not in known]
             known.update(row["session"] for row in rows)
             if not new:
-                check(said == 0.0, f"{where}: no session, although it had begun")
+                check(printed_s == 0.0, f"{where}: no session, although it had begun")
                 before_first += 1
                 continue
             check(len(new) == 1, f"{where}: {len(new)} new sessions")
@@ -89,7 +89,7 @@ def main():
             else:
                 check(row["state"] == "interrupted", f"{where}: the session shows as {row['state']}")
                 cut_short += 1
-            lost = said - row["duration_s"]
+            lost = printed_s - row["duration_s"]
             most_lost = max(most_lost, lost)
             check(lost <= 1.0, f"{where}: {lost:.3f} s lost")
             proof = desk.json("replay", "--verify", database, row["session"])

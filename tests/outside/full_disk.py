@@ -1,7 +1,7 @@
 """A disk that is full, and one that is read-only: what was kept is listed, shown, verified and graded all the same; a play
 is refused with the cause, and nothing is lost.
 
-  full_disk.py CUSP          needs leave to mount a file system of two megabytes (root); without it, says so and passes
+  full_disk.py CUSP          needs leave to mount a file system of two megabytes (root); without it, prints that and passes
 """
 import contextlib
 import os
@@ -56,7 +56,7 @@ def main():
         if not mounted:
             print("no leave to mount a small disk: nothing was tried")
             return
-        scenario, script = desk.small_exercise(), desk.small_hand(2)
+        scenario, script = desk.small_exercise(), desk.small_script(2)
         database = desk.path("disk", "a.db")
         play = ["play", scenario, "--script", script, "--out", desk.path("out")]
         status, out, err = desk.run(*play, "--db", database)

@@ -115,7 +115,7 @@ class Program:
             self.process = subprocess.Popen([crowd.desk.cusp, *arguments], stdout=out, stderr=err, stdin=subprocess.DEVNULL,
                                             env=crowd.environment)
 
-    def said(self, end=""):
+    def output(self, end=""):
         with open(self.out + end, encoding="utf-8", errors="replace") as f:
             return f.read().strip()
 
@@ -143,17 +143,17 @@ class Crowd:
     def _ended(self, program):
         """Takes down what it came to."""
         self.watcher.pids.discard(program.process.pid)
-        status, said = program.process.returncode, program.said()
-        # Killed after it said so: that counts too.
-        if program.kind == "play" and re.fullmatch(r"[0-9a-f-]{36}", said):
+        status, printed = program.process.returncode, program.output()
+        # Killed after it printed the session: that counts too.
+        if program.kind == "play" and re.fullmatch(r"[0-9a-f-]{36}", printed):
             report = os.path.join(program.out[:-4], "report.json")
             with open(report, encoding="utf-8") as f:
-                self.finished[said] = json.load(f)["score"]
+                self.finished[printed] = json.load(f)["score"]
             self.born = True
         if program.killed:
             return
         if status != 0 and not program.early:
-            self.failures.append(f"{program.kind} ended with {status}: {program.said('.err')}")
+            self.failures.append(f"{program.kind} ended with {status}: {program.output('.err')}")
 
     def go_on(self, seconds):
         """Keeps all places taken for so long."""
@@ -245,7 +245,7 @@ def main():
     problems = []
     with Desk(os.path.abspath(o.cusp)) as desk:
         desk.small_exercise(change=lambda scenario: scenario["specimen"].update(voxel_mm=0.5))
-        desk.small_hand(10)
+        desk.small_script(10)
         start = time.monotonic()
         status, _, err = desk.run("play", desk.path("small.json"), "--script", desk.path("hand.csv"), "--db",
                                   desk.path("whole.db"), "--out", desk.path("whole"))

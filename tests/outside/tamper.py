@@ -1,4 +1,4 @@
-"""One byte changed in the record of a session: `cusp replay --verify` finds it, says what and where, and exits with 1.
+"""One byte changed in the record of a session: `cusp replay --verify` finds it, names what and where, and exits with 1.
 
   tamper.py CUSP [--changes N] [--seed N]
 """
@@ -36,8 +36,8 @@ def main():
     print(f"seed {o.seed}")
     dice = random.Random(o.seed)
     with Desk(o.cusp) as desk:
-        scenario, hand = desk.small_exercise(), desk.small_hand(6)
-        status, out, err = desk.run("play", scenario, "--script", hand, "--db", desk.path("good.db"), "--out", desk.path("out"))
+        scenario, script = desk.small_exercise(), desk.small_script(6)
+        status, out, err = desk.run("play", scenario, "--script", script, "--db", desk.path("good.db"), "--out", desk.path("out"))
         check(status == 0, f"play: {err}")
         session = out.strip()
         check(desk.run("replay", "--verify", desk.path("good.db"), session)[0] == 0, "the untouched record holds")

@@ -54,7 +54,7 @@ with Desk(sys.argv[1]) as desk:
             graded = desk.json("grade", database, session)
             check(graded == report, "grading again comes to the same report")
         rows = desk.json("history", database, "list")
-        check(len(rows) == 2 and [row["go"] for row in rows] == [2, 1], f"two goes, newest first: {rows}")
+        check(len(rows) == 2 and [row["go"] for row in rows] == [2, 1], f"two attempts, newest first: {rows}")
         check(desk.json("history", database, "verify")["intact"], "all chains are whole")
         check(integrity(database) == "ok", "the file is sound")
     # The same words in another language; JSON and statuses stay.

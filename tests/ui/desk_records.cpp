@@ -90,7 +90,7 @@ Session DeskRecords::begin(const Account& student, const std::string& key, doubl
   return session;
 }
 
-SessionId DeskRecords::go(const Account& student, const std::string& key, double score, double seconds,
+SessionId DeskRecords::attempt(const Account& student, const std::string& key, double score, double seconds,
                           const std::string& device_class) {
   const Session session = begin(student, key, seconds, device_class);
   FinalVolume volume;
@@ -100,7 +100,7 @@ SessionId DeskRecords::go(const Account& student, const std::string& key, double
   return session.id;
 }
 
-SessionId DeskRecords::broken_go(const Account& student, const std::string& key) {
+SessionId DeskRecords::broken_attempt(const Account& student, const std::string& key) {
   const Session session = begin(student, key, 12, "pointer");
   must(store_->sessions.interrupt(session.id, "process_gone"));
   return session.id;

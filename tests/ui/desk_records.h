@@ -1,4 +1,4 @@
-/// Records for tests of the desktop: a database in a folder of its own, with people and graded goes.
+/// Records for tests of the desktop: a database in a folder of its own, with people and graded attempts.
 #pragma once
 
 #include <QTemporaryDir>
@@ -11,7 +11,7 @@
 
 namespace cusp::test {
 
-/// 2026-11-20 09:00 UTC, where the records' clock starts; each go lasts as long as it says.
+/// 2026-11-20 09:00 UTC, where the records' clock starts; each attempt lasts as long as it says.
 inline constexpr std::int64_t kMorning = 1'795'165'200'000'000;
 
 class DeskRecords {
@@ -23,11 +23,11 @@ class DeskRecords {
   Account administrator();                     // "anna", password "correct horse"
   Account student(const std::string& number, const std::string& name, const std::string& pin = {});
 
-  /// A graded go at a built-in exercise. Points are of 100 with pass mark 70.
-  SessionId go(const Account& student, const std::string& key, double score, double seconds,
+  /// A graded attempt at a built-in exercise. Points are of 100 with pass mark 70.
+  SessionId attempt(const Account& student, const std::string& key, double score, double seconds,
                const std::string& device_class = "pointer");
-  /// A go that broke off, not graded.
-  SessionId broken_go(const Account& student, const std::string& key);
+  /// An attempt that broke off, not graded.
+  SessionId broken_attempt(const Account& student, const std::string& key);
 
   std::int64_t now_us = kMorning;
 

@@ -41,12 +41,12 @@ Figures figures_of(std::span<const HistoryRow> rows) {
     students.insert(r.student);
     if (r.passed.value_or(false)) ++f.passed;
   }
-  f.goes = static_cast<int>(scores.size());
+  f.attempts = static_cast<int>(scores.size());
   f.students = static_cast<int>(students.size());
   if (scores.empty()) return f;
   f.median_score = quantile(scores, 0.5);
   f.middle_half = {quantile(scores, 0.25), quantile(scores, 0.75)};
-  f.passed_95 = wilson_95(f.passed, f.goes);
+  f.passed_95 = wilson_95(f.passed, f.attempts);
   f.median_time_s = quantile(times, 0.5);
   return f;
 }
@@ -63,14 +63,14 @@ std::vector<int> spread_of(std::span<const HistoryRow> rows, double from, double
 }
 
 std::vector<LearningPoint> learning_of(std::span<const HistoryRow> rows) {
-  std::map<int, std::vector<double>> by_go;
+  std::map<int, std::vector<double>> by_attempt;
   for (const HistoryRow& r : rows) {
-    if (r.score) by_go[r.go].push_back(*r.score);
+    if (r.score) by_attempt[r.go].push_back(*r.score);
   }
   std::vector<LearningPoint> points;
-  for (const auto& [go, scores] : by_go) {
+  for (const auto& [attempt, scores] : by_attempt) {
     if (static_cast<int>(scores.size()) < kLeastStudents) continue;
-    points.push_back({go, static_cast<int>(scores.size()), quantile(scores, 0.5),
+    points.push_back({attempt, static_cast<int>(scores.size()), quantile(scores, 0.5),
                       {quantile(scores, 0.25), quantile(scores, 0.75)}});
   }
   return points;

@@ -21,7 +21,7 @@ double quantile(std::vector<double> values, double q);
 Interval wilson_95(int successes, int n);
 
 struct Figures {
-  int goes = 0, students = 0;               // graded goes, by how many students
+  int attempts = 0, students = 0;               // graded attempts, by how many students
   std::optional<double> median_score;
   Interval middle_half;                     // of the scores
   int passed = 0;
@@ -30,12 +30,12 @@ struct Figures {
 };
 Figures figures_of(std::span<const HistoryRow> rows);
 
-/// How many graded goes fall into each bar of `width` points from `from` to 100; what lies below goes into the first.
+/// How many graded attempts fall into each bar of `width` points from `from` to 100; what lies below goes into the first.
 std::vector<int> spread_of(std::span<const HistoryRow> rows, double from, double width);
 
-/// By number of the go: median and middle half of the scores, for goes that at least three students have made.
+/// By number of the attempt: median and middle half of the scores, for attempts that at least three students have made.
 struct LearningPoint {
-  int go = 1, students = 0;
+  int attempt = 1, students = 0;
   double median = 0;
   Interval middle_half;
 };

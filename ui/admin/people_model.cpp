@@ -1,6 +1,6 @@
 #include "ui/admin/people_model.h"
 
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {

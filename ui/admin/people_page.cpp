@@ -9,6 +9,7 @@
 #include "ui/admin/people_model.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/table.h"
 
 namespace cusp::ui {
@@ -137,8 +138,8 @@ void PeoplePage::show_chosen() {
 void PeoplePage::read() {
   auto people = store_.people.list(actor_);
   if (!people) {
-    const Told told = tell(people.error());
-    band_->show_message(Band::Kind::bad, told.what, told.more);
+    const Message message = describe(people.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
   const std::optional<UserId> kept = edited_ ? std::optional(edited_->id) : std::nullopt;
@@ -146,10 +147,10 @@ void PeoplePage::read() {
   if (kept) table_->choose_row(model_->row_of(*kept));
 }
 
-bool PeoplePage::tell_if_failed(const Stored<void>& done) {
+bool PeoplePage::show_if_failed(const Stored<void>& done) {
   if (done) return false;
-  const Told told = tell_account(done.error(), number_->text().trimmed(), role_->currentIndex() == static_cast<int>(Role::student) ? Secret::pin : Secret::password);
-  band_->show_message(Band::Kind::bad, told.what, told.more);
+  const Message message = describe_account(done.error(), number_->text().trimmed(), role_->currentIndex() == static_cast<int>(Role::student) ? Secret::pin : Secret::password);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
   return true;
 }
 
@@ -166,8 +167,8 @@ void PeoplePage::save() {
     NewAccount fresh{number, name, role, role == Role::student ? "" : secret, role == Role::student ? secret : ""};
     const auto made = store_.people.create(actor_, fresh);
     if (!made) {
-      const Told told = tell_account(made.error(), QString::fromStdString(number), role == Role::student ? Secret::pin : Secret::password);
-      band_->show_message(Band::Kind::bad, told.what, told.more);
+      const Message message = describe_account(made.error(), QString::fromStdString(number), role == Role::student ? Secret::pin : Secret::password);
+      band_->show_message(Band::Kind::bad, message.what, message.more);
       return;
     }
     read();
@@ -178,17 +179,17 @@ void PeoplePage::save() {
   const Account before = *edited_;
   // A new role needs its own secret first: staff without a password could not sign in.
   if (!secret.empty()) {
-    if (tell_if_failed(role == Role::student ? store_.people.set_pin(actor_, before.id, secret)
+    if (show_if_failed(role == Role::student ? store_.people.set_pin(actor_, before.id, secret)
                                              : store_.people.set_password(actor_, before.id, {}, secret))) {
       return;
     }
   }
-  if (role != before.role && tell_if_failed(store_.people.set_role(actor_, before.id, role))) {
+  if (role != before.role && show_if_failed(store_.people.set_role(actor_, before.id, role))) {
     read();
     return;
   }
   if ((name != before.name || number != before.number) &&
-      tell_if_failed(store_.people.rename(actor_, before.id, number, name))) {
+      show_if_failed(store_.people.rename(actor_, before.id, number, name))) {
     read();
     return;
   }
@@ -203,7 +204,7 @@ void PeoplePage::switch_account() {
   const bool off = !account.disabled;
   const QString name = QString::fromStdString(account.name);
   const auto act = [this, account, off, name] {
-    if (tell_if_failed(store_.people.set_disabled(actor_, account.id, off))) return;
+    if (show_if_failed(store_.people.set_disabled(actor_, account.id, off))) return;
     read();
     band_->show_message(off ? Band::Kind::look : Band::Kind::good,
                         off ? tr("%1 can no longer sign in.").arg(name) : tr("%1 can sign in again.").arg(name),

@@ -6,7 +6,7 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/ports.h"
 
 class QComboBox;
@@ -37,7 +37,7 @@ class PeoplePage : public QWidget {
   void fit_secret();
   void save();
   void switch_account();
-  bool tell_if_failed(const Stored<void>& done);
+  bool show_if_failed(const Stored<void>& done);
 
   Store& store_;
   Actor actor_;

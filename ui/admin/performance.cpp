@@ -20,7 +20,8 @@
 #include "ui/modules.h"
 #include "ui/student/course.h"
 #include "ui/text/language.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/format.h"
@@ -54,7 +55,7 @@ QComboBox* make_choice(const QString& name) {
 }  // namespace
 
 Performance::Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent)
-    : QWidget(parent), store_(store), reader_(reader), ports_(ports), model_(new GoesModel(this)), sorted_(new Sorted(this)) {
+    : QWidget(parent), store_(store), reader_(reader), ports_(ports), model_(new AttemptsModel(this)), sorted_(new Sorted(this)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* body = nullptr;
@@ -75,8 +76,8 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   charts_->setSpacing(px(12));
   spread_ = new Chart;
   learning_ = new Chart;
-  for (auto [chart, title, aside] : {std::tuple{spread_, tr("How scores spread"), tr("goes, five points a bar")},
-                                     std::tuple{learning_, tr("Learning"), tr("points by go")}}) {
+  for (auto [chart, title, aside] : {std::tuple{spread_, tr("How scores spread"), tr("attempts, five points a bar")},
+                                     std::tuple{learning_, tr("Learning"), tr("points by attempt")}}) {
     auto* card = new Card(title, aside);
     card->setFixedHeight(px(236));
     card->body()->addWidget(chart);
@@ -87,17 +88,17 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   auto* card = new Card;
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   table_ = new Table;
-  table_->setAccessibleName(tr("Goes"));
+  table_->setAccessibleName(tr("Attempts"));
   sorted_->setSourceModel(model_);
   table_->setModel(sorted_);
   table_->setSortingEnabled(true);
-  table_->sortByColumn(GoesModel::kDate, Qt::DescendingOrder);
-  table_->set_stretch_column(GoesModel::kExercise);
+  table_->sortByColumn(AttemptsModel::kDate, Qt::DescendingOrder);
+  table_->set_stretch_column(AttemptsModel::kExercise);
   table_->setMinimumHeight(px(280));
   below_ = new QStackedWidget;
   below_->addWidget(table_);
-  auto* none = new EmptyState(u"chart"_qs, tr("No go fits"), tr("Nobody has a go that fits these filters, or none is finished yet."),
-                              tr("Show all goes"));
+  auto* none = new EmptyState(u"chart"_qs, tr("No attempt fits"), tr("Nobody has an attempt that fits these filters, or none is finished yet."),
+                              tr("Show all attempts"));
   connect(none, &EmptyState::acted, this, [this] {
     for (QComboBox* box : {exercise_, result_, device_, period_}) box->setCurrentIndex(0);
     search_->clear();
@@ -110,7 +111,7 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   };
   connect(table_, &Table::row_opened, this, open);
   connect(table_, &QTableView::clicked, this, [open](const QModelIndex& at) {
-    if (at.column() == GoesModel::kOpen) open(at);
+    if (at.column() == AttemptsModel::kOpen) open(at);
   });
   fill_filters();
   read();
@@ -180,7 +181,7 @@ QWidget* Performance::make_figures() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(px(12));
-  const QString names[] = {tr("Goes counted"), tr("Median score"), tr("Passed"), tr("Median time")};
+  const QString names[] = {tr("Attempts counted"), tr("Median score"), tr("Passed"), tr("Median time")};
   for (int i = 0; i < 4; ++i) {
     auto* card = new Card;
     card->setAccessibleName(names[i]);
@@ -202,8 +203,8 @@ QWidget* Performance::make_figures() {
 void Performance::read() {
   auto rows = store_.history.list(reader_, filter());
   if (!rows) {
-    const Told told = tell(rows.error());
-    band_->show_message(Band::Kind::bad, told.what, told.more);
+    const Message message = describe(rows.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
   model_->set_rows(std::move(*rows));
@@ -215,13 +216,13 @@ void Performance::read() {
 void Performance::show_figures() {
   const Figures f = figures_of(model_->rows());
   const QString none = QStringLiteral("–");
-  figure_[0]->setText(format_number(f.goes, 0));
+  figure_[0]->setText(format_number(f.attempts, 0));
   note_[0]->setText(tr("%n student(s)", nullptr, f.students));
   figure_[1]->setText(f.median_score ? format_points(std::round(*f.median_score)) : none);
-  note_[1]->setText(f.goes < 4 ? QString()
+  note_[1]->setText(f.attempts < 4 ? QString()
                                : tr("half lie in %1 to %2").arg(format_points(std::round(f.middle_half.low)),
                                                                 format_points(std::round(f.middle_half.high))));
-  figure_[2]->setText(f.goes > 0 ? format({100.0 * f.passed / f.goes, std::nullopt, u"%"_qs, 0}) : none);
+  figure_[2]->setText(f.attempts > 0 ? format({100.0 * f.passed / f.attempts, std::nullopt, u"%"_qs, 0}) : none);
   note_[2]->setText(f.passed_95 ? tr("95 % interval %1 to %2")
                                       .arg(format_number(100 * f.passed_95->low, 0), format_number(100 * f.passed_95->high, 0))
                                 : QString());
@@ -236,9 +237,9 @@ void Performance::show_figures() {
   const int highest = std::max(4, *std::max_element(bars.begin(), bars.end()));
   const double step = std::max(1.0, std::ceil(highest / 4.0));
   spread.x = {tr("points"), least, 100, poor ? 2 * kBar : kBar, 0};
-  spread.y = {tr("goes"), 0, step * std::ceil(highest / step), step, 0};
+  spread.y = {tr("attempts"), 0, step * std::ceil(highest / step), step, 0};
   ChartSeries counted;
-  counted.name = tr("Goes");
+  counted.name = tr("Attempts");
   counted.draw = ChartSeries::Draw::bars;
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const double from = least + kBar * static_cast<double>(i);
@@ -248,7 +249,7 @@ void Performance::show_figures() {
                        false};
   }
   spread.series += counted;
-  // One pass mark only where all goes have the same one.
+  // One pass mark only where all attempts have the same one.
   std::set<double> marks;
   for (const HistoryRow& r : model_->rows()) {
     if (r.pass_mark) marks.insert(*r.pass_mark);
@@ -257,26 +258,26 @@ void Performance::show_figures() {
     spread.mark = *marks.begin();
     spread.mark_text = tr("pass %1").arg(format_points(*marks.begin()));
   }
-  spread.summary = tr("%n go(es).", nullptr, f.goes);
+  spread.summary = tr("%n attempt(s).", nullptr, f.attempts);
   spread_->set_data(spread);
 
   ChartData learning;
   learning.title = tr("Learning");
   const std::vector<LearningPoint> points = learning_of(model_->rows());
-  int last_go = 4;
-  for (const HistoryRow& r : model_->rows()) last_go = std::max(last_go, r.go);
-  learning.x = {tr("go"), 1, static_cast<double>(last_go), std::max(1.0, std::ceil(last_go / 10.0)), 0};
+  int last_attempt = 4;
+  for (const HistoryRow& r : model_->rows()) last_attempt = std::max(last_attempt, r.go);
+  learning.x = {tr("attempt"), 1, static_cast<double>(last_attempt), std::max(1.0, std::ceil(last_attempt / 10.0)), 0};
   learning.y = {tr("points"), 0, 100, 20, 0};
   if (points.empty()) {
-    // Too few students for a median: each go is one dot.
+    // Too few students for a median: each attempt is one dot.
     ChartSeries dots;
-    dots.name = tr("Goes");
+    dots.name = tr("Attempts");
     dots.draw = ChartSeries::Draw::dots;
     for (const HistoryRow& r : model_->rows()) {
       if (r.score) dots.points += {static_cast<double>(r.go), *r.score, QString::fromStdString(r.student_name), false};
     }
     learning.series += dots;
-    learning.summary = tr("Each dot is one go: medians need three students.");
+    learning.summary = tr("Each dot is one attempt: medians need three students.");
   } else {
     ChartSeries low, high, median;
     median.name = tr("Median");
@@ -284,13 +285,13 @@ void Performance::show_figures() {
     low.quiet = high.quiet = true;
     low.draw = high.draw = median.draw = ChartSeries::Draw::line;
     for (const LearningPoint& p : points) {
-      low.points += {static_cast<double>(p.go), p.middle_half.low, {}, false};
-      high.points += {static_cast<double>(p.go), p.middle_half.high, {}, false};
-      median.points += {static_cast<double>(p.go), p.median, tr("%n student(s)", nullptr, p.students), false};
+      low.points += {static_cast<double>(p.attempt), p.middle_half.low, {}, false};
+      high.points += {static_cast<double>(p.attempt), p.middle_half.high, {}, false};
+      median.points += {static_cast<double>(p.attempt), p.median, tr("%n student(s)", nullptr, p.students), false};
     }
     low.name.clear();
     learning.series << high << low << median;
-    learning.summary = tr("Median over %n go(es).", nullptr, static_cast<int>(points.size()));
+    learning.summary = tr("Median over %n attempt(s).", nullptr, static_cast<int>(points.size()));
   }
   if (marks.size() == 1) {
     learning.mark = *marks.begin();
@@ -304,8 +305,8 @@ void Performance::export_csv() {
   options.language = current_language().toStdString();
   const auto text = export_history(store_.context(), reader_, filter(), options);
   if (!text) {
-    const Told told = tell(text.error());
-    band_->show_message(Band::Kind::bad, told.what, told.more);
+    const Message message = describe(text.error());
+    band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
   FileWish wish;
@@ -317,7 +318,7 @@ void Performance::export_csv() {
     // Written beside and renamed: a full disk leaves the old file.
     QSaveFile file(path);
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
-      band_->show_message(Band::Kind::good, tr("%n go(es) exported.", nullptr, rows), path);
+      band_->show_message(Band::Kind::good, tr("%n attempt(s) exported.", nullptr, rows), path);
     } else {
       band_->show_message(Band::Kind::bad, tr("The file was not written."),
                           tr("%1: %2. What was there before is unchanged.").arg(path, file.errorString()));

@@ -1,4 +1,4 @@
-/// Performance history of all: filters, four figures, two charts, the table of goes, CSV. Enter opens a go's report.
+/// Performance history of all: filters, four figures, two charts, the table of attempts, CSV. Enter opens an attempt's report.
 #pragma once
 
 #include <QWidget>
@@ -20,7 +20,7 @@ namespace cusp::ui {
 
 class Band;
 class Chart;
-class GoesModel;
+class AttemptsModel;
 class Table;
 
 class Performance : public QWidget {
@@ -30,7 +30,7 @@ class Performance : public QWidget {
   Performance(Store& store, const Actor& reader, const Ports& ports, QWidget* parent = nullptr);
 
   HistoryFilter filter() const;
-  const GoesModel& goes() const { return *model_; }
+  const AttemptsModel& attempts() const { return *model_; }
   Table* table() const { return table_; }
   QLineEdit* search() const { return search_; }
   QComboBox* exercise() const { return exercise_; }
@@ -56,7 +56,7 @@ class Performance : public QWidget {
   Store& store_;
   Actor reader_;
   const Ports& ports_;
-  GoesModel* model_;
+  AttemptsModel* model_;
   QSortFilterProxyModel* sorted_;
   Table* table_ = nullptr;
   QStackedWidget* below_ = nullptr;

@@ -11,7 +11,7 @@
 #include "device/hid/hid_station.h"
 #include "ui/admin/people_page.h"
 #include "ui/admin/performance.h"
-#include "ui/app/go_anywhere.h"
+#include "ui/app/quick_open.h"
 #include "ui/app/help_page.h"
 #include "ui/app/password_dialog.h"
 #include "ui/app/shell.h"
@@ -27,7 +27,7 @@
 #include "ui/student/briefing.h"
 #include "ui/student/exercises_page.h"
 #include "ui/student/own_history.h"
-#include "ui/student/picture_shelf.h"
+#include "ui/student/thumbnail_cache.h"
 #include "ui/student/start_page.h"
 #include "ui/text/language.h"
 #include "ui/view/tooth_view.h"
@@ -53,7 +53,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
       ports_(std::move(ports)),
       database_(std::move(database)),
       open_(std::move(open)),
-      pictures_(std::make_unique<PictureShelf>(cache_folder() / "pictures")),
+      pictures_(std::make_unique<ThumbnailCache>(cache_folder() / "pictures")),
       stack_(new QStackedWidget) {
   setWindowTitle(QStringLiteral("Cusp"));
   setWindowIcon(icon(u"tooth"_qs, Ink::accent));
@@ -66,7 +66,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
   (new ToothView(this))->hide();
   winId();  // and forget that it is to fill the screen
   if (!restoreGeometry(settings_.window()) && size() != kUsual) setWindowState(Qt::WindowMaximized);
-  connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::go_anywhere);
+  connect(new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_K), this), &QShortcut::activated, this, &Desktop::quick_open);
   connect(new QShortcut(QKeySequence(Qt::Key_F6), this), &QShortcut::activated, this, [this] {
     if (page() == shell_ && shell_) {
       shell_->next_pane();
@@ -74,7 +74,7 @@ Desktop::Desktop(Settings& settings, Ports ports, std::filesystem::path database
       focusNextChild();
     }
   });
-  connect(pictures_.get(), &PictureShelf::ready, this, &Desktop::show_cover);
+  connect(pictures_.get(), &ThumbnailCache::ready, this, &Desktop::show_cover);
 }
 
 Desktop::~Desktop() = default;
@@ -95,7 +95,7 @@ void Desktop::replace_root(QWidget* root) {
 
 void Desktop::show_sign_in(const QString& number, bool staff) {
   auto* page = new SignIn(*store_);
-  if (const auto told = incident()) page->show_incident(*told);
+  if (const auto message = incident()) page->show_incident(*message);
   if (const auto why = why_reading_only()) page->show_reading_only(*why);
   page->set_typed_number(number, staff);
   connect(page, &SignIn::try_again, this, &Desktop::start);
@@ -124,7 +124,7 @@ void Desktop::show_cover() {
   if (!list) return;
   for (const Exercise& e : list->exercises) {
     if (e.scenario.key != kCoverExercise) continue;
-    const QImage cover = pictures_->picture(e, {}, PictureShelf::Use::cover, tokens().dark);
+    const QImage cover = pictures_->picture(e, {}, ThumbnailCache::Use::cover, tokens().dark);
     if (!cover.isNull()) sign_in_->set_picture(cover);
   }
 }
@@ -148,7 +148,7 @@ QVector<NavEntry> Desktop::entries() {
                const DeviceKind* device = device_kind(DeviceSettings(settings_.file()).choice().kind);
                auto* page = new StartPage(*store_, *account_, *pictures_, ports_.now(),
                                           device != nullptr ? std::string(device->device_class) : std::string());
-               connect(page, &StartPage::go_on_wanted, this, &Desktop::go_on);
+               connect(page, &StartPage::resume_wanted, this, &Desktop::resume_attempt);
                connect(page, &StartPage::grade_wanted, this, &Desktop::grade_interrupted);
                connect(page, &StartPage::briefing_wanted, this, &Desktop::show_briefing);
                connect(page, &StartPage::start_wanted, this, &Desktop::drill);
@@ -210,8 +210,8 @@ void Desktop::show_shell(const QString& page_key) {
   connect(shell, &Shell::password_wanted, this, [this] { (new PasswordDialog(*store_, *account_, this))->open(); });
   if (const auto why = why_reading_only()) {
     shell->show_notice(*why);
-  } else if (const auto told = incident(); told && account_->role == Role::administrator) {
-    shell->show_notice(*told);
+  } else if (const auto message = incident(); message && account_->role == Role::administrator) {
+    shell->show_notice(*message);
   }
   replace_root(shell);
   shell_ = shell;
@@ -252,7 +252,7 @@ QWidget* Desktop::page() const { return stack_->currentWidget(); }
 void Desktop::show_briefing(const Exercise& exercise) {
   const auto folder = exercise_folder(*store_, exercise, volume_folder());
   if (!folder) {
-    tell_failure(tell(folder.error()));
+    show_failure(describe(folder.error()));
     return;
   }
   auto* briefing = new Briefing(exercise, *pictures_, *folder);
@@ -261,12 +261,12 @@ void Desktop::show_briefing(const Exercise& exercise) {
   push(briefing);
 }
 
-void Desktop::tell_failure(const Told& told) {
+void Desktop::show_failure(const Message& message) {
   auto* page = new QWidget;
   page->setProperty("kind", u"page"_qs);
   page->setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(page);
-  auto* state = new EmptyState(u"warning"_qs, told.what, told.more, tr("Back"), Ink::bad);
+  auto* state = new EmptyState(u"warning"_qs, message.what, message.more, tr("Back"), Ink::bad);
   connect(state, &EmptyState::acted, this, &Desktop::back);
   column->addWidget(state);
   page->setFocusProxy(state->button());
@@ -301,7 +301,7 @@ void Desktop::set_scale(int percent) {
   rebuild();
 }
 
-void Desktop::go_anywhere() {
+void Desktop::quick_open() {
   if (!shell_ || page() != shell_) return;
   QVector<Destination> places;
   for (const NavEntry& entry : shell_->entries()) {
@@ -312,7 +312,7 @@ void Desktop::go_anywhere() {
       places += {local(e.scenario.title), tr("exercise"), u"list"_qs, [this, e] { show_briefing(e); }};
     }
   }
-  (new GoAnywhere(places, this))->open();
+  (new QuickOpen(places, this))->open();
 }
 
 void Desktop::closeEvent(QCloseEvent* event) {

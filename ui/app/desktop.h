@@ -1,4 +1,4 @@
-/// The window: sign-in first, then top bar, sidebar and pages by role; work that needs the room (drilling, report,
+/// The window: sign-in first, then top bar, sidebar and pages by role; work that needs the space (drilling, report,
 /// editor) takes the whole window with a way back. Holds what the pages share: the records and who is signed in.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 #include "ui/settings/settings.h"
 #include "ui/student/exercises.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/ports.h"
 
 class QStackedWidget;
@@ -27,7 +27,7 @@ namespace cusp::ui {
 class DrillScreen;
 struct DrillText;
 struct EditorStart;
-class PictureShelf;
+class ThumbnailCache;
 class Shell;
 class SignIn;
 struct NavEntry;
@@ -49,7 +49,7 @@ class Desktop : public QMainWindow {
   void use_hid(hid::HidStation& station) { hid_ = &station; }
   hid::HidStation* hid() const { return hid_; }
 
-  /// Opens the records and shows sign-in, or says why they cannot be opened. Where nothing can be written they are opened
+  /// Opens the records and shows sign-in, or shows why they cannot be opened. Where nothing can be written they are opened
   /// for reading: then there are results and reports, and neither drilling nor the library.
   void start();
 
@@ -65,10 +65,10 @@ class Desktop : public QMainWindow {
   QWidget* page() const;
   Shell* shell() const { return shell_; }
 
-  /// Starts a go; without an account nothing is kept.
+  /// Starts an attempt; without an account nothing is kept.
   void drill(const Exercise& exercise);
-  /// Goes on with an attempt that broke off, from where it stood.
-  void go_on(const SessionId& session);
+  /// Resumes an attempt that broke off, from where it stood.
+  void resume_attempt(const SessionId& session);
   void open_report(const SessionId& session);
   /// Grades an attempt that broke off as it stands, keeps that grade and shows it.
   void grade_interrupted(const SessionId& session);
@@ -88,23 +88,23 @@ class Desktop : public QMainWindow {
   void show_cover();
   void show_shell(const QString& page_key);
   void show_device();
-  void show_refusal(const Told& told);
+  void show_refusal(const Message& message);
   Stored<std::unique_ptr<Store>> open_records(StoreOptions options = {}) const;
-  std::optional<Told> incident();
-  std::optional<Told> why_reading_only() const;
+  std::optional<Message> incident();
+  std::optional<Message> why_reading_only() const;
   void replace_root(QWidget* root);
   void show_briefing(const Exercise& exercise);
-  void try_out(const RunPlan& plan, const QString& title);
-  /// A go on the station's device and with its pedal. Whoever calls connects what follows a finished go.
-  DrillScreen* open_drilling(const RunPlan& plan, const DrillText& text);
+  void try_out(const SessionPlan& plan, const QString& title);
+  /// An attempt on the station's device and with its pedal. Whoever calls connects what follows a finished attempt.
+  DrillScreen* open_drilling(const SessionPlan& plan, const DrillText& text);
   static std::filesystem::path volume_folder();
   QVector<NavEntry> entries();
   enum class Keep : std::uint8_t { nothing, grade };
   void open_result_page(const SessionId& session, Keep keep);
-  void show_drilling(const Exercise& exercise, RunPlan plan, const QString& aside);
-  void show_result(std::shared_ptr<const RunResult> result, std::optional<Exercise> exercise);
-  void tell_failure(const Told& told);
-  void go_anywhere();
+  void show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside);
+  void show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise);
+  void show_failure(const Message& message);
+  void quick_open();
 
   void lead_views(QWidget* page);
 
@@ -115,7 +115,7 @@ class Desktop : public QMainWindow {
   std::unique_ptr<Store> store_;
   std::optional<StorageFailure> reading_only_;  // why nothing can be written
   std::optional<Account> account_;
-  std::unique_ptr<PictureShelf> pictures_;
+  std::unique_ptr<ThumbnailCache> pictures_;
   QStackedWidget* stack_;
   Shell* shell_ = nullptr;
   SignIn* sign_in_ = nullptr;

@@ -28,9 +28,9 @@ void Desktop::import_specimen() {
   push(page);
 }
 
-void Desktop::try_out(const RunPlan& plan, const QString& title) {
+void Desktop::try_out(const SessionPlan& plan, const QString& title) {
   DrillScreen* screen = open_drilling(plan, {title, tr("Try-out: nothing is kept")});
-  connect(screen, &DrillScreen::finished, this, [this](std::shared_ptr<const RunResult> result) {
+  connect(screen, &DrillScreen::finished, this, [this](std::shared_ptr<const SessionResult> result) {
     back();
     show_result(std::move(result), std::nullopt);
   });

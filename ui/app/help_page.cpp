@@ -29,6 +29,11 @@ void add_keys(Card* card, const QVector<std::pair<QStringList, QString>>& keys) 
   card->body()->addLayout(grid);
 }
 
+void add_line(Card* card, QLabel* line) {
+  line->setWordWrap(true);
+  card->body()->addWidget(line);
+}
+
 }  // namespace
 
 HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
@@ -38,20 +43,18 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
   outer->addWidget(make_scroll_page(&body));
   body->addWidget(new PageHead(tr("Help")));
 
-  auto* go = new Card(tr("A go, from start to report"));
+  auto* attempt = new Card(tr("An attempt, from start to report"));
   for (const QString& line :
        {tr("1. Choose an exercise and read its briefing: it says what to remove, how deep, and what earns points."),
         tr("2. Slide the bur over the tooth with the mouse or the arrow keys. Push with the wheel or Page Down. The bar at "
            "the right shows the push, the bar at the left the depth."),
-        tr("3. Hold Space or the left button to cut. The target is the solid line, the leeway round it the dashed one."),
-        tr("4. Finish ends the go and grades it. The report says what was measured, how well it is known, and what to do "
+        tr("3. Hold Space or the left button to cut. The target is the solid line, the tolerance zone round it the dashed one."),
+        tr("4. Finish ends the attempt and grades it. The report says what was measured, how well it is known, and what to do "
            "next time."),
-        tr("5. Every go stays under My results. A go that broke off is kept up to its last second.")}) {
-    QLabel* label = make_label(line);
-    label->setWordWrap(true);
-    go->body()->addWidget(label);
+        tr("5. Every attempt stays under My results. An attempt that broke off is kept up to its last second.")}) {
+    add_line(attempt, make_label(line));
   }
-  body->addWidget(go);
+  body->addWidget(attempt);
 
   auto* row = new QHBoxLayout;
   row->setSpacing(px(16));
@@ -80,17 +83,15 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent) {
   row->addWidget(drilling, 1);
   body->addLayout(row);
 
-  auto* words = new Card(tr("How it is marked"));
+  auto* marking = new Card(tr("How it is marked"));
   for (const QString& line :
-       {tr("Target removed: how much of the wanted cavity is gone. Left standing: what of it is still there."),
-        tr("Cut too far: what is gone outside the target. Within the leeway it costs little, beyond it much."),
+       {tr("Target removed: how much of the required cavity is cut. Not removed: what of it still stands."),
+        tr("Over-cut: what is removed outside the target. Within the tolerance zone it costs little, beyond it much."),
         tr("± says how well a figure is known. Where an edge of the marking is nearer than that, the report says so."),
         tr("Time earns no points.")}) {
-    QLabel* label = make_label(line, TextRole::body, false, "text2");
-    label->setWordWrap(true);
-    words->body()->addWidget(label);
+    add_line(marking, make_label(line, TextRole::body, false, "text2"));
   }
-  body->addWidget(words);
+  body->addWidget(marking);
   body->addStretch();
 }
 

@@ -1,4 +1,4 @@
-/// Help: how a go works, and every key. Searched by nobody, read by everybody once: one page.
+/// Help: how an attempt works, and every key. Searched by nobody, read by everybody once: one page.
 #pragma once
 
 #include <QWidget>

@@ -38,31 +38,31 @@ void Desktop::start() {
     }
   }
   if (!store) {
-    show_refusal(tell(store.error()));
+    show_refusal(describe(store.error()));
     return;
   }
   store_ = std::move(*store);
   show_sign_in();
 }
 
-void Desktop::show_refusal(const Told& told) {
+void Desktop::show_refusal(const Message& message) {
   auto* page = new QWidget;
   page->setProperty("kind", u"page"_qs);
   page->setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(page);
-  auto* state = new EmptyState(u"warning"_qs, told.what, told.more, tr("Try again"), Ink::bad);
+  auto* state = new EmptyState(u"warning"_qs, message.what, message.more, tr("Try again"), Ink::bad);
   connect(state, &EmptyState::acted, this, &Desktop::start);
   column->addWidget(state);
   replace_root(page);
 }
 
-std::optional<Told> Desktop::incident() {
+std::optional<Message> Desktop::incident() {
   const auto& met = store_->context().incident;
-  return met ? std::optional(tell_incident(*met, database_)) : std::nullopt;
+  return met ? std::optional(describe_incident(*met, database_)) : std::nullopt;
 }
 
-std::optional<Told> Desktop::why_reading_only() const {
-  return reading_only_ ? std::optional(tell_reading_only(*reading_only_, database_)) : std::nullopt;
+std::optional<Message> Desktop::why_reading_only() const {
+  return reading_only_ ? std::optional(describe_reading_only(*reading_only_, database_)) : std::nullopt;
 }
 
 }  // namespace cusp::ui

@@ -4,7 +4,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -55,8 +55,8 @@ void PasswordDialog::submit() {
     band_->show_message(Band::Kind::bad, tr("The password until now is another one."), tr("Nothing was changed."));
     return;
   }
-  const Told told = tell_account(done.error(), QString::fromStdString(account_.number), Secret::password);
-  band_->show_message(Band::Kind::bad, told.what, told.more);
+  const Message message = describe_account(done.error(), QString::fromStdString(account_.number), Secret::password);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
 }
 
 }  // namespace cusp::ui

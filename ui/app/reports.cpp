@@ -1,4 +1,4 @@
-// The desktop's way to a report: from a go that has just ended, or from the records.
+// The desktop's way to a report: from an attempt that has just ended, or from the records.
 
 #include <QApplication>
 #include <QBoxLayout>
@@ -15,14 +15,14 @@ namespace {
 
 /// What the background came to: a result or a failure in words.
 struct Opened {
-  std::optional<RunResult> result;
-  Told told;
+  std::optional<SessionResult> result;
+  Message message;
 };
 
 Opened open_in_background(const Stored<std::unique_ptr<Store>>& store, const SessionId& session, bool keep) {
-  if (!store) return {std::nullopt, tell(store.error())};
+  if (!store) return {std::nullopt, describe(store.error())};
   auto result = open_result(**store, session, keep);
-  if (!result) return {std::nullopt, tell(result.error())};
+  if (!result) return {std::nullopt, describe(result.error())};
   return {std::move(*result), {}};
 }
 
@@ -53,20 +53,20 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
           if (!waiting || page() != waiting) return;
           back();
           if (!opened->result) {
-            tell_failure(opened->told);
+            show_failure(opened->message);
             return;
           }
           std::optional<Exercise> exercise;
           if (const auto list = load_exercises(*store_)) {
             if (const Exercise* found = list->find(opened->result->scenario.id)) exercise = *found;
           }
-          show_result(std::make_shared<RunResult>(std::move(*opened->result)), exercise);
+          show_result(std::make_shared<SessionResult>(std::move(*opened->result)), exercise);
         },
         Qt::QueuedConnection);
   });
 }
 
-void Desktop::show_result(std::shared_ptr<const RunResult> result, std::optional<Exercise> exercise) {
+void Desktop::show_result(std::shared_ptr<const SessionResult> result, std::optional<Exercise> exercise) {
   const bool signed_in = account_.has_value();
   const Actor reader = signed_in ? account_->actor() : Actor{};
   ReportData gathered = gather_report(*result, store_.get(), signed_in ? &reader : nullptr);
@@ -79,7 +79,7 @@ void Desktop::show_result(std::shared_ptr<const RunResult> result, std::optional
   auto* report = new ReportPage(std::move(gathered), ports_, own && exercise.has_value() && !reading_only_, back_name);
   connect(report, &ReportPage::back_wanted, this, &Desktop::back);
   if (exercise) {
-    connect(report, &ReportPage::go_again_wanted, this, [this, again = *exercise] {
+    connect(report, &ReportPage::try_again_wanted, this, [this, again = *exercise] {
       back();
       drill(again);
     });

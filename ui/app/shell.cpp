@@ -13,7 +13,8 @@
 #include <QToolButton>
 
 #include "ui/text/language.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -36,7 +37,7 @@ Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
   row->addWidget(side_);
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
-  auto* above = new QVBoxLayout;  // takes no room while the notice is hidden
+  auto* above = new QVBoxLayout;  // takes no space while the notice is hidden
   above->setContentsMargins(px(24), px(16), px(24), 0);
   above->addWidget(notice_);
   right->addLayout(above);
@@ -45,7 +46,7 @@ Shell::Shell(const Account& account, QVector<NavEntry> entries, QWidget* parent)
   column->addLayout(row, 1);
 }
 
-void Shell::show_notice(const Told& told) { notice_->show_message(Band::Kind::look, told.what, told.more); }
+void Shell::show_notice(const Message& message) { notice_->show_message(Band::Kind::look, message.what, message.more); }
 
 QWidget* Shell::make_top_bar(const Account& account) {
   auto* bar = new QFrame;
@@ -66,17 +67,7 @@ QWidget* Shell::make_top_bar(const Account& account) {
   row->addWidget(make_label(QSysInfo::machineHostName(), TextRole::caption, false, "text2"));
   row->addSpacing(px(20));
 
-  QToolButton* globe = make_icon_button(u"globe"_qs, tr("Language"));
-  auto* speech = new QMenu(globe);
-  for (const Language& l : languages()) {
-    QAction* action = speech->addAction(l.name);
-    action->setCheckable(true);
-    action->setChecked(l.code == current_language());
-    connect(action, &QAction::triggered, this, [this, code = l.code] { Q_EMIT language_chosen(code); });
-  }
-  globe->setMenu(speech);
-  globe->setPopupMode(QToolButton::InstantPopup);
-  row->addWidget(globe);
+  row->addWidget(make_language_button());
   QToolButton* theme = make_icon_button(tokens().dark ? u"sun"_qs : u"moon"_qs,
                                         tokens().dark ? tr("Light colours") : tr("Dark colours"));
   connect(theme, &QToolButton::clicked, this, &Shell::theme_toggled);
@@ -88,10 +79,29 @@ QWidget* Shell::make_top_bar(const Account& account) {
   rule->setFixedHeight(px(24));
   row->addWidget(rule);
 
-  auto* person = new QPushButton;
-  person->setProperty("kind", u"quiet"_qs);
-  person->setObjectName(u"account"_qs);
-  auto* inside = new QHBoxLayout(person);
+  row->addWidget(make_account_button(account));
+  return bar;
+}
+
+QToolButton* Shell::make_language_button() {
+  QToolButton* globe = make_icon_button(u"globe"_qs, tr("Language"));
+  auto* speech = new QMenu(globe);
+  for (const Language& l : languages()) {
+    QAction* action = speech->addAction(l.name);
+    action->setCheckable(true);
+    action->setChecked(l.code == current_language());
+    connect(action, &QAction::triggered, this, [this, code = l.code] { Q_EMIT language_chosen(code); });
+  }
+  globe->setMenu(speech);
+  globe->setPopupMode(QToolButton::InstantPopup);
+  return globe;
+}
+
+QPushButton* Shell::make_account_button(const Account& account) {
+  auto* button = new QPushButton;
+  button->setProperty("kind", u"quiet"_qs);
+  button->setObjectName(u"account"_qs);
+  auto* inside = new QHBoxLayout(button);
   inside->setContentsMargins(px(8), 0, px(8), 0);
   inside->setSpacing(px(8));
   auto* face = new QLabel;
@@ -105,9 +115,14 @@ QWidget* Shell::make_top_bar(const Account& account) {
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
     inside->addWidget(label);
   }
-  person->setMinimumWidth(inside->sizeHint().width());
-  person->setAccessibleName(tr("Account of %1").arg(name));
-  auto* menu = new QMenu(person);
+  button->setMinimumWidth(inside->sizeHint().width());
+  button->setAccessibleName(tr("Account of %1").arg(name));
+  button->setMenu(make_account_menu(account, button));
+  return button;
+}
+
+QMenu* Shell::make_account_menu(const Account& account, QWidget* button) {
+  auto* menu = new QMenu(button);
   QMenu* size = menu->addMenu(tr("Size of everything"));
   auto* sizes = new QActionGroup(size);
   for (const int percent : {100, 125, 150, 175, 200}) {
@@ -123,9 +138,7 @@ QWidget* Shell::make_top_bar(const Account& account) {
   menu->addSeparator();
   QAction* out = menu->addAction(icon(u"sign_out"_qs), tr("Sign out"));
   connect(out, &QAction::triggered, this, &Shell::signed_out);
-  person->setMenu(menu);
-  row->addWidget(person);
-  return bar;
+  return menu;
 }
 
 QWidget* Shell::make_sidebar() {

@@ -11,13 +11,16 @@
 
 class QButtonGroup;
 class QLabel;
+class QMenu;
+class QPushButton;
 class QStackedWidget;
+class QToolButton;
 class QVBoxLayout;
 
 namespace cusp::ui {
 
 class Band;
-struct Told;
+struct Message;
 
 /// One line of the sidebar. The page is made when it is first shown, and anew each time it is shown again, so that it
 /// never shows yesterday's results.
@@ -36,10 +39,10 @@ class Shell : public QWidget {
   void show_page(const QString& key);
   QString page_key() const { return key_; }
   QWidget* page() const;
-  /// What goes are drilled with, at the foot of the sidebar.
+  /// What attempts are drilled with, at the foot of the sidebar.
   void show_device(const QString& name, const QString& icon_name);
   /// A band over the pages that stays: what is the matter with the records.
-  void show_notice(const Told& told);
+  void show_notice(const Message& message);
   const QVector<NavEntry>& entries() const { return entries_; }
   /// Moves the focus to the next of top bar, sidebar and page.
   void next_pane();
@@ -54,6 +57,9 @@ class Shell : public QWidget {
 
  private:
   QWidget* make_top_bar(const Account& account);
+  QToolButton* make_language_button();
+  QPushButton* make_account_button(const Account& account);
+  QMenu* make_account_menu(const Account& account, QWidget* button);
   QWidget* make_sidebar();
 
   QVector<NavEntry> entries_;

@@ -5,19 +5,19 @@
 #include "storage/verify.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
 
 void AccountOption::add_to(CLI::App& verb) {
   verb.add_option("--as", number,
-                  help(CliWords::tr("Number of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. "
+                  help(CliText::tr("Number of the account to act as; its password or PIN comes from CUSP_PASSWORD or stdin. "
                                     "Without it: the student demo")))
       ->type_name("NAME");
 }
 
-std::expected<std::unique_ptr<Store>, Told> open_records(const std::filesystem::path& file) {
+std::expected<std::unique_ptr<Store>, Message> open_records(const std::filesystem::path& file) {
   StoreOptions options;
   options.database.access = DatabaseOptions::Access::existing;
   auto store = Store::open(file, options);
@@ -27,57 +27,57 @@ std::expected<std::unique_ptr<Store>, Told> open_records(const std::filesystem::
     options.database.access = DatabaseOptions::Access::read_only;
     store = Store::open(file, options);
   }
-  if (!store) return std::unexpected(tell(store.error()));
+  if (!store) return std::unexpected(describe(store.error()));
   return std::move(*store);
 }
 
 namespace {
 
-/// What opening met, or why the counter lags: said once, on stderr; the verb goes on.
+/// Prints what opening met, or why the counter lags, once on stderr; the verb continues.
 void warn_of(const StorageContext& context) {
   for (const FindingCode code : {FindingCode::rolled_back, FindingCode::counter_missing, FindingCode::counter_broken,
                                  FindingCode::log_damaged}) {
     if (context.incident != key_of(code)) continue;
-    warn(finding_text(ChainFinding{code, "audit_log"}) + u' ' + CliWords::tr("Look at: history DB verify."));
+    warn(finding_text(ChainFinding{code, "audit_log"}) + u' ' + CliText::tr("Look at: history DB verify."));
   }
   if (context.counter_failure) {
-    warn(CliWords::tr("The counter beside the station’s key lags behind: %1. What was recorded is kept; the counter catches up later.")
+    warn(CliText::tr("The counter beside the station’s key lags behind: %1. What was recorded is kept; the counter catches up later.")
              .arg(QString::fromStdString(context.counter_failure->where)));
   }
 }
 
 /// One account's number and the secret that was tried; the same for a number that nobody has.
-Told no_match(const QString& number, bool by_pin) {
-  return {by_pin ? CliWords::tr("Number %1 and PIN do not match.").arg(number)
-                 : CliWords::tr("Number %1 and password do not match.").arg(number),
+Message no_match(const QString& number, bool by_pin) {
+  return {by_pin ? CliText::tr("Number %1 and PIN do not match.").arg(number)
+                 : CliText::tr("Number %1 and password do not match.").arg(number),
           {}};
 }
 
 /// PIN or password, as the account has them; what was given decides where it has both or nobody has the number.
-std::expected<Account, Told> sign_in_by_secret(Store& store, const std::string& typed) {
+std::expected<Account, Message> sign_in_by_secret(Store& store, const std::string& typed) {
   const QString number = QString::fromStdString(typed);
   const auto known = store.people.find_number(typed);
-  if (!known && known.error().code != StorageError::not_found) return std::unexpected(tell(known.error()));
+  if (!known && known.error().code != StorageError::not_found) return std::unexpected(describe(known.error()));
   const bool pin = known && known->has_pin, password = !known || known->has_password;
   std::string secret;
   // An account without a secret asks for none: a script need not close its stdin.
   if (pin || password) {
     const char* given = std::getenv("CUSP_PASSWORD");
     secret = given                ? given
-             : pin && password    ? read_secret(help(CliWords::tr("Password or PIN: ")))
-             : pin                ? read_secret(help(CliWords::tr("PIN: ")))
-                                  : read_secret(help(CliWords::tr("Password: ")));
+             : pin && password    ? read_secret(help(CliText::tr("Password or PIN: ")))
+             : pin                ? read_secret(help(CliText::tr("PIN: ")))
+                                  : read_secret(help(CliText::tr("Password: ")));
   }
   const bool by_pin = known ? pin && (!password || acceptable_pin(secret)) : acceptable_pin(secret);
   auto account = by_pin ? store.people.sign_in_with_pin(typed, secret) : store.people.sign_in(typed, secret);
   if (account) return std::move(*account);
   if (account.error().code == StorageError::wrong_password) return std::unexpected(no_match(number, by_pin));
-  return std::unexpected(tell_account(account.error(), number, by_pin ? Secret::pin : Secret::password));
+  return std::unexpected(describe_account(account.error(), number, by_pin ? Secret::pin : Secret::password));
 }
 
 }  // namespace
 
-std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, bool may_make) {
+std::expected<Account, Message> sign_in(Store& store, const AccountOption& option, bool may_make) {
   if (option.number.empty()) {
     auto demo = may_make ? store.people.demo_student() : store.people.find_number("demo");
     if (demo) {
@@ -85,8 +85,8 @@ std::expected<Account, Told> sign_in(Store& store, const AccountOption& option, 
       return std::move(*demo);
     }
     const bool missing = demo.error().code == StorageError::not_allowed || demo.error().code == StorageError::not_found;
-    if (!missing) return std::unexpected(tell(demo.error()));
-    return std::unexpected(Told{CliWords::tr("This database has accounts: say with --as which one to act as."), {}});
+    if (!missing) return std::unexpected(describe(demo.error()));
+    return std::unexpected(Message{CliText::tr("This database has accounts: say with --as which one to act as."), {}});
   }
   auto account = sign_in_by_secret(store, option.number);
   if (account) warn_of(store.context());

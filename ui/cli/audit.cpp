@@ -13,7 +13,7 @@
 #include "ui/cli/load_scenario.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
 #include "ui/session/audit_run.h"
 #include "ui/text/audit_text.h"
@@ -36,16 +36,16 @@ void on_interrupt(int) { interrupted = 1; }
 void print(const AuditReport& report) {
   const auto line = [](const QString& name, const QString& verdict, const QString& us, const QString& mb, const QString& start,
                        const QString& force, const QString& score) {
-    say(plain(u"%1 %2 %3 %4 %5 %6 %7"_qs.arg(name, -38).arg(verdict, -14).arg(us, 8).arg(mb, 8).arg(start, 8).arg(force, 13).arg(score, 7)));
+    print_line(plain(u"%1 %2 %3 %4 %5 %6 %7"_qs.arg(name, -38).arg(verdict, -14).arg(us, 8).arg(mb, 8).arg(start, 8).arg(force, 13).arg(score, 7)));
   };
-  line(CliWords::tr("Choice"), {}, CliWords::tr("µs"), CliWords::tr("MB"), CliWords::tr("start, s"), CliWords::tr("force, N"),
-       CliWords::tr("score"));
+  line(CliText::tr("Choice"), {}, CliText::tr("µs"), CliText::tr("MB"), CliText::tr("start, s"), CliText::tr("force, N"),
+       CliText::tr("score"));
   const auto number = [](double v, int digits) { return QLocale().toString(v, 'f', digits); };
   const auto figures = [&](const QString& name, const QString& verdict, const ModelResult& r, bool first, double score) {
     line(name, verdict, number(first ? r.cost.us_a_tick : r.cost.us_more, 1), number(static_cast<double>(r.cost.bytes) / 1e6, 1),
          number(r.cost.start_s, 2), first ? QString() : number(r.force_rms_n, 3) + u" / "_qs + number(r.force_most_n, 2), first ? QString() : number(score, 2));
   };
-  figures(CliWords::tr("as it is set"), {}, report.as_set, true, 0);
+  figures(CliText::tr("as it is set"), {}, report.as_set, true, 0);
   for (const AuditRow& row : report.rows) {
     if (row.result) {
       figures(choice_name(row.choice), verdict_name(row.verdict), *row.result, false, row.change.score);
@@ -53,11 +53,11 @@ void print(const AuditReport& report) {
       line(choice_name(row.choice), verdict_name(row.verdict), {}, {}, {}, {}, {});
     }
   }
-  say(plain(CliWords::tr("µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change "
-                         "on the same path. Score: the largest change of a hand’s go.")));
+  print_line(plain(CliText::tr("µs: CPU time of an update; below the first row what it takes more or less. Force: rms and most of its change "
+                         "on the same path. Score: the largest change of an operator’s attempt.")));
   if (!report.as_set.cost.instructions_a_tick)
-    say(plain(CliWords::tr("This machine does not count instructions: times alone are told.")));
-  say(plain(leanest_sentence(report)));
+    print_line(plain(CliText::tr("This machine does not count instructions: times alone are told.")));
+  print_line(plain(leanest_sentence(report)));
 }
 
 /// Asked before what takes minutes. Leaves nothing.
@@ -74,17 +74,17 @@ int audit_verb(const AuditOptions& o) {
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   const bool builtin = !builtin_scenario_text(o.scenario).empty();
   if (o.apply && builtin && o.out.empty())
-    return wrong_usage(CliWords::tr("%1 is built in: --apply needs -o FILE for the copy.").arg(QString::fromStdString(o.scenario)));
-  if (!o.apply && !o.out.empty()) return wrong_usage(CliWords::tr("-o FILE belongs to --apply."));
+    return wrong_usage(CliText::tr("%1 is built in: --apply needs -o FILE for the copy.").arg(QString::fromStdString(o.scenario)));
+  if (!o.apply && !o.out.empty()) return wrong_usage(CliText::tr("-o FILE belongs to --apply."));
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
   std::filesystem::path file(o.out.empty() ? o.scenario : o.out);
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) file /= "scenario.json";
   if (o.apply && !can_be_written(file))
-    return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
   if (o.json.wanted() && !o.json.on_stdout() && !can_be_written(o.json.file))
-    return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.json.file)));
+    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.json.file)));
 
   AuditSettings settings;
   settings.operators.clear();
@@ -94,14 +94,14 @@ int audit_verb(const AuditOptions& o) {
   }
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  int told = -1;
+  int printed = -1;
   const AuditWatch watch = [&](double share) {
     const int percent = static_cast<int>(100 * share);
-    if (o.progress && percent > told) std::fprintf(stderr, "%d %%\n", told = percent);
+    if (o.progress && percent > printed) std::fprintf(stderr, "%d %%\n", printed = percent);
     return interrupted == 0;
   };
   auto report = audit(loaded->scenario, settings, audit_runner(loaded->folder), watch);
-  if (!report) return failed(tell(report.error()));
+  if (!report) return failed(describe(report.error()));
   if (!o.json.write(nlohmann::ordered_json::parse(audit_json(*report)))) return kFailed;
   if (!o.json.on_stdout()) print(*report);
   if (!o.apply) return kDone;
@@ -110,9 +110,9 @@ int audit_verb(const AuditOptions& o) {
   if (report->changed()) ++leaner.version;
   if (o.out.empty() && !report->changed()) return kDone;  // nothing to write
   if (!write_whole(file, write_scenario(leaner)))
-    return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
+    return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(file.string())));
   if (!o.json.on_stdout())
-    say(plain(CliWords::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string())).arg(leaner.version)));
+    print_line(plain(CliText::tr("Written to %1 as version %2.").arg(QString::fromStdString(file.string())).arg(leaner.version)));
   return kDone;
 }
 
@@ -121,16 +121,16 @@ int audit_verb(const AuditOptions& o) {
 void add_audit(CLI::App& program, Job& job) {
   auto o = std::make_shared<AuditOptions>();
   CLI::App* verb = program.add_subcommand(
-      "audit", help(CliWords::tr("What each part of an exercise’s model costs and changes, and the leanest model that grades the "
-                                 "same; scripted hands play it many times, which takes minutes")));
-  verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one")))->required();
-  verb->add_option("--seeds", o->seeds, help(CliWords::tr("Goes of each hand: expert, fair and novice")))
+      "audit", help(CliText::tr("What each part of an exercise’s model costs and changes, and the leanest model that grades the "
+                                 "same; scripted operators drill it many times, which takes minutes")));
+  verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one")))->required();
+  verb->add_option("--seeds", o->seeds, help(CliText::tr("Attempts of each scripted operator: expert, fair and novice")))
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  verb->add_flag("--detail", o->detail, help(CliWords::tr("Only the size of the voxels: seconds to a few minutes")));
-  verb->add_flag("--apply", o->apply, help(CliWords::tr("Write the leanest into the scenario, as its next version")));
-  verb->add_option("-o,--out", o->out, help(CliWords::tr("With --apply: write a copy there"))) ->type_name("FILE");
-  verb->add_flag("--progress", o->progress, help(CliWords::tr("Print how far it is to stderr")));
+  verb->add_flag("--detail", o->detail, help(CliText::tr("Only the size of the voxels: seconds to a few minutes")));
+  verb->add_flag("--apply", o->apply, help(CliText::tr("Write the leanest into the scenario, as its next version")));
+  verb->add_option("-o,--out", o->out, help(CliText::tr("With --apply: write a copy there"))) ->type_name("FILE");
+  verb->add_flag("--progress", o->progress, help(CliText::tr("Print how far it is to stderr")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return audit_verb(*o); }; });
 }

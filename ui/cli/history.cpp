@@ -9,7 +9,8 @@
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
+#include "ui/text/names.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -48,7 +49,7 @@ nlohmann::ordered_json row_json(const HistoryRow& row) {
 
 std::string row_line(const HistoryRow& row) {
   const QString score = row.score ? QStringLiteral("%1").arg(*row.score, 5, 'f', 1) : QStringLiteral("    –");
-  const QString result = !row.passed ? state_name(row.state) : *row.passed ? CliWords::tr("passed") : CliWords::tr("not passed");
+  const QString result = !row.passed ? state_name(row.state) : *row.passed ? CliText::tr("passed") : CliText::tr("not passed");
   return plain(QString::fromStdString(row.session.text()) + QStringLiteral("  ") +
                QString::fromStdString(iso_utc(row.started_utc_us)) + QStringLiteral("  ") +
                QString::fromStdString(row.student_number) + QStringLiteral("  ") + local(row.title) + QStringLiteral("  ") +
@@ -65,11 +66,11 @@ int list(const HistoryOptions& o) {
   filter.limit = o.limit;
   filter.search = o.student;
   auto rows = (*store)->history.list(account->actor(), filter);
-  if (!rows) return failed(tell(rows.error()));
+  if (!rows) return failed(describe(rows.error()));
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const HistoryRow& row : *rows) {
     json.push_back(row_json(row));
-    if (!o.json.on_stdout()) say(row_line(row));
+    if (!o.json.on_stdout()) print_line(row_line(row));
   }
   return o.json.write(json) ? kDone : kFailed;
 }
@@ -77,13 +78,13 @@ int list(const HistoryOptions& o) {
 int show(const HistoryOptions& o) {
   if (const auto no = refuse_outputs({o.json.file}, o.db)) return failed(*no);
   const auto id = SessionId::parse(o.session);
-  if (!id) return wrong_usage(CliWords::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
+  if (!id) return wrong_usage(CliText::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, false);
   if (!account) return failed(account.error());
   auto details = (*store)->history.details(account->actor(), *id);
-  if (!details) return failed(tell(details.error()));
+  if (!details) return failed(describe(details.error()));
 
   nlohmann::ordered_json json = row_json(details->row);
   json["engine"] = details->session.header.engine_version;
@@ -118,15 +119,15 @@ int show(const HistoryOptions& o) {
   }
   if (!o.json.write(json)) return kFailed;
   if (o.json.on_stdout()) return kDone;
-  say(row_line(details->row));
+  print_line(row_line(details->row));
   for (const SessionEvent& e : details->events) {
-    say("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + e.reason));
+    print_line("  " + iso_utc(e.at_utc_us) + "  " + std::string(key_of(e.kind)) + (e.reason.empty() ? "" : "  " + e.reason));
   }
   for (const RemovedTissue& r : details->removed) {
-    say(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue)).arg(r.mm3, 0, 'f', 2)));
+    print_line(plain(QStringLiteral("  %1: %2 mm³").arg(tissue_name(r.tissue)).arg(r.mm3, 0, 'f', 2)));
   }
   if (details->grade) {
-    say_criteria(details->grade->grade, "  ");
+    print_criteria(details->grade->grade, "  ");
   }
   return kDone;
 }
@@ -170,15 +171,15 @@ nlohmann::ordered_json finding_json(const FindingOwner& owner, const ChainFindin
 }
 
 /// Since when the log holds seals, and how far the counter is behind it.
-void say_since(const StoreVerification& v) {
+void print_since(const StoreVerification& v) {
   if (!v.sealed_since_utc_us) {
-    say(plain(CliWords::tr("Nothing is sealed yet: that begins when the database is next opened for writing.")));
+    print_line(plain(CliText::tr("Nothing is sealed yet: that begins when the database is next opened for writing.")));
   } else if (v.sealed_later > 0) {
-    say(plain(CliWords::tr("Sealed since %1; what was there before is held against what it was then.")
+    print_line(plain(CliText::tr("Sealed since %1; what was there before is held against what it was then.")
                   .arg(QString::fromStdString(iso_utc(*v.sealed_since_utc_us)))));
   }
   if (v.uncounted > 0) {
-    say(plain(CliWords::tr("%n entry/entries of the audit log are not yet in the counter beside the key.", nullptr,
+    print_line(plain(CliText::tr("%n entry/entries of the audit log are not yet in the counter beside the key.", nullptr,
                            static_cast<int>(v.uncounted))));
   }
 }
@@ -190,10 +191,10 @@ int verify(const HistoryOptions& o) {
   auto account = sign_in(**store, o.account, false);
   if (!account) return failed(account.error());
   auto sound = (*store)->database().integrity_check();
-  if (!sound) return failed(tell(sound.error()));
-  if (!sound->empty()) return failed(tell(StorageFailure{StorageError::corrupt, o.db, *sound}));
+  if (!sound) return failed(describe(sound.error()));
+  if (!sound->empty()) return failed(describe(StorageFailure{StorageError::corrupt, o.db, *sound}));
   const auto verified = verify_store((*store)->context());
-  if (!verified) return failed(tell(verified.error()));
+  if (!verified) return failed(describe(verified.error()));
 
   nlohmann::ordered_json json;
   json["sessions"] = verified->sessions;
@@ -209,15 +210,15 @@ int verify(const HistoryOptions& o) {
     const FindingOwner owner = owner_of(**store, f);
     const QString line = finding_line(owner, f);
     json["findings"].push_back(finding_json(owner, f));
-    if (!o.json.on_stdout()) say(plain(line));
+    if (!o.json.on_stdout()) print_line(plain(line));
     if (!first) first = line;
   }
   json["intact"] = verified->intact();
   if (!o.json.write(json)) return kFailed;
-  if (!o.json.on_stdout()) say_since(*verified);
+  if (!o.json.on_stdout()) print_since(*verified);
   if (first) return failed(*first);
   if (!o.json.on_stdout()) {
-    say(plain(CliWords::tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(verified->sessions))));
+    print_line(plain(CliText::tr("%n session(s) and the audit log are whole.", nullptr, static_cast<int>(verified->sessions))));
   }
   return kDone;
 }
@@ -226,19 +227,19 @@ int verify(const HistoryOptions& o) {
 
 void add_history(CLI::App& program, Job& job) {
   auto o = std::make_shared<HistoryOptions>();
-  CLI::App* verb = program.add_subcommand("history", help(CliWords::tr("What is kept: sessions, one of them, or proof of all")));
-  verb->add_option("DB", o->db, help(CliWords::tr("Database")))->required();
+  CLI::App* verb = program.add_subcommand("history", help(CliText::tr("What is kept: sessions, one of them, or proof of all")));
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
   verb->require_subcommand(1);
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->fallthrough();
 
-  CLI::App* list_of = verb->add_subcommand("list", help(CliWords::tr("Sessions, newest first")));
-  list_of->add_option("--student", o->student, help(CliWords::tr("Part of a name or number")))->type_name("TEXT");
-  list_of->add_option("--limit", o->limit, help(CliWords::tr("At most so many")))->type_name("N");
-  CLI::App* show_one = verb->add_subcommand("show", help(CliWords::tr("One session: events, removed tissue, grade")));
-  show_one->add_option("SESSION", o->session, help(CliWords::tr("The session's id")))->required();
-  CLI::App* verify_all = verb->add_subcommand("verify", help(CliWords::tr("The file, each session's chain, and the audit log")));
+  CLI::App* list_of = verb->add_subcommand("list", help(CliText::tr("Sessions, newest first")));
+  list_of->add_option("--student", o->student, help(CliText::tr("Part of a name or number")))->type_name("TEXT");
+  list_of->add_option("--limit", o->limit, help(CliText::tr("At most so many")))->type_name("N");
+  CLI::App* show_one = verb->add_subcommand("show", help(CliText::tr("One session: events, removed tissue, grade")));
+  show_one->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
+  CLI::App* verify_all = verb->add_subcommand("verify", help(CliText::tr("The file, each session's chain, and the audit log")));
   list_of->fallthrough();
   show_one->fallthrough();
   verify_all->fallthrough();

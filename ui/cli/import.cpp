@@ -16,8 +16,9 @@
 #include "ui/cli/outputs.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
+#include "ui/text/names.h"
 #include "ui/text/import_text.h"
 
 namespace cusp::ui {
@@ -34,7 +35,7 @@ struct ImportOptions {
   JsonOption json;
 };
 
-constexpr double kMeshVoxelMm = 0.1;  // where a mesh says nothing: a tenth, as the teeth that come with the program
+constexpr double kMeshVoxelMm = 0.1;  // a mesh has no voxel size: a tenth, as the teeth that come with the program
 
 /// One line on stderr that does not end the verb.
 void warn(const QString& what) { std::fprintf(stderr, "cusp: %s\n", plain(what).c_str()); }
@@ -118,15 +119,15 @@ nlohmann::ordered_json json_of(const ImageInfo& i) {
           {"values", values}};
 }
 
-void say_mesh(const MeshInfo& m, double unit_mm) {
+void print_mesh(const MeshInfo& m, double unit_mm) {
   const Vec3 size = (m.high - m.low) * unit_mm;
   const QString mm = QStringLiteral("%1 × %2 × %3").arg(size.x, 0, 'f', 2).arg(size.y, 0, 'f', 2).arg(size.z, 0, 'f', 2);
-  const QString state = !m.closed ? CliWords::tr("open") : m.oriented ? CliWords::tr("closed") : CliWords::tr("turned inside out");
-  say(plain(CliWords::tr("%1: %n triangle(s), %2, %3 mm", nullptr, static_cast<int>(m.triangles))
+  const QString state = !m.closed ? CliText::tr("open") : m.oriented ? CliText::tr("closed") : CliText::tr("turned inside out");
+  print_line(plain(CliText::tr("%1: %n triangle(s), %2, %3 mm", nullptr, static_cast<int>(m.triangles))
                 .arg(QString::fromStdString(m.name), state, mm)));
   for (const MeshGap& gap : m.gaps) {
     const Vec3 at = gap.middle() * unit_mm;
-    say(plain(QStringLiteral("  ") + CliWords::tr("gap of %1 mm at %2, %3, %4 mm")
+    print_line(plain(QStringLiteral("  ") + CliText::tr("gap of %1 mm at %2, %3, %4 mm")
                           .arg(gap.width() * unit_mm, 0, 'f', 2)
                           .arg(at.x, 0, 'f', 2)
                           .arg(at.y, 0, 'f', 2)
@@ -134,18 +135,18 @@ void say_mesh(const MeshInfo& m, double unit_mm) {
   }
 }
 
-void say_image(const ImageInfo& i) {
-  say(plain(CliWords::tr("%1 × %2 × %3 voxels of %4 × %5 × %6 mm")
+void print_image(const ImageInfo& i) {
+  print_line(plain(CliText::tr("%1 × %2 × %3 voxels of %4 × %5 × %6 mm")
                 .arg(i.size.x)
                 .arg(i.size.y)
                 .arg(i.size.z)
                 .arg(i.spacing_mm.x, 0, 'g', 4)
                 .arg(i.spacing_mm.y, 0, 'g', 4)
                 .arg(i.spacing_mm.z, 0, 'g', 4)));
-  if (!i.spacing_known) say(plain(CliWords::tr("The file does not say how large a voxel is; --unit-mm does.")));
-  if (i.kind == ImageKind::grey) say(plain(CliWords::tr("Grey values from %1 to %2").arg(i.low).arg(i.high)));
+  if (!i.spacing_known) print_line(plain(CliText::tr("The file does not say how large a voxel is; --unit-mm does.")));
+  if (i.kind == ImageKind::grey) print_line(plain(CliText::tr("Grey values from %1 to %2").arg(i.low).arg(i.high)));
   for (const auto& [value, voxels] : i.values) {
-    say(plain(CliWords::tr("%1: %n voxel(s)", nullptr, static_cast<int>(voxels)).arg(value)));
+    print_line(plain(CliText::tr("%1: %n voxel(s)", nullptr, static_cast<int>(voxels)).arg(value)));
   }
 }
 
@@ -153,23 +154,23 @@ int list_verb(const ImportOptions& o) {
   StopOnInterrupt stop;
   const auto seen = look_in_child(paths_of(o), {}, show_progress, stop.token());
   end_progress();
-  if (!seen) return failed(tell(seen.error()));
+  if (!seen) return failed(describe(seen.error()));
   nlohmann::ordered_json json;
   json["meshes"] = nlohmann::ordered_json::array();
   for (const MeshInfo& m : seen->meshes) {
     json["meshes"].push_back(json_of(m));
-    if (!o.json.on_stdout()) say_mesh(m, unit_of(o));
+    if (!o.json.on_stdout()) print_mesh(m, unit_of(o));
   }
   if (seen->image) {
     json["image"] = json_of(*seen->image);
-    if (!o.json.on_stdout()) say_image(*seen->image);
+    if (!o.json.on_stdout()) print_image(*seen->image);
   }
   return o.json.write(json) ? kDone : kFailed;
 }
 
 std::optional<Tissue> tissue_named(const std::string& key) { return tissue_from_key(key); }
 
-/// NAME=TISSUE, told apart at the last sign.
+/// NAME=TISSUE, split at the last "=".
 std::optional<std::pair<std::string, Tissue>> pair_of(const std::string& text) {
   const auto split = text.rfind('=');
   const auto tissue = split == std::string::npos ? std::nullopt : tissue_named(text.substr(split + 1));
@@ -178,10 +179,10 @@ std::optional<std::pair<std::string, Tissue>> pair_of(const std::string& text) {
 }
 
 QString not_a_pair(const std::string& text) {
-  return CliWords::tr("%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.").arg(QString::fromStdString(text));
+  return CliText::tr("%1 is not MESH=TISSUE with a tissue such as enamel, dentine or pulp.").arg(QString::fromStdString(text));
 }
 
-/// What was typed as an image's tissues; the sentence says what is wrong with it.
+/// What was typed as an image's tissues, or why it is wrong.
 std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxis up) {
   ImageTissues t;
   t.unit_mm = unit_of(o);
@@ -192,14 +193,14 @@ std::expected<ImageTissues, QString> image_tissues(const ImportOptions& o, UpAxi
     const auto pair = pair_of(text);
     if (!pair) return std::unexpected(not_a_pair(text));
     const auto value = whole_number<std::uint32_t>(pair->first);
-    if (!value) return std::unexpected(CliWords::tr("%1 is no label of a volume: it takes its number.").arg(QString::fromStdString(pair->first)));
+    if (!value) return std::unexpected(CliText::tr("%1 is no label of a volume: it takes its number.").arg(QString::fromStdString(pair->first)));
     t.labels.emplace_back(*value, pair->second);
   }
   for (const std::string& text : o.from) {
     const auto split = text.find('=');
     const auto tissue = tissue_named(text.substr(0, split));
     const auto value = split == std::string::npos ? std::nullopt : number(text.substr(split + 1));
-    if (!tissue || !value) return std::unexpected(CliWords::tr("%1 is not TISSUE=VALUE, such as dentine=1200.").arg(QString::fromStdString(text)));
+    if (!tissue || !value) return std::unexpected(CliText::tr("%1 is not TISSUE=VALUE, such as dentine=1200.").arg(QString::fromStdString(text)));
     t.thresholds.emplace_back(*value, *tissue);
   }
   std::ranges::sort(t.thresholds, {}, [](const auto& pair) { return pair.first; });
@@ -265,26 +266,26 @@ nlohmann::ordered_json json_of(const ImportOptions& o, const Done& done, const S
   return json;
 }
 
-void say_result(const Done& done, const SolidMeasure& measure) {
+void print_result(const Done& done, const SolidMeasure& measure) {
   std::vector<ImportRemark> notes = done.remarks;
   std::erase_if(notes, [](const ImportRemark& r) { return r.code == RemarkCode::size_odd; });  // the warning
-  for (const QString& line : tell(notes)) say(plain(line));
+  for (const QString& line : describe(notes)) print_line(plain(line));
   for (const Tissue t : facts_of(done.volume).tissues)
-    say(plain(QStringLiteral("%1: %2 mm³").arg(tissue_name(t)).arg(measure.mm3[index_of(t)], 0, 'f', 1)));
+    print_line(plain(QStringLiteral("%1: %2 mm³").arg(tissue_name(t)).arg(measure.mm3[index_of(t)], 0, 'f', 1)));
 }
 
 int finish(const ImportOptions& o, const Done& done) {
   const VoxelVolume& volume = done.volume;
   const bool binvox = std::filesystem::path(o.out).extension() == ".binvox";
   if (auto written = binvox ? write_binvox(binvox_of(volume), o.out) : write_nrrd(volume, o.out); !written)
-    return failed(tell(written.error()));
+    return failed(describe(written.error()));
   const SolidMeasure measure = specimen_solid(*Specimen::build(volume, Reading::banded));
   if (!o.json.write(json_of(o, done, measure))) return kFailed;
   for (const ImportRemark& remark : done.remarks)
-    if (remark.code == RemarkCode::size_odd) warn(tell(remark) + u' ' + CliWords::tr("--scale takes the factor."));
+    if (remark.code == RemarkCode::size_odd) warn(describe(remark) + u' ' + CliText::tr("--scale takes the factor."));
   if (o.json.on_stdout()) return kDone;
-  say_result(done, measure);
-  say(o.out);
+  print_result(done, measure);
+  print_line(o.out);
   return kDone;
 }
 
@@ -300,7 +301,7 @@ Result<VoxelVolume, ImportFailure> volume_from_image(const ImportOptions& o, Ima
   return import_image_in_child(what, {}, show_progress, std::move(stop), &remarks);
 }
 
-/// What was typed as the import of meshes; the sentence says what is wrong with it.
+/// What was typed as the import of meshes, or why it is wrong.
 std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up) {
   MeshImport what;
   what.path = o.files.front();
@@ -310,7 +311,7 @@ std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up
   what.mend_holes_mm = o.mend_mm;
   what.up = up;
   const auto precedence = precedence_named(o.precedence);
-  if (!precedence) return std::unexpected(CliWords::tr("%1 is no precedence: innermost or given.").arg(QString::fromStdString(o.precedence)));
+  if (!precedence) return std::unexpected(CliText::tr("%1 is no precedence: innermost or given.").arg(QString::fromStdString(o.precedence)));
   what.precedence = *precedence;
   for (const std::string& text : o.tissues) {
     const auto pair = pair_of(text);
@@ -318,18 +319,18 @@ std::expected<MeshImport, QString> mesh_import(const ImportOptions& o, UpAxis up
     what.tissues.push_back(*pair);
   }
   if (what.tissues.empty())
-    return std::unexpected(CliWords::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
+    return std::unexpected(CliText::tr("Say with --tissue MESH=TISSUE what each mesh is made of; --list names the meshes."));
   return what;
 }
 
 int import_verb(const ImportOptions& o) {
   if (const auto no = refuse_outputs({o.out, o.json.file})) return failed(*no);
   if (o.list) return list_verb(o);
-  if (o.out.empty()) return wrong_usage(CliWords::tr("Say with -o where the volume is to be written."));
+  if (o.out.empty()) return wrong_usage(CliText::tr("Say with -o where the volume is to be written."));
   const auto up = up_axis(o.up);
-  if (!up) return wrong_usage(CliWords::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
+  if (!up) return wrong_usage(CliText::tr("%1 is no axis: x, y, z, -x, -y or -z.").arg(QString::fromStdString(o.up)));
   const auto turns = turns_of(o);
-  if (!turns) return wrong_usage(CliWords::tr("--turn takes x, y, z, -x, -y or -z."));
+  if (!turns) return wrong_usage(CliText::tr("--turn takes x, y, z, -x, -y or -z."));
   StopOnInterrupt stop;
   Done done;
   Result<VoxelVolume, ImportFailure> volume;
@@ -343,7 +344,7 @@ int import_verb(const ImportOptions& o) {
     volume = import_mesh_in_child(*what, {}, show_progress, stop.token(), &done.remarks);
   }
   end_progress();
-  if (!volume) return failed(tell(volume.error()));
+  if (!volume) return failed(describe(volume.error()));
   done.volume = std::move(*volume);
   for (const QuarterTurn& turn : *turns) done.volume = quarter_turned(done.volume, turn.axis, turn.quarters);
   return finish(o, done);
@@ -353,33 +354,33 @@ int import_verb(const ImportOptions& o) {
 
 void add_import(CLI::App& program, Job& job) {
   auto o = std::make_shared<ImportOptions>();
-  CLI::App* verb = program.add_subcommand("import", help(CliWords::tr("Make a specimen volume of closed meshes, of a label volume or of a CT series")));
-  verb->add_option("FILE", o->files, help(CliWords::tr("STL, OBJ, PLY, 3DS, OFF (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices")))->required();
-  verb->add_option("-o,--output", o->out, help(CliWords::tr("Volume to write (NRRD, or binvox by its ending)")))->type_name("VOLUME");
-  verb->add_option("--tissue", o->tissues, help(CliWords::tr("What a mesh or a label is made of; once for each to be taken")))
+  CLI::App* verb = program.add_subcommand("import", help(CliText::tr("Make a specimen volume of closed meshes, of a label volume or of a CT series")));
+  verb->add_option("FILE", o->files, help(CliText::tr("STL, OBJ, PLY, 3DS, OFF (several are put together), NRRD, MetaImage, NIfTI, binvox, or a folder of DICOM slices")))->required();
+  verb->add_option("-o,--output", o->out, help(CliText::tr("Volume to write (NRRD, or binvox by its ending)")))->type_name("VOLUME");
+  verb->add_option("--tissue", o->tissues, help(CliText::tr("What a mesh or a label is made of; once for each to be taken")))
       ->type_name("MESH=TISSUE");
-  verb->add_option("--from", o->from, help(CliWords::tr("The tissue from a grey value on, up to the next; “empty” leaves out")))
+  verb->add_option("--from", o->from, help(CliText::tr("The tissue from a grey value on, up to the next; “empty” leaves out")))
       ->type_name("TISSUE=VALUE");
-  verb->add_option("--hollows", o->hollows, help(CliWords::tr("What closed hollows of a volume are made of")))->type_name("TISSUE");
-  verb->add_flag("--largest-piece", o->largest, help(CliWords::tr("Of a volume keep only the largest piece")));
-  verb->add_option("--unit-mm", o->unit_mm, help(CliWords::tr("Length of one unit of the file in millimetres")))
+  verb->add_option("--hollows", o->hollows, help(CliText::tr("What closed hollows of a volume are made of")))->type_name("TISSUE");
+  verb->add_flag("--largest-piece", o->largest, help(CliText::tr("Of a volume keep only the largest piece")));
+  verb->add_option("--unit-mm", o->unit_mm, help(CliText::tr("Length of one unit of the file in millimetres")))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--scale", o->scale, help(CliWords::tr("Factor on the unit, as 0.1 for a tooth that came in ten times too long")))
+  verb->add_option("--scale", o->scale, help(CliText::tr("Factor on the unit, as 0.1 for a tooth that came in ten times too long")))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--voxel-mm", o->voxel_mm, help(CliWords::tr("Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes")))
+  verb->add_option("--voxel-mm", o->voxel_mm, help(CliText::tr("Edge of a voxel in millimetres; 0.1 for meshes, the file’s own for volumes")))
       ->check(CLI::PositiveNumber);
-  verb->add_option("--mend-mm", o->mend_mm, help(CliWords::tr("Mend meshes, and close holes up to this width in millimetres")))
+  verb->add_option("--mend-mm", o->mend_mm, help(CliText::tr("Mend meshes, and close holes up to this width in millimetres")))
       ->check(CLI::NonNegativeNumber);
-  verb->add_option("--up", o->up, help(CliWords::tr("The file's axis towards the chewing surface")))->capture_default_str();
-  verb->add_option("--turn", o->turns, help(CliWords::tr("A quarter turn of what was made about this axis, by the right hand; -x turns back; may be repeated")))
+  verb->add_option("--up", o->up, help(CliText::tr("The file's axis towards the chewing surface")))->capture_default_str();
+  verb->add_option("--turn", o->turns, help(CliText::tr("A quarter turn of what was made about this axis, by the right hand; -x turns back; may be repeated")))
       ->type_name("AXIS")
       ->allow_extra_args(false);
   verb->add_option("--precedence", o->precedence,
-                   help(CliWords::tr("Which mesh wins where several overlap: the innermost one, or the first --tissue given")))
+                   help(CliText::tr("Which mesh wins where several overlap: the innermost one, or the first --tissue given")))
       ->capture_default_str();
-  verb->add_flag("--list", o->list, help(CliWords::tr("Only tell what the file holds")));
+  verb->add_flag("--list", o->list, help(CliText::tr("Only tell what the file holds")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return import_verb(*o); }; });
 }

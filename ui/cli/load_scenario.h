@@ -7,7 +7,7 @@
 
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 
@@ -18,6 +18,6 @@ struct LoadedScenario {
 
 /// A scenario with errors of validate() is refused by the first of them, with its path; what needs the specimen is left to
 /// `cusp validate`.
-std::expected<LoadedScenario, Told> load_scenario(const std::string& what);
+std::expected<LoadedScenario, Message> load_scenario(const std::string& what);
 
 }  // namespace cusp::ui

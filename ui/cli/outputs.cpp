@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 
 namespace cusp::ui {
 namespace {
@@ -51,14 +51,14 @@ std::optional<fs::path> records_of(const fs::path& file, const fs::path& databas
   return std::nullopt;
 }
 
-std::optional<Told> refuse_outputs(const std::vector<fs::path>& outputs, const fs::path& database) {
+std::optional<Message> refuse_outputs(const std::vector<fs::path>& outputs, const fs::path& database) {
   for (const fs::path& file : outputs) {
     if (file.empty() || file == "-") continue;
     const auto records = records_of(file, database);
     if (!records) continue;
-    return Told{CliWords::tr("%1 belongs to the database %2.")
+    return Message{CliText::tr("%1 belongs to the database %2.")
                     .arg(QString::fromStdString(file.string()), QString::fromStdString(records->string())),
-                CliWords::tr("Nothing was written. Give another name.")};
+                CliText::tr("Nothing was written. Give another name.")};
   }
   return std::nullopt;
 }

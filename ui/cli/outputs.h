@@ -5,17 +5,17 @@
 #include <optional>
 #include <vector>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 
-/// The database whose file `file` is, or whose log, key, counter or lock file. Told by its key's file beside it; `database`
+/// The database whose file `file` is, or whose log, key, counter or lock file. Message by its key's file beside it; `database`
 /// is the one that the verb itself opens, and need not be there yet. Opens nothing.
 std::optional<std::filesystem::path> records_of(const std::filesystem::path& file,
                                                 const std::filesystem::path& database = {});
 
-/// A sentence if one of `outputs` is a file of the records. Empty names and "-" are no files.
-std::optional<Told> refuse_outputs(const std::vector<std::filesystem::path>& outputs,
+/// A message if one of `outputs` is a file of the records. Empty names and "-" are no files.
+std::optional<Message> refuse_outputs(const std::vector<std::filesystem::path>& outputs,
                                    const std::filesystem::path& database = {});
 
 }  // namespace cusp::ui

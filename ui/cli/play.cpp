@@ -14,7 +14,7 @@
 #include "ui/cli/play_live.h"
 #include "ui/cli/report_files.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
 #include "ui/session/play_through.h"
 #include "ui/session/scene_builder.h"
@@ -51,16 +51,16 @@ DeviceChoice device_of(const std::string& text) {
 }
 
 /// What stands against playing live; nullopt: nothing.
-std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device, const RunPlan& plan) {
-  if (!can_play_live(device)) return wrong_usage(CliWords::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
+std::optional<int> check_device(const PlayOptions& o, const DeviceChoice& device, const SessionPlan& plan) {
+  if (!can_play_live(device)) return wrong_usage(CliText::tr("--device has to be falcon, falcon:NAME or emulated-falcon."));
   if (device.kind == "emulated-falcon" && !operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
-    return wrong_usage(CliWords::tr("An emulated Falcon needs a hand by name: expert, novice and so on."));
+    return wrong_usage(CliText::tr("An emulated Falcon needs a hand by name: expert, novice and so on."));
   }
   return std::nullopt;
 }
 
 /// The port that --script names, a scripted operator or a file; a status where it is neither.
-std::optional<int> take_script(const PlayOptions& o, RunPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
+std::optional<int> take_script(const PlayOptions& o, SessionPlan& plan, PlaySettings& settings, std::unique_ptr<HapticPort>& port) {
   if (auto hand = operator_by_name(o.script, plan.scenario, *plan.specimen, o.seed)) {
     port = std::make_unique<OperatorPort>(std::move(*hand));
     plan.hand = o.script;
@@ -73,7 +73,7 @@ std::optional<int> take_script(const PlayOptions& o, RunPlan& plan, PlaySettings
   // Known to be good before a session begins.
   if (auto opened = trace->open(); !opened) {
     const bool missing = opened.error().code == PortError::not_found;
-    return failed(missing ? tell(ImportFailure{ImportError::missing_file, o.script, {}}) : tell(opened.error()));
+    return failed(missing ? describe(ImportFailure{ImportError::missing_file, o.script, {}}) : describe(opened.error()));
   }
   trace->close();
   port = std::move(trace);
@@ -88,14 +88,14 @@ int play(const PlayOptions& o) {
   if (const auto no = refuse_outputs(outputs, database)) return failed(*no);
   auto loaded = load_scenario(o.scenario);
   if (!loaded) return failed(loaded.error());
-  if (!writable_folder(folder)) return failed(CliWords::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
+  if (!writable_folder(folder)) return failed(CliText::tr("Nothing can be written to %1.").arg(QString::fromStdString(o.out)));
 
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = std::move(loaded->scenario);
   plan.scenario_folder = loaded->folder;
   plan.database = database;
   auto specimen = build_specimen(plan.scenario, plan.scenario_folder);
-  if (!specimen) return failed(tell(specimen.error()));
+  if (!specimen) return failed(describe(specimen.error()));
   plan.specimen = std::move(*specimen);
 
   PlaySettings settings;
@@ -105,7 +105,7 @@ int play(const PlayOptions& o) {
   if (const auto status = live ? check_device(o, device, plan) : take_script(o, plan, settings, port)) return *status;
 
   auto store = Store::open(plan.database);
-  if (!store) return failed(tell(store.error()));
+  if (!store) return failed(describe(store.error()));
   auto account = sign_in(**store, o.account, true);
   if (!account) return failed(account.error());
   plan.student = account->actor();
@@ -121,13 +121,13 @@ int play(const PlayOptions& o) {
                             .progress = o.progress};
   auto result = live ? play_live(std::move(plan), device, options, [] { return interrupted != 0; }, figures)
                      : play_through(std::move(plan), *port, settings);
-  if (!result) return failed(tell(result.error()));
+  if (!result) return failed(describe(result.error()));
 
   if (auto written = write_report_files(folder, *result, **store, *account); !written) return failed(written.error());
   auto json = nlohmann::ordered_json::parse(report_text(*result, **store, *account));
   if (live) json["live"] = to_json(figures);
   if (!o.json.write(json)) return kFailed;
-  if (!o.json.on_stdout()) say(result->session.text());
+  if (!o.json.on_stdout()) print_line(result->session.text());
   return kDone;
 }
 
@@ -136,29 +136,29 @@ int play(const PlayOptions& o) {
 void add_play(CLI::App& program, Job& job) {
   auto o = std::make_shared<PlayOptions>();
   CLI::App* verb = program.add_subcommand(
-      "play", help(CliWords::tr("Let a scripted hand do an exercise: keeps the session and writes report.json, report.pdf "
+      "play", help(CliText::tr("Let a scripted operator do an exercise: keeps the session and writes report.json, report.pdf "
                                 "and tooth.png; prints the session's id")));
-  verb->add_option("SCENARIO", o->scenario, help(CliWords::tr("A scenario.json, its folder, or a built-in one: %1").arg(builtins())))
+  verb->add_option("SCENARIO", o->scenario, help(CliText::tr("A scenario.json, its folder, or a built-in one: %1").arg(builtins())))
       ->required();
   verb->add_option("--script", o->script,
-                   help(CliWords::tr("expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
+                   help(CliText::tr("expert, fair, novice, too_deep, too_shallow, shaky, off_outline, pulp, dry, or a CSV file of inputs")))
       ->type_name("HAND")
       ->capture_default_str();
-  verb->add_option("--seed", o->seed, help(CliWords::tr("Of the hand's tremor")))->capture_default_str();
-  verb->add_flag("--progress", o->progress, help(CliWords::tr("Print each second of the session to stderr as it is played")));
+  verb->add_option("--seed", o->seed, help(CliText::tr("Of the hand's tremor")))->capture_default_str();
+  verb->add_flag("--progress", o->progress, help(CliText::tr("Print each second of the session to stderr as it is played")));
   verb->add_option("--device", o->device,
-                   help(CliWords::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "
-                                     "(led by the scripted hand)")))
+                   help(CliText::tr("Play in real time on a device: falcon, falcon:NAME (held by a person) or emulated-falcon "
+                                     "(led by the scripted operator)")))
       ->type_name("DEVICE");
-  verb->add_option("--seconds", o->seconds, help(CliWords::tr("With --device: end after so many seconds of the session; the "
-                                                              "scripted hand begins anew meanwhile")))
+  verb->add_option("--seconds", o->seconds, help(CliText::tr("With --device: end after so many seconds of the session; the "
+                                                              "scripted operator begins anew meanwhile")))
       ->check(CLI::PositiveNumber);
   verb->add_option("--silence-every", o->silence_every_s,
-                   help(CliWords::tr("With the emulated Falcon: it answers nothing for 50 ms every so many seconds")))
+                   help(CliText::tr("With the emulated Falcon: it answers nothing for 50 ms every so many seconds")))
       ->check(CLI::PositiveNumber);
-  verb->add_option("--db", o->db, help(CliWords::tr("Database; made when it is not there. Without it: cusp.db in DIR")))
+  verb->add_option("--db", o->db, help(CliText::tr("Database; made when it is not there. Without it: cusp.db in DIR")))
       ->type_name("DB");
-  verb->add_option("--out", o->out, help(CliWords::tr("Folder for the report")))->type_name("DIR")->required();
+  verb->add_option("--out", o->out, help(CliText::tr("Folder for the report")))->type_name("DIR")->required();
   o->account.add_to(*verb);
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return play(*o); }; });

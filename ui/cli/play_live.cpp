@@ -25,7 +25,7 @@ constexpr double kSilenceS = 0.050;
 constexpr double kStartAboveMm = 1.5;
 constexpr std::size_t kMostHands = 64;
 
-/// Scripted hands one after the other, as the hand of an emulated Falcon. Made before the go; the haptic thread neither
+/// Scripted hands one after the other, as the hand of an emulated Falcon. Made before the attempt; the haptic thread neither
 /// allocates nor waits in it.
 class HandsInTurn {
  public:
@@ -93,10 +93,42 @@ Vec3 start_above(const Specimen& specimen, const Scenario& scenario) {
   return at;
 }
 
-void tell_phase(const FalconView& view, falcon::Phase& told) {
-  if (view.session.phase == told) return;
-  told = view.session.phase;
-  std::fprintf(stderr, "falcon %s\n", std::string(falcon::key_of(told)).c_str());
+void print_phase(const FalconView& view, falcon::Phase& printed) {
+  if (view.session.phase == printed) return;
+  printed = view.session.phase;
+  std::fprintf(stderr, "falcon %s\n", std::string(falcon::key_of(printed)).c_str());
+}
+
+/// Until the operator has finished, the time is up, or somebody stops it. `hands` null: a real device.
+void follow(ExerciseSession& session, const HandsInTurn* hands, const LiveOptions& options, const std::function<bool()>& stop,
+            LiveFigures& figures) {
+  bool was_held = false, coolant = false;
+  double printed_s = 0;
+  for (;;) {
+    std::this_thread::sleep_for(kLook);
+    const LiveView view = session.view();
+    if (options.progress && view.seconds >= printed_s + 1.0) {
+      printed_s = view.seconds;
+      std::fprintf(stderr, "%.3f\n", view.seconds);
+    }
+    if (view.loop.tick_max_us > figures.loop.tick_max_us) {
+      figures.loop.tick_max_us = view.loop.tick_max_us;
+      figures.tick_max_at_s = view.seconds;
+      if (options.progress) std::fprintf(stderr, "tick %.0f us\n", view.loop.tick_max_us);
+    }
+    if (hands && hands->wants_coolant() && !coolant) session.set_coolant(coolant = true);
+    const bool held = view.phase == LoopPhase::held;
+    if (held && !was_held) {
+      ++figures.holds;
+      if (options.progress) std::fprintf(stderr, "held\n");
+    }
+    was_held = held;
+    // Nobody is there to press a button: it goes on as soon as the device has come back.
+    if (held && view.device == Sample::Status::fresh) session.resume();
+    if (stop() || view.time_is_up || view.phase == LoopPhase::ended) break;
+    if (options.seconds > 0 && view.seconds >= options.seconds) break;
+    if (hands && hands->done()) break;
+  }
 }
 
 }  // namespace
@@ -121,17 +153,17 @@ nlohmann::ordered_json to_json(const LiveFigures& f) {
           {"dropped_answers", f.dropped_answers}};
 }
 
-Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOptions& options,
+Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, const LiveOptions& options,
                          const std::function<bool()>& stop, LiveFigures& figures) {
   Vec3 start_mm = start_above(*plan.specimen, plan.scenario);
   std::shared_ptr<HandsInTurn> hands;
-  RunDevice device;
+  SessionDevice device;
   EmulatedHand lead;
   if (choice.kind == "emulated-falcon") {
     std::vector<ScriptedOperator> made;
     for (std::size_t i = 0; i < (options.seconds > 0 ? kMostHands : 1); ++i) {
       auto hand = operator_by_name(options.script, plan.scenario, *plan.specimen, options.seed + i);
-      if (!hand) return run_fail(RunError::device, Failure<PortError>{PortError::bad_file, options.script, "hand"});
+      if (!hand) return session_fail(SessionError::device, Failure<PortError>{PortError::bad_file, options.script, "hand"});
       made.push_back(std::move(*hand));
     }
     hands = std::make_shared<HandsInTurn>(std::move(made));
@@ -147,54 +179,28 @@ Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOpt
     };
     plan.hand = options.script;
   }
-  auto made = make_run_device(choice, start_mm, plan.scenario.instruments.size(), std::move(lead));
-  if (!made) return run_fail(RunError::device, made.error());
+  auto made = make_session_device(choice, start_mm, plan.scenario.instruments.size(), std::move(lead));
+  if (!made) return session_fail(SessionError::device, made.error());
   device = std::move(*made);
 
-  auto starting = std::async(std::launch::async, [&plan, &device] { return ExerciseRun::start(std::move(plan), *device.port); });
-  falcon::Phase told = falcon::Phase::unplugged;
+  auto starting = std::async(std::launch::async, [&plan, &device] { return ExerciseSession::start(std::move(plan), *device.port); });
+  falcon::Phase printed = falcon::Phase::unplugged;
   while (starting.wait_for(kLook) != std::future_status::ready) {
     if (device.falcon == nullptr) continue;
-    if (options.progress) tell_phase(device.falcon->view(), told);
+    if (options.progress) print_phase(device.falcon->view(), printed);
     if (stop()) device.falcon->cancel();
   }
   auto started = starting.get();
   if (!started) return std::unexpected(started.error());
-  ExerciseRun& run = **started;
+  ExerciseSession& session = **started;
 
   const auto began = std::chrono::steady_clock::now();
-  bool was_held = false, coolant = false;
-  double said_s = 0;
-  for (;;) {
-    std::this_thread::sleep_for(kLook);
-    const LiveView view = run.view();
-    if (options.progress && view.seconds >= said_s + 1.0) {
-      said_s = view.seconds;
-      std::fprintf(stderr, "%.3f\n", view.seconds);
-    }
-    if (view.loop.tick_max_us > figures.loop.tick_max_us) {
-      figures.loop.tick_max_us = view.loop.tick_max_us;
-      figures.tick_max_at_s = view.seconds;
-      if (options.progress) std::fprintf(stderr, "tick %.0f us\n", view.loop.tick_max_us);
-    }
-    if (hands && hands->wants_coolant() && !coolant) run.set_coolant(coolant = true);
-    const bool held = view.phase == LoopPhase::held;
-    if (held && !was_held) {
-      ++figures.holds;
-      if (options.progress) std::fprintf(stderr, "held\n");
-    }
-    was_held = held;
-    // Nobody is there to press a button: it goes on as soon as the device has come back.
-    if (held && view.device == Sample::Status::fresh) run.resume();
-    if (stop() || view.phase == LoopPhase::ended) break;
-    if (options.seconds > 0 && view.seconds >= options.seconds) break;
-    if (hands && hands->done()) break;
-  }
+  follow(session, hands.get(), options, stop, figures);
   figures.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  const LiveView last = run.view();
+  const LiveView last = session.view();
   figures.loop = last.loop;
   figures.grant = last.grant;
-  auto result = run.finish();
+  auto result = session.finish();
   if (const FalconView* falcon = device.view()) {
     figures.silences = falcon->session.silences;
     figures.lost_answers = falcon->session.lost;

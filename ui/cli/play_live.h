@@ -1,4 +1,4 @@
-/// `cusp play --device`: a go in real time on a device, without a window. The emulated Falcon is led by a scripted hand,
+/// `cusp play --device`: an attempt in real time on a device, without a window. The emulated Falcon is led by a scripted operator,
 /// a real one by whoever holds it.
 #pragma once
 
@@ -7,20 +7,20 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "ui/session/exercise_run.h"
-#include "ui/session/run_device.h"
+#include "ui/session/exercise_session.h"
+#include "ui/session/session_device.h"
 
 namespace cusp::ui {
 
 struct LiveOptions {
-  std::string script;          // of the emulated Falcon's hand; begun anew while there is time
+  std::string script;          // of the operator of the emulated Falcon; repeated until `seconds`
   std::uint64_t seed = 1;
-  double seconds = 0;          // of session time; 0: until the hand has done its work, or is told to stop
+  double seconds = 0;          // of session time; 0: until the operator has finished or is stopped
   double silence_every_s = 0;  // the emulated Falcon answers nothing for 50 ms so often; 0: never
   bool progress = false;
 };
 
-/// What a live go was like, for --json.
+/// What a live attempt was like, for --json.
 struct LiveFigures {
   LoopTimes loop;
   RealtimeGrant grant;
@@ -35,7 +35,7 @@ nlohmann::ordered_json to_json(const LiveFigures& figures);
 /// Whether such a device can be played on without a window.
 bool can_play_live(const DeviceChoice& choice) noexcept;
 /// `choice` of the station; `stop` is looked at twenty times a second.
-Run<RunResult> play_live(RunPlan plan, const DeviceChoice& choice, const LiveOptions& options,
+Outcome<SessionResult> play_live(SessionPlan plan, const DeviceChoice& choice, const LiveOptions& options,
                          const std::function<bool()>& stop, LiveFigures& figures);
 
 }  // namespace cusp::ui

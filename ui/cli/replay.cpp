@@ -11,7 +11,7 @@
 #include "ui/cli/outputs.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 
 namespace cusp::ui {
 
@@ -36,7 +36,7 @@ std::string hex16(std::uint64_t value) {
 
 int verify(const ReplayOptions& o, Store& store, SessionId id) {
   auto proof = prove_session(store, id);
-  if (!proof) return failed(tell(proof.error()));
+  if (!proof) return failed(describe(proof.error()));
   nlohmann::ordered_json json;
   json["session"] = id.text();
   json["holds"] = proof->holds();
@@ -60,11 +60,11 @@ int verify(const ReplayOptions& o, Store& store, SessionId id) {
   if (!proof->holds()) return failed(proof_text(*proof));
   if (o.json.on_stdout()) return kDone;
   if (!proof->same_engine) {
-    say(plain(CliWords::tr("The record is whole. It was made by engine %1 and is not computed again by engine %2.")
+    print_line(plain(CliText::tr("The record is whole. It was made by engine %1 and is not computed again by engine %2.")
                   .arg(proof->engine_version)
                   .arg(kEngineVersion)));
   } else {
-    say(plain(CliWords::tr("The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.", nullptr,
+    print_line(plain(CliText::tr("The record is whole; %n tick(s) come to the same tooth and grade, bit for bit.", nullptr,
                            static_cast<int>(proof->ticks))));
   }
   return kDone;
@@ -85,9 +85,9 @@ std::uint64_t tick_at(const std::vector<StepInput>& inputs, double seconds) {
 
 int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   auto opened = open_session(store, id);
-  if (!opened) return failed(tell(opened.error()));
+  if (!opened) return failed(describe(opened.error()));
   auto run = Replay::open(store, std::move(*opened));
-  if (!run) return failed(tell(run.error()));
+  if (!run) return failed(describe(run.error()));
   std::signal(SIGINT, on_interrupt);
   ReplayJump jump;
   jump.from = o.at_s ? ReplayFrom::nearest : ReplayFrom::first_tick;
@@ -98,11 +98,11 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   };
   auto arrived = run->to(o.at_s ? tick_at(run->inputs(), *o.at_s) : UINT64_MAX, jump);
   end_progress();
-  if (!arrived) return failed(tell(arrived.error()));
-  if (!*arrived) return failed(CliWords::tr("Stopped. Nothing was changed."));
+  if (!arrived) return failed(describe(arrived.error()));
+  if (!*arrived) return failed(CliText::tr("Stopped. Nothing was changed."));
   const StepState& state = run->state();
   if (!o.volume.empty()) {
-    if (auto written = write_nrrd(state.volume().dense(), o.volume); !written) return failed(tell(written.error()));
+    if (auto written = write_nrrd(state.volume().dense(), o.volume); !written) return failed(describe(written.error()));
   }
   nlohmann::ordered_json json;
   json["session"] = id.text();
@@ -112,21 +112,21 @@ int rebuild(const ReplayOptions& o, Store& store, SessionId id) {
   json["duration_s"] = static_cast<double>(state.last().elapsed_us) * 1e-6;
   json["volume_hash"] = hex16(state.volume().hash());
   if (!o.json.write(json)) return kFailed;
-  if (!o.json.on_stdout()) say(hex16(state.volume().hash()));
+  if (!o.json.on_stdout()) print_line(hex16(state.volume().hash()));
   return kDone;
 }
 
 int replay(const ReplayOptions& o) {
   if (const auto no = refuse_outputs({o.volume, o.json.file}, o.db)) return failed(*no);
   const auto id = SessionId::parse(o.session);
-  if (!id) return wrong_usage(CliWords::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
+  if (!id) return wrong_usage(CliText::tr("%1 is not a session’s id.").arg(QString::fromStdString(o.session)));
   auto store = open_records(o.db);
   if (!store) return failed(store.error());
   auto account = sign_in(**store, o.account, false);
   if (!account) return failed(account.error());
   // A record so damaged that its session cannot be found is still to be proved.
   if (const auto session = (*store)->sessions.find(*id)) {
-    if (auto may = require_reading(account->actor(), session->student); !may) return failed(tell(may.error()));
+    if (auto may = require_reading(account->actor(), session->student); !may) return failed(describe(may.error()));
   }
   return o.verify ? verify(o, **store, *id) : rebuild(o, **store, *id);
 }
@@ -136,16 +136,16 @@ int replay(const ReplayOptions& o) {
 void add_replay(CLI::App& program, Job& job) {
   auto o = std::make_shared<ReplayOptions>();
   CLI::App* verb = program.add_subcommand(
-      "replay", help(CliWords::tr("Run a stored session again and print the hash of its tooth")));
+      "replay", help(CliText::tr("Run a stored session again and print the hash of its tooth")));
   auto* verify = verb->add_flag("--verify", o->verify,
-                                help(CliWords::tr("Prove it: the record's chain, then tooth and grade bit for bit")));
-  verb->add_option("--at", o->at_s, help(CliWords::tr("Only up to this moment of the session, in seconds")))
+                                help(CliText::tr("Prove it: the record's chain, then tooth and grade bit for bit")));
+  verb->add_option("--at", o->at_s, help(CliText::tr("Only up to this moment of the session, in seconds")))
       ->type_name("SECONDS")
       ->check(CLI::NonNegativeNumber)
       ->excludes(verify);
-  verb->add_option("DB", o->db, help(CliWords::tr("Database")))->required();
-  verb->add_option("SESSION", o->session, help(CliWords::tr("The session's id")))->required();
-  verb->add_option("--volume", o->volume, help(CliWords::tr("Write the tooth as it is then (NRRD)")))
+  verb->add_option("DB", o->db, help(CliText::tr("Database")))->required();
+  verb->add_option("SESSION", o->session, help(CliText::tr("The session's id")))->required();
+  verb->add_option("--volume", o->volume, help(CliText::tr("Write the tooth as it is then (NRRD)")))
       ->type_name("FILE");
   o->account.add_to(*verb);
   o->json.add_to(*verb);

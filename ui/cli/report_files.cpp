@@ -5,9 +5,10 @@
 #include "scenarios/grading/maxima.h"
 #include "scenarios/grading/report_json.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
 #include "ui/report/report_data.h"
+#include "ui/text/grade_text.h"
 #include "ui/report/report_pdf.h"
 
 namespace cusp::ui {
@@ -22,13 +23,13 @@ std::string hex(std::uint64_t value) {
   return text;
 }
 
-Told cannot_write(const std::filesystem::path& file) {
-  return {CliWords::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())), {}};
+Message cannot_write(const std::filesystem::path& file) {
+  return {CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file.string())), {}};
 }
 
 }  // namespace
 
-std::string report_text(const RunResult& result, Store& store, const Account& student) {
+std::string report_text(const SessionResult& result, Store& store, const Account& student) {
   ReportHead head;
   head.session = result.session.text();
   head.scenario_id = result.scenario.id.text();
@@ -50,11 +51,11 @@ std::string report_text(const RunResult& result, Store& store, const Account& st
   return report_json(head, result.grade, words);
 }
 
-void say_criteria(const Grade& grade, const std::string& indent) {
+void print_criteria(const Grade& grade, const std::string& indent) {
   const std::vector<ScaledPoints> scaled = scaled_points(grade);
   for (std::size_t i = 0; i < grade.criteria.size(); ++i) {
     const CriterionGrade& c = grade.criteria[i];
-    say(indent + plain(QStringLiteral("%1/%2  %3: %4")
+    print_line(indent + plain(QStringLiteral("%1/%2  %3: %4")
                            .arg(scaled[i].points, 5, 'f', 1)
                            .arg(scaled[i].points_max, 0, 'f', 1)
                            .arg(metric_name(c.id), reason_text(c))));
@@ -65,7 +66,7 @@ std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& 
   return {folder / "report.json", folder / "report.pdf", folder / "tooth.png"};
 }
 
-std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,
+std::expected<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
                                              const Account& student) {
   if (!write_whole(folder / "report.json", report_text(result, store, student))) {
     return std::unexpected(cannot_write(folder / "report.json"));
@@ -76,7 +77,7 @@ std::expected<void, Told> write_report_files(const std::filesystem::path& folder
   const auto pdf = write_report_pdf(folder / "report.pdf", data, tooth);
   if (!pdf) return std::unexpected(cannot_write(folder / "report.pdf"));
   if (!tooth) {
-    return std::unexpected(Told{picture_failure_text(tooth.error()), CliWords::tr("The record and the report are kept.")});
+    return std::unexpected(Message{picture_failure_text(tooth.error()), CliText::tr("The record and the report are kept.")});
   }
   QByteArray png;
   QBuffer buffer(&png);

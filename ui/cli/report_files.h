@@ -1,4 +1,4 @@
-/// report.json, report.pdf and tooth.png of a go.
+/// report.json, report.pdf and tooth.png of an attempt.
 #pragma once
 
 #include <expected>
@@ -8,22 +8,22 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
-#include "ui/session/exercise_run.h"
-#include "ui/text/sentences.h"
+#include "ui/session/exercise_session.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 
-/// The text of report.json: fields of design.md, words in the installed language.
-std::string report_text(const RunResult& result, Store& store, const Account& student);
+/// The text of report.json: keys are fixed, names in the installed language.
+std::string report_text(const SessionResult& result, Store& store, const Account& student);
 
 /// A line of stdout for each criterion, its points as people read them: they sum to the grade's, whatever version graded.
-void say_criteria(const Grade& grade, const std::string& indent);
+void print_criteria(const Grade& grade, const std::string& indent);
 
 /// The names of those files.
 std::vector<std::filesystem::path> report_files_in(const std::filesystem::path& folder);
 
 /// Each file whole or not at all. Needs a QGuiApplication for the page.
-std::expected<void, Told> write_report_files(const std::filesystem::path& folder, const RunResult& result, Store& store,
+std::expected<void, Message> write_report_files(const std::filesystem::path& folder, const SessionResult& result, Store& store,
                                              const Account& student);
 
 }  // namespace cusp::ui

@@ -14,7 +14,7 @@
 #include "scenarios/import/nrrd.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -61,14 +61,14 @@ int specimen_verb(const SpecimenOptions& options) {
   if (o.bone) o.source.around.emplace_back("bone");
   for (const std::string& text : o.lesions) o.source.lesions.push_back(lesion_of(text).value());
   auto volume = make_specimen(o.source, {});
-  if (!volume) return failed(tell(volume.error()));
-  if (auto written = write_nrrd(*volume, o.out); !written) return failed(tell(written.error()));
+  if (!volume) return failed(describe(volume.error()));
+  if (auto written = write_nrrd(*volume, o.out); !written) return failed(describe(written.error()));
   nlohmann::ordered_json json;
   json["volume"] = o.out;
   json["size"] = {volume->grid.size.x, volume->grid.size.y, volume->grid.size.z};
   json["voxel_mm"] = volume->grid.voxel_mm;
   if (!o.json.write(json)) return kFailed;
-  if (!o.json.on_stdout()) say(o.out);
+  if (!o.json.on_stdout()) print_line(o.out);
   return kDone;
 }
 
@@ -77,25 +77,25 @@ int specimen_verb(const SpecimenOptions& options) {
 void add_specimen(CLI::App& program, Job& job) {
   auto o = std::make_shared<SpecimenOptions>();
   o->source.fdi = 36;
-  CLI::App* verb = program.add_subcommand("specimen", help(CliWords::tr("Grow a specimen and write its volume")));
-  verb->add_option("KIND", o->source.generator, help(CliWords::tr("tooth, block, layered-block or paper-block")))
+  CLI::App* verb = program.add_subcommand("specimen", help(CliText::tr("Grow a specimen and write its volume")));
+  verb->add_option("KIND", o->source.generator, help(CliText::tr("tooth, block, layered-block or paper-block")))
       ->required()
       ->check(CLI::IsMember({"tooth", "block", "layered-block", "paper-block"}));
-  verb->add_option("--fdi", o->source.fdi, help(CliWords::tr("Tooth number, 11 to 48")))->capture_default_str();
-  verb->add_option("--seed", o->source.seed, help(CliWords::tr("Natural variation; 0 = the average tooth")))->capture_default_str();
-  verb->add_option("--voxel-mm", o->source.voxel_mm, help(CliWords::tr("Edge of a voxel in millimetres")))
+  verb->add_option("--fdi", o->source.fdi, help(CliText::tr("Tooth number, 11 to 48")))->capture_default_str();
+  verb->add_option("--seed", o->source.seed, help(CliText::tr("Natural variation; 0 = the average tooth")))->capture_default_str();
+  verb->add_option("--voxel-mm", o->source.voxel_mm, help(CliText::tr("Edge of a voxel in millimetres")))
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_flag("--typodont", o->source.typodont, help(CliWords::tr("A tooth of plastic, as in a training model")));
-  verb->add_flag("--neighbours", o->neighbours, help(CliWords::tr("With the teeth that touch it")));
-  verb->add_flag("--gingiva", o->gingiva, help(CliWords::tr("With the gingiva about it")));
-  verb->add_flag("--bone", o->bone, help(CliWords::tr("With the bone and the ligament about its roots")));
+  verb->add_flag("--typodont", o->source.typodont, help(CliText::tr("A tooth of plastic, as in a training model")));
+  verb->add_flag("--neighbours", o->neighbours, help(CliText::tr("With the teeth that touch it")));
+  verb->add_flag("--gingiva", o->gingiva, help(CliText::tr("With the gingiva about it")));
+  verb->add_flag("--bone", o->bone, help(CliText::tr("With the bone and the ligament about its roots")));
   verb->add_option("--lesion", o->lesions,
-                   help(CliWords::tr("Decay: fissure, proximal or root, then its place, radius and depth in millimetres, and "
+                   help(CliText::tr("Carious lesion: fissure, proximal or root, then its place, radius and depth in millimetres, and "
                                      "softness from 0 to 1")))
       ->type_name("KIND:SITE:RADIUS:DEPTH:SOFTNESS")
       ->check([](const std::string& text) { return lesion_of(text) ? std::string() : text; });
-  verb->add_option("-o,--output", o->out, help(CliWords::tr("Volume to write (NRRD)")))->type_name("VOLUME")->required();
+  verb->add_option("-o,--output", o->out, help(CliText::tr("Volume to write (NRRD)")))->type_name("VOLUME")->required();
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return specimen_verb(*o); }; });
 }

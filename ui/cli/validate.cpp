@@ -11,7 +11,7 @@
 #include "scenarios/specimens/specimens.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -35,15 +35,15 @@ int validate_verb(const ValidateOptions& o) {
     std::error_code error;
     const auto size = std::filesystem::file_size(file, error);
     std::ifstream in(file, std::ios::binary);
-    if (error || !in) return failed(tell(FormatFailure{FormatError::unreadable, file.string(), {}}));
-    if (size > kMaxScenarioBytes) return failed(tell(FormatFailure{FormatError::too_large, file.string(), {}}));
+    if (error || !in) return failed(describe(FormatFailure{FormatError::unreadable, file.string(), {}}));
+    if (size > kMaxScenarioBytes) return failed(describe(FormatFailure{FormatError::too_large, file.string(), {}}));
     text.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
   }
   std::vector<Finding> findings = validate_text(text);
   if (!o.form_only && !has_error(findings)) {
     if (const auto scenario = read_scenario(text)) {
       const auto volume = make_specimen(scenario->specimen, folder);
-      if (!volume) return failed(tell(volume.error()));
+      if (!volume) return failed(describe(volume.error()));
       const SpecimenFacts facts = facts_of(*volume);
       findings = validate_text(text, &facts);
       if (!has_error(findings)) {
@@ -70,17 +70,17 @@ int validate_verb(const ValidateOptions& o) {
   for (const Finding& f : findings) {
     if (f.severity == Severity::error) ++errors;
     if (o.json.on_stdout()) continue;
-    const QString line = f.severity == Severity::error ? CliWords::tr("Error: %1") : CliWords::tr("Warning: %1");
-    say(plain(line.arg(finding_text(f))));
+    const QString line = f.severity == Severity::error ? CliText::tr("Error: %1") : CliText::tr("Warning: %1");
+    print_line(plain(line.arg(finding_text(f))));
   }
   if (errors > 0) {
     const QString first = finding_text(findings.front());
     const QString what = QString::fromStdString(o.path);
-    return failed(errors == 1 ? CliWords::tr("%1 cannot be used: %2").arg(what, first)
-                              : CliWords::tr("%1 cannot be used: %2 (and %n more)", nullptr, static_cast<int>(errors) - 1)
+    return failed(errors == 1 ? CliText::tr("%1 cannot be used: %2").arg(what, first)
+                              : CliText::tr("%1 cannot be used: %2 (and %n more)", nullptr, static_cast<int>(errors) - 1)
                                     .arg(what, first));
   }
-  if (findings.empty() && !o.json.on_stdout()) say(plain(CliWords::tr("%1 can be used.").arg(QString::fromStdString(o.path))));
+  if (findings.empty() && !o.json.on_stdout()) print_line(plain(CliText::tr("%1 can be used.").arg(QString::fromStdString(o.path))));
   return kDone;
 }
 
@@ -88,9 +88,9 @@ int validate_verb(const ValidateOptions& o) {
 
 void add_validate(CLI::App& program, Job& job) {
   auto o = std::make_shared<ValidateOptions>();
-  CLI::App* verb = program.add_subcommand("validate", help(CliWords::tr("Check a scenario: its form, its values, and its specimen")));
-  verb->add_option("PATH", o->path, help(CliWords::tr("A scenario.json, its folder, or a built-in one")))->required();
-  verb->add_flag("--form-only", o->form_only, help(CliWords::tr("Leave the specimen out")));
+  CLI::App* verb = program.add_subcommand("validate", help(CliText::tr("Check a scenario: its form, its values, and its specimen")));
+  verb->add_option("PATH", o->path, help(CliText::tr("A scenario.json, its folder, or a built-in one")))->required();
+  verb->add_flag("--form-only", o->form_only, help(CliText::tr("Leave the specimen out")));
   o->json.add_to(*verb);
   verb->callback([&job, o] { job = [o] { return validate_verb(*o); }; });
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/ids.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 
 namespace cusp::ui {
 
@@ -23,20 +23,20 @@ int failed(const QString& what) {
   warn(what);
   return kFailed;
 }
-int failed(const Told& told) { return failed(told.line()); }
+int failed(const Message& message) { return failed(message.line()); }
 
 int wrong_usage(const QString& what) {
   std::fprintf(stderr, "cusp: %s\n", plain(what).c_str());
   return kWrongUsage;
 }
 
-void say(const std::string& line) {
+void print_line(const std::string& line) {
   std::fprintf(stdout, "%s\n", line.c_str());
   std::fflush(stdout);
 }
 
 void JsonOption::add_to(CLI::App& verb) {
-  verb.add_option("--json", file, help(CliWords::tr("Write the result as JSON to FILE, or to stdout for -")))->type_name("FILE");
+  verb.add_option("--json", file, help(CliText::tr("Write the result as JSON to FILE, or to stdout for -")))->type_name("FILE");
 }
 
 bool JsonOption::write(const nlohmann::ordered_json& value) const {
@@ -46,7 +46,7 @@ bool JsonOption::write(const nlohmann::ordered_json& value) const {
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   }
   if (write_whole(file, text)) return true;
-  failed(CliWords::tr("%1 cannot be written.").arg(QString::fromStdString(file)));
+  failed(CliText::tr("%1 cannot be written.").arg(QString::fromStdString(file)));
   return false;
 }
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 
@@ -29,15 +29,15 @@ void add_specimen(CLI::App& program, Job& job);
 void add_history(CLI::App& program, Job& job);
 
 /// One line on stderr, "cusp: …", and kFailed.
-int failed(const Told& told);
+int failed(const Message& message);
 int failed(const QString& what);
 /// One line on stderr; the verb goes on.
 void warn(const QString& what);
 /// One line on stderr and kWrongUsage.
 int wrong_usage(const QString& what);
 /// One line on stdout.
-void say(const std::string& line);
-/// A sentence for a terminal: one line, without the marks that hold right-to-left text together on a screen.
+void print_line(const std::string& line);
+/// Text for a terminal: one line, without the marks that hold right-to-left text together on a screen.
 std::string plain(const QString& text);
 
 /// --json FILE, or - for stdout. The same in every language.
@@ -46,7 +46,7 @@ struct JsonOption {
   void add_to(CLI::App& verb);
   bool wanted() const { return !file.empty(); }
   bool on_stdout() const { return file == "-"; }
-  /// The old file or the whole new one; nothing when it was not asked for. False: could not be written, and was said.
+  /// The old file or the whole new one; nothing when it was not asked for. False: could not be written; stderr has the message.
   bool write(const nlohmann::ordered_json& value) const;
 };
 

@@ -10,7 +10,7 @@
 #include "scenarios/import/worker.h"
 #endif
 #include "ui/cli/verb.h"
-#include "ui/cli/words.h"
+#include "ui/cli/text.h"
 #include "ui/modules.h"
 #include "ui/session/build_info.h"
 #include "ui/text/language.h"
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 9> kVerbs = {"play",   "replay",   "grade
                                                     "import", "specimen", "history", "import-child"};
 
 int run(int argc, char** argv) {
-  CLI::App program(help(CliWords::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
+  CLI::App program(help(CliText::tr("Cusp: cavity preparation with a grade. Without a verb it opens the desktop.")), "cusp");
   program.set_version_flag("--version", build_info());
   program.require_subcommand(1);
   Job job;
@@ -42,14 +42,14 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     return program.exit(asked);
   } catch (const CLI::ParseError& wrong) {
-    return wrong_usage(CliWords::tr("%1 (cusp VERB --help says more)").arg(QString::fromUtf8(wrong.what())));
+    return wrong_usage(CliText::tr("%1 (cusp VERB --help says more)").arg(QString::fromUtf8(wrong.what())));
   }
   try {
     return job();
   } catch (const std::bad_alloc&) {
-    return failed(CliWords::tr("There is not enough memory."));
+    return failed(CliText::tr("There is not enough memory."));
   } catch (const std::exception& unexpected) {
-    return failed(CliWords::tr("Something unexpected happened (%1). What was recorded before is kept.")
+    return failed(CliText::tr("Something unexpected happened (%1). What was recorded before is kept.")
                       .arg(QString::fromUtf8(unexpected.what())));
   }
 }
@@ -67,7 +67,7 @@ int run_verb(int argc, char** argv) {
 #ifdef CUSP_HAS_IMPORT
   if (const auto status = import_child_main(argc, argv)) return *status;
 #endif
-  // A verb says one line when it fails, and Qt's remarks about the session it runs in are none of it.
+  // A verb prints one line when it fails, and Qt's remarks about the session it runs in are none of it.
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
     if (type == QtFatalMsg) std::fprintf(stderr, "cusp: %s\n", qUtf8Printable(message));
   });

@@ -236,8 +236,8 @@ void DevicePage::name_firmware() {
                             Inner& in = *self->inner_;
                             const auto image = falcon::FirmwareImage::from_file(path.toStdString());
                             if (!image) {
-                              const Told told = tell_image(image.error());
-                              in.band->show_message(Band::Kind::bad, told.what, told.more);
+                              const Message message = describe_image(image.error());
+                              in.band->show_message(Band::Kind::bad, message.what, message.more);
                               return;
                             }
                             in.device.set_firmware({path.toStdString(), image->sha256()});

@@ -37,7 +37,7 @@ class DevicePage : public QWidget {
   void look();
 
  Q_SIGNALS:
-  /// Another device was chosen, and is kept: DeviceSettings tells which.
+  /// Another device was chosen, and is kept: see DeviceSettings.
   void chosen();
 
  protected:

@@ -1,4 +1,4 @@
-/// What a Falcon tells now: how often it answers and how late, whether it is lost at times, its priority, its buttons and
+/// The live values of a Falcon: how often it answers and how late, whether it is lost at times, its priority, its buttons and
 /// its light. Thread: GUI.
 #pragma once
 

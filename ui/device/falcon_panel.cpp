@@ -3,11 +3,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QSysInfo>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "device/falcon/force_test.h"
 #include "device/falcon/permissions.h"
@@ -23,7 +25,6 @@
 #include "ui/modules.h"
 #include "ui/session/device_bench.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/gauge.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
@@ -41,12 +42,12 @@ falcon::EmulatedBodySettings usual_body() { return {}; }
 
 QString way_text(int step) {
   switch (static_cast<falcon::ForceWay>(step)) {
-    case falcon::ForceWay::right: return FalconWords::tr("It pushes to the right");
-    case falcon::ForceWay::left: return FalconWords::tr("It pushes to the left");
-    case falcon::ForceWay::up: return FalconWords::tr("It pushes up");
-    case falcon::ForceWay::down: return FalconWords::tr("It pushes down");
-    case falcon::ForceWay::to_user: return FalconWords::tr("It pushes towards you");
-    case falcon::ForceWay::away: return FalconWords::tr("It pushes away from you");
+    case falcon::ForceWay::right: return FalconText::tr("It pushes to the right");
+    case falcon::ForceWay::left: return FalconText::tr("It pushes to the left");
+    case falcon::ForceWay::up: return FalconText::tr("It pushes up");
+    case falcon::ForceWay::down: return FalconText::tr("It pushes down");
+    case falcon::ForceWay::to_user: return FalconText::tr("It pushes towards you");
+    case falcon::ForceWay::away: return FalconText::tr("It pushes away from you");
   }
   return {};
 }
@@ -66,7 +67,7 @@ struct FalconPanel::Inner {
   BenchView view;
   Running running = Running::nothing;
   falcon::SelfTestResult found;
-  bool has_found = false, told_failure = false;
+  bool has_found = false, shown_failure = false;
   QTimer timer;
 
   Band* band;
@@ -77,7 +78,7 @@ struct FalconPanel::Inner {
   Card* trim_card;
   TrimForm* trim;
   QLabel *step, *outcome, *measured;
-  Bar* progress;
+  QProgressBar* progress;
   QPushButton *force, *self_test, *weigh, *stop, *save;
 };
 
@@ -93,6 +94,23 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   in.rights = new RightsRow(this);
   column->addWidget(in.rights);
 
+  make_live(column);
+  make_tests(column);
+  make_trim(column);
+  in.self_test->setVisible(staff);
+  in.weigh->setVisible(staff);
+  in.measured->setVisible(staff);
+  in.save->hide();
+  in.stop->hide();
+  in.step->hide();
+  in.progress->hide();
+  in.outcome->hide();
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &FalconPanel::look);
+}
+
+void FalconPanel::make_live(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* row = new QHBoxLayout;
   row->setSpacing(px(16));
   auto* place = new Card(tr("Homing"), {}, this);
@@ -110,7 +128,10 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   live->body()->addStretch();
   row->addWidget(live, 1);
   column->addLayout(row);
+}
 
+void FalconPanel::make_tests(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* tests = new Card(tr("Tests"), {}, this);
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(8));
@@ -131,7 +152,9 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   acts->addWidget(in.stop);
   tests->body()->addLayout(acts);
   in.step = make_label({}, TextRole::section, true);
-  in.progress = new Bar(Bar::Role::accent, tests);
+  in.progress = new QProgressBar(tests);
+  in.progress->setRange(0, 100);
+  in.progress->setTextVisible(false);
   in.outcome = make_label({});
   in.outcome->setWordWrap(true);
   in.measured = make_label({}, TextRole::body, false, "text2");
@@ -141,7 +164,10 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
   for (QWidget* w : std::initializer_list<QWidget*>{in.step, in.progress, in.outcome, in.measured}) tests->body()->addWidget(w);
   tests->body()->addWidget(in.save, 0, Qt::AlignLeft);
   column->addWidget(tests);
+}
 
+void FalconPanel::make_trim(QVBoxLayout* column) {
+  Inner& in = *inner_;
   in.trim_card = new Card(tr("How the grip leads the bur"), {}, this);
   in.trim = new TrimForm(in.trim_card);
   in.trim_card->body()->addWidget(in.trim);
@@ -153,17 +179,6 @@ FalconPanel::FalconPanel(DeviceSettings& settings, Ports ports, bool staff, QWid
     show_measured();
   });
   column->addWidget(in.trim_card);
-
-  in.self_test->setVisible(staff);
-  in.weigh->setVisible(staff);
-  in.measured->setVisible(staff);
-  in.save->hide();
-  in.stop->hide();
-  in.step->hide();
-  in.progress->hide();
-  in.outcome->hide();
-  in.timer.setInterval(kLookMs);
-  connect(&in.timer, &QTimer::timeout, this, &FalconPanel::look);
 }
 
 FalconPanel::~FalconPanel() = default;
@@ -189,7 +204,7 @@ void FalconPanel::set_device(const std::string& kind, const std::string& name) {
 void FalconPanel::open() {
   Inner& in = *inner_;
   if (in.kind.empty() || in.bench) return;
-  in.told_failure = false;
+  in.shown_failure = false;
   in.bench = std::make_unique<DeviceBench>(in.settings.choice_of(in.kind, in.name), usual_body());
   in.timer.start();
 }
@@ -223,11 +238,11 @@ void FalconPanel::look() {
   in.view = in.bench->view();
   const BenchView& v = in.view;
   in.homing->show_falcon(v.falcon);
-  if (v.phase == BenchPhase::failed && !in.told_failure) {
-    in.told_failure = true;
+  if (v.phase == BenchPhase::failed && !in.shown_failure) {
+    in.shown_failure = true;
     if (const auto failure = in.bench->failure()) {
-      const Told told = tell_falcon(*failure);
-      in.band->show_message(Band::Kind::bad, told.what, told.more);
+      const Message message = describe_falcon(*failure);
+      in.band->show_message(Band::Kind::bad, message.what, message.more);
       if (failure->code == PortError::no_permission)
         in.rights->set_command(QString::fromStdString(falcon::udev_install_command()));
     }
@@ -256,7 +271,7 @@ void FalconPanel::look() {
     case Running::nothing: break;
   }
   set_text(in.step, step);
-  in.progress->set_share(v.trial_share, format({100.0 * v.trial_share, {}, QStringLiteral("%"), 0}));
+  in.progress->setValue(static_cast<int>(std::lround(100 * v.trial_share)));
   trial_over();
 }
 
@@ -308,7 +323,7 @@ void FalconPanel::trial_over() {
     } else {
       profile.gravity = *weight;
       const QString kilos = format({weight->grip_kg * 1e3, {}, QStringLiteral("g"), 0});
-      in.outcome->setText(real ? tr("The grip weighs %1. From the next go on it carries itself.").arg(kilos)
+      in.outcome->setText(real ? tr("The grip weighs %1. From the next attempt on it carries itself.").arg(kilos)
                                : tr("The grip weighs %1. Nothing is kept of an emulated one.").arg(kilos));
       if (real) in.settings.set_profile(in.name, profile);
     }

@@ -1,4 +1,4 @@
-/// One Falcon on the device page: homing, what it tells now, a test of its force, and for staff the self-test and the
+/// One Falcon on the device page: homing, its live values, a test of its force, and for staff the self-test and the
 /// weighing, whose results are taken over into the station's settings. Thread: GUI; the device has a thread of its own,
 /// and is held only while the panel is seen.
 #pragma once
@@ -8,6 +8,8 @@
 
 #include "ui/settings/device_settings.h"
 #include "ui/widgets/ports.h"
+
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -21,9 +23,9 @@ class FalconPanel : public QWidget {
 
   /// Which one; lets go of the one before.
   void set_device(const std::string& kind, const std::string& name);
-  /// What it says of itself, for lists and tests.
+  /// Its state in a few words, for lists and tests.
   QString summary() const;
-  /// Lets go of the device, so that a go may have it.
+  /// Lets go of the device, so that an attempt may have it.
   void let_go();
 
  public Q_SLOTS:
@@ -35,6 +37,9 @@ class FalconPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void make_live(QVBoxLayout* column);
+  void make_tests(QVBoxLayout* column);
+  void make_trim(QVBoxLayout* column);
   void open();
   void start_force_test();
   void start_self_test();

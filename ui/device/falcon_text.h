@@ -1,4 +1,4 @@
-/// What a Falcon does and what went wrong with it, in words. Needs no window.
+/// Text for a Falcon's phases and failures. Needs no window.
 #pragma once
 
 #include <QCoreApplication>
@@ -7,12 +7,12 @@
 #include "device/falcon/self_test.h"
 #include "device/falcon/session.h"
 #include "ui/modules.h"
-#include "ui/session/run_device.h"
-#include "ui/text/sentences.h"
+#include "ui/session/session_device.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 
-struct FalconWords {
+struct FalconText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Falcon)
 };
 
@@ -21,9 +21,9 @@ QString phase_text(const falcon::SessionState& state);
 /// What to do with the grip until all arms are homed; which of them still have to move.
 QString homing_text(std::uint8_t homed);
 /// Why a Falcon did not open, and the way out.
-Told tell_falcon(const PortFailure& failure);
+Message describe_falcon(const PortFailure& failure);
 /// Why a firmware file is refused, for a file that somebody named.
-Told tell_image(const falcon::ImageFailure& failure);
+Message describe_image(const falcon::ImageFailure& failure);
 /// Why a test is over; empty while it is not, and when it was done.
 QString end_text(falcon::TrialEnd end);
 

@@ -1,5 +1,5 @@
 /// The picture of homing: the three arms and the grip seen from the front, filled where an arm knows its place, with an
-/// arrow for the way that the grip has to go, and the sentence for it. Moves only as the device moves. Thread: GUI.
+/// arrow for the way that the grip has to go, and its text. Moves only as the device moves. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -15,12 +16,11 @@
 #include <optional>
 
 #include "ui/device/panel_card.h"
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 #include "ui/settings/device_settings.h"
 #include "ui/settings/settings.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
-#include "ui/widgets/gauge.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/theme.h"
@@ -36,7 +36,7 @@ double radians(int degrees) { return degrees * std::numbers::pi / 180.0; }
 
 QString millimetres(double m) { return format({m * 1000.0, {}, QStringLiteral("mm"), 1}); }
 
-/// What the errand brings back, whenever that is.
+/// What the background task brings back, whenever that is.
 struct Answer {
   std::mutex mutex;
   std::optional<Result<void, PortFailure>> result;
@@ -50,8 +50,8 @@ struct InversePanel::Inner {
   std::optional<DeviceSettings> kept;
   MakePort make;
   InverseSettings settings;
-  std::shared_ptr<InversePort> port;  // the errand has it too: whoever drops it last closes it
-  Errand asking;
+  std::shared_ptr<InversePort> port;  // the background task has it too: whoever drops it last closes it
+  BackgroundTask asking;
   std::shared_ptr<Answer> answer;
   QElapsedTimer asked_for;
   State state = State::away;
@@ -60,9 +60,9 @@ struct InversePanel::Inner {
   QString said;
 
   Chip* chip;
-  QLabel *told, *place, *rate, *handle;
+  QLabel *message, *place, *rate, *handle;
   QPushButton *ask, *free, *cancel;
-  Bar* progress;
+  QProgressBar* progress;
   QComboBox* turned;
   NumberField *scale, *service;
   QWidget* values;
@@ -87,14 +87,27 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
                            TextRole::caption, false, "text2");
   about->setWordWrap(true);
   column->addWidget(about);
-  in.told = make_label({});
-  in.told->setWordWrap(true);
-  column->addWidget(in.told);
-  in.progress = new Bar(Bar::Role::accent);
+  in.message = make_label({});
+  in.message->setWordWrap(true);
+  column->addWidget(in.message);
+  in.progress = new QProgressBar;
+  in.progress->setRange(0, static_cast<int>(InversePort::kLongestOpen / std::chrono::milliseconds(1)));
+  in.progress->setTextVisible(false);
   in.progress->setAccessibleName(tr("Asking the service."));
   in.progress->hide();
   column->addWidget(in.progress);
 
+  make_values(column);
+  make_fields(column);
+  make_acts(column);
+  connect_all();
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &InversePanel::look);
+  look();
+}
+
+void InversePanel::make_values(QVBoxLayout* column) {
+  Inner& in = *inner_;
   in.values = new QWidget;
   auto* grid = new QGridLayout(in.values);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -112,7 +125,10 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   row(2, tr("Handle"), &in.handle);
   column->addWidget(in.values);
   in.values->hide();
+}
 
+void InversePanel::make_fields(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* fields = new QHBoxLayout;
   fields->setSpacing(px(12));
   in.turned = new QComboBox;
@@ -134,7 +150,10 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   in.service->setValue(in.settings.service.port);
   fields->addWidget(labelled(tr("Port of the service"), in.service));
   column->addLayout(fields);
+}
 
+void InversePanel::make_acts(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(8));
   in.ask = make_button(tr("Look for it"), ButtonKind::standard, QStringLiteral("search"));
@@ -146,7 +165,10 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
   acts->addWidget(in.cancel);
   acts->addStretch(1);
   column->addLayout(acts);
+}
 
+void InversePanel::connect_all() {
+  Inner& in = *inner_;
   connect(in.ask, &QPushButton::clicked, this, &InversePanel::connect_to_it);
   connect(in.free, &QPushButton::clicked, this, &InversePanel::let_go);
   connect(in.cancel, &QPushButton::clicked, this, &InversePanel::let_go);
@@ -162,9 +184,6 @@ InversePanel::InversePanel(Settings* settings, MakePort make_port, QWidget* pare
     inner_->settings.service.port = static_cast<std::uint16_t>(value);
     inner_->keep();
   });
-  in.timer.setInterval(kLookMs);
-  connect(&in.timer, &QTimer::timeout, this, &InversePanel::look);
-  look();
 }
 
 InversePanel::~InversePanel() { let_go(); }
@@ -178,7 +197,7 @@ void InversePanel::connect_to_it() {
   in.state = Inner::State::asking;
   in.port = in.make(in.settings);
   in.answer = std::make_shared<Answer>();
-  in.asking = Errand([port = in.port, answer = in.answer] {
+  in.asking = BackgroundTask([port = in.port, answer = in.answer] {
     auto result = port->open();
     const std::lock_guard lock(answer->mutex);
     answer->result = std::move(result);
@@ -206,7 +225,7 @@ void InversePanel::take_answer() {
     in.port.reset();  // closed already
   }
   look();
-  announce(this, in.told->text());
+  announce(this, in.message->text());
 }
 
 void InversePanel::let_go() {
@@ -215,7 +234,7 @@ void InversePanel::let_go() {
   if (in.port) {
     in.port->cancel();
     // The last words go out and the line is closed on a thread that may wait for that.
-    Errand([port = std::move(in.port)]() mutable { port.reset(); });
+    BackgroundTask([port = std::move(in.port)]() mutable { port.reset(); });
   }
   in.asking = {};
   in.state = Inner::State::away;
@@ -229,54 +248,36 @@ void InversePanel::look() {
     take_answer();
     if (in.state != State::asking) return;  // it has looked
   }
-  QString told;
+  QString message;
   bool values = false;
   switch (in.state) {
     case State::away:
       in.chip->set(tr("not asked"), Chip::Kind::plain);
-      told = tr("Start its service, switch the device on, and look for it.");
+      message = tr("Start its service, switch the device on, and look for it.");
       break;
     case State::asking:
       in.chip->set(tr("asking"), Chip::Kind::plain);
-      told = tr("Asking the service.");
-      in.progress->set_share(1e-3 * static_cast<double>(in.asked_for.elapsed()) /
-                                 std::chrono::duration<double>(InversePort::kLongestOpen).count(),
-                             told);
+      message = tr("Asking the service.");
+      in.progress->setValue(static_cast<int>(in.asked_for.elapsed()));
       break;
     case State::refused:
       in.chip->set(tr("not found"), Chip::Kind::look);
       if (in.failure.code == PortError::not_found && in.failure.where == "service") {
-        told = tr("No service answers at port %1. Start the maker's service and look again.")
+        message = tr("No service answers at port %1. Start the maker's service and look again.")
                    .arg(QString::number(in.settings.service.port));
       } else if (in.failure.code == PortError::not_found) {
-        told = tr("The service answers, but it knows of no Inverse3. Check its cable and power, and look again.");
+        message = tr("The service answers, but it knows of no Inverse3. Check its cable and power, and look again.");
       } else {
-        told = tr("Something answers at port %1, but not as an Inverse3's service does.")
+        message = tr("Something answers at port %1, but not as an Inverse3's service does.")
                    .arg(QString::number(in.settings.service.port));
       }
       break;
-    case State::answers: {
-      const InverseView view = in.port->view();
-      const auto& s = view.session;
-      const bool ready = s.phase == inverse::Phase::ready;
+    case State::answers:
       values = true;
-      in.chip->set(ready ? tr("answers") : tr("silent"), ready ? Chip::Kind::good : Chip::Kind::look);
-      told = ready ? tr("Move it: the place below follows the hand.")
-                   : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
-      const Vec3 at = s.reading.position_m;
-      in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres(at.x), millimetres(at.y), millimetres(at.z)));
-      in.rate->setText(view.updates_per_s > 0 ? format_number(view.updates_per_s, 0) : QStringLiteral("–"));
-      QStringList down;
-      if (s.reading.a) down << QStringLiteral("A");
-      if (s.reading.b) down << QStringLiteral("B");
-      if (s.reading.c) down << QStringLiteral("C");
-      in.handle->setText(!s.has_orientation ? tr("None: the bur keeps its axis")
-                         : down.isEmpty()   ? tr("Tells how it is turned")
-                                            : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
+      message = show_answers();
       break;
-    }
   }
-  if (in.told->text() != told) in.told->setText(told);
+  if (in.message->text() != message) in.message->setText(message);
   in.values->setVisible(values);
   in.ask->setEnabled(in.state == State::away || in.state == State::refused);
   in.free->setVisible(in.state == State::answers);
@@ -289,6 +290,28 @@ void InversePanel::look() {
     in.said = now;
     Q_EMIT summary_changed(now);
   }
+}
+
+/// Fills chip, place, rate and handle; what the device does, as a sentence.
+QString InversePanel::show_answers() {
+  Inner& in = *inner_;
+  const InverseView view = in.port->view();
+  const auto& s = view.session;
+  const bool ready = s.phase == inverse::Phase::ready;
+  in.chip->set(ready ? tr("answers") : tr("silent"), ready ? Chip::Kind::good : Chip::Kind::look);
+  const QString message = ready ? tr("Move it: the place below follows the hand.")
+               : tr("It does not answer any more. It is looked for by itself; there is no force meanwhile.");
+  const Vec3 at = s.reading.position_m;
+  in.place->setText(QStringLiteral("%1   %2   %3").arg(millimetres(at.x), millimetres(at.y), millimetres(at.z)));
+  in.rate->setText(view.updates_per_s > 0 ? format_number(view.updates_per_s, 0) : QStringLiteral("–"));
+  QStringList down;
+  if (s.reading.a) down << QStringLiteral("A");
+  if (s.reading.b) down << QStringLiteral("B");
+  if (s.reading.c) down << QStringLiteral("C");
+  in.handle->setText(!s.has_orientation ? tr("None: the bur keeps its axis")
+                     : down.isEmpty()   ? tr("Tells how it is turned")
+                                        : tr("Pressed: %1").arg(down.join(QStringLiteral(", "))));
+  return message;
 }
 
 QString InversePanel::summary() const { return QStringLiteral("Haply Inverse3: %1").arg(inner_->chip->text()); }

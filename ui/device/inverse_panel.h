@@ -1,5 +1,5 @@
-/// The Haply Inverse3 on the device page: whether its service answers, what it tells, and how it lies in the hand's
-/// space. It stands in the card that it is put into, or brings one. Thread: GUI. The service is asked as an errand, and only
+/// The Haply Inverse3 on the device page: whether its service answers, its live values, and how it lies in the hand's
+/// space. It stands in the card that it is put into, or brings one. Thread: GUI. The service is asked as a background task, and only
 /// when the user asks for it; no call here waits for it.
 #pragma once
 
@@ -9,6 +9,8 @@
 
 #include "device/inverse/inverse_port.h"
 #include "ui/modules.h"
+
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -25,11 +27,11 @@ class InversePanel : public QWidget {
 
   /// "Haply Inverse3: answers", for a list of devices.
   QString summary() const;
-  /// What a go is to be made with.
+  /// What an attempt is to be made with.
   InverseSettings chosen() const;
   /// Asks the service. Answers show by themselves.
   void connect_to_it();
-  /// Lets go of the device, or stops asking for it. It is free once dropped errands are over (ui/session/errand.h).
+  /// Lets go of the device, or stops asking for it. It is free once dropped background tasks are over (ui/session/background_task.h).
   void let_go();
 
  Q_SIGNALS:
@@ -39,8 +41,13 @@ class InversePanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void make_values(QVBoxLayout* column);
+  void make_fields(QVBoxLayout* column);
+  void make_acts(QVBoxLayout* column);
+  void connect_all();
   void look();
   void take_answer();
+  QString show_answers();
 
   struct Inner;
   std::unique_ptr<Inner> inner_;

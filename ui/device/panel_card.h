@@ -1,4 +1,4 @@
-/// How every panel of one device begins: the card that it was put into, or one of its own, with a chip that tells the
+/// How every panel of one device begins: the card that it was put into, or one of its own, with a chip that shows the
 /// device's state at its head; and how its parts do. Thread: GUI.
 #pragma once
 

@@ -15,7 +15,7 @@
 #include "device/hid/permissions.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/panel_card.h"
-#include "ui/device/pedal_words.h"
+#include "ui/device/pedal_text.h"
 #include "ui/device/rights_row.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"
@@ -33,8 +33,6 @@ constexpr int kLookMs = 100;
 constexpr int kTeachMs = 20;  // while a foot is watched
 constexpr double kFull = 65535.0;
 
-enum class Lesson { none, rest, press, coolant };
-
 QString percent(double share) { return format({100.0 * share, {}, QStringLiteral("%"), 0}); }
 
 hid::ControlKind kind_of(const std::vector<hid::Control>& controls, hid::ControlId id) {
@@ -47,6 +45,8 @@ hid::ControlKind kind_of(const std::vector<hid::Control>& controls, hid::Control
 }
 
 }  // namespace
+
+enum class PedalPanel::Lesson : std::uint8_t { none, rest, press, coolant };
 
 struct PedalPanel::Inner {
   explicit Inner(hid::PedalReader& r) : reader(r) {}
@@ -97,6 +97,18 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   in.keyboard_note->setWordWrap(true);
   column->addWidget(in.keyboard_note);
 
+  make_controls(column);
+  make_lesson(column);
+  connect_lesson();
+  connect_settings();
+  connect_device();
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &PedalPanel::look);
+  look();
+}
+
+void PedalPanel::make_controls(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(px(12));
   grid->setVerticalSpacing(px(8));
@@ -138,7 +150,10 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   in.dead_row = labelled(tr("Dead zone at both ends"), in.dead_zone);
   in.dead_row->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   column->addWidget(in.dead_row);
+}
 
+void PedalPanel::make_lesson(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* box = new QFrame;
   set_kind(box, "band_info");
   in.lesson_box = box;
@@ -161,32 +176,17 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
   steps->addLayout(buttons);
   column->addWidget(box);
   box->hide();
+}
 
-  const auto learn = [this](Lesson lesson) {
-    Inner& i = *inner_;
-    i.lesson = lesson;
-    i.timer.setInterval(lesson == Lesson::none ? kLookMs : kTeachMs);
-    i.lesson_box->setVisible(lesson != Lesson::none);
-    i.next->setVisible(lesson != Lesson::coolant);
-    i.next->setText(lesson == Lesson::press ? tr("Take it over") : tr("Next"));
-    i.teach->setEnabled(lesson == Lesson::none);
-    i.teach_coolant->setEnabled(lesson == Lesson::none);
-    switch (lesson) {
-      case Lesson::none: break;
-      case Lesson::rest: i.task->setText(tr("Press the pedal once, let go of it, and take the foot off.")); break;
-      case Lesson::press: i.task->setText(tr("Press the pedal all the way down.")); break;
-      case Lesson::coolant: i.task->setText(tr("Press the switch that runs the coolant.")); break;
-    }
-    if (lesson != Lesson::none) announce(this, i.task->text());
-    look();
-  };
-  connect(in.teach, &QPushButton::clicked, this, [learn] { learn(Lesson::rest); });
-  connect(in.teach_coolant, &QPushButton::clicked, this, [this, learn] {
+void PedalPanel::connect_lesson() {
+  Inner& in = *inner_;
+  connect(in.teach, &QPushButton::clicked, this, [this] { learn(Lesson::rest); });
+  connect(in.teach_coolant, &QPushButton::clicked, this, [this] {
     inner_->teacher.rest(inner_->reader.view().controls);
     learn(Lesson::coolant);
   });
-  connect(in.cancel, &QPushButton::clicked, this, [learn] { learn(Lesson::none); });
-  connect(in.next, &QPushButton::clicked, this, [this, learn] {
+  connect(in.cancel, &QPushButton::clicked, this, [this] { learn(Lesson::none); });
+  connect(in.next, &QPushButton::clicked, this, [this] {
     Inner& i = *inner_;
     const std::vector<hid::Control> controls = i.reader.view().controls;
     if (i.lesson == Lesson::rest) {
@@ -203,6 +203,10 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
     i.keep();
     learn(Lesson::none);
   });
+}
+
+void PedalPanel::connect_settings() {
+  Inner& in = *inner_;
   connect(in.no_coolant, &QPushButton::clicked, this, [this] {
     inner_->settings.coolant.reset();
     inner_->keep();
@@ -221,7 +225,11 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
       i.keep();
     }
   });
-  connect(in.device, &QComboBox::activated, this, [this, learn](int index) {
+}
+
+void PedalPanel::connect_device() {
+  Inner& in = *inner_;
+  connect(in.device, &QComboBox::activated, this, [this](int index) {
     Inner& i = *inner_;
     hid::PedalSettings fresh;
     fresh.on = i.settings.on;
@@ -233,15 +241,31 @@ PedalPanel::PedalPanel(hid::PedalReader& reader, Settings* settings, QWidget* pa
       fresh.vendor = device.vendor;
       fresh.product = device.product;
       fresh.interface_number = device.interface_number;
-      // A keyboard or a joystick drives nothing before somebody has said with what.
+      // A keyboard or a joystick drives nothing before somebody has chosen the control.
       if (!hid::is_known_pedal(device.vendor, device.product)) fresh.drill = hid::ControlId{};
     }
     i.settings = fresh;
     i.keep();
     learn(Lesson::none);
   });
-  in.timer.setInterval(kLookMs);
-  connect(&in.timer, &QTimer::timeout, this, &PedalPanel::look);
+}
+
+void PedalPanel::learn(Lesson lesson) {
+  Inner& in = *inner_;
+  in.lesson = lesson;
+  in.timer.setInterval(lesson == Lesson::none ? kLookMs : kTeachMs);
+  in.lesson_box->setVisible(lesson != Lesson::none);
+  in.next->setVisible(lesson != Lesson::coolant);
+  in.next->setText(lesson == Lesson::press ? tr("Take it over") : tr("Next"));
+  in.teach->setEnabled(lesson == Lesson::none);
+  in.teach_coolant->setEnabled(lesson == Lesson::none);
+  switch (lesson) {
+    case Lesson::none: break;
+    case Lesson::rest: in.task->setText(tr("Press the pedal once, let go of it, and take the foot off.")); break;
+    case Lesson::press: in.task->setText(tr("Press the pedal all the way down.")); break;
+    case Lesson::coolant: in.task->setText(tr("Press the switch that runs the coolant.")); break;
+  }
+  if (lesson != Lesson::none) announce(this, in.task->text());
   look();
 }
 
@@ -257,22 +281,7 @@ void PedalPanel::look() {
   in.rights->set_command(
       denied ? QString::fromStdString(hid::udev_install_command(view.device->vendor, view.device->product)) : QString());
 
-  if (in.offered != view.devices || in.device->count() == 0) {
-    in.offered = view.devices;
-    const QSignalBlocker quiet(in.device);
-    in.device->clear();
-    in.device->addItem(tr("The first foot pedal that is found"));
-    for (const hid::HidDevice& device : in.offered) in.device->addItem(hid_name(device));
-  }
-  int index = 0;
-  for (std::size_t i = 0; i < in.offered.size(); ++i) {
-    if (in.settings.vendor != 0 && in.offered[i].vendor == in.settings.vendor &&
-        in.offered[i].product == in.settings.product && index == 0 &&
-        (in.settings.interface_number < 0 || in.offered[i].interface_number == in.settings.interface_number))
-      index = static_cast<int>(i) + 1;
-  }
-  if (!in.device->view()->isVisible() && in.device->currentIndex() != index) in.device->setCurrentIndex(index);
-
+  show_devices();
   const QSignalBlocker still(in.use);
   in.use->setChecked(in.settings.on);
   in.dead_zone->show_value(std::round(100 * in.settings.calibration.dead_zone()));
@@ -293,6 +302,36 @@ void PedalPanel::look() {
   in.teach->setEnabled(view.connected && in.lesson == Lesson::none);
   in.teach_coolant->setEnabled(view.connected && in.lesson == Lesson::none);
 
+  show_lesson();
+  if (const QString now = summary(); now != in.said) {
+    in.said = now;
+    Q_EMIT summary_changed(now);
+  }
+}
+
+void PedalPanel::show_devices() {
+  Inner& in = *inner_;
+  const hid::PedalView& view = in.view;
+  if (in.offered != view.devices || in.device->count() == 0) {
+    in.offered = view.devices;
+    const QSignalBlocker quiet(in.device);
+    in.device->clear();
+    in.device->addItem(tr("The first foot pedal that is found"));
+    for (const hid::HidDevice& device : in.offered) in.device->addItem(hid_name(device));
+  }
+  int index = 0;
+  for (std::size_t i = 0; i < in.offered.size(); ++i) {
+    if (in.settings.vendor != 0 && in.offered[i].vendor == in.settings.vendor &&
+        in.offered[i].product == in.settings.product && index == 0 &&
+        (in.settings.interface_number < 0 || in.offered[i].interface_number == in.settings.interface_number))
+      index = static_cast<int>(i) + 1;
+  }
+  if (!in.device->view()->isVisible() && in.device->currentIndex() != index) in.device->setCurrentIndex(index);
+}
+
+void PedalPanel::show_lesson() {
+  Inner& in = *inner_;
+  const hid::PedalView& view = in.view;
   if (in.lesson != Lesson::none) {
     if (!view.connected) {
       in.heard->show();
@@ -316,10 +355,6 @@ void PedalPanel::look() {
       in.heard->setText(found ? tr("It is: %1").arg(control_name(found->id, found->kind)) : tr("Nothing has moved yet."));
       in.next->setEnabled(found.has_value());
     }
-  }
-  if (const QString now = summary(); now != in.said) {
-    in.said = now;
-    Q_EMIT summary_changed(now);
   }
 }
 

@@ -8,6 +8,8 @@
 #include "device/hid/pedal_reader.h"
 #include "ui/modules.h"
 
+class QVBoxLayout;
+
 namespace cusp::ui {
 
 class Settings;
@@ -35,6 +37,15 @@ class PedalPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void make_controls(QVBoxLayout* column);
+  void make_lesson(QVBoxLayout* column);
+  void connect_lesson();
+  void connect_settings();
+  void connect_device();
+  enum class Lesson : std::uint8_t;
+  void learn(Lesson lesson);
+  void show_devices();
+  void show_lesson();
   struct Inner;
   std::unique_ptr<Inner> inner_;
 };

@@ -16,7 +16,7 @@
 #include "device/hid/permissions.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/panel_card.h"
-#include "ui/device/pedal_words.h"
+#include "ui/device/pedal_text.h"
 #include "ui/device/rights_row.h"
 #include "ui/modules.h"
 #include "ui/settings/settings.h"
@@ -82,6 +82,18 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   note->setWordWrap(true);
   column->addWidget(note);
 
+  make_axes(column);
+  make_settings(column);
+  make_rest(column);
+  connect_settings();
+  connect_rest();
+  in.timer.setInterval(kLookMs);
+  connect(&in.timer, &QTimer::timeout, this, &SpaceMousePanel::look);
+  look();
+}
+
+void SpaceMousePanel::make_axes(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(px(12));
   grid->setVerticalSpacing(px(4));
@@ -104,7 +116,10 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
     in.values[static_cast<std::size_t>(i)] = value;
   }
   column->addLayout(grid);
+}
 
+void SpaceMousePanel::make_settings(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* uses = new QHBoxLayout;
   uses->setSpacing(px(16));
   in.turns = new QCheckBox(tr("Turn the view"));
@@ -135,7 +150,10 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   in.dead_zone->setSuffix(QStringLiteral("\u00A0%"));
   numbers->addWidget(labelled(tr("Dead zone"), in.dead_zone));
   column->addLayout(numbers);
+}
 
+void SpaceMousePanel::make_rest(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* foot = new QHBoxLayout;
   foot->setSpacing(px(8));
   in.rest = make_button(tr("Hand is off: take this as rest"), ButtonKind::standard);
@@ -145,7 +163,10 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
   in.battery = make_label({}, TextRole::caption, false, "text2");
   foot->addWidget(in.battery);
   column->addLayout(foot);
+}
 
+void SpaceMousePanel::connect_settings() {
+  Inner& in = *inner_;
   connect(in.use, &QCheckBox::toggled, this, [this](bool on) {
     inner_->settings.on = on;
     inner_->keep();
@@ -168,6 +189,10 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
     inner_->settings.dead_zone = value / 100.0;
     inner_->keep();
   });
+}
+
+void SpaceMousePanel::connect_rest() {
+  Inner& in = *inner_;
   connect(in.rest, &QPushButton::clicked, this, [this] {
     Inner& i = *inner_;
     const auto raw = i.reader.view(std::chrono::steady_clock::now()).raw;
@@ -182,9 +207,6 @@ SpaceMousePanel::SpaceMousePanel(hid::SpaceMouseReader& reader, Settings* settin
     set_ink(i.rest_note, still ? "good" : "look");
     announce(this, i.rest_note->text());
   });
-  in.timer.setInterval(kLookMs);
-  connect(&in.timer, &QTimer::timeout, this, &SpaceMousePanel::look);
-  look();
 }
 
 SpaceMousePanel::~SpaceMousePanel() = default;

@@ -1,4 +1,4 @@
-/// The SpaceMouse on the device page: what it tells, its rest and dead zone, how fast it turns the view. It stands in
+/// The SpaceMouse on the device page: its live values, its rest and dead zone, how fast it turns the view. It stands in
 /// the card that it is put into, or brings one. Thread: GUI.
 #pragma once
 
@@ -7,6 +7,8 @@
 
 #include "device/hid/space_mouse_reader.h"
 #include "ui/modules.h"
+
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -35,6 +37,11 @@ class SpaceMousePanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void make_axes(QVBoxLayout* column);
+  void make_settings(QVBoxLayout* column);
+  void make_rest(QVBoxLayout* column);
+  void connect_settings();
+  void connect_rest();
   struct Inner;
   std::unique_ptr<Inner> inner_;
 };

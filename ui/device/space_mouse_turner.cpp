@@ -16,7 +16,7 @@ constexpr int kIdleMs = 100;           // while it is not there, or nobody sees 
 constexpr double kLongestS = 0.1;      // after a stall the view goes on, it does not leap
 constexpr double kTurnRadS = std::numbers::pi / 2;
 constexpr double kMoveShareS = 0.5;    // of the view's shorter side
-constexpr double kSidePx = 1000.0;     // moves are told in shares: any length will do
+constexpr double kSidePx = 1000.0;     // moves are shares: any length will do
 constexpr std::uint32_t kLeft = 1, kRight = 2;
 
 }  // namespace
@@ -41,8 +41,8 @@ SpaceMouseTurner::SpaceMouseTurner(ToothView& view, hid::SpaceMouseReader& reade
 void SpaceMouseTurner::look() {
   const auto now = std::chrono::steady_clock::now();
   const bool seen = view_.isVisible() && view_.window()->isActiveWindow();
-  const hid::SpaceMouseView told = seen ? reader_.view(now) : hid::SpaceMouseView{};
-  if (!told.connected) {
+  const hid::SpaceMouseView latest = seen ? reader_.view(now) : hid::SpaceMouseView{};
+  if (!latest.connected) {
     if (timer_.interval() != kIdleMs) timer_.setInterval(kIdleMs);
     before_ = now;
     buttons_ = 0;
@@ -51,8 +51,8 @@ void SpaceMouseTurner::look() {
   if (timer_.interval() != kLookMs) timer_.setInterval(kLookMs);
   const double dt_s = std::min(std::chrono::duration<double>(now - before_).count(), kLongestS);
   before_ = now;
-  const std::uint32_t pressed = told.motion.buttons & ~buttons_;
-  buttons_ = told.motion.buttons;
+  const std::uint32_t pressed = latest.motion.buttons & ~buttons_;
+  buttons_ = latest.motion.buttons;
   if ((pressed & kRight) != 0) {
     if (isSignalConnected(QMetaMethod::fromSignal(&SpaceMouseTurner::mirror_asked))) {
       Q_EMIT mirror_asked();
@@ -67,9 +67,9 @@ void SpaceMouseTurner::look() {
     back.set_mirrored(view_.camera().mirrored());
     view_.set_camera(back);
   }
-  if (told.motion.still()) return;
+  if (latest.motion.still()) return;
   if (!first_) first_ = view_.camera();
-  view_.set_camera(led(view_.camera(), told.motion, reader_.settings().speed, dt_s));
+  view_.set_camera(led(view_.camera(), latest.motion, reader_.settings().speed, dt_s));
 }
 
 }  // namespace cusp::ui

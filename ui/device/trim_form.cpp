@@ -64,21 +64,49 @@ struct TrimForm::Inner {
 TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<Inner>()) {
   Inner& in = *inner_;
   QVBoxLayout* column = make_column(this, 12);
+  make_place(column);
+  make_start(column);
+  make_ratios(column);
+  QLabel* note = make_label(tr("Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the "
+                               "self-test again after it."),
+                            TextRole::caption, false, "text2");
+  note->setWordWrap(true);
+  column->addWidget(note);
+  auto* acts = new QHBoxLayout;
+  acts->setSpacing(px(8));
+  in.undo = make_button(tr("Undo"), ButtonKind::standard, QStringLiteral("undo"), QKeySequence::Undo);
+  in.reset = make_button(tr("The usual values"), ButtonKind::quiet);
+  acts->addWidget(in.undo);
+  acts->addWidget(in.reset);
+  acts->addStretch(1);
+  column->addLayout(acts);
+
+  connect_fields();
+  connect(in.undo, &QPushButton::clicked, this, &TrimForm::undo);
+  connect(in.reset, &QPushButton::clicked, this, &TrimForm::reset);
+  set_trim({});
+}
+
+void TrimForm::make_place(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* live = new QHBoxLayout;
   live->setSpacing(px(12));
-  live->addWidget(make_label(tr("Bur, from where a go begins"), TextRole::body, false, "text2"));
+  live->addWidget(make_label(tr("Bur, from where an attempt begins"), TextRole::body, false, "text2"));
   in.place = make_label(QStringLiteral("–"), TextRole::body, true);
-  in.place->setAccessibleDescription(tr("Bur, from where a go begins"));
+  in.place->setAccessibleDescription(tr("Bur, from where an attempt begins"));
   live->addWidget(in.place);
   in.held = new Chip(tr("held by the clutch"), Chip::Kind::accent);
   in.held->hide();
   live->addWidget(in.held);
   live->addStretch(1);
   column->addLayout(live);
+}
 
+void TrimForm::make_start(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* start = new QHBoxLayout;
   start->setSpacing(px(12));
-  column->addWidget(make_label(tr("Where the grip stands when a go begins, from the middle of its travel:"), TextRole::body, false, "text2"));
+  column->addWidget(make_label(tr("Where the grip stands when an attempt begins, from the middle of its travel:"), TextRole::body, false, "text2"));
   const QString ways[] = {tr("Right"), tr("Up"), tr("Nearer")};
   for (std::size_t i = 0; i < in.centre.size(); ++i) {
     auto* box = new NumberField;
@@ -97,7 +125,10 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
   in.here = make_button(tr("As it stands now"), ButtonKind::standard, QStringLiteral("target"));
   start->addWidget(in.here, 0, Qt::AlignBottom);
   column->addLayout(start);
+}
 
+void TrimForm::make_ratios(QVBoxLayout* column) {
+  Inner& in = *inner_;
   auto* rest = new QHBoxLayout;
   rest->setSpacing(px(12));
   in.scale = new NumberField;
@@ -119,21 +150,10 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
   in.clutch->addItem(tr("None"));
   rest->addWidget(labelled(tr("Clutch: the grip moves, the bur stays"), in.clutch), 2);
   column->addLayout(rest);
+}
 
-  QLabel* note = make_label(tr("Force: 2 N asked for and 1.6 N on a spring scale are 125 %. Measure it before a change, and run the "
-                               "self-test again after it."),
-                            TextRole::caption, false, "text2");
-  note->setWordWrap(true);
-  column->addWidget(note);
-  auto* acts = new QHBoxLayout;
-  acts->setSpacing(px(8));
-  in.undo = make_button(tr("Undo"), ButtonKind::standard, QStringLiteral("undo"), QKeySequence::Undo);
-  in.reset = make_button(tr("The usual values"), ButtonKind::quiet);
-  acts->addWidget(in.undo);
-  acts->addWidget(in.reset);
-  acts->addStretch(1);
-  column->addLayout(acts);
-
+void TrimForm::connect_fields() {
+  Inner& in = *inner_;
   connect(in.here, &QPushButton::clicked, this, [this] {
     FalconTrim wanted = inner_->trim;
     for (int i = 0; i < 3; ++i) {
@@ -159,9 +179,6 @@ TrimForm::TrimForm(QWidget* parent) : QWidget(parent), inner_(std::make_unique<I
     wanted.clutch = kClutches[static_cast<std::size_t>(index)];
     set(wanted, kClutch);
   });
-  connect(in.undo, &QPushButton::clicked, this, &TrimForm::undo);
-  connect(in.reset, &QPushButton::clicked, this, &TrimForm::reset);
-  set_trim({});
 }
 
 TrimForm::~TrimForm() = default;

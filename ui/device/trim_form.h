@@ -1,4 +1,4 @@
-/// How the grip of one Falcon leads the bur, and how strong it is: where it stands when a go begins, how much of the
+/// How the grip of one Falcon leads the bur, and how strong it is: where it stands when an attempt begins, how much of the
 /// hand's way the bur goes, which button is the clutch, and the force's correction. Every change can be taken back; what
 /// it does is shown live under the hand. Thread: GUI.
 #pragma once
@@ -8,6 +8,8 @@
 
 #include "device/falcon/profile.h"
 #include "ui/modules.h"
+
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -44,6 +46,10 @@ class TrimForm : public QWidget {
   void changed(const FalconTrim& trim);
 
  private:
+  void make_place(QVBoxLayout* column);
+  void make_start(QVBoxLayout* column);
+  void make_ratios(QVBoxLayout* column);
+  void connect_fields();
   void set(const FalconTrim& trim, int field);
   void fill();
 

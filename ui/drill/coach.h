@@ -1,4 +1,4 @@
-/// What the sentence under the tooth says next, as a code: chosen from the live values, put into words by the screen.
+/// The next coach message as a code, chosen from the live values; DrillStage::coach_text() has its text.
 /// Pure; any thread.
 #pragma once
 
@@ -20,10 +20,10 @@ enum class Coach : std::uint8_t {
   sideways,      // the floor is reached here
   finish,        // hardly anything is left
   carry_on,      // lifted
-  quiet,         // no target, or the go stands: there is nothing to say
+  quiet,         // no target, or the attempt stands: no message
 };
 
-/// How the sentence is signed: on the way, worth a look, or wrong.
+/// Icon and colour of the message: on the way, worth a look, or wrong.
 enum class CoachTone : std::uint8_t { good, look, bad };
 
 struct CoachLine {
@@ -38,14 +38,14 @@ CoachTone tone_of(const CoachLine& line, const Leeway& leeway) noexcept;
 /// Whether `line` is to be spoken after `spoken` was: something else, or the same but by kWorthSayingMm apart.
 bool worth_saying(const CoachLine& spoken, const CoachLine& line) noexcept;
 
-/// mm: twice what the sentence shows as its last digit; every tenth would talk without a pause.
+/// mm: twice the last digit that the message shows; at every tenth a screen reader would never pause.
 inline constexpr double kWorthSayingMm = 0.2;
 
-/// Whether the go stands: paused, held, or without its device. What the loop said last is then no longer so: the force is
+/// Whether the attempt stands: paused, held, or without its device. The loop's last values are then stale: the force is
 /// off and the handpiece stands.
 bool stands_still(const LiveView& live) noexcept;
 
-/// Says only what holds now: of a place that the bur has left it says nothing. `bur_radius_mm`: of the bur in use.
+/// Only about the present: a place that the bur has left gets no message. `bur_radius_mm`: of the bur in use.
 CoachLine coach(const LiveView& live, const TargetShape& shape, const Leeway& leeway, double bur_radius_mm);
 
 }  // namespace cusp::ui

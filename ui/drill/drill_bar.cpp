@@ -4,7 +4,8 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
@@ -65,14 +66,14 @@ void DrillBar::set_device(const DeviceLimits& device) {
 }
 
 void DrillBar::show_grant(const RealtimeGrant& grant) {
-  if (told_grant_ || grant.refusal == RealtimeRefusal::not_asked) return;
-  told_grant_ = true;
+  if (shown_grant_ || grant.refusal == RealtimeRefusal::not_asked) return;
+  shown_grant_ = true;
   if (!device_.closed_loop || grant.realtime()) return;
-  const Told told = tell(grant);
+  const Message message = describe(grant);
   device_name_->setText(tr("%1, may be delayed").arg(device_name(device_.device_class)));
-  device_name_->setToolTip(told.line());
+  device_name_->setToolTip(message.line());
   set_ink(device_name_, "look");
-  announce(this, told.line());
+  announce(this, message.line());
 }
 
 void DrillBar::set_stopped(bool stopped) {
@@ -80,13 +81,13 @@ void DrillBar::set_stopped(bool stopped) {
   stopped_ = stopped;
   const QString act = stopped ? tr("Go on") : tr("Pause");
   pause_->setIcon(icon(stopped ? QStringLiteral("play") : QStringLiteral("pause")));
-  pause_->setText(u' ' + act);  // as make_button: the style leaves no room after the sign
+  pause_->setText(u' ' + act);  // as make_button: the style leaves no space after the sign
   pause_->setAccessibleName(act);
   pause_->setToolTip(QStringLiteral("%1 (%2)").arg(act, QKeySequence(Qt::Key_P).toString(QKeySequence::NativeText)));
   pause_->setShortcut(Qt::Key_P);  // a new text takes the shortcut away
 }
 
-void DrillBar::enable_go(bool on) {
+void DrillBar::enable_pause(bool on) {
   pause_->setEnabled(on);
   finish_->setEnabled(on);
 }

@@ -21,12 +21,12 @@ class DrillBar : public QFrame {
   void set_exercise(const QString& title, const QString& aside);
   void set_seconds(double seconds);
   void set_device(const DeviceLimits& device);
-  /// Only a device that pushes a hand suffers from late ticks; said, and read out, as soon as the loop knows what it was
+  /// Only a device that pushes a hand suffers from late ticks; shown, and read out, as soon as the loop knows what it was
   /// granted.
   void show_grant(const RealtimeGrant& grant);
   /// Pause, or Go on once it stands.
   void set_stopped(bool stopped);
-  void enable_go(bool on);
+  void enable_pause(bool on);
   void enable_leave(bool on);
   void enable_finish(bool on);
 
@@ -39,7 +39,7 @@ class DrillBar : public QFrame {
   QLabel *title_, *aside_, *clock_, *device_name_;
   QPushButton *leave_, *pause_, *finish_;
   DeviceLimits device_;
-  bool told_grant_ = false, stopped_ = false;
+  bool shown_grant_ = false, stopped_ = false;
 };
 
 }  // namespace cusp::ui

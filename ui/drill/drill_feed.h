@@ -1,4 +1,4 @@
-/// Follows a running go on the mirror's thread: rebuilds the mesh where the tooth changed, draws the section a few
+/// Follows a running attempt on the mirror's thread: rebuilds the mesh where the tooth changed, draws the section a few
 /// times a second, and notes when voxels changed. What it makes is taken by the window's thread.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace cusp::ui {
 
-/// Which section the window wants; the panel's plane goes through the bur, the lid's stands as SectionPlace says.
+/// Which section the window wants; the panel's plane goes through the bur, SectionPlace chooses the lid's.
 struct SectionWish {
   Vec3 right{0.0, -1.0, 0.0}, up{0.0, 0.0, 1.0};  // unit
   int width = 271, height = 202;

@@ -1,5 +1,5 @@
-/// The drilling screen: the tooth in the middle, depth and push beside it, the coach's sentence below, instruments in
-/// the tray, section and scores at the right. It runs one go at an exercise from begin() to finished() or left().
+/// The drilling screen: the tooth in the middle, depth and push beside it, the coach's message below, instruments in
+/// the tray, section and scores at the right. It runs one attempt at an exercise from begin() to finished() or left().
 /// Thread: GUI. It decides nothing about the tooth: the step does, and what it shows comes from the mirror.
 #pragma once
 
@@ -8,29 +8,30 @@
 #include <optional>
 
 #include "engine/base/haptic_port.h"
-#include "ui/session/exercise_run.h"
-#include "ui/session/run_device.h"
+#include "ui/session/exercise_session.h"
+#include "ui/session/session_device.h"
 #include "ui/widgets/ports.h"
 
 namespace cusp::ui {
 
 struct DrillText {
-  QString title;    // of the exercise, in the user's language
-  QString aside;    // "Practice, go 7"; may be empty
+  QString title;  // of the exercise, in the user's language
+  QString aside;  // "Practice, attempt 7"; may be empty
 };
 
 class DrillScreen : public QWidget {
   Q_OBJECT
 
  public:
-  explicit DrillScreen(QWidget* parent = nullptr, Ports ports = Ports::of_the_system());
+  /// `ports`: who answers questions.
+  explicit DrillScreen(Ports ports, QWidget* parent = nullptr);
   ~DrillScreen() override;
 
-  /// What the next go is drilled with; mouse and keys unless it is called. Before begin().
+  /// What the next attempt is drilled with; mouse and keys unless it is called. Before begin().
   void use_device(DeviceChoice choice);
-  /// Builds the specimen and starts the go in the background; a Falcon's starts once it is homed. `port`: instead of the
-  /// device that was chosen. Pre: no go is running.
-  void begin(RunPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
+  /// Builds the specimen and starts the attempt in the background; a Falcon's starts once it is homed. `port`: instead of the
+  /// device that was chosen. Pre: no attempt is running.
+  void begin(SessionPlan plan, const DrillText& text, std::unique_ptr<HapticPort> port = nullptr);
   bool running() const;
   class ToothView* view() const;
   /// Where volume and mute of the drilling sound are kept; outlives the screen. Without: the usual ones, not kept.
@@ -39,18 +40,18 @@ class DrillScreen : public QWidget {
  public Q_SLOTS:
   /// Stops the clock and the force; the same again goes on.
   void toggle_pause();
-  /// Asks, then ends the go and grades it.
+  /// Asks, then ends the attempt and grades it.
   void ask_finish();
-  /// Asks when something was cut; the go stays in the history as interrupted.
+  /// Asks when something was cut; the attempt stays in the history as interrupted.
   void ask_leave();
 
  Q_SIGNALS:
-  /// The go is over and graded. Emitted once a go.
-  void finished(std::shared_ptr<const RunResult> result);
-  /// The go was left; nothing is running.
+  /// The attempt is over and graded. Emitted once an attempt.
+  void finished(std::shared_ptr<const SessionResult> result);
+  /// The attempt was left; nothing is running.
   void left();
-  /// It could not start or be graded: the page that opened it says so in words.
-  void failed(RunFailure failure);
+  /// It could not start or be graded: the page that opened it shows why.
+  void failed(SessionFailure failure);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -59,10 +60,12 @@ class DrillScreen : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void make_main(class QVBoxLayout& column);
+  void make_keys();
   void look();
-  void opened(std::shared_ptr<struct OpenedGo> go, const std::optional<RunFailure>& failure);
+  void opened(std::shared_ptr<struct OpenedAttempt> attempt, const std::optional<SessionFailure>& failure);
   void finish_now();
-  void graded(const std::shared_ptr<Run<RunResult>>& result);
+  void graded(const std::shared_ptr<Outcome<SessionResult>>& result);
   void enable_controls(bool on);
   void show_opening();
 

@@ -13,7 +13,8 @@
 
 #include "ui/drill/compass.h"
 #include "ui/drill/depth_scale.h"
-#include "ui/text/sentences.h"
+#include "ui/drill/line_sample.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/icon.h"
@@ -28,32 +29,13 @@ constexpr std::array<PresetView, 4> kTurns = {PresetView::working, PresetView::b
 constexpr int kGap = 12;
 constexpr double kLidMm = 24.0, kWideLidMm = 44.0, kLidMmPerPx = 0.05;  // a tooth is 25 mm high, a row of three 34 long
 
-QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name, int number, bool checkable) {
+QPushButton* tool(QWidget* parent, const QString& name, const QString& icon_name, int number) {
   QPushButton* out = make_button(name, ButtonKind::quiet, icon_name);
   out->setParent(parent);
-  out->setCheckable(checkable);
   out->setFocusPolicy(Qt::TabFocus);
   out->setToolTip(QStringLiteral("%1 (%2)").arg(name).arg(number));
   return out;
 }
-
-/// A sample of a line, as it is drawn on the tooth, before its name.
-class LineSample : public QWidget {
- public:
-  LineSample(bool dashed, QWidget* parent) : QWidget(parent), dashed_(dashed) { setFixedSize(px(22), px(12)); }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter p(this);
-    QPen pen(dashed_ ? tokens().line_leeway : tokens().line_target, dashed_ ? 2 : 3);
-    if (dashed_) pen.setDashPattern({3, 2});
-    p.setPen(pen);
-    p.drawLine(0, height() / 2, width(), height() / 2);
-  }
-
- private:
-  bool dashed_;
-};
 
 QFrame* make_card(QWidget* parent) {
   auto* out = new QFrame(parent);
@@ -66,16 +48,33 @@ QFrame* make_card(QWidget* parent) {
 DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   setMinimumSize(px(480), px(320));
   view_ = new ToothView(this);
+  make_tools();
+  make_gauges();
+  make_coach();
+  make_legend();
+  connect_tools();
+  compass_ = new Compass(*view_, this);
+  compass_->hide();
+  stop_card_ = new StopCard(this);
+  connect(stop_card_, &StopCard::leave, this, &DrillStage::leave);
+  connect(stop_card_, &StopCard::go_on, this, &DrillStage::go_on);
+  connect(view_, &ToothView::camera_changed, this, [this] {
+    compass_->update();
+    if (cutaway_->isChecked()) want_sections();
+  });
+}
 
+void DrillStage::make_tools() {
   tools_ = make_card(this);
   auto* row = new QHBoxLayout(tools_);
   row->setContentsMargins(px(3), px(3), px(3), px(3));
   row->setSpacing(px(2));
-  turn_ = tool(tools_, tr("Turn"), QStringLiteral("turn"), 1, false);
-  mirror_ = tool(tools_, tr("Mirror"), QStringLiteral("mirror"), 2, true);
-  cutaway_ = tool(tools_, tr("Cutaway"), QStringLiteral("cutaway"), 3, true);
-  above_ = tool(tools_, tr("From above"), QStringLiteral("eye"), 4, false);
-  target_ = tool(tools_, tr("Target"), QStringLiteral("target"), 5, true);
+  turn_ = tool(tools_, tr("Turn"), QStringLiteral("turn"), 1);
+  mirror_ = tool(tools_, tr("Mirror"), QStringLiteral("mirror"), 2);
+  cutaway_ = tool(tools_, tr("Cutaway"), QStringLiteral("cutaway"), 3);
+  above_ = tool(tools_, tr("From above"), QStringLiteral("eye"), 4);
+  target_ = tool(tools_, tr("Target"), QStringLiteral("target"), 5);
+  for (QPushButton* button : {mirror_, cutaway_, target_}) button->setCheckable(true);
   target_->setChecked(true);
   int number = 1;
   for (QPushButton* button : {turn_, mirror_, cutaway_, above_, target_}) {
@@ -86,6 +85,9 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
     row->addSpacing(px(6));
     caps_.emplace_back(button, cap);
   }
+}
+
+void DrillStage::connect_tools() {
   connect(turn_, &QPushButton::clicked, this, [this] {
     preset_ = (preset_ + 1) % static_cast<int>(kTurns.size());
     Camera camera = view_->camera();
@@ -111,7 +113,9 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
     view_->set_target_shown(on);
     legend_->setVisible(on && look_ && !look_->empty());
   });
+}
 
+void DrillStage::make_gauges() {
   depth_ = new Gauge(tr("Depth"), QStringLiteral("mm"), Gauge::Grows::down, this);
   push_ = new Gauge(tr("Push"), QStringLiteral("N"), Gauge::Grows::up, this);
   push_->set_range(0, 3, 0.5);
@@ -121,53 +125,45 @@ DrillStage::DrillStage(QWidget* parent) : QWidget(parent) {
   set_kind(wanted_push_, "tag");
   wanted_push_->setAlignment(Qt::AlignCenter);
   wanted_push_->hide();
+}
 
+void DrillStage::make_coach() {
   coach_card_ = make_card(this);
-  auto* coach_row = new QHBoxLayout(coach_card_);
-  coach_row->setContentsMargins(px(16), px(8), px(16), px(8));
-  coach_row->setSpacing(px(12));
+  auto* row = new QHBoxLayout(coach_card_);
+  row->setContentsMargins(px(16), px(8), px(16), px(8));
+  row->setSpacing(px(12));
   coach_sign_ = new QLabel(coach_card_);
   coach_sign_->setObjectName(QStringLiteral("coach_sign"));
   coach_sign_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  coach_row->addWidget(coach_sign_);
+  row->addWidget(coach_sign_);
   coach_ = make_label({}, TextRole::live, true);
   coach_->setAccessibleName(tr("Coach"));
-  coach_row->addWidget(coach_, 1);
+  row->addWidget(coach_, 1);
   sign_coach(CoachTone::good);
   coach_card_->hide();
-
-  legend_ = make_card(this);
-  auto* legend_row = new QHBoxLayout(legend_);
-  legend_row->setContentsMargins(px(12), px(7), px(12), px(7));
-  legend_row->setSpacing(px(6));
-  legend_row->addWidget(new LineSample(false, legend_));
-  legend_row->addWidget(make_label(tr("Target"), TextRole::caption));
-  legend_row->addSpacing(px(6));
-  legend_row->addWidget(new LineSample(true, legend_));
-  legend_row->addWidget(make_label(tr("Leeway"), TextRole::caption));
-  legend_->hide();
-
-  compass_ = new Compass(*view_, this);
-  compass_->hide();
-
-  stop_card_ = new StopCard(this);
-  connect(stop_card_, &StopCard::leave, this, &DrillStage::leave);
-  connect(stop_card_, &StopCard::go_on, this, &DrillStage::go_on);
-
-  connect(view_, &ToothView::camera_changed, this, [this] {
-    compass_->update();
-    if (cutaway_->isChecked()) want_sections();
-  });
 }
 
-void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse,
-                              bool is_tooth, std::optional<double> pulp_depth_mm) {
+void DrillStage::make_legend() {
+  legend_ = make_card(this);
+  auto* row = new QHBoxLayout(legend_);
+  row->setContentsMargins(px(12), px(7), px(12), px(7));
+  row->setSpacing(px(6));
+  row->addWidget(new LineSample(LineSample::Line::target, legend_));
+  row->addWidget(make_label(tr("Target"), TextRole::caption));
+  row->addSpacing(px(6));
+  row->addWidget(new LineSample(LineSample::Line::tolerance_zone, legend_));
+  row->addWidget(make_label(tr("Tolerance zone"), TextRole::caption));
+  legend_->hide();
+}
+
+void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, const Setup& setup) {
   look_ = look;
-  pulp_depth_mm_ = pulp_depth_mm;
+  const Box& bounds = setup.bounds;
+  pulp_depth_mm_ = setup.pulp_depth_mm;
   leeway_ = scenario.leeway;
   burs_ = scenario.instruments;
-  by_mouse_ = by_mouse;
-  is_tooth_ = is_tooth;
+  by_mouse_ = setup.by_mouse;
+  is_tooth_ = setup.is_tooth;
   wide_ = glm::length(glm::dvec2(bounds.high - bounds.low)) > kLidMm;
   const double depth = required_depth_mm();
   scale_depth(0);
@@ -194,8 +190,8 @@ void DrillStage::set_exercise(const Scenario& scenario, const TargetLook& look, 
   legend_->setVisible(!look.empty());
   compass_->set_tooth(scenario.specimen.generator == "tooth" ? scenario.specimen.fdi : 0);
   coach_card_->hide();
-  wanted_push_->setVisible(by_mouse);
-  said_ = spoken_ = {Coach::carry_on, -1};
+  wanted_push_->setVisible(by_mouse_);
+  shown_ = spoken_ = {Coach::carry_on, -1};
   want_sections();
   place_all();
 }
@@ -284,7 +280,7 @@ void DrillStage::show_values(const LiveView& live, const FalconView* falcon) {
   } else if (live.phase == LoopPhase::paused) {
     stop = Stop::paused;
   }
-  show_stopped(stop, live.recording_failure ? tell(*live.recording_failure) : Told{}, live.fault);
+  show_stopped(stop, live.recording_failure ? describe(*live.recording_failure) : Message{}, live.fault);
   if (stop_card_->show_falcon(falcon)) place_all();
 
   if (look_) show_coach(coach(live, look_->shape(), leeway_, radius));
@@ -302,8 +298,8 @@ void DrillStage::show_depth(const LiveView& live, double bur_radius_mm) {
 
 void DrillStage::show_coach(CoachLine line) {
   line.mm = std::round(line.mm * 10) / 10;
-  if (line == said_) return;
-  said_ = line;
+  if (line == shown_) return;
+  shown_ = line;
   coach_->setText(coach_text(line));
   sign_coach(tone_of(line, leeway_));
   coach_card_->setVisible(line.what != Coach::quiet);
@@ -313,7 +309,7 @@ void DrillStage::show_coach(CoachLine line) {
   if (line.what != Coach::quiet) announce(coach_, coach_->text());
 }
 
-void DrillStage::show_stopped(Stop stop, const Told& record, Fault fault) {
+void DrillStage::show_stopped(Stop stop, const Message& record, Fault fault) {
   if (asking_ && stop == Stop::paused) stop = Stop::none;
   if (stop_card_->show_stop(stop, record, fault)) place_all();
 }
@@ -336,7 +332,7 @@ QString DrillStage::spoken() const {
 
 void DrillStage::set_centre(QWidget* widget) {
   centre_ = widget;
-  centre_->setFixedSize(px(360), px(110));  // it is told its text only when it shows
+  centre_->setFixedSize(px(360), px(110));  // its text comes only when it shows
   place_all();
 }
 
@@ -362,6 +358,17 @@ void DrillStage::place_all() {
   legend_->adjustSize();
   place(legend_, gap, h - legend_->height() - px(16));
   compass_->move(w - compass_->width() - px(18), h - compass_->height() - px(14));
+  place_coach();
+  stop_card_->fit_width(std::min(px(420), w - 4 * gap));
+  stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
+  if (centre_ != nullptr) {
+    centre_->move((w - centre_->width()) / 2, (h - centre_->height()) / 2);
+    centre_->raise();
+  }
+}
+
+void DrillStage::place_coach() {
+  const int gap = px(kGap), w = width(), h = height();
   coach_->setWordWrap(false);
   coach_card_->adjustSize();
   const int room = w - 2 * std::max(legend_->isVisible() ? legend_->width() : 0, px(90)) - 4 * gap;
@@ -372,12 +379,6 @@ void DrillStage::place_all() {
     coach_card_->resize(room, coach_card_->layout()->heightForWidth(room));
   }
   coach_card_->move((w - coach_card_->width()) / 2, h - coach_card_->height() - px(16));
-  stop_card_->fit_width(std::min(px(420), w - 4 * gap));
-  stop_card_->move((w - stop_card_->width()) / 2, (h - stop_card_->height()) / 2);
-  if (centre_ != nullptr) {
-    centre_->move((w - centre_->width()) / 2, (h - centre_->height()) / 2);
-    centre_->raise();
-  }
 }
 
 void DrillStage::resizeEvent(QResizeEvent* event) {

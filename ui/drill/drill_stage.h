@@ -34,21 +34,26 @@ class DrillStage : public QWidget {
   explicit DrillStage(QWidget* parent = nullptr);
   ToothView* view() const { return view_; }
 
-  /// `pulp_depth_mm`: of the highest pulp under the target, below its top; nullopt: none.
-  void set_exercise(const Scenario& scenario, const TargetLook& look, const Box& bounds, bool by_mouse, bool is_tooth,
-                    std::optional<double> pulp_depth_mm = {});
-  /// `falcon`: what it tells while it does not answer the go; nullptr for another device.
+  /// What the stage shows of an exercise besides its scenario and target.
+  struct Setup {
+    Box bounds{};                           // of the specimen, mm
+    bool by_mouse = false;                  // else a device leads the bur
+    bool is_tooth = false;                  // else a block
+    std::optional<double> pulp_depth_mm{};  // of the highest pulp under the target, below its top; nullopt: none
+  };
+  void set_exercise(const Scenario& scenario, const TargetLook& look, const Setup& setup);
+  /// `falcon`: its state while it does not answer the attempt; nullptr for another device.
   void show_values(const LiveView& live, const FalconView* falcon = nullptr);
   /// What the mouse would push with, N.
   void show_wanted_push(double newtons);
   void show_cutaway(SectionImage image);
-  void show_stopped(Stop stop, const Told& record = {}, Fault fault = Fault::none);
-  /// While a question stands over the screen, the pause that it made is not told besides.
+  void show_stopped(Stop stop, const Message& record = {}, Fault fault = Fault::none);
+  /// While a question stands over the screen, the pause that it made is not shown besides.
   void set_asking(bool on) { asking_ = on; }
   void enable_tools(bool on);
   /// 1 to 5 of the tool bar; false for other keys.
   bool press_tool(int key);
-  /// Live values as one sentence, for who asks.
+  /// Live values as one sentence, for a screen reader on request.
   QString spoken() const;
   /// A widget in the middle of the view (loading).
   void set_centre(QWidget* widget);
@@ -62,7 +67,13 @@ class DrillStage : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void make_tools();
+  void connect_tools();
+  void make_gauges();
+  void make_coach();
+  void make_legend();
   void place_all();
+  void place_coach();
   void want_sections();
   double required_depth_mm() const;
   void scale_depth(double seen_mm);
@@ -84,7 +95,7 @@ class DrillStage : public QWidget {
   Leeway leeway_;
   std::vector<Bur> burs_;
   LiveView live_;
-  CoachLine said_, spoken_;  // shown; last told to a screen reader
+  CoachLine shown_, spoken_;  // on the screen; last announced to a screen reader
   bool by_mouse_ = false, is_tooth_ = false, asking_ = false;
   bool wide_ = false;  // the specimen is more than one tooth
   int preset_ = 0;

@@ -125,7 +125,7 @@ void HandpiecePanel::show_muted() {
 
 void HandpiecePanel::show_coolant(bool on) {
   const QString name = on ? tr("Coolant is on") : tr("Coolant is off");
-  coolant_->setText(u' ' + name);  // as make_button: the style leaves no room after the sign
+  coolant_->setText(u' ' + name);  // as make_button: the style leaves no space after the sign
   coolant_->setAccessibleName(name);
   coolant_->setToolTip(QStringLiteral("%1 (%2)").arg(on ? tr("Turn the coolant off") : tr("Turn the coolant on"),
                                                      QKeySequence(Qt::Key_W).toString(QKeySequence::NativeText)));

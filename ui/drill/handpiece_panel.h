@@ -26,7 +26,7 @@ class HandpiecePanel : public QFrame {
   /// Once. Hidden as a whole where the exercise asks for none of it.
   void set_exercise(const Scenario& scenario);
   void show_values(const LiveView& live);
-  /// What the user wants of the sound, and whether there is an output; without one it says so.
+  /// What the user wants of the sound, and whether there is an output; without one it shows that.
   void set_sound(bool available, int volume_percent, bool muted);
   /// Coolant, by key or screen reader.
   void toggle_coolant();

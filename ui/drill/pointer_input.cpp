@@ -16,7 +16,7 @@ PointerInput::PointerInput(ToothView& view, PointerHand& hand, Vec3 tool_axis, d
     if (state != Qt::ApplicationActive) let_go();
   });
   connect(&view_, &ToothView::moved, this, [this](QPointF at, Qt::MouseButtons buttons) {
-    // The button was let go where nobody was told of it: over another window, in a menu.
+    // The button was released without an event for this view: over another window, in a menu.
     if (button_ && !(buttons & Qt::LeftButton)) let_go();
     if (!(buttons & (Qt::RightButton | Qt::MiddleButton))) slide(at);
   });

@@ -1,5 +1,5 @@
 /// Mouse and keys to the pointer device: the bur follows the mouse over the tooth, the left button or Space drills,
-/// the wheel and Page Up and Down say how hard. Thread: GUI.
+/// the wheel and Page Up and Down set how hard. Thread: GUI.
 #pragma once
 
 #include <QElapsedTimer>

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "ui/drill/handpiece_panel.h"
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/icon.h"
 #include "ui/widgets/parts.h"
@@ -25,7 +25,7 @@ Bar::Role role_of(Tissue tissue) {
     case Tissue::dentine:
     case Tissue::cementum: return Bar::Role::dentine;
     case Tissue::carious_dentine:
-    case Tissue::carious_enamel: return Bar::Role::decay;
+    case Tissue::carious_enamel: return Bar::Role::caries;
     case Tissue::pulp: return Bar::Role::pulp;
     default: return Bar::Role::plain;
   }
@@ -141,7 +141,32 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(1, 0, 0, 0);
   whole->setSpacing(0);
-  // A small window scrolls what does not fit; whether the record is safe always stands below it.
+  QVBoxLayout* column = make_scrolled(*whole);
+
+  QFrame* part = add_part(tr("Section at the bur"), &section_aside_);
+  section_ = new SectionView(part);
+  part->layout()->addWidget(section_);
+  handpiece_ = new HandpiecePanel(this);
+  column->addWidget(handpiece_);
+  handpiece_rule_ = make_rule();
+  handpiece_rule_->hide();
+  column->addWidget(handpiece_rule_);
+  make_progress();
+  part = add_part(tr("Removed so far"));
+  tissue_grid_ = new QGridLayout;
+  tissue_grid_->setHorizontalSpacing(px(8));
+  tissue_grid_->setVerticalSpacing(px(8));
+  tissue_grid_->setColumnStretch(2, 1);
+  static_cast<QVBoxLayout*>(part->layout())->addLayout(tissue_grid_);
+  make_device();
+
+  column->addStretch();
+  whole->addWidget(make_rule());
+  whole->addLayout(make_recording());
+}
+
+/// A small window scrolls what does not fit; whether the record is safe always stands below it.
+QVBoxLayout* ScorePanel::make_scrolled(QVBoxLayout& whole) {
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
@@ -154,19 +179,13 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   scroll->setWidget(body_);
-  whole->addWidget(scroll, 1);
+  whole.addWidget(scroll, 1);
+  return column;
+}
 
-  QFrame* part = add_part(tr("Section at the bur"), &section_aside_);
-  section_ = new SectionView(part);
-  part->layout()->addWidget(section_);
-
-  handpiece_ = new HandpiecePanel(this);
-  column->addWidget(handpiece_);
-  handpiece_rule_ = make_rule();
-  handpiece_rule_->hide();
-  column->addWidget(handpiece_rule_);
-
-  progress_part_ = part = add_part(tr("Progress"));
+void ScorePanel::make_progress() {
+  QFrame* part = add_part(tr("Progress"));
+  progress_part_ = part;
   auto* line = new QHBoxLayout;
   line->setSpacing(px(8));
   percent_ = make_label({}, TextRole::page_title, true);
@@ -177,31 +196,26 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   percent_bar_ = new Bar(Bar::Role::target, part);
   percent_bar_->setAccessibleName(tr("Target removed"));
   part->layout()->addWidget(percent_bar_);
-  part->layout()->addWidget(make_fact_row(QStringLiteral("warning"), tr("Cut too far"), &too_far_));
+  part->layout()->addWidget(make_fact_row(QStringLiteral("warning"), tr("Over-cut"), &over_cut_));
   over_pulp_row_ = make_fact_row(QStringLiteral("shield"), tr("Least dentine over pulp"), &over_pulp_);
   part->layout()->addWidget(over_pulp_row_);
+}
 
-  part = add_part(tr("Removed so far"));
-  tissue_grid_ = new QGridLayout;
-  tissue_grid_->setHorizontalSpacing(px(8));
-  tissue_grid_->setVerticalSpacing(px(8));
-  tissue_grid_->setColumnStretch(2, 1);
-  static_cast<QVBoxLayout*>(part->layout())->addLayout(tissue_grid_);
-
-  part = add_part(tr("Device"));
-  auto* device_line = new QHBoxLayout;
+void ScorePanel::make_device() {
+  QFrame* part = add_part(tr("Device"));
+  auto* line = new QHBoxLayout;
   device_ = make_label({});
   device_state_ = make_value();
-  device_line->addWidget(device_, 1);
-  device_line->addWidget(device_state_);
-  static_cast<QVBoxLayout*>(part->layout())->addLayout(device_line);
+  line->addWidget(device_, 1);
+  line->addWidget(device_state_);
+  static_cast<QVBoxLayout*>(part->layout())->addLayout(line);
   softened_ = make_label({}, TextRole::caption, false, "text2");
   softened_->setWordWrap(true);
   softened_->hide();
   part->layout()->addWidget(softened_);
+}
 
-  column->addStretch();
-  whole->addWidget(make_rule());
+QHBoxLayout* ScorePanel::make_recording() {
   auto* foot = new QHBoxLayout;
   foot->setContentsMargins(px(16), px(10), px(16), px(10));
   foot->setSpacing(px(8));
@@ -210,17 +224,17 @@ ScorePanel::ScorePanel(QWidget* parent) : QFrame(parent) {
   recording_->setWordWrap(true);
   foot->addWidget(recording_icon_);
   foot->addWidget(recording_, 1);
-  whole->addLayout(foot);
+  return foot;
 }
 
-void ScorePanel::set_exercise(const Scenario& scenario, bool has_target, bool has_pulp, bool is_tooth) {
-  section_aside_->setText(is_tooth ? tr("buccal–lingual") : tr("across"));
-  if (is_tooth) {
+void ScorePanel::set_exercise(const Scenario& scenario, const Has& has) {
+  section_aside_->setText(has.tooth ? tr("buccal–lingual") : tr("across"));
+  if (has.tooth) {
     //: First letters of buccal and lingual, at the two sides of a section.
     section_->set_sides(tr("B"), tr("L"));
   }
-  progress_part_->setVisible(has_target);
-  over_pulp_row_->setVisible(has_pulp);
+  progress_part_->setVisible(has.target);
+  over_pulp_row_->setVisible(has.pulp);
   handpiece_->set_exercise(scenario);
   handpiece_rule_->setVisible(!handpiece_->isHidden());
   int at = 0;
@@ -253,17 +267,11 @@ void ScorePanel::show_values(const LiveView& live) {
   const QString mm3 = QStringLiteral("mm3");
   set_value(percent_, format({live.target_removed_percent, {}, QStringLiteral("%"), 0}));
   percent_bar_->set_share(live.target_removed_percent / 100, percent_->text());
-  set_value(too_far_, format({live.over_leeway_mm3 + live.over_beyond_mm3, {}, mm3, 1}));
+  set_value(over_cut_, format({live.over_leeway_mm3 + live.over_beyond_mm3, {}, mm3, 1}));
   set_value(over_pulp_, live.pulp_exposed    ? tr("open")
                         : live.over_pulp_mm ? format({*live.over_pulp_mm, {}, QStringLiteral("mm"), 1})
                                             : tr("enough"));
-  double most = 1.0;  // mm³: bars are compared with the largest, and never with less than this
-  for (const TissueRow& r : tissues_) most = std::max(most, live.removed_mm3[index_of(r.tissue)]);
-  for (const TissueRow& r : tissues_) {
-    const double removed = live.removed_mm3[index_of(r.tissue)];
-    set_value(r.value, format({removed, {}, mm3, 2}));
-    r.bar->set_share(removed / most, r.value->text());
-  }
+  show_tissues(live);
   handpiece_->show_values(live);
   QString state;
   switch (live.device) {
@@ -272,17 +280,31 @@ void ScorePanel::show_values(const LiveView& live) {
     case Sample::Status::gone: state = tr("not connected"); break;
   }
   set_value(device_state_, state);
+  show_recording(live.recording);
+}
 
-  if (recording_known_ && recording_state_ == live.recording) return;
+void ScorePanel::show_tissues(const LiveView& live) {
+  const QString mm3 = QStringLiteral("mm3");
+  double most = 1.0;  // mm³: bars are compared with the largest, and never with less than this
+  for (const TissueRow& r : tissues_) most = std::max(most, live.removed_mm3[index_of(r.tissue)]);
+  for (const TissueRow& r : tissues_) {
+    const double removed = live.removed_mm3[index_of(r.tissue)];
+    set_value(r.value, format({removed, {}, mm3, 2}));
+    r.bar->set_share(removed / most, r.value->text());
+  }
+}
+
+void ScorePanel::show_recording(RecordingState state) {
+  if (recording_known_ && recording_state_ == state) return;
   recording_known_ = true;
-  recording_state_ = live.recording;
+  recording_state_ = state;
   QString icon_name = QStringLiteral("save");
   Ink ink = Ink::text2;
-  switch (live.recording) {
+  switch (state) {
     case RecordingState::off: recording_->setText(tr("Nothing is kept")); break;
     case RecordingState::recording: recording_->setText(tr("Recording, saved every second")); break;
     case RecordingState::behind:
-      recording_->setText(tr("Recording, the disk is slow"));
+      recording_->setText(tr("Recording, not yet written to the disk"));
       icon_name = QStringLiteral("warning");
       ink = Ink::look;
       break;

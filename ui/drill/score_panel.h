@@ -13,8 +13,10 @@
 #include "ui/session/observer.h"
 #include "ui/widgets/gauge.h"
 
-class QLabel;
 class QGridLayout;
+class QHBoxLayout;
+class QLabel;
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -44,9 +46,13 @@ class ScorePanel : public QFrame {
  public:
   explicit ScorePanel(QWidget* parent = nullptr);
 
-  /// Once: what the exercise has: tissues that are counted, target or not, a pulp or not.
-  void set_exercise(const Scenario& scenario, bool has_target, bool has_pulp, bool is_tooth);
-  /// stiffness_share: what the device leaves of the tissues' stiffness; below 1 it is said.
+  /// What the exercise has besides its tissues.
+  struct Has {
+    bool target = false, pulp = false, tooth = false;
+  };
+  /// Called once.
+  void set_exercise(const Scenario& scenario, const Has& has);
+  /// stiffness_share: what the device leaves of the tissues' stiffness; below 1 the panel names it.
   void set_device(const DeviceLimits& limits, double stiffness_share = 1.0);
   void show_values(const LiveView& live);
   SectionView* section() { return section_; }
@@ -58,13 +64,19 @@ class ScorePanel : public QFrame {
     Bar* bar;
     QLabel* value;
   };
+  QVBoxLayout* make_scrolled(QVBoxLayout& whole);
+  void make_progress();
+  void make_device();
+  QHBoxLayout* make_recording();
+  void show_tissues(const LiveView& live);
+  void show_recording(RecordingState state);
   QFrame* add_part(const QString& title, QLabel** aside = nullptr);
 
   QWidget* body_;
   SectionView* section_;
   HandpiecePanel* handpiece_;
   QFrame* handpiece_rule_;
-  QLabel *section_aside_, *percent_, *too_far_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
+  QLabel *section_aside_, *percent_, *over_cut_, *over_pulp_, *device_, *softened_, *device_state_, *recording_icon_, *recording_;
   QWidget *progress_part_, *over_pulp_row_;
   Bar* percent_bar_;
   QGridLayout* tissue_grid_;

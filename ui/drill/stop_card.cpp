@@ -39,7 +39,7 @@ StopCard::StopCard(QWidget* parent) : QFrame(parent) {
   hide();
 }
 
-bool StopCard::show_stop(Stop stop, const Told& record, Fault fault) {
+bool StopCard::show_stop(Stop stop, const Message& record, Fault fault) {
   const QString cause = stop == Stop::record ? record.line() : QString();
   if (stop == stop_ && cause == cause_) return false;
   stop_ = stop;
@@ -54,9 +54,9 @@ bool StopCard::show_stop(Stop stop, const Told& record, Fault fault) {
       more = tr("The clock stands still. P goes on.");
       break;
     case Stop::fault: {
-      const Told told = tell(fault);
-      title = told.what;
-      more = told.more;
+      const Message homing_text = describe(fault);
+      title = homing_text.what;
+      more = homing_text.more;
       break;
     }
     case Stop::device_gone:
@@ -73,7 +73,7 @@ bool StopCard::show_stop(Stop stop, const Told& record, Fault fault) {
       break;
     case Stop::behind:
       title = tr("This computer is too slow for the exercise");
-      more = tr("The go ends here and is measured as it stands.");
+      more = tr("The attempt ends here and is measured as it stands.");
       break;
   }
   title_->setText(title);
@@ -86,9 +86,9 @@ bool StopCard::show_stop(Stop stop, const Told& record, Fault fault) {
 bool StopCard::show_falcon(const FalconView* view) {
   const bool wanted = view != nullptr && stop_ == Stop::device_gone;
   if (wanted) homing_->show_falcon(*view);
-  const QString told = wanted ? homing_->text() : QString();
-  if (told == told_) return false;
-  told_ = told;
+  const QString homing_text = wanted ? homing_->text() : QString();
+  if (homing_text == homing_text_) return false;
+  homing_text_ = homing_text;
   homing_->setVisible(wanted);
   return true;
 }

@@ -1,4 +1,4 @@
-/// The card over the view that says why the go stands still, and the ways on. Thread: GUI.
+/// The card over the view that shows why the attempt stands still, and the ways on. Thread: GUI.
 #pragma once
 
 #include <QFrame>
@@ -6,7 +6,7 @@
 #include "device/falcon/falcon_port.h"
 #include "engine/step/step.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 class QLabel;
 
@@ -23,8 +23,8 @@ class StopCard : public QFrame {
   explicit StopCard(QWidget* parent = nullptr);
   /// `record`: why Stop::record cannot be written; `fault`: of Stop::fault. Read out when another stop or another cause
   /// stands there. True if it did.
-  bool show_stop(Stop stop, const Told& record, Fault fault);
-  /// While it is gone, what a Falcon tells of its way back, with the picture of homing. True if the card grew or shrank.
+  bool show_stop(Stop stop, const Message& record, Fault fault);
+  /// While a Falcon is gone, its state, with the picture of homing. True if the card grew or shrank.
   bool show_falcon(const FalconView* view);
   /// Its height at that width.
   void fit_width(int width);
@@ -36,7 +36,7 @@ class StopCard : public QFrame {
  private:
   QLabel *title_, *more_;
   HomingView* homing_;
-  QString told_;  // by the homing, as it was laid out
+  QString homing_text_;  // by the homing, as it was laid out
   QString cause_;  // of Stop::record, as it is shown
   Stop stop_ = Stop::none;
 };

@@ -19,7 +19,7 @@ void AuditJob::start(const Scenario& scenario, const AuditSettings& settings, co
   cancel();
   run_ = std::make_shared<Run>();
   QThreadPool::globalInstance()->start([run = run_, scenario, settings, runner, self = QPointer<AuditJob>(this)] {
-    const auto tell = [&](auto say) {
+    const auto notify = [&](auto say) {
       QMetaObject::invokeMethod(
           qApp,
           [self, run, say] {
@@ -27,23 +27,23 @@ void AuditJob::start(const Scenario& scenario, const AuditSettings& settings, co
           },
           Qt::QueuedConnection);
     };
-    double told = -1;
+    double reported = -1;
     const auto report = audit(scenario, settings, runner, [&](double share) {
       // A hundred times in all, however often it is asked.
-      if (share >= told + 0.01) {
-        told = share;
-        tell([share](AuditJob& job) { Q_EMIT job.progressed(share); });
+      if (share >= reported + 0.01) {
+        reported = share;
+        notify([share](AuditJob& job) { Q_EMIT job.progressed(share); });
       }
       return !run->cancel.load();
     });
     if (!report) {
-      tell([failure = report.error()](AuditJob& job) {
+      notify([failure = report.error()](AuditJob& job) {
         job.run_.reset();
         Q_EMIT job.failed(failure);
       });
       return;
     }
-    tell([found = std::make_shared<const AuditReport>(*report)](AuditJob& job) {
+    notify([found = std::make_shared<const AuditReport>(*report)](AuditJob& job) {
       job.run_.reset();
       Q_EMIT job.done(found);
     });

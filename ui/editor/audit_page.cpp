@@ -41,7 +41,7 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   column->setContentsMargins(px(kSide), px(12), px(kSide), px(16));
   column->setSpacing(px(8));
   column->addWidget(make_label(tr("What this exercise costs"), TextRole::section, true));
-  about_ = make_label(tr("Scripted hands play it with each choice left out or halved. That takes some minutes; you can go on "
+  about_ = make_label(tr("Scripted operators drill it with each choice left out or halved. That takes some minutes; you can go on "
                          "working meanwhile."),
                       TextRole::caption, false, "text2");
   about_->setWordWrap(true);
@@ -58,7 +58,7 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   column->addWidget(aside_);
   table_place_ = new QVBoxLayout;
   column->addLayout(table_place_);
-  legend_ = make_label(tr("µs: of each update of 1 ms, more or less than now. Score: the largest change of a go."), TextRole::caption,
+  legend_ = make_label(tr("µs: of each update of 1 ms, more or less than now. Score: the largest change of an attempt."), TextRole::caption,
                        false, "text2");
   legend_->setWordWrap(true);
   column->addWidget(legend_);
@@ -89,8 +89,8 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
     stop();
     report_.reset();
     show_report();
-    const Told told = tell(failure);
-    aside_->setText(told.line());
+    const Message message = describe(failure);
+    aside_->setText(message.line());
     aside_->show();
     announce(this, aside_->text());
   });
@@ -146,8 +146,8 @@ void AuditPage::follow_model() {
   const bool same = report_ && model_.scenario() == measured_;
   use_->setEnabled(same && report_->changed());
   if (!report_) return;
-  const int goes = static_cast<int>(report_->operators.size());
-  aside_->setText(same ? tr("Each choice was left out or halved once, with %n scripted go(es) each.", nullptr, goes)
+  const int attempts = static_cast<int>(report_->operators.size());
+  aside_->setText(same ? tr("Each choice was left out or halved once, with %n scripted attempt(s) each.", nullptr, attempts)
                        : tr("The exercise was changed since this was measured."));
 }
 

@@ -24,7 +24,7 @@ class BursForm : public QWidget {
  private:
   void follow_model();
   void fill_catalogue();
-  void tell_uses();
+  void show_uses();
 
   EditorModel& model_;
   QVBoxLayout* list_;

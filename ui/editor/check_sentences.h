@@ -1,4 +1,4 @@
-/// What stands against an exercise, in a teacher's words: one sentence, and where in the editor it is mended.
+/// What stands against an exercise, in a instructor's words: one sentence, and where in the editor it is mended.
 #pragma once
 
 #include <QString>

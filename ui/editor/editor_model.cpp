@@ -271,7 +271,7 @@ bool EditorModel::add_path() {
 }
 
 bool EditorModel::set_leeway(const Leeway& leeway) {
-  return edit(tr("Leeway"), u"leeway"_qs, [&](Scenario& s) { s.leeway = leeway; });
+  return edit(tr("Tolerance zone"), u"leeway"_qs, [&](Scenario& s) { s.leeway = leeway; });
 }
 
 bool EditorModel::add_criterion(const std::string& metric, const Bands& bands) {
@@ -305,7 +305,7 @@ bool EditorModel::set_pass(double points) {
 
 bool EditorModel::set_critical(const std::string& event, bool on) {
   end_gesture();
-  return edit(tr("What fails the go"), u"critical"_qs, [&](Scenario& s) {
+  return edit(tr("What fails the attempt"), u"critical"_qs, [&](Scenario& s) {
     std::erase(s.rubric.critical, event);
     if (!on) return;
     s.rubric.critical.push_back(event);

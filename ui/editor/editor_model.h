@@ -45,7 +45,7 @@ class EditorModel : public QObject {
   /// Where pulp comes in, opening it fails the attempt from then on. If the grown specimen shows that the target holds
   /// pulp, as an endodontic access does, set_facts() takes that rule back within the same step.
   bool set_specimen(const SpecimenSource& source, const std::vector<ScenarioTissue>& tissues);
-  /// A grown tooth otherwise: its decay, what stands about it, its seed. Tissues that it has more begin with the usual
+  /// A grown tooth otherwise: its carious lesions, what stands about it, its seed. Tissues that it has more begin with the usual
   /// figures, those that it keeps keep theirs. `field` as in set_target.
   bool set_tooth(const SpecimenSource& source, const QString& field);
   bool set_target(const Target& target, const QString& field);          // handles: everything of the target at once
@@ -74,7 +74,7 @@ class EditorModel : public QObject {
   bool set_tissue_figures(std::size_t index, double stiffness_n_per_mm, double speed_mm_s);
   /// A key of kPhenomenonKeys; "" for none. Without a handpiece vibration and sound go too.
   bool set_handpiece(const std::string& key);
-  /// Any other phenomenon. Without heat, overheating fails no go.
+  /// Any other phenomenon. Without heat, overheating fails no attempt.
   bool set_phenomenon(const std::string& key, bool on);
   /// The value of a spin box or a handle has come to rest: the next edit is a step of its own.
   void end_gesture() { ++gesture_; }

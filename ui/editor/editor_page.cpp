@@ -19,7 +19,8 @@
 #include "ui/editor/target_view.h"
 #include "ui/editor/words_form.h"
 #include "ui/text/language.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/chip.h"
@@ -90,9 +91,9 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   });
   connect(grower_, &SpecimenGrower::failed, this, [this](const ImportFailure& failure) {
     busy_ = nullptr;
-    const Told told = tell(failure);
+    const Message message = describe(failure);
     stage_->set_specimen(nullptr);
-    auto* state = new EmptyState(u"warning"_qs, told.what, told.more, tr("Change"), Ink::bad);
+    auto* state = new EmptyState(u"warning"_qs, message.what, message.more, tr("Change"), Ink::bad);
     connect(state, &EmptyState::acted, this, [this] { show_tooth_form(true); });
     stage_->set_centre(state);
     follow_model();
@@ -251,7 +252,7 @@ void EditorPage::put_target_on_top() {
 
 void EditorPage::try_out() {
   if (!grown_ || has_error(model_->findings())) return;
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = model_->scenario();
   plan.scenario_folder = model_->folder();
   plan.student = actor_;

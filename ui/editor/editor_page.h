@@ -10,7 +10,7 @@
 #include "ui/editor/editor_model.h"
 #include "ui/editor/specimen_grower.h"
 #include "ui/modules.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 #include "ui/widgets/ports.h"
 
 class QAbstractButton;
@@ -43,7 +43,7 @@ class EditorPage : public QWidget {
   const std::shared_ptr<const GrownSpecimen>& grown() const { return grown_; }
 
  public Q_SLOTS:
-  /// Starts a go at the draft as it stands, of which nothing is kept.
+  /// Starts an attempt at the draft as it stands, of which nothing is kept.
   void try_out();
   void publish_version();
   /// The window is being closed: what is not kept yet is kept, as a copy where another window has changed the draft.
@@ -53,7 +53,7 @@ class EditorPage : public QWidget {
 
  Q_SIGNALS:
   void back_wanted();
-  void try_out_wanted(const RunPlan& plan, const QString& title);
+  void try_out_wanted(const SessionPlan& plan, const QString& title);
   void published(const ScenarioVersion& version);
   /// The draft goes on as this new exercise; the one that was opened is another window's.
   void copied(const EditorStart& copy);
@@ -72,7 +72,7 @@ class EditorPage : public QWidget {
   void keep_copy();
   void ask_to_replace_theirs();
   void publish_now();
-  void tell_failure(const StorageFailure& failure);
+  void show_failure(const StorageFailure& failure);
   void grow();
   void follow_model();
   void show_title();

@@ -11,7 +11,7 @@
 #include "ui/editor/words_form.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -29,16 +29,16 @@ Band* EditorPage::make_clash() {
   return clash_;
 }
 
-void EditorPage::tell_failure(const StorageFailure& failure) {
-  const Told told = tell(failure);
-  band_->show_message(Band::Kind::bad, told.what, told.more);
+void EditorPage::show_failure(const StorageFailure& failure) {
+  const Message message = describe(failure);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
 }
 
 bool EditorPage::keep() {
   autosave_.stop();
   const auto kept = keep_draft(store_, actor_, *model_, kept_);
   if (!kept) {
-    tell_failure(kept.error());
+    show_failure(kept.error());
     return false;
   }
   if (*kept == DraftSave::changed_elsewhere) {
@@ -52,7 +52,7 @@ bool EditorPage::keep() {
 void EditorPage::show_clash() {
   if (!clash_->isHidden()) return;  // it was said, and stands until one chooses
   const auto theirs = store_.scenarios.draft(actor_, model_->scenario().id);
-  if (!theirs) return tell_failure(theirs.error());
+  if (!theirs) return show_failure(theirs.error());
   band_->clear();
   see_theirs_->setVisible(theirs->has_value());
   if (*theirs) {
@@ -67,7 +67,7 @@ void EditorPage::show_clash() {
 
 void EditorPage::see_theirs() {
   const auto theirs = store_.scenarios.draft(actor_, model_->scenario().id);
-  if (!theirs) return tell_failure(theirs.error());
+  if (!theirs) return show_failure(theirs.error());
   clash_->clear();
   if (!*theirs) return show_clash();  // gone meanwhile
   const auto read = read_scenario((*theirs)->json);
@@ -81,7 +81,7 @@ void EditorPage::see_theirs() {
 
 void EditorPage::keep_copy() {
   const auto copy = keep_as_copy(store_, actor_, *model_, title_of_copy(model_->scenario().title));
-  if (!copy) return tell_failure(copy.error());
+  if (!copy) return show_failure(copy.error());
   autosave_.stop();
   Q_EMIT copied(*copy);
 }
@@ -91,7 +91,7 @@ void EditorPage::ask_to_replace_theirs() {
              [self = QPointer(this)](bool yes) {
                if (!self || !yes) return;
                const auto theirs = self->store_.scenarios.draft(self->actor_, self->model_->scenario().id);
-               if (!theirs) return self->tell_failure(theirs.error());
+               if (!theirs) return self->show_failure(theirs.error());
                self->kept_ = *theirs ? std::optional((*theirs)->json) : std::nullopt;
                self->clash_->clear();
                self->keep();
@@ -113,7 +113,7 @@ void EditorPage::leave() {
 void EditorPage::publish_version() {
   if (!model_->prove()) return;
   const auto next = next_version(store_, *model_);
-  if (!next) return tell_failure(next.error());
+  if (!next) return show_failure(next.error());
   if (*next == model_->scenario().version) return publish_now();
   ports_.ask(this,
              {tr("Another window has published version %1. Publish yours as version %2?").arg(*next - 1).arg(*next),
@@ -126,7 +126,7 @@ void EditorPage::publish_version() {
 
 void EditorPage::publish_now() {
   const auto version = publish(store_, actor_, *model_, kept_);
-  if (!version) return tell_failure(version.error());
+  if (!version) return show_failure(version.error());
   autosave_.stop();
   clash_->clear();
   band_->show_message(Band::Kind::good, tr("Version %1 is published.").arg(version->number),

@@ -15,14 +15,14 @@
 #include "scenarios/library/library.h"
 #include "ui/editor/form_parts.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {
 namespace {
 
-constexpr double kOpenEnd = 1000;  // beyond what a go can reach in any unit
+constexpr double kOpenEnd = 1000;  // beyond what an attempt can reach in any unit
 
 constexpr std::array kEdges = {&Bands::fail_lo,  &Bands::acc_lo, &Bands::ideal_lo,
                                &Bands::ideal_hi, &Bands::acc_hi, &Bands::fail_hi};
@@ -84,10 +84,10 @@ PointsForm::PointsForm(EditorModel& model, QWidget* parent) : QWidget(parent), m
   column->addSpacing(px(8));
   pass_ = new NumberBox(model_, tr("Pass mark, of 100"), {}, 0, 100, 1, 0, [this](double v) { return model_.set_pass(v); });
   add_row(column, tr("Pass mark, of 100"), pass_);
-  pulp_ = new QCheckBox(tr("Opening the pulp fails the go"));
+  pulp_ = new QCheckBox(tr("Opening the pulp fails the attempt"));
   column->addWidget(pulp_);
   connect(pulp_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("pulp_exposure", on); });
-  dry_ = new QCheckBox(tr("Overheating the tooth fails the go"));
+  dry_ = new QCheckBox(tr("Overheating the tooth fails the attempt"));
   column->addWidget(dry_);
   connect(dry_, &QCheckBox::toggled, this, [this](bool on) { model_.set_critical("dry_cutting", on); });
   QLabel* note = make_label(tr("Bands of depth move with the target’s depth."), TextRole::caption, false, "text2");

@@ -1,4 +1,4 @@
-/// What is graded, and for how many points: criteria with weight and bands, pass mark, what fails a go outright.
+/// What is graded, and for how many points: criteria with weight and bands, pass mark, what fails an attempt outright.
 #pragma once
 
 #include <QWidget>

@@ -115,12 +115,12 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
     model_.set_leeway({mm, mm});
     model_.end_gesture();
   });
-  floor_ = number(tr("Leeway, floor"), 0, 5,
+  floor_ = number(tr("Tolerance zone, floor"), 0, 5,
                   [this](double v) { return model_.set_leeway({v, model_.scenario().leeway.side_mm}); });
-  side_ = number(tr("Leeway, sides"), 0, 5,
+  side_ = number(tr("Tolerance zone, sides"), 0, 5,
                  [this](double v) { return model_.set_leeway({model_.scenario().leeway.floor_mm, v}); });
-  add_row(column, tr("Leeway, floor"), floor_);
-  add_row(column, tr("Leeway, sides"), side_);
+  add_row(column, tr("Tolerance zone, floor"), floor_);
+  add_row(column, tr("Tolerance zone, sides"), side_);
   time_ = new NumberBox(model_, tr("Time limit"), u"s"_qs, 0, 7200, 30, 0,
                         [this](double v) { return model_.set_time_limit_s(v); });
   time_->setSpecialValueText(tr("none"));

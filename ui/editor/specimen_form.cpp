@@ -16,7 +16,7 @@
 #include "ui/editor/specimen_grower.h"
 #include "ui/editor/tooth_form.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 
@@ -188,8 +188,8 @@ void SpecimenForm::pick() {
     const std::filesystem::path from = path.toStdString();
     const auto volume = read_nrrd(from);
     if (!volume) {
-      const Told told = tell(volume.error());
-      band_->show_message(Band::Kind::bad, told.what, told.more);
+      const Message message = describe(volume.error());
+      band_->show_message(Band::Kind::bad, message.what, message.more);
       return;
     }
     // Under a name of its own: a file of the same name may already be what an earlier step of undo means.
@@ -201,8 +201,8 @@ void SpecimenForm::pick() {
       name = from.stem().string() + "-" + std::to_string(n) + ".nrrd";
     }
     if (const auto written = write_nrrd(*volume, folder / name); !written) {
-      const Told told = tell(written.error());
-      band_->show_message(Band::Kind::bad, told.what, told.more);
+      const Message message = describe(written.error());
+      band_->show_message(Band::Kind::bad, message.what, message.more);
       return;
     }
     SpecimenSource source;

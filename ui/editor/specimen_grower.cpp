@@ -48,7 +48,7 @@ Grown grow_now(const SpecimenSource& source, Method method, const std::string& f
     auto tooth = grow_tooth(tooth_request(source), &cancel, progress);
     if (!tooth) {
       if (tooth.error().code == ToothError::cancelled) return fail(ImportError::cancelled, source.generator);
-      // Told by the one place that knows the words for a specimen that cannot be made.
+      // Message by the one place that knows the words for a specimen that cannot be made.
       auto refused = make_specimen(source, folder);
       if (!refused) return std::unexpected(refused.error());
       volume = std::move(*refused);
@@ -83,7 +83,7 @@ void SpecimenGrower::grow(const SpecimenSource& source, Method method, const std
   cancel();
   job_ = std::make_shared<Job>();
   QThreadPool::globalInstance()->start([job = job_, source, method, folder, self = QPointer<SpecimenGrower>(this)] {
-    const auto tell = [&](auto say) {
+    const auto notify = [&](auto say) {
       QMetaObject::invokeMethod(
           qApp,
           [self, job, say] {
@@ -95,13 +95,13 @@ void SpecimenGrower::grow(const SpecimenSource& source, Method method, const std
       SpecimenSource coarse = source;
       coarse.voxel_mm = kPreviewMm;
       if (const auto seen = grow_now(coarse, method, folder, job->cancel, {})) {
-        tell([seen](SpecimenGrower& grower) { Q_EMIT grower.previewed(*seen); });
+        notify([seen](SpecimenGrower& grower) { Q_EMIT grower.previewed(*seen); });
       }
     }
     const auto made = grow_now(source, method, folder, job->cancel, [&](double share) {
-      tell([share](SpecimenGrower& grower) { Q_EMIT grower.progressed(share); });
+      notify([share](SpecimenGrower& grower) { Q_EMIT grower.progressed(share); });
     });
-    tell([made](SpecimenGrower& grower) {
+    notify([made](SpecimenGrower& grower) {
       grower.job_.reset();
       if (made) {
         Q_EMIT grower.grown(*made);

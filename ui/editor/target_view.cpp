@@ -95,7 +95,7 @@ TargetView::TargetView(EditorModel& model, QWidget* parent)
   lines->addWidget(make_label(tr("Target"), TextRole::caption));
   lines->addSpacing(px(6));
   lines->addWidget(new LineSample(true, legend_));
-  lines->addWidget(make_label(tr("Leeway"), TextRole::caption));
+  lines->addWidget(make_label(tr("Tolerance zone"), TextRole::caption));
 
   arrow_ = new DepthArrow(this);
   for (QLabel** tag : {&depth_tag_, &width_tag_}) {
@@ -135,7 +135,7 @@ void TargetView::set_centre(QWidget* widget) {
 
 void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
   const bool there = grown != nullptr;
-  // The hand that turned the tooth keeps its view while decay or neighbours come and go.
+  // The hand that turned the tooth keeps its view while lesions or neighbours come and go.
   const auto same = [](const SpecimenSource& a, const SpecimenSource& b) {
     return a.generator == b.generator && a.fdi == b.fdi && a.volume == b.volume && a.around.empty() == b.around.empty();
   };

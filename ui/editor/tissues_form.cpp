@@ -12,7 +12,7 @@
 #include "scenarios/tissues/tissue_facts.h"
 #include "ui/editor/form_parts.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/parts.h"
 
 namespace cusp::ui {

@@ -1,4 +1,4 @@
-/// What a grown tooth is like beyond its number: plastic or not, what stands round it, its decay. Every change is an edit
+/// What a grown tooth is like beyond its number: plastic or not, what stands round it, its carious lesions. Every change is an edit
 /// of the exercise at once, and the tooth is grown again while one looks.
 #pragma once
 
@@ -41,13 +41,13 @@ class ToothForm : public QWidget {
 
   EditorModel& model_;
   QCheckBox *plastic_, *neighbours_, *gums_, *bone_, *jaw_;
-  QWidget* decay_;
+  QWidget* lesions_;
   QVBoxLayout* list_;
   QPushButton* add_;
   std::vector<LesionRow> rows_;
 };
 
-/// The sites of a tooth's decay that still stand when it becomes another tooth.
+/// The sites of a tooth's lesions that still stand when it becomes another tooth.
 void keep_possible_lesions(SpecimenSource& source);
 
 }  // namespace cusp::ui

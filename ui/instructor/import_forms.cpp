@@ -14,7 +14,8 @@
 #include "ui/instructor/slice_view.h"
 #include "ui/render/colours.h"
 #include "ui/text/import_text.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/parts.h"
@@ -99,15 +100,15 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     column->addWidget(width_->note());
     connect(mend_, &QCheckBox::toggled, this, [this](bool on) {
       width_->setEnabled(on);
-      tell();
+      describe();
       Q_EMIT changed();
     });
     connect(width_, &QDoubleSpinBox::valueChanged, this, [this] {
-      tell();
+      describe();
       Q_EMIT changed();
     });
   }
-  tell();
+  describe();
 }
 
 void MeshForm::add_precedence(QVBoxLayout& column) {
@@ -125,7 +126,7 @@ void MeshForm::add_precedence(QVBoxLayout& column) {
 
 void MeshForm::set_unit_mm(double unit_mm) {
   unit_mm_ = unit_mm;
-  tell();
+  describe();
 }
 
 std::optional<double> MeshForm::mend_mm() const {
@@ -136,7 +137,7 @@ PartPrecedence MeshForm::precedence() const {
   return precedence_ ? static_cast<PartPrecedence>(precedence_->currentIndex()) : PartPrecedence::innermost;
 }
 
-void MeshForm::tell() {
+void MeshForm::describe() {
   const auto mend = mend_mm();
   for (const Row& row : rows_) {
     const MeshInfo& m = row.info;

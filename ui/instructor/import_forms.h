@@ -45,7 +45,7 @@ class MeshForm : public QWidget {
     QComboBox* tissue;
   };
   void add_precedence(QVBoxLayout& column);
-  void tell();
+  void describe();
 
   double unit_mm_ = 1.0;
   std::vector<Row> rows_;

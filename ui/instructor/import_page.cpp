@@ -20,7 +20,7 @@
 #include "ui/instructor/import_size.h"
 #include "ui/modules.h"
 #include "ui/text/import_text.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/busy.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -170,9 +170,9 @@ void ImportPage::end_work() {
   show_files();
 }
 
-void ImportPage::tell_failure(const ImportFailure& failure) {
-  const Told told = tell(failure);
-  band_->show_message(Band::Kind::bad, told.what, told.more);
+void ImportPage::show_failure(const ImportFailure& failure) {
+  const Message message = describe(failure);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
 }
 
 void ImportPage::forget_forms() {
@@ -230,7 +230,7 @@ void ImportPage::look() {
       if (*seen) return self->show_look(std::move(**seen));
       self->files_.clear();
       self->show_files();
-      self->tell_failure(seen->error());
+      self->show_failure(seen->error());
     });
   });
 }
@@ -339,7 +339,7 @@ void ImportPage::run() {
     if (!volume) {
       return answer_to(self, work, [self, failure = volume.error()] {
         self->end_work();
-        self->tell_failure(failure);
+        self->show_failure(failure);
       });
     }
     auto made = std::make_shared<ImportedSpecimen>(imported_specimen(std::move(*volume)));
@@ -365,7 +365,7 @@ void ImportPage::keep() {
   const bool ct = image_ && image_->slices > 0;
   const std::string name = ct ? tr("CT").toStdString() : QFileInfo(QString::fromStdString(files_.front().string())).completeBaseName().toStdString();
   const auto start = exercise_on(*preview_->volume(), name, database_);
-  if (!start) return tell_failure(start.error());
+  if (!start) return show_failure(start.error());
   Q_EMIT edit_wanted(*start);
 }
 

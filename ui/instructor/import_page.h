@@ -72,7 +72,7 @@ class ImportPage : public QWidget {
   void show_made(ImportedSpecimen made, const std::vector<ImportRemark>& remarks);
   void forget_made();
   void keep();
-  void tell_failure(const ImportFailure& failure);
+  void show_failure(const ImportFailure& failure);
 
   const Ports& ports_;
   std::filesystem::path database_;

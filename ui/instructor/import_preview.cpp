@@ -17,7 +17,8 @@
 #include "ui/modules.h"
 #include "ui/render/patch_feed.h"
 #include "ui/text/import_text.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/view/tooth_view.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -121,14 +122,14 @@ void ImportPreview::show_specimen(ImportedSpecimen made, const std::vector<Impor
   QStringList warnings;
   for (const ImportRemark& remark : remarks) {
     if (remark.code == RemarkCode::size_odd) continue;  // asked beside the size
-    if (warns(remark.code)) warnings << tell(remark);
+    if (warns(remark.code)) warnings << describe(remark);
     else notes.push_back(remark);
   }
   warnings_->setText(warnings.join(u'\n'));
   warnings_->setVisible(!warnings.isEmpty());
-  const QStringList told = tell(notes);
-  notes_->setText(told.join(u'\n'));
-  notes_->setVisible(!told.isEmpty());
+  const QStringList lines = describe(notes);
+  notes_->setText(lines.join(u'\n'));
+  notes_->setVisible(!lines.isEmpty());
   show_made();
 }
 

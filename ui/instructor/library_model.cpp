@@ -5,7 +5,7 @@
 #include "scenarios/format/read.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"

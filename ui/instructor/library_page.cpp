@@ -7,7 +7,8 @@
 #include "ui/editor/editor_records.h"
 #include "ui/editor/words_form.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
 
@@ -63,7 +64,7 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
 
 void LibraryPage::read() {
   auto library = load_library(store_, actor_);
-  if (!library) return tell_failure(library.error());
+  if (!library) return show_failure(library.error());
   if (!library->unreadable.empty()) {
     band_->show_message(Band::Kind::look,
                         tr("%n exercise(s) cannot be read.", nullptr, static_cast<int>(library->unreadable.size())),
@@ -89,7 +90,7 @@ void LibraryPage::discard_draft() {
              [this, id, published = row.exercise.has_value(), json = row.draft_json](bool yes) {
                if (!yes) return;
                const auto done = store_.scenarios.drop_draft(actor_, id, json);
-               if (!done) return tell_failure(done.error());
+               if (!done) return show_failure(done.error());
                if (*done == DraftSave::changed_elsewhere) {
                  band_->show_message(Band::Kind::look, tr("The draft was changed in another window meanwhile."),
                                      tr("It was not discarded. The list shows it as it is now."));
@@ -102,9 +103,9 @@ void LibraryPage::discard_draft() {
              });
 }
 
-void LibraryPage::tell_failure(const StorageFailure& failure) {
-  const Told told = tell(failure);
-  band_->show_message(Band::Kind::bad, told.what, told.more);
+void LibraryPage::show_failure(const StorageFailure& failure) {
+  const Message message = describe(failure);
+  band_->show_message(Band::Kind::bad, message.what, message.more);
 }
 
 void LibraryPage::open_chosen() {
@@ -116,7 +117,7 @@ void LibraryPage::open_chosen() {
     return;
   }
   const auto start = open_for_editing(store_, actor_, *row.exercise, database_, cache_);
-  if (!start) return tell_failure(start.error());
+  if (!start) return show_failure(start.error());
   Q_EMIT edit_wanted(*start);
 }
 
@@ -140,7 +141,7 @@ void LibraryPage::begin_new() {
 
 void LibraryPage::begin_as_copy(const Exercise& pattern, const LocalText& title) {
   const auto start = copy_exercise(store_, pattern, title, database_, cache_);
-  if (!start) return tell_failure(start.error());
+  if (!start) return show_failure(start.error());
   Q_EMIT edit_wanted(*start);
 }
 

@@ -40,7 +40,7 @@ class LibraryPage : public QWidget {
   void read();
   void fit_buttons();
   void begin_as_copy(const Exercise& pattern, const LocalText& title);
-  void tell_failure(const StorageFailure& failure);
+  void show_failure(const StorageFailure& failure);
 
   Store& store_;
   Actor actor_;

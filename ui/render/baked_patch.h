@@ -18,7 +18,7 @@ struct PackedVertex {
   std::uint8_t cut;        // 255 where a bur left the surface, else 0
   std::uint8_t ambient;    // light that reaches the place from around, 0 to 255
   std::uint8_t beyond;     // 255 where a bur went further than the leeway allows, else 0
-  float value;             // mm from the target: above 0 cut too far, below 0 left standing
+  float value;             // mm from the target: above 0 over-cut, below 0 uncut remainder
 };
 static_assert(sizeof(PackedVertex) == 28);
 
@@ -39,10 +39,10 @@ struct BakedPatch {
 
 /// How a place of the surface stands to the target.
 struct Deviation {
-  float mm = 0.0f;      // above 0 cut too far, below 0 left standing, 0 where nothing was to be done
+  float mm = 0.0f;      // above 0 over-cut, below 0 uncut remainder, 0 where nothing was to be done
   bool beyond = false;  // cut further than the leeway allows
 };
-/// `cut` tells whether a bur left the surface there.
+/// `cut`: whether a bur left the surface there.
 using DeviationAt = std::function<Deviation(Vec3 mm, bool cut)>;
 
 /// Packs a patch. Of the triangles under its neighbours those stay that reach a brick for which `is_fine` is true (empty:

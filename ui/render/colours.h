@@ -39,7 +39,4 @@ inline constexpr float kDifferenceEndMm = 0.5f;    // colour of the ends
 inline constexpr float kDifferenceHalfMm = 0.3f;   // where a line is drawn
 inline constexpr float kDifferenceQuietMm = 0.1f;  // within it: on target
 
-/// Difference colour of a deviation in mm (for legends; the tooth pass does the same on the tooth).
-Colour difference_colour(float mm) noexcept;
-
 }  // namespace cusp::ui

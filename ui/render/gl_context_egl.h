@@ -12,7 +12,7 @@ namespace cusp::ui {
 
 class EglContext {
  public:
-  /// nullptr when there is none; `why` says which call failed and its code.
+  /// nullptr when there is none; `why` names the call that failed and its code.
   static std::unique_ptr<EglContext> create(int width_px, int height_px, std::string* why = nullptr);
   ~EglContext();
   EglContext(const EglContext&) = delete;

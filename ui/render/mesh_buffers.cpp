@@ -8,7 +8,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr GLint kSpareVertices = 16, kSpareIndices = 96;  // room to grow while a cut makes a patch rougher
+constexpr GLint kSpareVertices = 16, kSpareIndices = 96;  // spare for growth while a cut makes a patch rougher
 // Vertex normals are smoother than the triangles that they shade.
 constexpr float kFaceMargin = 0.30f;  // radians
 

@@ -1,5 +1,5 @@
 /// Every patch in one vertex and one index buffer, so that a frame is one call. A patch keeps its place while it fits,
-/// with some room to grow; one that outgrows it moves to a freed place or the end.
+/// with some space to grow; one that outgrows it moves to a freed place or the end.
 /// Thread: the one that holds the context.
 #pragma once
 
@@ -43,7 +43,7 @@ class MeshBuffers {
   void describe();
 
   GLuint array_ = 0, vertices_ = 0, indices_ = 0;
-  std::size_t vertex_bytes_ = 0, index_bytes_ = 0;  // room in the buffers
+  std::size_t vertex_bytes_ = 0, index_bytes_ = 0;  // capacity of the buffers
   GLint vertex_end_ = 0, index_end_ = 0;            // used
   std::vector<Place> places_;
   std::vector<std::size_t> free_;

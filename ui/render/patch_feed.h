@@ -28,7 +28,7 @@ struct FeedSettings {
 
 using TickTimes = std::vector<std::chrono::steady_clock::time_point>;
 
-/// What the drawer got, with the moments of the ticks whose changes it shows first (as update() was told them).
+/// What the drawer got, with the moments of the ticks whose changes it shows first (as passed to update()).
 struct FedPatches {
   std::vector<BakedPatch> patches;
   TickTimes changes;
@@ -65,7 +65,7 @@ class PatchFeed {
   std::vector<std::vector<std::uint16_t>> seen_;  // [brick] cut values at the last build, for the extent of a change
   mutable std::mutex mutex_;                      // guards waiting_; held for a move of a patch, never by the loop
   std::map<int, Waiting> waiting_;                // [brick]
-  TickTimes changes_;                             // not yet shown; told when the last live patch has gone out
+  TickTimes changes_;                             // not yet shown; handed on when the last live patch has gone out
 };
 
 }  // namespace cusp::ui

@@ -58,7 +58,7 @@ Colour tissue_at(const Volume& volume, const std::array<Colour, kTissueCodes>& c
     const double w = ((i & 1) ? f.x : 1 - f.x) * ((i >> 1 & 1) ? f.y : 1 - f.y) * ((i >> 2) ? f.z : 1 - f.z);
     share[index_of(corner[static_cast<std::size_t>(i)]) % kTissueCodes] += static_cast<float>(w);
   }
-  share[0] = 0;  // outside: the surface's own line says where
+  share[0] = 0;  // outside: the surface's own line marks it
   // Cubed, so that the mixing stays close to the border.
   Colour out{0, 0, 0, 1};
   float sum = 0;
@@ -117,6 +117,18 @@ float line(double distance_px, double half_width_px) {
 
 }  // namespace
 
+namespace {
+
+/// The bur's metal and outline over `c`.
+Colour over_bur(Colour c, const SectionSettings& settings, Vec3 at_mm) {
+  const double b_px = bur_distance(*settings.bur, at_mm - settings.pivot_mm, settings.axis) / settings.mm_per_px;
+  if (b_px >= 1.0) return c;
+  c = over(c, settings.metal, static_cast<float>(std::clamp(0.5 - b_px, 0.0, 1.0)));
+  return over(c, settings.edge, line(b_px, 0.5));
+}
+
+}  // namespace
+
 SectionImage draw_section(const Volume& volume, const SectionSettings& settings) {
   SectionImage out;
   out.width = std::max(settings.width, 1);
@@ -162,13 +174,7 @@ SectionImage draw_section(const Volume& volume, const SectionSettings& settings)
       } else if (!target.empty() && target.at(x, y) < 0 && volume.specimen().s(v) >= kHalf) {
         c = over(c, kTargetLine, 0.10f);  // what was taken away as it should be
       }
-      if (settings.bur) {
-        const double b_px = bur_distance(*settings.bur, at - settings.pivot_mm, settings.axis) * px_per_mm;
-        if (b_px < 1.0) {
-          c = over(c, settings.metal, static_cast<float>(std::clamp(0.5 - b_px, 0.0, 1.0)));
-          c = over(c, settings.edge, line(b_px, 0.5));
-        }
-      }
+      if (settings.bur) c = over_bur(c, settings, at);
       if (volume.specimen().s(v) > 0) {  // the target goes up without end; its lines end just above the specimen
         if (!leeway.empty() && (x + y) % 9 < 6) c = over(c, kLeewayLine, line(leeway.at(x, y) * px_per_mm, 0.6));
         if (!target.empty()) c = over(c, kTargetLine, line(target.at(x, y) * px_per_mm, 0.9));

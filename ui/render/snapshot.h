@@ -30,7 +30,7 @@ struct PictureRequest {
   /// Where to look: empty box = the whole specimen from above at a slant.
   Box look_at;
   PresetView view = PresetView::working;
-  std::vector<Vec3> places_mm;  // of which the picture says where they are drawn
+  std::vector<Vec3> places_mm;  // whose position in the picture is wanted
 };
 
 /// Pixels, top row first, 4 bytes each (R, G, B, A).

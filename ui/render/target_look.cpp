@@ -1,7 +1,9 @@
 #include "ui/render/target_look.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "scenarios/metrics/deviation.h"
 #include "scenarios/shapes/leeway.h"
 #include "ui/modules.h"
 
@@ -17,10 +19,11 @@ TargetLook::TargetLook(const Target& target, const Leeway& leeway)
 DeviationAt TargetLook::deviation() const {
   if (empty()) return {};
   return [shape = shape_, leeway = leeway_](Vec3 mm, bool cut) {
-    const double d = shape->distance_mm(mm);
     Deviation out;
-    if (cut || d < 0.0) out.mm = static_cast<float>(d);
-    if (cut && d > 0.0) {
+    const std::optional<double> d = deviation_mm(*shape, mm, cut);
+    if (!d) return out;
+    out.mm = static_cast<float>(*d);
+    if (cut && *d > 0.0) {
       const Place place = place_of(*shape, leeway, mm);
       out.beyond = place == Place::beyond_floor || place == Place::beyond_side;
     }

@@ -48,7 +48,7 @@ struct DrawStats {
 
 class ToothPicture {
  public:
-  /// nullptr when the context is not able (older than 3.3 core); `why` says what failed.
+  /// nullptr when the context is not able (older than 3.3 core); `why` names what failed.
   static std::unique_ptr<ToothPicture> create(std::string* why = nullptr);
   ~ToothPicture();
 

@@ -7,7 +7,7 @@
 
 #include "scenarios/grading/maxima.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 

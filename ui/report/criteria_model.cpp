@@ -1,6 +1,6 @@
 #include "ui/report/criteria_model.h"
 
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {

@@ -81,7 +81,7 @@ class PinLeader : public QWidget {
 PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent)
     : QWidget(parent), volume_(std::move(volume)), view_(new ToothView(this)), leader_(new PinLeader(this)), ring_(new Ring(this)),
       card_(new QLabel(this)) {
-  view_->setAccessibleName(tr("The tooth after this go"));
+  view_->setAccessibleName(tr("The tooth after this attempt"));
   view_->set_left_turns(true);
   view_->set_target_shown(false);
   view_->set_colouring(Colouring::deviation);
@@ -182,7 +182,7 @@ void PinnedTooth::resizeEvent(QResizeEvent*) {
 }
 
 DeviationLegend::DeviationLegend(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Colours: left standing, on target, cut too far; from -0.5 to +0.5 mm"));
+  setAccessibleName(tr("Colours: not removed, on target, over-cut; from -0.5 to +0.5 mm"));
 }
 QSize DeviationLegend::sizeHint() const { return {px(440), px(66)}; }
 
@@ -194,7 +194,7 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   p.setLayoutDirection(Qt::LeftToRight);
   const double w = std::min<double>(width() - px(56), px(400)), x0 = (width() - w) / 2;
   const QFont bold = font_of(TextRole::caption, true), plain = font_of(TextRole::caption);
-  const QString low = tr("Left standing"), middle = tr("on target"), high = tr("Cut too far");
+  const QString low = tr("Not removed"), middle = tr("on target"), high = tr("Over-cut");
   p.setFont(bold);
   p.setPen(t.text);
   p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignLeft | Qt::AlignVCenter, low);

@@ -7,13 +7,14 @@
 #include "ui/modules.h"
 #include "ui/render/target_look.h"
 #include "ui/text/bur_text.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
 namespace {
 
-struct Words {
+struct Text {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
 };
 
@@ -23,7 +24,7 @@ QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(ut
 
 }  // namespace
 
-ReportData gather_report(const RunResult& result, Store* store, const Actor* reader) {
+ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
   ReportData data;
   data.result = result;
   // The records do not keep the mark.
@@ -41,7 +42,7 @@ ReportData gather_report(const RunResult& result, Store* store, const Actor* rea
     data.student = QString::fromStdString(details->row.student_name);
     data.when = moment(details->row.started_utc_us);
     data.kind = details->row.kind;
-    data.go = details->row.go;
+    data.attempt = details->row.go;
   }
   if (const auto chunks = store->traces.chunks(result.session)) {
     BurUse use;
@@ -70,7 +71,7 @@ std::vector<Advice> next_time(const ReportData& data) {
   std::vector<Advice> out;
   for (const CriticalEvent& event : data.critical) {
     out.push_back({critical_text(event, data.result.scenario.specimen),
-                   Words::tr("This fails the attempt, whatever its points."), critical_advice(event.key), event.place_mm,
+                   Text::tr("This fails the attempt, whatever its points."), critical_advice(event.key), event.place_mm,
                    true});
   }
   const Grade& grade = data.result.grade;
@@ -85,24 +86,24 @@ std::vector<Advice> next_time(const ReportData& data) {
 }
 
 QString occasion_text(const ReportData& data) {
-  if (data.go == 0) return Words::tr("Nothing of this go is kept");
-  return Words::tr("%1 · %2, go %3").arg(format_day_time(data.when), kind_name(data.kind)).arg(data.go);
+  if (data.attempt == 0) return Text::tr("Nothing of this attempt is kept");
+  return Text::tr("%1 · %2, attempt %3").arg(format_day_time(data.when), kind_name(data.kind)).arg(data.attempt);
 }
 
 QString circumstances_text(const ReportData& data) {
   QStringList parts;
-  parts += Words::tr("%1 min").arg(format_clock(data.result.seconds));
-  if (data.peak_push_n) parts += Words::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
+  parts += Text::tr("%1 min").arg(format_clock(data.result.seconds));
+  if (data.peak_push_n) parts += Text::tr("peak push %1").arg(format({*data.peak_push_n, std::nullopt, u"N"_qs, 1}));
   parts += device_name(data.result.device.device_class);
   if (data.result.stiffness_share < 1.0) {
-    parts += Words::tr("tissues at %1 of their stiffness")
+    parts += Text::tr("tissues at %1 of their stiffness")
                  .arg(format({data.result.stiffness_share * 100, std::nullopt, u"%"_qs, 0}));
   }
   return parts.join(u" · "_qs);
 }
 
 QStringList burs_used_text(const ReportData& data) {
-  constexpr int kMostSpans = 4;  // of a line; a go with more changes says so
+  constexpr int kMostSpans = 4;  // of a line; an attempt with more changes says so
   QStringList lines;
   const std::vector<Bur>& burs = data.result.scenario.instruments;
   for (std::size_t i = 0; i < burs.size(); ++i) {
@@ -115,18 +116,18 @@ QStringList burs_used_text(const ReportData& data) {
         continue;
       }
       const auto clock = [](std::uint64_t us) { return format_clock(static_cast<double>(us) * 1e-6); };
-      //: From one moment of a go to another, as "1:12 to 3:05".
-      spans += Words::tr("%1 to %2").arg(clock(span.from_us), clock(span.to_us));
+      //: From one moment of an attempt to another, as "1:12 to 3:05".
+      spans += Text::tr("%1 to %2").arg(clock(span.from_us), clock(span.to_us));
     }
     if (spans.isEmpty()) continue;
-    if (more > 0) spans += Words::tr("and %n more", nullptr, more);
+    if (more > 0) spans += Text::tr("and %n more", nullptr, more);
     //: A bur, and when it was used.
-    lines += Words::tr("Bur %1: %2").arg(bur_text(burs[i]), spans.join(Words::tr(", ")));
+    lines += Text::tr("Bur %1: %2").arg(bur_text(burs[i]), spans.join(Text::tr(", ")));
   }
   return lines;
 }
 
-DrawnTooth draw_report_tooth(const RunResult& result, int side_px, const std::vector<Vec3>& places_mm) {
+DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std::vector<Vec3>& places_mm) {
   if (!result.volume) return fail(PictureError::drawing, "volume", "no volume");
   const TargetLook look(result.scenario.target, result.scenario.leeway);
   PictureRequest request;
@@ -151,8 +152,8 @@ DrawnTooth draw_report_tooth(const RunResult& result, int side_px, const std::ve
 
 QString picture_failure_text(const PictureFailure& failure) {
   const QString cause = isolate(QString::fromStdString(failure.detail.empty() ? failure.where : failure.detail));
-  if (failure.code == PictureError::no_opengl) return Words::tr("The tooth could not be drawn: OpenGL 3.3 did not start (%1).").arg(cause);
-  return Words::tr("The tooth could not be drawn (%1).").arg(cause);
+  if (failure.code == PictureError::no_opengl) return Text::tr("The tooth could not be drawn: OpenGL 3.3 did not start (%1).").arg(cause);
+  return Text::tr("The tooth could not be drawn (%1).").arg(cause);
 }
 
 }  // namespace cusp::ui

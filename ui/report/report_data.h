@@ -1,4 +1,4 @@
-/// What a report shows, gathered once from a go's result and the records. No widget.
+/// What a report shows, gathered once from an attempt's result and the records. No widget.
 #pragma once
 
 #include <QDateTime>
@@ -14,27 +14,27 @@
 #include "ui/modules.h"
 #include "ui/render/snapshot.h"
 #include "ui/session/bur_use.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 #include "ui/text/critical_events.h"
 
 namespace cusp::ui {
 
 struct ReportData {
-  RunResult result;
+  SessionResult result;
   QString title;                  // of the exercise, in the installed language
-  QString student;                // empty for a go that nobody signed in for
-  QDateTime when;                 // local time of the go's start; null when nothing was kept
+  QString student;                // empty for an attempt that nobody signed in for
+  QDateTime when;                 // local time of the attempt's start; null when nothing was kept
   SessionKind kind = SessionKind::try_it;
-  int go = 0;                     // 0 = nothing was kept
+  int attempt = 0;                     // 0 = nothing was kept
   std::optional<double> peak_push_n;
   std::vector<BurSpan> burs;    // what was in the handpiece when; empty when nothing was kept
   std::vector<CriticalEvent> critical;  // of the grade, the opened pulp first
-  std::optional<Grade> before;    // the best go before, of the same exercise and device class
+  std::optional<Grade> before;    // the best attempt before, of the same exercise and device class
   QDateTime before_when;
 };
 
 /// `store` and `reader` may be null: then only the result itself is shown.
-ReportData gather_report(const RunResult& result, Store* store, const Actor* reader);
+ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader);
 
 /// One entry of "Next time".
 struct Advice {
@@ -47,7 +47,7 @@ struct Advice {
 /// counted_text() says them all in one sentence.
 std::vector<Advice> next_time(const ReportData& data);
 
-/// "Fri 20 Nov, 10:14 · Practice, go 7".
+/// "Fri 20 Nov, 10:14 · Practice, attempt 7".
 QString occasion_text(const ReportData& data);
 /// "7:38 min · peak push 2.1 N · Mouse and keys".
 QString circumstances_text(const ReportData& data);
@@ -62,7 +62,7 @@ struct ToothDrawing {
 };
 using DrawnTooth = Result<ToothDrawing, PictureFailure>;
 /// Drawn without a window; takes about a second, and some more for the first of a jaw.
-DrawnTooth draw_report_tooth(const RunResult& result, int side_px, const std::vector<Vec3>& places_mm = {});
+DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std::vector<Vec3>& places_mm = {});
 /// "The tooth could not be drawn: OpenGL 3.3 did not start (eglMakeCurrent 0x3002)."
 QString picture_failure_text(const PictureFailure& failure);
 

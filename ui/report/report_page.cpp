@@ -13,7 +13,7 @@
 #include "ui/report/criteria_model.h"
 #include "ui/report/pinned_tooth.h"
 #include "ui/report/report_pdf.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
@@ -29,7 +29,7 @@ constexpr int kNarrow = 1200;        // px at 100 %; below it the words take mor
 
 }  // namespace
 
-ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, const QString& back_name, QWidget* parent)
+ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_try_again, const QString& back_name, QWidget* parent)
     : QWidget(parent), data_(std::move(data)), ports_(ports) {
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
@@ -37,7 +37,7 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(make_bar(can_go_again, back_name));
+  column->addWidget(make_bar(can_try_again, back_name));
   halves_ = new QHBoxLayout;
   halves_->setSpacing(0);
   halves_->addWidget(make_tooth(), 45);
@@ -63,7 +63,7 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_go_again, c
     for (const CriticalEvent& event : data_.critical) what += critical_text(event, data_.result.scenario.specimen) + u'.';
     band_->show_message(Band::Kind::bad, what.join(u' '), tr("This fails the attempt, whatever its points; the points still stand."));
   } else if (data_.result.state == SessionState::interrupted) {
-    band_->show_message(Band::Kind::look, tr("This go broke off."), tr("It is marked as it stands."));
+    band_->show_message(Band::Kind::look, tr("This attempt broke off."), tr("It is marked as it stands."));
   }
   // The dearest loss first: that is what the reader came for. What failed the attempt is pinned before it.
   const bool opened_pulp = !data_.critical.empty() && data_.critical.front().key == "pulp_exposure";
@@ -94,7 +94,7 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
-QWidget* ReportPage::make_bar(bool can_go_again, const QString& back_name) {
+QWidget* ReportPage::make_bar(bool can_try_again, const QString& back_name) {
   auto* bar = new QFrame;
   bar->setProperty("kind", u"bar_top"_qs);
   bar->setFixedHeight(px(48));
@@ -110,7 +110,7 @@ QWidget* ReportPage::make_bar(bool can_go_again, const QString& back_name) {
   row->addSpacing(px(4));
   row->addWidget(make_label(data_.title, TextRole::section, true));
   QString aside = occasion_text(data_);
-  if (!data_.student.isEmpty() && !can_go_again) aside = data_.student + u" · "_qs + aside;
+  if (!data_.student.isEmpty() && !can_try_again) aside = data_.student + u" · "_qs + aside;
   row->addWidget(make_label(aside, TextRole::body, false, "text2"), 1);
   QPushButton* paper = make_button(tr("Print"), ButtonKind::standard, u"print"_qs, QKeySequence::Print);
   QPushButton* pdf = make_button(tr("Save as PDF"), ButtonKind::standard, u"export"_qs, QKeySequence::Save);
@@ -119,9 +119,9 @@ QWidget* ReportPage::make_bar(bool can_go_again, const QString& back_name) {
   row->addWidget(paper);
   row->addWidget(pdf);
   for (QPushButton* button : {paper, pdf}) saves_.emplace_back(button, button->text());
-  if (can_go_again) {
-    QPushButton* again = make_button(tr("Go again"), ButtonKind::primary);
-    connect(again, &QPushButton::clicked, this, &ReportPage::go_again_wanted);
+  if (can_try_again) {
+    QPushButton* again = make_button(tr("Try again"), ButtonKind::primary);
+    connect(again, &QPushButton::clicked, this, &ReportPage::try_again_wanted);
     row->addWidget(again);
   }
   return bar;
@@ -284,7 +284,7 @@ QWidget* ReportPage::make_next_time() {
 QWidget* ReportPage::make_against() {
   auto* card = new Card(tr("Against your best before"));
   if (!data_.before) {
-    QLabel* label = make_label(tr("No go with this device came before. From the next one on this compares the two."),
+    QLabel* label = make_label(tr("No attempt with this device came before. From the next one on this compares the two."),
                                TextRole::body, false, "text2");
     label->setWordWrap(true);
     card->body()->addWidget(label);
@@ -301,7 +301,7 @@ QWidget* ReportPage::make_against() {
     legend->addSpacing(px(6));
   };
   dot(false, tr("%1, %2").arg(format_day(data_.before_when), format_points(data_.before->score)));
-  dot(true, tr("this go, %1").arg(format_points(data_.result.grade.score)));
+  dot(true, tr("this attempt, %1").arg(format_points(data_.result.grade.score)));
   legend->addStretch();
   card->body()->addLayout(legend);
   card->body()->addWidget(new AgainstBefore(data_.result.grade, *data_.before));
@@ -324,7 +324,7 @@ void ReportPage::save_pdf() {
     const auto done = write_report_pdf(path.toStdString(), data_, tooth);
     if (!done) {
       band_->show_message(Band::Kind::bad, tr("The report was not saved."),
-                          tr("%1 cannot be written. The go and its grade are kept.").arg(path));
+                          tr("%1 cannot be written. The attempt and its grade are kept.").arg(path));
     } else if (!tooth) {
       band_->show_message(Band::Kind::look, tr("The report is saved without the picture of the tooth."),
                           picture_failure_text(tooth.error()) + u' ' + path);

@@ -1,4 +1,4 @@
-/// The report of one go: the tooth by deviation at the left; score, criteria, what to do next time and the best before
+/// The report of one attempt: the tooth by deviation at the left; score, criteria, what to do next time and the best before
 /// at the right. A chosen row turns the tooth to its place and pins it.
 #pragma once
 
@@ -26,20 +26,20 @@ class ReportPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `can_go_again`: the one who drilled it is looking.
-  ReportPage(ReportData data, const Ports& ports, bool can_go_again, const QString& back_name, QWidget* parent = nullptr);
+  /// `can_try_again`: the one who drilled it is looking.
+  ReportPage(ReportData data, const Ports& ports, bool can_try_again, const QString& back_name, QWidget* parent = nullptr);
   Table* table() const { return table_; }
   const ReportData& data() const { return data_; }
 
  Q_SIGNALS:
   void back_wanted();
-  void go_again_wanted();
+  void try_again_wanted();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* make_bar(bool can_go_again, const QString& back_name);
+  QWidget* make_bar(bool can_try_again, const QString& back_name);
   QWidget* make_tooth();
   QWidget* make_score();
   QWidget* make_criteria();

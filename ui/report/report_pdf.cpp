@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "ui/report/criteria_model.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/gauge.h"
@@ -20,7 +20,7 @@
 namespace cusp::ui {
 namespace {
 
-struct Words {
+struct Text {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
 };
 
@@ -91,8 +91,8 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   paper.write(score, x, w, 40, true, t.text, Qt::AlignLeft, false);
   const double right = x + width + paper.u(14);
   paper.skip(8);
-  paper.write((g.passed ? Words::tr("Passed") : Words::tr("Not passed")) + u" · "_qs +
-                  Words::tr("%1 of %2 points, pass mark %3")
+  paper.write((g.passed ? Text::tr("Passed") : Text::tr("Not passed")) + u" · "_qs +
+                  Text::tr("%1 of %2 points, pass mark %3")
                       .arg(score, format_points(g.score_max), format_points(g.pass_mark)),
               right, w - width, 12, true, g.passed ? t.good : t.bad);
   paper.skip(2);
@@ -100,7 +100,7 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   for (const QString& used : burs_used_text(d)) paper.write(used, right, w - width, 11, false, t.text2);
   paper.skip(14);
   for (const CriticalEvent& event : d.critical) {
-    paper.write(Words::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), x, w, 12, true, t.bad);
+    paper.write(Text::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), x, w, 12, true, t.bad);
     paper.skip(4);
   }
 }
@@ -218,7 +218,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
 
 void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperAdvice>& shown, const Tokens& t) {
   const double x = paper.page().left(), w = paper.page().width(), indent = paper.u(20);
-  paper.write(Words::tr("Next time"), x, w, 13, true, t.text);
+  paper.write(Text::tr("Next time"), x, w, 13, true, t.text);
   paper.skip(4);
   for (const auto& [advice, at, number] : shown) {
     if (number > 0) draw_number(paper, {x + paper.u(kRing), paper.y() + paper.u(8)}, number, t);
@@ -228,11 +228,11 @@ void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperA
   }
   const QString counted = counted_text(d.result.grade, d.result.scenario.rubric);
   if (!counted.isEmpty()) paper.write(counted, x, w, 11, false, t.text);
-  if (shown.empty() && counted.isEmpty()) paper.write(Words::tr("Every criterion has its full points."), x, w, 11, false, t.text);
+  if (shown.empty() && counted.isEmpty()) paper.write(Text::tr("Every criterion has its full points."), x, w, 11, false, t.text);
   if (d.before) {
     paper.skip(8);
     const double apart = d.result.grade.score - d.before->score;
-    paper.write(Words::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
+    paper.write(Text::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
                     .arg(format_points(d.before->score), format_day(d.before_when),
                          (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)),
                 x, w, 11, false, t.text2);
@@ -245,11 +245,11 @@ void write_legend(Paper& paper, const Tokens& t) {
   const QRectF page = paper.page();
   const double x = page.left() + paper.u(kToothHigh * kToothRatio + 20), w = page.right() - x;
   const ToothColours& c = ToothColours::get();
-  const std::pair<QString, QColor> lines[] = {{Words::tr("0.5 mm and more left standing"), c.map[0]},
-                                              {Words::tr("0.3 mm left standing"), c.map[1]},
-                                              {Words::tr("on target, within 0.1 mm"), c.map[2]},
-                                              {Words::tr("0.3 mm cut too far"), c.map[3]},
-                                              {Words::tr("0.5 mm and more cut too far"), c.map[4]}};
+  const std::pair<QString, QColor> lines[] = {{Text::tr("0.5 mm and more not removed"), c.map[0]},
+                                              {Text::tr("0.3 mm not removed"), c.map[1]},
+                                              {Text::tr("on target, within 0.1 mm"), c.map[2]},
+                                              {Text::tr("0.3 mm over-cut"), c.map[3]},
+                                              {Text::tr("0.5 mm and more over-cut"), c.map[4]}};
   double y = paper.y();
   for (const auto& [text, colour] : lines) {
     painter.setPen(QPen(t.border, paper.u(0.7)));
@@ -307,10 +307,10 @@ void paint_report(QPainter& painter, const QRectF& page, double unit, const Repo
   paper.skip(kToothHigh + 14);
   write_criteria(paper, data, t);
   write_next_time(paper, data, advice, t);
-  // Foot: what identifies the go.
+  // Foot: what identifies the attempt.
   painter.setFont(paper.font(8.5));
   painter.setPen(t.text3);
-  QString foot = Words::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
+  QString foot = Text::tr("Engine %1, marking %2").arg(data.result.engine_version).arg(QString::fromStdString(data.result.grade.evaluator));
   if (!data.result.session.is_nil()) foot += u" · "_qs + QString::fromStdString(data.result.session.text());
   painter.drawText(page, Qt::AlignLeft | Qt::AlignBottom, foot);
 }

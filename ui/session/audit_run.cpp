@@ -38,16 +38,16 @@ struct Table {
   std::uint64_t bytes = 0;
 };
 
-/// Told how far it is, in [0, 1]; false: stop.
+/// Message how far it is, in [0, 1]; false: stop.
 using Onwards = std::function<bool(double share)>;
 
-Run<Table> lay(const Model& model, const std::filesystem::path& folder, const Onwards& onwards) {
+Outcome<Table> lay(const Model& model, const std::filesystem::path& folder, const Onwards& onwards) {
   Table out;
   out.scenario = model.scenario;
   const double began = thread_cpu_s();
   std::atomic<bool> stop = false;
   auto dense = make_specimen(model.scenario.specimen, folder, &stop, [&](double share) { stop = stop || !onwards(share); });
-  if (!dense) return run_fail(RunError::specimen, dense.error());
+  if (!dense) return session_fail(SessionError::specimen, dense.error());
   const double grown = thread_cpu_s();
   *dense = prepared(std::move(*dense), model);
   const double ready = thread_cpu_s();
@@ -118,21 +118,21 @@ class Led final : public HapticPort {
   std::size_t next_ = 0;
 };
 
-struct Go {
+struct AuditAttempt {
   Grade grade;
   std::vector<StepInput> path;
   double seconds = 0;
   std::uint64_t lost = 0;
 };
 
-/// As play_through plays, without mirror and record. nullopt: told to stop.
-std::optional<Go> play(const Table& table, HapticPort& port, const std::function<bool()>& go_on) {
+/// As play_through plays, without mirror and record. nullopt: stopped.
+std::optional<AuditAttempt> play(const Table& table, HapticPort& port, const std::function<bool()>& go_on) {
   LoopSettings settings;
   settings.period = std::chrono::microseconds(kAuditTickUs);
   VirtualLoop loop(port, StepState(table.scene), settings);
   FragmentFinder finder(loop.hand_over());
   Process process;
-  Go out;
+  AuditAttempt out;
   for (std::uint64_t tick = 1; loop.run(1) == 1; ++tick) {
     StepInput input;
     while (loop.hand_over().inputs.pop(input)) out.path.push_back(input);
@@ -159,7 +159,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// What an expert's device said, in ticks of 1 ms: up to the first touch, and so many ticks from there on.
+/// The samples of an expert's device, in ticks of 1 ms: up to the first touch, and so many ticks from there on.
 struct Path {
   std::vector<StepInput> inputs;
   std::size_t touched_at = 0;
@@ -255,7 +255,7 @@ class Player {
  private:
   struct Known {
     AuditOperator hand;
-    Go go;
+    AuditAttempt attempt;
   };
   /// A model is grown once for as long as runs ask for it, and for one run longer: a jaw of fine voxels takes half a
   /// minute. The exercise as it is stays.
@@ -264,11 +264,11 @@ class Player {
     std::shared_ptr<const Table> table;
     std::size_t asked_in = 0;
   };
-  Run<std::shared_ptr<const Table>> laid(const Model& model, const Onwards& onwards);
+  Outcome<std::shared_ptr<const Table>> laid(const Model& model, const Onwards& onwards);
   void put_away(const AuditRun& run);
-  /// The hand's own go at home; played once.
-  Result<const Go*, AuditFailure> at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on);
-  Result<std::optional<Go>, AuditFailure> felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on);
+  /// The operator's own attempt at home; played once.
+  Result<const AuditAttempt*, AuditFailure> at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on);
+  Result<std::optional<AuditAttempt>, AuditFailure> felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on);
 
   std::filesystem::path folder_;
   Scenario home_;
@@ -278,7 +278,7 @@ class Player {
   std::size_t run_ = 0;
 };
 
-Run<std::shared_ptr<const Table>> Player::laid(const Model& model, const Onwards& onwards) {
+Outcome<std::shared_ptr<const Table>> Player::laid(const Model& model, const Onwards& onwards) {
   for (Laid& one : laid_) {
     if (!(one.model == model)) continue;
     one.asked_in = run_;
@@ -297,14 +297,14 @@ void Player::put_away(const AuditRun& run) {
   });
 }
 
-Result<std::optional<Go>, AuditFailure> Player::felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on) {
+Result<std::optional<AuditAttempt>, AuditFailure> Player::felt(const Table& table, const AuditOperator& who, const std::function<bool()>& go_on) {
   auto hand = operator_by_name(who.name, table.scenario, *table.specimen, who.seed);
   if (!hand) return fail(AuditError::unplayable, who.name);
   Swaying port(std::move(*hand), kAuditTickUs * 1e-6, table.scenario.tool_turn_deg);
   return play(table, port, go_on);
 }
 
-Result<const Go*, AuditFailure> Player::at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on) {
+Result<const AuditAttempt*, AuditFailure> Player::at_home(const Scenario& home, const AuditOperator& who, const std::function<bool()>& go_on) {
   if (!home_table_ || !(home_ == home)) {
     bool stop = false;
     auto table = laid({home}, [&](double) { return !(stop = stop || !go_on()); });
@@ -315,12 +315,12 @@ Result<const Go*, AuditFailure> Player::at_home(const Scenario& home, const Audi
     known_.clear();
   }
   for (const Known& one : known_)
-    if (one.hand == who) return &one.go;
-  auto go = felt(*home_table_, who, go_on);
-  if (!go) return std::unexpected(go.error());
-  if (!*go) return fail(AuditError::cancelled, {});
-  known_.push_back({who, std::move(**go)});
-  return &known_.back().go;
+    if (one.hand == who) return &one.attempt;
+  auto attempt = felt(*home_table_, who, go_on);
+  if (!attempt) return std::unexpected(attempt.error());
+  if (!*attempt) return fail(AuditError::cancelled, {});
+  known_.push_back({who, std::move(**attempt)});
+  return &known_.back().attempt;
 }
 
 Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(const AuditRun& run, const AuditWatch& watch) {
@@ -328,8 +328,8 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
   Tables tables;
   std::vector<std::optional<ModelResult>> results;
   const auto stopped = [] { return fail(AuditError::cancelled, {}); };
-  // Laying the tables is taken for a tenth, the goes for the rest.
-  const double goes = static_cast<double>(run.models.size() * run.operators.size());
+  // Laying the tables is taken for a tenth, the attempts for the rest.
+  const double attempts = static_cast<double>(run.models.size() * run.operators.size());
   for (const Model& model : run.models) {
     bool stop = false;
     const auto onwards = [&](double share) {
@@ -345,16 +345,16 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
   }
   if (run.costs) take_costs(tables, results);
   double done = 0;
-  const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / std::max(goes, 1.0)); };
+  const auto go_on = [&] { return !watch || watch(0.1 + 0.9 * done / std::max(attempts, 1.0)); };
   for (const AuditOperator& who : run.operators) {
     const bool home_first = !run.models.empty() && run.models.front().scenario == run.home;
-    Result<const Go*, AuditFailure> home = nullptr;
+    Result<const AuditAttempt*, AuditFailure> home = nullptr;
     if (!run.felt || home_first) home = at_home(run.home, who, go_on);
     if (!home) return std::unexpected(home.error());
     for (std::size_t m = 0; m < tables.size(); ++m, ++done) {
       if (!tables[m]) continue;
       const bool is_home = home_first && m == 0;
-      std::optional<Go> own;
+      std::optional<AuditAttempt> own;
       if (run.felt && !is_home) {
         auto played = felt(*tables[m], who, go_on);
         if (!played) return std::unexpected(played.error());
@@ -364,7 +364,7 @@ Result<std::vector<std::optional<ModelResult>>, AuditFailure> Player::play_all(c
         own = play(*tables[m], led, go_on);
       }
       if (!own && !is_home) return stopped();
-      const Go& came = own ? *own : **home;
+      const AuditAttempt& came = own ? *own : **home;
       results[m]->attempts.push_back({who, came.grade, came.seconds, came.lost});
     }
   }

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <utility>
 
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 
 namespace cusp::ui {
 namespace {
@@ -54,7 +54,7 @@ class BackgroundWatch final : public DeviceWatch {
 
  private:
   std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
-  Errand errand_;
+  BackgroundTask errand_;
 };
 
 }  // namespace

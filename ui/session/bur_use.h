@@ -1,4 +1,4 @@
-/// Which bur was in the handpiece when, told by a session's inputs. Any thread.
+/// Which bur was in the handpiece when, from a session's inputs. Any thread.
 #pragma once
 
 #include <cstdint>

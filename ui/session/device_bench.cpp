@@ -86,7 +86,7 @@ DeviceBench::DeviceBench(const DeviceChoice& choice, const falcon::EmulatedBodyS
   }
   in.port = std::make_unique<FalconPort>(std::move(link), settings);
   if (choice.kind == "falcon" && !choice.firmware.file.empty()) {
-    // A file that is not what it was is told only where firmware is needed: one that runs already goes without.
+    // A file that is not what it was is reported only where firmware is needed: one that runs already goes without.
     auto image = read_firmware(choice.firmware);
     if (image) {
       in.port->give_image(std::move(*image));

@@ -10,15 +10,15 @@
 #include "device/falcon/trial.h"
 #include "engine/loop/realtime.h"
 #include "ui/modules.h"
-#include "ui/session/run_device.h"
+#include "ui/session/session_device.h"
 
 namespace cusp::ui {
 
 enum class BenchPhase : std::uint8_t {
-  opening,   // looking for it, loading, or homing: falcon.session tells which
+  opening,   // looking for it, loading, or homing: see falcon.session
   running,   // homed, exchanging: trials may start
   lost,      // was there, and is looked for by itself
-  failed,    // open() failed; `failure` says why; try again by a new bench
+  failed,    // open() failed; see `failure`; try again by a new bench
 };
 
 /// Plain values, about a thousand times a second.

@@ -1,4 +1,4 @@
-/// What a running exercise tells: plain values for panels (LiveView), and the whole state for drawing (Observer).
+/// What a running session shows: plain values for panels (LiveView), and the whole state for drawing (Observer).
 #pragma once
 
 #include <array>
@@ -22,10 +22,10 @@ namespace cusp::ui {
 using Observer = MirrorObserver;
 
 enum class RecordingState : std::uint8_t {
-  off,        // a try-out or guest go: nothing is kept
+  off,        // a try-out or guest attempt: nothing is kept
   recording,
-  behind,     // the disk is slow; nothing is lost yet
-  failed,     // could not be written: the go is held, LiveView::recording_failure says why
+  behind,     // seconds wait in memory: a slow or full disk, or a locked file; nothing is lost yet
+  failed,     // could not be written: the attempt is held, see LiveView::recording_failure
 };
 
 /// One copy of everything that panels and gauges show, about 40 times a second. Plain values.
@@ -39,15 +39,16 @@ struct LiveView {
   Sample::Status device = Sample::Status::fresh;
   double push_n = 0;                    // length of the force before the guard
   double seconds = 0;                   // session time: stands still while paused
+  bool time_is_up = false;              // the scenario's time limit is reached: the session is held for good
 
-  // The mirror's newest state; `shown_tick` says of which tick.
+  // The mirror's newest state; `shown_tick` is its tick.
   std::uint64_t shown_tick = 0;
   double target_removed_percent = 0;    // of the target's volume
   double over_leeway_mm3 = 0;           // cut outside the target, within the leeway shell
   double over_beyond_mm3 = 0;           // cut beyond the leeway
   std::array<double, kTissueCodes> removed_mm3{};
   double depth_mm = 0;                  // deepest cut below the target's reference plane
-  double bur_depth_mm = 0;             // tip of the bur below the same plane now; negative above it
+  double bur_depth_mm = 0;              // tip of the bur below the same plane now; negative above it
   std::optional<double> over_pulp_mm;   // least dentine left between the cut and the pulp; nullopt: no pulp within reach
   bool pulp_exposed = false;
   double peak_push_n = 0;

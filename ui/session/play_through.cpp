@@ -6,37 +6,20 @@
 #include "engine/loop/haptic_loop.h"
 #include "engine/mirror/fragment_finder.h"
 #include "ui/modules.h"
-#include "ui/session/run_follower.h"
-#include "ui/session/run_setup.h"
+#include "ui/session/session_follower.h"
+#include "ui/session/session_setup.h"
 
 namespace cusp::ui {
 
-Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& settings) {
-  if (auto opened = port.open(); !opened) return run_fail(RunError::device, opened.error());
-  auto made = set_up(plan, port.limits());
-  if (!made) {
-    port.close();
-    return std::unexpected(made.error());
-  }
-  RunSetup setup = std::move(*made);
-  std::unique_ptr<Recorder> recorder;
-  if (setup.store) {
-    recorder = std::make_unique<Recorder>(std::move(setup.store), setup.session, Recorder::Writing::at_once);
-  }
-  RunFollower follower(setup.reference, *setup.mirror_start, recorder.get(), setup.process, {});
-  VirtualLoop loop(port, std::move(*setup.loop_start));
-  if (settings.elapsed_us) loop.take_elapsed_from(settings.elapsed_us);
-  MirrorSettings mirror_settings;
-  mirror_settings.show_every_us = settings.show_every_us;
-  Mirror mirror(std::move(*setup.mirror_start), loop.hand_over(), mirror_settings);
-  mirror.add(follower);
-  for (Observer* observer : plan.observers) mirror.add(*observer);
+namespace {
 
+/// Runs loop and mirror until the script ends, `go_on` refuses or the record fails.
+SessionEnd run_script(VirtualLoop& loop, Mirror& mirror, const Recorder* recorder, const PlaySettings& settings) {
   // The mirror follows on the other core. Short turns and a short wait: what stands on the disk is never more than a
   // fraction of a second of the session behind what was played.
   constexpr std::uint64_t kTurn = 25;
   constexpr std::size_t kMostWaiting = 150;
-  RunEnd end = RunEnd::script;
+  SessionEnd end = SessionEnd::script;
   std::uint64_t asked_at_s = 0;
   // Between turns, not by the mirror: when a piece goes must not depend on threads.
   FragmentFinder finder(loop.hand_over());
@@ -49,11 +32,39 @@ Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& 
     if (settings.go_on && elapsed / 1'000'000 > asked_at_s) {
       asked_at_s = elapsed / 1'000'000;
       if (!settings.go_on(elapsed)) {
-        end = RunEnd::stopped;
+        end = SessionEnd::stopped;
         break;
       }
     }
   }
+  return end;
+}
+
+}  // namespace
+
+Outcome<SessionResult> play_through(SessionPlan plan, HapticPort& port, const PlaySettings& settings) {
+  if (auto opened = port.open(); !opened) return session_fail(SessionError::device, opened.error());
+  auto made = set_up(plan, port.limits());
+  if (!made) {
+    port.close();
+    return std::unexpected(made.error());
+  }
+  SessionSetup setup = std::move(*made);
+  std::unique_ptr<Recorder> recorder;
+  if (setup.store) {
+    recorder = std::make_unique<Recorder>(std::move(setup.store), setup.session, Recorder::Writing::at_once);
+  }
+  // A script ends by itself: no time limit, nothing to hold.
+  SessionFollower follower(setup.reference, *setup.mirror_start, {recorder.get(), setup.process, 0.0, {}});
+  VirtualLoop loop(port, std::move(*setup.loop_start));
+  if (settings.elapsed_us) loop.take_elapsed_from(settings.elapsed_us);
+  MirrorSettings mirror_settings;
+  mirror_settings.show_every_us = settings.show_every_us;
+  Mirror mirror(std::move(*setup.mirror_start), loop.hand_over(), mirror_settings);
+  mirror.add(follower);
+  for (Observer* observer : plan.observers) mirror.add(*observer);
+
+  const SessionEnd end = run_script(loop, mirror, recorder.get(), settings);
   loop.ticker().end(LoopEnd::asked);
   mirror.stop();
   port.close();
@@ -64,14 +75,14 @@ Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& 
       const auto failure = recorder->failure();
       store = recorder->take_store();
       if (store) static_cast<void>(store->sessions.interrupt(setup.session, "recording_failed"));
-      return failure ? run_fail(RunError::recording_failed, *failure)
-                     : run_fail(RunError::recording_failed, plan.database.string());
+      return failure ? session_fail(SessionError::recording_failed, *failure)
+                     : session_fail(SessionError::recording_failed, plan.database.string());
     }
     store = recorder->take_store();
   }
   if (const auto mismatch = mirror.mismatch(); mismatch || loop.state().hash() != mirror.state().hash()) {
     if (store) static_cast<void>(store->sessions.interrupt(setup.session, "not_deterministic"));
-    return run_fail(RunError::not_deterministic, std::to_string(mismatch ? mismatch->tick : mirror.ticks()));
+    return session_fail(SessionError::not_deterministic, std::to_string(mismatch ? mismatch->tick : mirror.ticks()));
   }
   return conclude(plan, setup, store.get(), mirror.state(), follower.process(), end);
 }

@@ -1,11 +1,11 @@
-/// A scripted go in virtual time, as fast as the processor goes: the same ticks, mirror, recorder and grade as a live one.
+/// A scripted attempt in virtual time, as fast as the processor goes: the same ticks, mirror, recorder and grade as a live one.
 /// Thread: the caller's plays, the mirror has its own; observers are called on that one. `cusp play`, the editor's "check with the expert".
 #pragma once
 
 #include <cstdint>
 #include <functional>
 
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 
 namespace cusp::ui {
 
@@ -16,6 +16,6 @@ struct PlaySettings {
 };
 
 /// Runs until the port has no more samples. Writes each second as it is played: what was played before a crash is there.
-Run<RunResult> play_through(RunPlan plan, HapticPort& port, const PlaySettings& settings = {});
+Outcome<SessionResult> play_through(SessionPlan plan, HapticPort& port, const PlaySettings& settings = {});
 
 }  // namespace cusp::ui

@@ -1,4 +1,4 @@
-/// Writes a go into the database: one transaction a second, in order. On a thread of its own, so that a slow disk never
+/// Writes an attempt into the database: one transaction a second, in order. On a thread of its own, so that a slow disk never
 /// makes the mirror late; or at once, in virtual time. A file that another process holds and a full disk are tried again
 /// until they pass; nothing is dropped.
 #pragma once
@@ -33,14 +33,14 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   /// Mirror thread. Never fails: a second that cannot be written is kept, and so are those after it. `key_state` is of
-  /// the second's last tick and goes to the cache once the second is on the disk; the cache may fail without a word.
+  /// the second's last tick and goes to the cache once the second is on the disk; a failure of the cache is ignored.
   void add(RecordedSecond second, std::optional<KeyState> key_state = std::nullopt);
 
   /// Any thread. behind: it waits for the disk or another process, and tries by itself. failed: for good, or for so long
   /// that the session is to be held; what passes is tried further, and then it records again.
   RecordingState state() const;
   std::optional<StorageFailure> failure() const;
-  /// Tries the second that failed again; the state says what came of it.
+  /// Tries the second that failed again; see state().
   void retry();
 
   /// Waits until everything is written, one second failed for good, or was tried often enough. True: all is on the disk.
@@ -58,7 +58,7 @@ class Recorder {
   bool write_first(std::unique_lock<std::mutex>& lock);
   void write_all_at_once(std::unique_lock<std::mutex>& lock);
 
-  // Seconds that may wait before the screen says that the disk is slow.
+  // Seconds that may wait before state() is behind.
   static constexpr std::size_t kBehind = 3;
   std::unique_ptr<Store> store_;
   SessionId session_;

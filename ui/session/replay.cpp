@@ -6,7 +6,7 @@
 #include "scenarios/grading/grader.h"
 #include "scenarios/metrics/measure.h"
 #include "ui/modules.h"
-#include "ui/session/run_setup.h"
+#include "ui/session/session_setup.h"
 #include "ui/session/scene_builder.h"
 #include "ui/session/specimen_blob.h"
 
@@ -15,13 +15,13 @@ namespace cusp::ui {
 namespace {
 
 template <class T>
-std::unexpected<RunFailure> storage_failed(const Stored<T>& result) {
-  return run_fail(RunError::storage, result.error());
+std::unexpected<SessionFailure> storage_failed(const Stored<T>& result) {
+  return session_fail(SessionError::storage, result.error());
 }
 
 }  // namespace
 
-Run<OpenedSession> open_session(Store& store, SessionId id) {
+Outcome<OpenedSession> open_session(Store& store, SessionId id) {
   OpenedSession out;
   auto session = store.sessions.find(id);
   if (!session && session.error().code == StorageError::not_found) session.error().where = id.text();
@@ -35,7 +35,7 @@ Run<OpenedSession> open_session(Store& store, SessionId id) {
   if (!version) return storage_failed(version);
   out.version = std::move(*version);
   auto scenario = read_scenario(out.version.json);
-  if (!scenario) return run_fail(RunError::scenario, scenario.error());
+  if (!scenario) return session_fail(SessionError::scenario, scenario.error());
   out.scenario = std::move(*scenario);
   const SessionHeader& header = out.session.header;
   out.same_engine = header.engine_version == kEngineVersion;
@@ -43,9 +43,9 @@ Run<OpenedSession> open_session(Store& store, SessionId id) {
   auto bytes = store.blobs.get(header.specimen_blob);
   if (!bytes) return storage_failed(bytes);
   const auto dense = specimen_from_bytes(*bytes);
-  if (!dense) return run_fail(RunError::specimen_changed, id.text());
+  if (!dense) return session_fail(SessionError::specimen_changed, id.text());
   auto specimen = Specimen::build(*dense, reading_of(out.scenario.method));
-  if (specimen->hash() != header.specimen_hash) return run_fail(RunError::specimen_changed, id.text());
+  if (specimen->hash() != header.specimen_hash) return session_fail(SessionError::specimen_changed, id.text());
   auto scene = build_scene(out.scenario, std::move(specimen), header.device, header.guard,
                            header.stiffness_share);
   if (!scene) return std::unexpected(scene.error());
@@ -62,8 +62,8 @@ Run<OpenedSession> open_session(Store& store, SessionId id) {
 
 namespace {
 
-RunResult result_of(const OpenedSession& opened) {
-  RunResult result;
+SessionResult result_of(const OpenedSession& opened) {
+  SessionResult result;
   result.session = opened.session.id;
   result.state = opened.state;
   result.interrupted = std::ranges::none_of(opened.events, [](const SessionEvent& e) { return e.kind == EventKind::finished; });
@@ -76,7 +76,7 @@ RunResult result_of(const OpenedSession& opened) {
   return result;
 }
 
-Run<void> keep_grade(Store& store, const RunResult& result, const Rubric& rubric, std::uint64_t tick,
+Outcome<void> keep_grade(Store& store, const SessionResult& result, const Rubric& rubric, std::uint64_t tick,
                      const std::optional<Actor>& grader) {
   auto volume = store.traces.final_volume(result.session);
   if (!volume) return storage_failed(volume);
@@ -92,12 +92,12 @@ Run<void> keep_grade(Store& store, const RunResult& result, const Rubric& rubric
 
 }  // namespace
 
-Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
+Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
                              const std::optional<Actor>& grader) {
   auto opened = open_session(store, id);
   if (!opened) return std::unexpected(opened.error());
-  if (opened->state == SessionState::running) return run_fail(RunError::wrong_state, id.text());
-  RunResult result = result_of(*opened);
+  if (opened->state == SessionState::running) return session_fail(SessionError::wrong_state, id.text());
+  SessionResult result = result_of(*opened);
   if (other_rubric) result.scenario.rubric = *other_rubric;
   auto replay = Replay::open(store, *opened);
   if (!replay) return std::unexpected(replay.error());
@@ -115,7 +115,7 @@ Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rub
   return result;
 }
 
-Run<RunResult> open_result(Store& store, SessionId id, bool keep) {
+Outcome<SessionResult> open_result(Store& store, SessionId id, bool keep) {
   auto opened = open_session(store, id);
   if (!opened) return std::unexpected(opened.error());
   auto graded = store.grades.newest(id);
@@ -124,11 +124,11 @@ Run<RunResult> open_result(Store& store, SessionId id, bool keep) {
   if (!stored) return storage_failed(stored);
   if (!*graded || !*stored) return grade_session(store, id, nullptr, keep);
 
-  RunResult result = result_of(*opened);
+  SessionResult result = result_of(*opened);
   result.grade = std::move((*graded)->grade);
   auto volume = std::make_shared<Volume>(opened->scene->specimen);
   if (!volume->load_cuts((*stored)->cuts)) {
-    return run_fail(RunError::storage, Failure<StorageError>{StorageError::bad_trace, "final_volumes", {}});
+    return session_fail(SessionError::storage, Failure<StorageError>{StorageError::bad_trace, "final_volumes", {}});
   }
   result.volume_hash = volume->hash();
   result.volume = std::move(volume);

@@ -12,7 +12,7 @@
 #include "storage/store.h"
 #include "storage/verify.h"
 #include "ui/modules.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 
 namespace cusp::ui {
 
@@ -30,7 +30,7 @@ struct OpenedSession {
 };
 
 /// storage, scenario, specimen_changed or scene.
-Run<OpenedSession> open_session(Store& store, SessionId id);
+Outcome<OpenedSession> open_session(Store& store, SessionId id);
 
 /// Where a jump may begin.
 enum class ReplayFrom : std::uint8_t {
@@ -50,11 +50,11 @@ struct ReplayJump {
 class Replay {
  public:
   /// other_engine; storage when the trace cannot be read.
-  static Run<Replay> open(Store& store, OpenedSession session);
+  static Outcome<Replay> open(Store& store, OpenedSession session);
 
   /// Runs to just after `tick` (at most the last): forward from where it stands, or from a key state when that is less
-  /// work. False: `watch` stopped it, and it stands where state() says.
-  Run<bool> to(std::uint64_t tick, const ReplayJump& jump = {});
+  /// work. False: `watch` stopped it, and it stands at state().
+  Outcome<bool> to(std::uint64_t tick, const ReplayJump& jump = {});
   void add(Observer& observer) { observers_.push_back(&observer); }  // sees the state after each to()
 
   const OpenedSession& session() const noexcept { return session_; }
@@ -74,7 +74,7 @@ class Replay {
     bool cached = false;  // as far as is known: others fill and empty the cache too
   };
   Replay(Store& store, OpenedSession session, std::vector<StepInput> inputs);
-  Run<void> read_marks();
+  Outcome<void> read_marks();
   void look_into_cache();
   std::optional<KeyState> key_state_at(std::uint64_t tick, Mark& mark);
   bool restore_nearest(std::uint64_t target, std::uint64_t after, bool with_process);
@@ -100,11 +100,11 @@ class Replay {
 
 /// What stands in the database of a session: grade and final volume, without running it again. An interrupted one without
 /// a final volume is rebuilt; one that was never graded is graded as it stands, and that is stored when `keep`.
-Run<RunResult> open_result(Store& store, SessionId id, bool keep = false);
+Outcome<SessionResult> open_result(Store& store, SessionId id, bool keep = false);
 
 /// Rebuilds and grades, with the scenario's rubric or another one. `keep`: stores the grade (and the final volume of an
 /// interrupted session). wrong_state while the session runs.
-Run<RunResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
+Outcome<SessionResult> grade_session(Store& store, SessionId id, const Rubric* other_rubric, bool keep,
                              const std::optional<Actor>& grader = std::nullopt);
 
 /// Proof of one session, in order: rows and chain (storage), each second's state hash, volume and grade bit for bit.
@@ -118,9 +118,9 @@ struct ReplayProof {
   bool has_grade = false, grade_equal = false;
   std::string grade_differs;                    // id of the first criterion that differs, or "score"
   std::uint64_t volume_hash = 0;                // of the replay
-  /// Intact and reproduced as far as this engine can tell.
+  /// Intact and reproduced as far as this engine can compute.
   bool holds() const noexcept;
 };
-Run<ReplayProof> prove_session(Store& store, SessionId id);
+Outcome<ReplayProof> prove_session(Store& store, SessionId id);
 
 }  // namespace cusp::ui

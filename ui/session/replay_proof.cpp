@@ -5,7 +5,7 @@
 #include "scenarios/metrics/measure.h"
 #include "ui/modules.h"
 #include "ui/session/replay.h"
-#include "ui/session/run_setup.h"
+#include "ui/session/session_setup.h"
 
 namespace cusp::ui {
 
@@ -48,15 +48,38 @@ bool ReplayProof::holds() const noexcept {
   return !differs_at_tick && (!has_final_volume || volume_equal) && (!has_grade || grade_equal);
 }
 
-Run<ReplayProof> prove_session(Store& store, SessionId id) {
+namespace {
+
+void compare_grade(ReplayProof& proof, const std::vector<StoredGrade>& grades, const OpenedSession& opened,
+                   const Replay& replay) {
+  // Of the program's own grades by the scenario's rubric the newest; others cannot follow from the replay alone.
+  const Hash256 own_rubric = rubric_hash(opened.scenario.rubric);
+  const auto by_program = [&](const StoredGrade& g) {
+    return g.grader.is_nil() && g.rubric_hash == own_rubric && g.engine_version == kEngineVersion;
+  };
+  const auto found = std::find_if(grades.rbegin(), grades.rend(), by_program);
+  if (found != grades.rend()) {
+    const Reference reference(opened.scenario, opened.scene->specimen);
+    const Grade again = grade(opened.scenario, measure(reference, replay.state().volume(), replay.process()));
+    if (again.evaluator == found->grade.evaluator) {
+      proof.has_grade = true;
+      proof.grade_differs = difference(found->grade, again);
+      proof.grade_equal = proof.grade_differs.empty();
+    }
+  }
+}
+
+}  // namespace
+
+Outcome<ReplayProof> prove_session(Store& store, SessionId id) {
   ReplayProof proof;
   auto chain = verify_session(store.context(), id);
   if (!chain && chain.error().code == StorageError::not_found) chain.error().where = id.text();
-  if (!chain) return run_fail(RunError::storage, chain.error());
+  if (!chain) return session_fail(SessionError::storage, chain.error());
   proof.chain = std::move(*chain);
   // What was changed may not open any more: the finding names it better than the failure would.
   const bool damaged = !proof.chain.intact();
-  const auto failed = [&](const RunFailure& failure) -> Run<ReplayProof> {
+  const auto failed = [&](const SessionFailure& failure) -> Outcome<ReplayProof> {
     if (damaged) return proof;
     return std::unexpected(failure);
   };
@@ -68,7 +91,7 @@ Run<ReplayProof> prove_session(Store& store, SessionId id) {
   if (!proof.same_engine) return proof;
 
   auto chunks = store.traces.chunks(id);
-  if (!chunks) return failed({RunError::storage, chunks.error().where, chunks.error().detail, chunks.error().code});
+  if (!chunks) return failed({SessionError::storage, chunks.error().where, chunks.error().detail, chunks.error().code});
   auto replay = Replay::open(store, *opened);
   const ReplayJump only_inputs{.from = ReplayFrom::first_tick};
   if (!replay) return failed(replay.error());
@@ -86,28 +109,14 @@ Run<ReplayProof> prove_session(Store& store, SessionId id) {
   proof.volume_hash = volume.hash();
 
   auto stored = store.traces.final_volume(id);
-  if (!stored) return failed({RunError::storage, stored.error().where, stored.error().detail, stored.error().code});
+  if (!stored) return failed({SessionError::storage, stored.error().where, stored.error().detail, stored.error().code});
   if (*stored) {
     proof.has_final_volume = true;
     proof.volume_equal = (*stored)->hash == proof.volume_hash && (*stored)->cuts == volume.save_cuts();
   }
   auto grades = store.grades.all(id);
-  if (!grades) return failed({RunError::storage, grades.error().where, grades.error().detail, grades.error().code});
-  // Of the program's own grades by the scenario's rubric the newest; others cannot follow from the replay alone.
-  const Hash256 own_rubric = rubric_hash(opened->scenario.rubric);
-  const auto by_program = [&](const StoredGrade& g) {
-    return g.grader.is_nil() && g.rubric_hash == own_rubric && g.engine_version == kEngineVersion;
-  };
-  const auto found = std::find_if(grades->rbegin(), grades->rend(), by_program);
-  if (found != grades->rend()) {
-    const Reference reference(opened->scenario, opened->scene->specimen);
-    const Grade again = grade(opened->scenario, measure(reference, volume, replay->process()));
-    if (again.evaluator == found->grade.evaluator) {
-      proof.has_grade = true;
-      proof.grade_differs = difference(found->grade, again);
-      proof.grade_equal = proof.grade_differs.empty();
-    }
-  }
+  if (!grades) return failed({SessionError::storage, grades.error().where, grades.error().detail, grades.error().code});
+  compare_grade(proof, *grades, *opened, *replay);
   return proof;
 }
 

@@ -42,10 +42,10 @@ std::array<bool, kTissueCodes> tissues_in(const Specimen& specimen) {
 
 }  // namespace
 
-Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder,
+Outcome<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder,
                                                     const std::atomic<bool>* stop) {
   auto dense = make_specimen(scenario.specimen, folder, stop);
-  if (!dense) return run_fail(RunError::specimen, dense.error());
+  if (!dense) return session_fail(SessionError::specimen, dense.error());
   return Specimen::build(*dense, reading_of(scenario.method));
 }
 
@@ -58,7 +58,7 @@ StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const Devi
   return out;
 }
 
-Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
+Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device) {
   GuardSettings guard;
   guard.limit_n = device.max_force_n;
@@ -75,15 +75,15 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
   return build_scene(scenario, std::move(specimen), device, guard, share);
 }
 
-Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
+Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device, const GuardSettings& guard,
                                               double stiffness_share) {
   const auto& admitted = scenario.device.admitted;
   const bool scripted = device.device_class == "scripted";  // a script may play every exercise; its results stay apart
   if (!scripted && !admitted.empty() && std::find(admitted.begin(), admitted.end(), device.device_class) == admitted.end()) {
-    return run_fail(RunError::device_class, device.device_class);
+    return session_fail(SessionError::device_class, device.device_class);
   }
-  if (scenario.instruments.empty()) return run_fail(RunError::scene, "/instruments");
+  if (scenario.instruments.empty()) return session_fail(SessionError::scene, "/instruments");
 
   auto scene = std::make_shared<Scene>();
   scene->method = scenario.method;
@@ -92,21 +92,21 @@ Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::sha
     const ScenarioTissue& tissue = scenario.tissues[i];
     const std::string where = "/tissues/" + std::to_string(i);
     const bool stiff = tissue.stiffness_n_per_mm > 0.0 && tissue.stiffness_n_per_mm <= 20.0;
-    if (!stiff || index_of(tissue.tissue) >= kTissueCodes) return run_fail(RunError::scene, where);
-    if (!(tissue.speed_mm_s >= 0.0)) return run_fail(RunError::scene, where);
+    if (!stiff || index_of(tissue.tissue) >= kTissueCodes) return session_fail(SessionError::scene, where);
+    if (!(tissue.speed_mm_s >= 0.0)) return session_fail(SessionError::scene, where);
     scene->tissues[index_of(tissue.tissue)] = {tissue.stiffness_n_per_mm * stiffness_share, tissue.speed_mm_s};
     described[index_of(tissue.tissue)] = true;
   }
   const auto there = tissues_in(*specimen);
   for (std::size_t t = 0; t < kTissueCodes; ++t) {
     if (there[t] && !described[t]) {
-      return run_fail(RunError::scene, "/tissues", t < kTissueKeys.size() ? std::string(kTissueKeys[t]) : std::to_string(t));
+      return session_fail(SessionError::scene, "/tissues", t < kTissueKeys.size() ? std::string(kTissueKeys[t]) : std::to_string(t));
     }
   }
   for (std::size_t i = 0; i < scenario.instruments.size(); ++i) {
-    if (!(scenario.instruments[i].radius_mm > 0.0)) return run_fail(RunError::scene, "/instruments/" + std::to_string(i));
+    if (!(scenario.instruments[i].radius_mm > 0.0)) return session_fail(SessionError::scene, "/instruments/" + std::to_string(i));
   }
-  if (!(scenario.device.full_force_n > 0.0)) return run_fail(RunError::scene, "/device/full_force_n");
+  if (!(scenario.device.full_force_n > 0.0)) return session_fail(SessionError::scene, "/device/full_force_n");
   scene->specimen = std::move(specimen);
   scene->burs = scenario.instruments;
   const SineCosine tilt = sine_cosine(scenario.tool_tilt_deg);

@@ -9,16 +9,16 @@
 #include "engine/step/stiffness_rule.h"
 #include "scenarios/format/scenario.h"
 #include "ui/modules.h"
-#include "ui/session/run_error.h"
+#include "ui/session/session_error.h"
 
 namespace cusp::ui {
 
 /// The scenario's voxels in the reading of its method. Up to seconds. `folder`: where a volume that it names lies.
-/// stop: told from another thread, it ends early and fails (specimen); may be null.
-Run<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder,
+/// stop: set by another thread, it ends early and fails (specimen); may be null.
+Outcome<std::shared_ptr<const Specimen>> build_specimen(const Scenario& scenario, const std::filesystem::path& folder,
                                                     const std::atomic<bool>* stop = nullptr);
 
-/// What a device leaves of a scenario's stiffness: all tissues get the same share, so that they stay told apart.
+/// What a device leaves of a scenario's stiffness: all tissues get the same share, so that they keep their order.
 struct StiffnessCut {
   double share = 1.0;              // (0, 1]
   double asked_n_per_mm = 0.0;     // of the stiffest tissue
@@ -29,10 +29,10 @@ StiffnessCut stiffness_cut(const Scenario& scenario, double voxel_mm, const Devi
 
 /// Refuses (scene) a tissue of the specimen that the scenario does not describe, no instruments, and values out of the
 /// engine's range; (device_class) a device that the scenario does not admit. Stiffness is cut by stiffness_cut().
-Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
+Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device);
 /// The same with the guard's settings and the share of stiffness of a stored session.
-Run<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
+Outcome<std::shared_ptr<const Scene>> build_scene(const Scenario& scenario, std::shared_ptr<const Specimen> specimen,
                                               const DeviceLimits& device, const GuardSettings& guard,
                                               double stiffness_share);
 

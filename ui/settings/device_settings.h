@@ -6,7 +6,7 @@
 #include <QSettings>
 #include <optional>
 
-#include "ui/session/run_device.h"
+#include "ui/session/session_device.h"
 
 namespace cusp::ui {
 
@@ -15,7 +15,7 @@ class DeviceSettings {
   /// `file` as Settings::file(); empty: the user's own.
   explicit DeviceSettings(const QString& file = {});
 
-  /// The device that goes are drilled with, with all that is known of it.
+  /// The device that attempts are drilled with, with all that is known of it.
   DeviceChoice choice() const;
   /// Choosing keeps what is known of the others.
   void choose(const std::string& kind, const std::string& name);

@@ -143,12 +143,12 @@ QWidget* SignIn::make_notices() {
   return notices;
 }
 
-void SignIn::show_incident(const Told& told) {
-  incident_->show_message(Band::Kind::look, told.what, told.more);
+void SignIn::show_incident(const Message& message) {
+  incident_->show_message(Band::Kind::look, message.what, message.more);
   incident_->setVisible(first_start_ || staff());
 }
 
-void SignIn::show_reading_only(const Told& why) {
+void SignIn::show_reading_only(const Message& why) {
   reading_only_->show_message(Band::Kind::look, why.what, why.more);
   try_again_->show();
 }
@@ -322,7 +322,7 @@ void SignIn::submit() {
   if (refused && !as_staff && pin.isEmpty()) {
     refuse({tr("The PIN is missing."), tr("It has six digits.")});
   } else {
-    refuse(tell_account(failure, number, as_staff ? Secret::password : Secret::pin));
+    refuse(describe_account(failure, number, as_staff ? Secret::password : Secret::pin));
   }
   if (refused && !as_staff) {
     pin_->clear();
@@ -354,13 +354,13 @@ void SignIn::create_administrator() {
   fresh.password = password_->text().toStdString();
   const auto account = store_.people.create_first_administrator(fresh);
   if (!account) {
-    refuse(tell_account(account.error(), staff_number_->text().trimmed(), Secret::password));
+    refuse(describe_account(account.error(), staff_number_->text().trimmed(), Secret::password));
     return;
   }
   Q_EMIT signed_in(*account);
 }
 
-void SignIn::refuse(const Told& told) { band_->show_message(Band::Kind::bad, told.what, told.more); }
+void SignIn::refuse(const Message& message) { band_->show_message(Band::Kind::bad, message.what, message.more); }
 
 void SignIn::set_picture(const QImage& picture) {
   image_ = picture;

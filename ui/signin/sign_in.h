@@ -7,7 +7,7 @@
 
 #include "storage/store.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 class QLabel;
 class QLineEdit;
@@ -32,9 +32,9 @@ class SignIn : public QWidget {
   void set_typed_number(const QString& number, bool staff);
   bool staff() const;
   /// What opening the records met: shown to staff alone. Where there is no administrator yet, to whoever makes one.
-  void show_incident(const Told& told);
+  void show_incident(const Message& message);
   /// Nothing can be written: shown to everybody, with a way to try again.
-  void show_reading_only(const Told& why);
+  void show_reading_only(const Message& why);
   bool first_start() const { return first_start_; }
   QString message() const;
 
@@ -56,7 +56,7 @@ class SignIn : public QWidget {
   QWidget* make_first_start_form();
   void submit();
   void create_administrator();
-  void refuse(const Told& told);
+  void refuse(const Message& message);
   void show_segment(int index);
 
   Store& store_;

@@ -1,5 +1,5 @@
 /// The drilling sound on the computer's speaker. Where there is no audio output, or the program was built without Qt
-/// Multimedia, it is silent and says so. Nothing of it touches the haptic thread. Thread: GUI.
+/// Multimedia, it is silent and start() is false. Nothing of it touches the haptic thread. Thread: GUI.
 #pragma once
 
 #include <QObject>

@@ -1,4 +1,4 @@
-// Built where Qt Multimedia is not installed: nothing to hear, and it says so.
+// Built where Qt Multimedia is not installed: start() is false.
 #include "ui/sound/drill_sound.h"
 
 namespace cusp::ui {

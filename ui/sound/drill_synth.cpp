@@ -51,13 +51,13 @@ void DrillSynth::follow(const DrillHeard& heard) noexcept {
 
 void DrillSynth::render(std::span<float> out) noexcept {
   const double glide = 1.0 - std::exp(-1.0 / (kGlideS * rate_hz_));
-  const auto go = [glide](double& now, double wanted) { now += (wanted - now) * glide; };
+  const auto approach = [glide](double& now, double wanted) { now += (wanted - now) * glide; };
   for (float& sample : out) {
-    go(now_.turns_per_s, wanted_.turns_per_s);
-    go(now_.speed_share, wanted_.speed_share);
-    go(now_.work, wanted_.work);
-    go(now_.tone_hz, wanted_.tone_hz);
-    go(now_.loudness, wanted_.loudness);
+    approach(now_.turns_per_s, wanted_.turns_per_s);
+    approach(now_.speed_share, wanted_.speed_share);
+    approach(now_.work, wanted_.work);
+    approach(now_.tone_hz, wanted_.tone_hz);
+    approach(now_.loudness, wanted_.loudness);
 
     phase_ += now_.turns_per_s / rate_hz_;
     phase_ -= std::floor(phase_);

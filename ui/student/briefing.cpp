@@ -9,7 +9,8 @@
 #include "scenarios/grading/maxima.h"
 #include "ui/modules.h"
 #include "ui/text/bur_text.h"
-#include "ui/text/sentences.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -51,7 +52,7 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
   label->setPixmap(out);
 }
 
-Briefing::Briefing(const Exercise& exercise, PictureShelf& pictures, const std::filesystem::path& folder, QWidget* parent)
+Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder, QWidget* parent)
     : QWidget(parent), exercise_(exercise), pictures_(pictures), folder_(folder) {
   const Scenario& s = exercise_.scenario;
   setProperty("kind", u"page"_qs);
@@ -105,13 +106,13 @@ Briefing::Briefing(const Exercise& exercise, PictureShelf& pictures, const std::
   };
   fact(tr("Burs"), burs_text(s));
   fact(tr("Wanted depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
-  fact(tr("Leeway"), tr("%1 at the floor, %2 at the sides")
+  fact(tr("Tolerance zone"), tr("%1 at the floor, %2 at the sides")
                          .arg(format({s.leeway.floor_mm, std::nullopt, u"mm"_qs, 2}),
                               format({s.leeway.side_mm, std::nullopt, u"mm"_qs, 2})));
   fact(tr("Time"), s.time_limit_s > 0 ? tr("%1 at most").arg(format_clock(s.time_limit_s))
                                       : tr("as much as you need; time earns no points"));
   fact(tr("Pass mark"), tr("%1 of 100").arg(format_points(s.rubric.pass)));
-  for (const std::string& critical : s.rubric.critical) fact(tr("Fails the go"), critical_name(critical));
+  for (const std::string& critical : s.rubric.critical) fact(tr("Fails the attempt"), critical_name(critical));
   facts->setColumnStretch(1, 1);
   text->addLayout(facts);
   text->addSpacing(px(16));
@@ -154,12 +155,12 @@ Briefing::Briefing(const Exercise& exercise, PictureShelf& pictures, const std::
   body->addWidget(keys);
   body->addStretch();
   setFocusProxy(start_);
-  connect(&pictures_, &PictureShelf::ready, this, &Briefing::show_picture);
+  connect(&pictures_, &ThumbnailCache::ready, this, &Briefing::show_picture);
   show_picture();
 }
 
 void Briefing::show_picture() {
-  show_covering(picture_, pictures_.picture(exercise_, folder_, PictureShelf::Use::card, tokens().dark), px(8));
+  show_covering(picture_, pictures_.picture(exercise_, folder_, ThumbnailCache::Use::card, tokens().dark), px(8));
 }
 
 }  // namespace cusp::ui

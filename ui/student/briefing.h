@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "ui/student/course.h"
-#include "ui/student/picture_shelf.h"
+#include "ui/student/thumbnail_cache.h"
 
 class QLabel;
 class QPushButton;
@@ -15,7 +15,7 @@ class Briefing : public QWidget {
   Q_OBJECT
 
  public:
-  Briefing(const Exercise& exercise, PictureShelf& pictures, const std::filesystem::path& folder,
+  Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder,
            QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
 
@@ -26,7 +26,7 @@ class Briefing : public QWidget {
  private:
   void show_picture();
   Exercise exercise_;
-  PictureShelf& pictures_;
+  ThumbnailCache& pictures_;
   std::filesystem::path folder_;
   QLabel* picture_;
   QPushButton* start_;

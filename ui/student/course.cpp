@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/table.h"
 
@@ -37,15 +37,15 @@ int Course::next() const {
 }
 
 const HistoryRow* Course::last_graded() const {
-  for (const HistoryRow& go : goes) {
-    if (go.score) return &go;
+  for (const HistoryRow& attempt : attempts) {
+    if (attempt.score) return &attempt;
   }
   return nullptr;
 }
 
 const HistoryRow* Course::interrupted() const {
-  for (const HistoryRow& go : goes) {
-    if (go.state == SessionState::interrupted && !go.passed) return &go;
+  for (const HistoryRow& attempt : attempts) {
+    if (attempt.state == SessionState::interrupted && !attempt.passed) return &attempt;
   }
   return nullptr;
 }
@@ -57,9 +57,9 @@ Stored<Course> load_course(Store& store, const Actor& student) {
   course.unreadable = std::move(list->unreadable);
   HistoryFilter own;
   own.student = student.id;
-  auto goes = store.history.list(student, own);
-  if (!goes) return std::unexpected(goes.error());
-  course.goes = std::move(*goes);
+  auto attempts = store.history.list(student, own);
+  if (!attempts) return std::unexpected(attempts.error());
+  course.attempts = std::move(*attempts);
   const auto standings = store.history.standings(student, student.id);
   if (!standings) return std::unexpected(standings.error());
   const auto assigned = store.assignments.for_student(student.id);
@@ -69,7 +69,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
     row.exercise = std::move(exercise);
     for (const ExerciseStanding& s : *standings) {
       if (s.scenario != row.exercise.scenario.id) continue;
-      row.goes = s.goes;
+      row.attempts = s.goes;
       row.best = s.best;
       row.last = s.last;
     }
@@ -92,7 +92,7 @@ int CourseModel::columnCount(const QModelIndex& parent) const { return parent.is
 
 QVariant CourseModel::data(const QModelIndex& index, int role) const {
   const CourseRow& r = row(index.row());
-  if (role == Qt::TextAlignmentRole && (index.column() == kGoes || index.column() == kBest)) return right();
+  if (role == Qt::TextAlignmentRole && (index.column() == kAttempts || index.column() == kBest)) return right();
   if (role == BoldRole && index.column() == kExercise) return true;
   if (role == IconRole && index.column() == kOpen) return u"chevron_right"_qs;
   if (role == QuietRole && index.column() == kBest) return !r.best;
@@ -100,7 +100,7 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
   if (role == SortRole) {
     switch (index.column()) {
       case kDue: return static_cast<qlonglong>(r.due_utc_us.value_or(std::numeric_limits<qlonglong>::max()));
-      case kGoes: return r.goes;
+      case kAttempts: return r.attempts;
       case kBest: return r.best && r.best->score ? *r.best->score : -1.0;
       default: return data(index, Qt::DisplayRole).toString();
     }
@@ -110,8 +110,8 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
     case kExercise: return local(r.exercise.scenario.title);
     case kKind: return kind_of(r.exercise.scenario.specimen);
     case kDue: return r.due_utc_us ? format_day(from_utc_us(*r.due_utc_us)) : tr("always open");
-    case kGoes:
-      return r.goes_allowed ? tr("%1 of %2").arg(r.goes).arg(*r.goes_allowed) : format_number(r.goes, 0);
+    case kAttempts:
+      return r.goes_allowed ? tr("%1 of %2").arg(r.attempts).arg(*r.goes_allowed) : format_number(r.attempts, 0);
     case kBest: return r.best && r.best->score ? format_points(*r.best->score) : tr("none yet");
     default: return {};
   }
@@ -119,20 +119,20 @@ QVariant CourseModel::data(const QModelIndex& index, int role) const {
 
 QVariant CourseModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && (section == kGoes || section == kBest)) return right();
+  if (role == Qt::TextAlignmentRole && (section == kAttempts || section == kBest)) return right();
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case kExercise: return tr("Exercise");
     case kKind: return tr("Kind");
     case kDue: return tr("Due");
-    case kGoes: return tr("Goes");
+    case kAttempts: return tr("Attempts");
     case kBest: return tr("Best");
     default: return QString();
   }
 }
 
 QString result_text(const HistoryRow& row) {
-  if (row.passed) return *row.passed ? GoesModel::tr("Passed") : GoesModel::tr("Not passed");
+  if (row.passed) return *row.passed ? AttemptsModel::tr("Passed") : AttemptsModel::tr("Not passed");
   return state_name(row.state);
 }
 int result_chip(const HistoryRow& row) {
@@ -140,18 +140,18 @@ int result_chip(const HistoryRow& row) {
   return static_cast<int>(row.state == SessionState::interrupted ? Chip::Kind::look : Chip::Kind::plain);
 }
 
-void GoesModel::set_rows(std::vector<HistoryRow> rows) {
+void AttemptsModel::set_rows(std::vector<HistoryRow> rows) {
   beginResetModel();
   rows_ = std::move(rows);
   endResetModel();
 }
-int GoesModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
-int GoesModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+int AttemptsModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int AttemptsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
-QVariant GoesModel::data(const QModelIndex& index, int role) const {
+QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   const HistoryRow& r = row(index.row());
   const int column = index.column();
-  if (role == Qt::TextAlignmentRole && (column == kGo || column == kScore || column == kTime)) return right();
+  if (role == Qt::TextAlignmentRole && (column == kAttempt || column == kScore || column == kTime)) return right();
   if (role == ChipRole && column == kResult) return result_chip(r);
   if (role == BoldRole && (column == kStudent || column == kScore)) return true;
   if (role == IconRole && column == kOpen) return u"chevron_right"_qs;
@@ -160,7 +160,7 @@ QVariant GoesModel::data(const QModelIndex& index, int role) const {
   if (role == SortRole) {
     switch (column) {
       case kDate: return static_cast<qlonglong>(r.started_utc_us);
-      case kGo: return r.go;
+      case kAttempt: return r.go;
       case kScore: return r.score.value_or(-1);
       case kTime: return static_cast<qulonglong>(r.elapsed_us);
       default: return data(index, Qt::DisplayRole);
@@ -171,7 +171,7 @@ QVariant GoesModel::data(const QModelIndex& index, int role) const {
     case kDate: return format_day_time(from_utc_us(r.started_utc_us));
     case kStudent: return QString::fromStdString(r.student_name);
     case kExercise: return local(r.title);
-    case kGo: return format_number(r.go, 0);
+    case kAttempt: return format_number(r.go, 0);
     case kScore: return r.score ? format_points(*r.score) : QStringLiteral("–");
     case kResult: return result_text(r);
     case kTime: return format_clock(static_cast<double>(r.elapsed_us) * 1e-6);
@@ -180,15 +180,15 @@ QVariant GoesModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-QVariant GoesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+QVariant AttemptsModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::TextAlignmentRole && (section == kGo || section == kScore || section == kTime)) return right();
+  if (role == Qt::TextAlignmentRole && (section == kAttempt || section == kScore || section == kTime)) return right();
   if (role != Qt::DisplayRole) return {};
   switch (section) {
     case kDate: return tr("Date");
     case kStudent: return tr("Student");
     case kExercise: return tr("Exercise");
-    case kGo: return tr("Go");
+    case kAttempt: return tr("Attempt");
     case kScore: return tr("Points");
     case kResult: return tr("Result");
     case kTime: return tr("Time");

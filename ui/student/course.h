@@ -1,4 +1,4 @@
-/// A student's standing: each exercise with its goes, best and last result, and which one is next. Models over it feed
+/// A student's standing: each exercise with its attempts, best and last result, and which one is next. Models over it feed
 /// tables; no widget here.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace cusp::ui {
 
 struct CourseRow {
   Exercise exercise;
-  int goes = 0;
+  int attempts = 0;
   std::optional<HistoryRow> best, last;
   std::optional<std::int64_t> due_utc_us;
   std::optional<int> goes_allowed;
@@ -21,7 +21,7 @@ struct CourseRow {
 
 struct Course {
   std::vector<CourseRow> rows;
-  std::vector<HistoryRow> goes;         // all of this student, newest first
+  std::vector<HistoryRow> attempts;         // all of this student, newest first
   std::vector<StorageFailure> unreadable;
 
   /// First by due date, then the first not passed yet, then the one with the lowest best score; -1 without exercises.
@@ -37,7 +37,7 @@ class CourseModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kExercise, kKind, kDue, kGoes, kBest, kOpen, kColumns };
+  enum Column { kExercise, kKind, kDue, kAttempts, kBest, kOpen, kColumns };
   explicit CourseModel(std::vector<CourseRow> rows, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -49,13 +49,13 @@ class CourseModel : public QAbstractTableModel {
   std::vector<CourseRow> rows_;
 };
 
-/// Goes of one or of all students: the newest first.
-class GoesModel : public QAbstractTableModel {
+/// Attempts of one or of all students: the newest first.
+class AttemptsModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kDate, kStudent, kExercise, kGo, kScore, kResult, kTime, kDevice, kOpen, kColumns };
-  explicit GoesModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+  enum Column { kDate, kStudent, kExercise, kAttempt, kScore, kResult, kTime, kDevice, kOpen, kColumns };
+  explicit AttemptsModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   void set_rows(std::vector<HistoryRow> rows);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

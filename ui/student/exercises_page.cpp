@@ -8,7 +8,7 @@
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/table.h"
@@ -47,8 +47,8 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) 
   outer->addWidget(head);
   const auto course = load_course(store, actor);
   if (!course) {
-    const Told told = tell(course.error());
-    outer->addWidget(new EmptyState(u"warning"_qs, told.what, told.more, {}, Ink::bad), 1);
+    const Message message = describe(course.error());
+    outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad), 1);
     return;
   }
   if (!course->unreadable.empty()) {

@@ -5,20 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
 namespace {
 
-struct Words {
+struct Text {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::HistoryCharts)
 };
 
-double minutes_of(const HistoryRow& go) { return static_cast<double>(go.elapsed_us) * 1e-6 / 60.0; }
+double minutes_of(const HistoryRow& attempt) { return static_cast<double>(attempt.elapsed_us) * 1e-6 / 60.0; }
 
-QString label_of(const HistoryRow& go) {
-  return format_day_time(QDateTime::fromMSecsSinceEpoch(go.started_utc_us / 1000, Qt::UTC));
+QString label_of(const HistoryRow& attempt) {
+  return format_day_time(QDateTime::fromMSecsSinceEpoch(attempt.started_utc_us / 1000, Qt::UTC));
 }
 
 /// A step of 1, 2 or 5 times a power of ten that divides `span` into at most `parts`.
@@ -32,10 +32,10 @@ double round_step(double span, int parts) {
 }
 
 /// Oldest first, graded only.
-std::vector<HistoryRow> in_order(const std::vector<HistoryRow>& goes) {
+std::vector<HistoryRow> in_order(const std::vector<HistoryRow>& attempts) {
   std::vector<HistoryRow> graded;
-  for (const HistoryRow& go : goes) {
-    if (go.score) graded.push_back(go);
+  for (const HistoryRow& attempt : attempts) {
+    if (attempt.score) graded.push_back(attempt);
   }
   std::sort(graded.begin(), graded.end(),
             [](const HistoryRow& a, const HistoryRow& b) { return a.started_utc_us < b.started_utc_us; });
@@ -44,28 +44,28 @@ std::vector<HistoryRow> in_order(const std::vector<HistoryRow>& goes) {
 
 void put_scores(ChartData& d, const std::vector<HistoryRow>& graded) {
   double lowest = 100;
-  for (const HistoryRow& go : graded) lowest = std::min(lowest, *go.score);
+  for (const HistoryRow& attempt : graded) lowest = std::min(lowest, *attempt.score);
   const double least = lowest < 40 ? 0 : 40;
-  d.y = {Words::tr("points"), least, 100, 20, 0};
+  d.y = {Text::tr("points"), least, 100, 20, 0};
   if (!graded.empty() && graded.back().pass_mark) {
     d.mark = *graded.back().pass_mark;
-    d.mark_text = Words::tr("pass %1").arg(format_points(*d.mark));
+    d.mark_text = Text::tr("pass %1").arg(format_points(*d.mark));
   }
   d.summary = graded.empty() ? QString()
-                             : Words::tr("%n go(es), the last with %1 points.", nullptr, static_cast<int>(graded.size()))
+                             : Text::tr("%n attempt(s), the last with %1 points.", nullptr, static_cast<int>(graded.size()))
                                    .arg(format_points(*graded.back().score));
 }
 
 }  // namespace
 
-ChartData time_and_score(const std::vector<HistoryRow>& goes) {
-  const std::vector<HistoryRow> graded = in_order(goes);
+ChartData time_and_score(const std::vector<HistoryRow>& attempts) {
+  const std::vector<HistoryRow> graded = in_order(attempts);
   ChartData d;
-  d.title = Words::tr("Time and score");
+  d.title = Text::tr("Time and score");
   double longest = 0, shortest = 1e9;
-  for (const HistoryRow& go : graded) {
-    longest = std::max(longest, minutes_of(go));
-    shortest = std::min(shortest, minutes_of(go));
+  for (const HistoryRow& attempt : graded) {
+    longest = std::max(longest, minutes_of(attempt));
+    shortest = std::min(shortest, minutes_of(attempt));
   }
   // Below two minutes the axis counts seconds.
   const bool seconds = longest < 2;
@@ -73,26 +73,26 @@ ChartData time_and_score(const std::vector<HistoryRow>& goes) {
   if (graded.empty()) longest = shortest = 1;
   const double step = round_step(std::max(longest * factor, seconds ? 10.0 : 2.0), 6);
   const double most = step * (std::floor(longest * factor / step) + 1);
-  d.x = {seconds ? Words::tr("seconds") : Words::tr("minutes"), 0, most, step, step < 1 ? 1 : 0};
+  d.x = {seconds ? Text::tr("seconds") : Text::tr("minutes"), 0, most, step, step < 1 ? 1 : 0};
   put_scores(d, graded);
   ChartSeries own;
-  own.name = Words::tr("You");
-  for (const HistoryRow& go : graded) own.points += {minutes_of(go) * factor, *go.score, label_of(go), false};
+  own.name = Text::tr("You");
+  for (const HistoryRow& attempt : graded) own.points += {minutes_of(attempt) * factor, *attempt.score, label_of(attempt), false};
   if (!own.points.isEmpty()) own.points.last().strong = true;
   d.series += own;
   return d;
 }
 
-ChartData score_by_go(const std::vector<HistoryRow>& goes) {
-  const std::vector<HistoryRow> graded = in_order(goes);
+ChartData score_by_attempt(const std::vector<HistoryRow>& attempts) {
+  const std::vector<HistoryRow> graded = in_order(attempts);
   ChartData d;
-  d.title = Words::tr("Points by go");
+  d.title = Text::tr("Points by attempt");
   const auto n = static_cast<double>(graded.size());
   const double step = std::max(1.0, round_step(std::max(n, 4.0), 10));
-  d.x = {Words::tr("go"), 0, std::max(4.0, step * std::ceil((n + 0.5) / step)), step, 0};
+  d.x = {Text::tr("attempt"), 0, std::max(4.0, step * std::ceil((n + 0.5) / step)), step, 0};
   put_scores(d, graded);
   ChartSeries own;
-  own.name = Words::tr("Points");
+  own.name = Text::tr("Points");
   for (std::size_t i = 0; i < graded.size(); ++i) {
     own.points += {static_cast<double>(i + 1), *graded[i].score, label_of(graded[i]), false};
   }

@@ -1,4 +1,4 @@
-/// Charts over goes, as plain data: no widget.
+/// Charts over attempts, as plain data: no widget.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace cusp::ui {
 
-/// Minutes against points, the goes joined in the order in which they were made, the newest one filled and named.
-/// `goes`: of one exercise and one device class; those without a grade are left out.
-ChartData time_and_score(const std::vector<HistoryRow>& goes);
+/// Minutes against points, the attempts joined in the order in which they were made, the newest one filled and named.
+/// `attempts`: of one exercise and one device class; those without a grade are left out.
+ChartData time_and_score(const std::vector<HistoryRow>& attempts);
 
-/// Points against the number of the go.
-ChartData score_by_go(const std::vector<HistoryRow>& goes);
+/// Points against the number of the attempt.
+ChartData score_by_attempt(const std::vector<HistoryRow>& attempts);
 
 }  // namespace cusp::ui

@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/widgets/format.h"
 #include "ui/widgets/theme.h"
 
@@ -69,7 +69,7 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   const QString grade = tr("Grade as it stands");
   if (way == InterruptedWay::go_on) {
     primary_ = make_large_button(tr("Continue"), ButtonKind::primary, u"play"_qs);
-    connect(primary_, &QPushButton::clicked, this, &InterruptedCard::go_on_wanted);
+    connect(primary_, &QPushButton::clicked, this, &InterruptedCard::resume_wanted);
     acts->addWidget(primary_);
     QPushButton* second = make_large_button(grade, ButtonKind::standard);
     connect(second, &QPushButton::clicked, this, &InterruptedCard::grade_wanted);

@@ -26,7 +26,7 @@ class InterruptedCard : public Card {
   QPushButton* primary() const { return primary_; }
 
  Q_SIGNALS:
-  void go_on_wanted();
+  void resume_wanted();
   void grade_wanted();
 
  private:

@@ -6,7 +6,8 @@
 #include <map>
 
 #include "ui/student/history_charts.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/parts.h"
@@ -24,13 +25,13 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QW
   own.student = student.id;
   auto rows = store.history.list(student, own);
   if (!rows) {
-    const Told told = tell(rows.error());
-    outer->addWidget(new EmptyState(u"warning"_qs, told.what, told.more, {}, Ink::bad), 1);
+    const Message message = describe(rows.error());
+    outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad), 1);
     return;
   }
   all_ = std::move(*rows);
   if (all_.empty()) {
-    auto* empty = new EmptyState(u"chart"_qs, tr("No go yet"), tr("Each go you finish stays here, with its report."),
+    auto* empty = new EmptyState(u"chart"_qs, tr("No attempt yet"), tr("Each attempt you finish stays here, with its report."),
                                  tr("Choose an exercise"));
     connect(empty, &EmptyState::acted, this, &OwnHistory::exercises_wanted);
     outer->addWidget(empty, 1);
@@ -41,17 +42,17 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QW
   exercise_->setMinimumWidth(px(240));
   exercise_->addItem(tr("All exercises"));
   std::map<ScenarioId, bool> listed;
-  for (const HistoryRow& go : all_) {
-    if (!listed[go.scenario]) exercise_->addItem(local(go.title), QString::fromStdString(go.scenario.text()));
-    listed[go.scenario] = true;
+  for (const HistoryRow& attempt : all_) {
+    if (!listed[attempt.scenario]) exercise_->addItem(local(attempt.title), QString::fromStdString(attempt.scenario.text()));
+    listed[attempt.scenario] = true;
   }
   head->buttons()->addWidget(exercise_);
 
   auto* charts = new QHBoxLayout;
   charts->setSpacing(px(16));
-  by_go_ = new Chart;
+  by_attempt_ = new Chart;
   by_time_ = new Chart;
-  for (auto [chart, title] : {std::pair{by_go_, tr("Points by go")}, std::pair{by_time_, tr("Time and score")}}) {
+  for (auto [chart, title] : {std::pair{by_attempt_, tr("Points by attempt")}, std::pair{by_time_, tr("Time and score")}}) {
     auto* card = new Card(title);
     card->body()->addWidget(chart);
     card->setFixedHeight(px(250));
@@ -62,34 +63,34 @@ OwnHistory::OwnHistory(Store& store, const Actor& student, QWidget* parent) : QW
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   table_ = new Table;
   table_->setAccessibleName(tr("My results"));
-  model_ = new GoesModel(this);
+  model_ = new AttemptsModel(this);
   table_->setModel(model_);
-  table_->setColumnHidden(GoesModel::kStudent, true);
-  table_->set_stretch_column(GoesModel::kExercise);
+  table_->setColumnHidden(AttemptsModel::kStudent, true);
+  table_->set_stretch_column(AttemptsModel::kExercise);
   card->body()->addWidget(table_);
   outer->addWidget(card, 1);
-  connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_goes);
+  connect(exercise_, &QComboBox::currentIndexChanged, this, &OwnHistory::show_attempts);
   const auto open = [this](const QModelIndex& at) { Q_EMIT report_wanted(model_->row(at.row()).session); };
   connect(table_, &Table::row_opened, this, open);
   connect(table_, &QTableView::clicked, this, [open](const QModelIndex& at) {
-    if (at.column() == GoesModel::kOpen) open(at);
+    if (at.column() == AttemptsModel::kOpen) open(at);
   });
-  show_goes();
+  show_attempts();
   setFocusProxy(table_);
 }
 
-void OwnHistory::show_goes() {
+void OwnHistory::show_attempts() {
   const QString chosen = exercise_->currentData().toString();
   std::vector<HistoryRow> rows;
-  for (const HistoryRow& go : all_) {
-    if (chosen.isEmpty() || QString::fromStdString(go.scenario.text()) == chosen) rows.push_back(go);
+  for (const HistoryRow& attempt : all_) {
+    if (chosen.isEmpty() || QString::fromStdString(attempt.scenario.text()) == chosen) rows.push_back(attempt);
   }
   // A chart is of one exercise: of the chosen one, or of the one drilled last.
   std::vector<HistoryRow> drawn;
-  for (const HistoryRow& go : rows) {
-    if (go.scenario == rows.front().scenario && go.device_class == rows.front().device_class) drawn.push_back(go);
+  for (const HistoryRow& attempt : rows) {
+    if (attempt.scenario == rows.front().scenario && attempt.device_class == rows.front().device_class) drawn.push_back(attempt);
   }
-  by_go_->set_data(score_by_go(drawn));
+  by_attempt_->set_data(score_by_attempt(drawn));
   by_time_->set_data(time_and_score(drawn));
   model_->set_rows(std::move(rows));
   table_->choose_row(0);

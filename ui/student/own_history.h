@@ -1,4 +1,4 @@
-/// One's own goes: chart and table, by exercise. Enter opens the report.
+/// One's own attempts: chart and table, by exercise. Enter opens the report.
 #pragma once
 
 #include <QWidget>
@@ -25,12 +25,12 @@ class OwnHistory : public QWidget {
   void exercises_wanted();
 
  private:
-  void show_goes();
+  void show_attempts();
   std::vector<HistoryRow> all_;
-  GoesModel* model_ = nullptr;
+  AttemptsModel* model_ = nullptr;
   Table* table_ = nullptr;
   QComboBox* exercise_ = nullptr;
-  Chart *by_go_ = nullptr, *by_time_ = nullptr;
+  Chart *by_attempt_ = nullptr, *by_time_ = nullptr;
 };
 
 }  // namespace cusp::ui

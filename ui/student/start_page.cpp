@@ -12,7 +12,9 @@
 #include "ui/student/history_charts.h"
 #include "ui/student/interrupted_card.h"
 #include "ui/text/critical_events.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/names.h"
 #include "ui/widgets/chart.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/empty_state.h"
@@ -46,19 +48,19 @@ QWidget* fact(const QString& name, const QString& value, bool wraps = false) {
 
 }  // namespace
 
-StartPage::StartPage(Store& store, const Account& account, PictureShelf& pictures, const QDateTime& now,
+StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
                      std::string device_class, QWidget* parent)
     : QWidget(parent), store_(store), pictures_(pictures), device_class_(std::move(device_class)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   auto course = load_course(store, account.actor());
   // A program that died while this one ran has left its attempt as running.
-  if (course && std::ranges::any_of(course->goes, [](const HistoryRow& go) { return go.state == SessionState::running; })) {
+  if (course && std::ranges::any_of(course->attempts, [](const HistoryRow& attempt) { return attempt.state == SessionState::running; })) {
     if (const auto marked = store.sessions.mark_interrupted(); marked && !marked->empty()) course = load_course(store, account.actor());
   }
   if (!course) {
-    const Told told = tell(course.error());
-    outer->addWidget(new EmptyState(u"warning"_qs, told.what, told.more, {}, Ink::bad));
+    const Message message = describe(course.error());
+    outer->addWidget(new EmptyState(u"warning"_qs, message.what, message.more, {}, Ink::bad));
     return;
   }
   course_ = std::move(*course);
@@ -85,7 +87,7 @@ StartPage::StartPage(Store& store, const Account& account, PictureShelf& picture
   } else {
     auto* card = new Card;
     card->body()->addWidget(new EmptyState(u"list"_qs, tr("No exercise yet"),
-                                           tr("This station has no exercise that can be read. Ask your teacher.")));
+                                           tr("This station has no exercise that can be read. Ask your instructor.")));
     column->addWidget(card);
   }
   if (!course_.rows.empty()) column->addWidget(make_list());
@@ -108,7 +110,7 @@ StartPage::StartPage(Store& store, const Account& account, PictureShelf& picture
   side->addWidget(make_chart());
   side->addStretch();
   columns_->addWidget(side_);
-  connect(&pictures_, &PictureShelf::ready, this, &StartPage::show_picture);
+  connect(&pictures_, &ThumbnailCache::ready, this, &StartPage::show_picture);
   if (QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_) setFocusProxy(first);
 }
 
@@ -118,7 +120,7 @@ void StartPage::make_interrupted(QBoxLayout& column) {
   const auto way = way_of(store_, *row, device_class_);
   if (!way || *way == InterruptedWay::other_engine) return;
   interrupted_ = new InterruptedCard(store_, *row, *way, device_class_);
-  connect(interrupted_, &InterruptedCard::go_on_wanted, this, [this, id = row->session] { Q_EMIT go_on_wanted(id); });
+  connect(interrupted_, &InterruptedCard::resume_wanted, this, [this, id = row->session] { Q_EMIT resume_wanted(id); });
   connect(interrupted_, &InterruptedCard::grade_wanted, this, [this, id = row->session] { Q_EMIT grade_wanted(id); });
   column.addWidget(interrupted_);
 }
@@ -151,8 +153,8 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   auto* facts = new QHBoxLayout;
   facts->setSpacing(px(20));
   if (row.due_utc_us) facts->addWidget(fact(tr("Due"), format_day(moment(*row.due_utc_us))));
-  facts->addWidget(fact(tr("Goes"), row.goes_allowed ? tr("%1 of %2 used").arg(row.goes).arg(*row.goes_allowed)
-                                                     : format_number(row.goes, 0)));
+  facts->addWidget(fact(tr("Attempts"), row.goes_allowed ? tr("%1 of %2 used").arg(row.attempts).arg(*row.goes_allowed)
+                                                     : format_number(row.attempts, 0)));
   facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
                                                                        : tr("none yet")));
   facts->addWidget(fact(tr("Burs"), burs_text(s), true), 1);
@@ -209,7 +211,7 @@ QWidget* StartPage::make_last(const Account& account) {
   if (!last) {
     auto* card = new Card(tr("Last result"));
     card->body()->addWidget(new EmptyState(u"chart"_qs, tr("No result yet"),
-                                           tr("After the first go its points and what to do next time stand here.")));
+                                           tr("After the first attempt its points and what to do next time stand here.")));
     return card;
   }
   auto* card = new Card(tr("Last result"), format_day(moment(last->started_utc_us)));
@@ -284,41 +286,41 @@ bool StartPage::add_advice(Card& card, const HistoryRow& last, const Account& ac
 QWidget* StartPage::make_chart() {
   // One exercise and one device class a chart: those of the last result.
   const HistoryRow* last = course_.last_graded();
-  std::vector<HistoryRow> goes;
+  std::vector<HistoryRow> attempts;
   if (last) {
-    for (const HistoryRow& go : course_.goes) {
-      if (go.scenario == last->scenario && go.device_class == last->device_class && go.score) goes.push_back(go);
+    for (const HistoryRow& attempt : course_.attempts) {
+      if (attempt.scenario == last->scenario && attempt.device_class == last->device_class && attempt.score) attempts.push_back(attempt);
     }
   }
   auto* card = new Card(tr("Time and score"), last ? local(last->title) : QString());
-  if (goes.empty()) {
-    card->body()->addWidget(new EmptyState(u"clock"_qs, tr("Nothing to draw yet"), tr("Each go becomes one point.")));
+  if (attempts.empty()) {
+    card->body()->addWidget(new EmptyState(u"clock"_qs, tr("Nothing to draw yet"), tr("Each attempt becomes one point.")));
     return card;
   }
   auto* chart = new Chart;
-  chart->set_data(time_and_score(goes));
+  chart->set_data(time_and_score(attempts));
   chart->setFixedHeight(px(200));
   card->body()->addWidget(chart);
-  QLabel* note = make_label(tr("Time earns no points. %1 only, %n go(es).", nullptr, static_cast<int>(goes.size()))
+  QLabel* note = make_label(tr("Time earns no points. %1 only, %n attempt(s).", nullptr, static_cast<int>(attempts.size()))
                                 .arg(device_name(last->device_class)),
                             TextRole::caption, false, "text2");
   note->setWordWrap(true);
   card->body()->addWidget(note);
-  std::reverse(goes.begin(), goes.end());
-  connect(chart, &Chart::point_opened, this, [this, goes](int, int point) {
-    Q_EMIT report_wanted(goes[static_cast<std::size_t>(point)].session);
+  std::reverse(attempts.begin(), attempts.end());
+  connect(chart, &Chart::point_opened, this, [this, attempts](int, int point) {
+    Q_EMIT report_wanted(attempts[static_cast<std::size_t>(point)].session);
   });
   return card;
 }
 
 QWidget* StartPage::make_word(const Account& account) {
-  for (const HistoryRow& go : course_.goes) {
-    const auto comments = store_.comments.of(go.session);
+  for (const HistoryRow& attempt : course_.attempts) {
+    const auto comments = store_.comments.of(attempt.session);
     if (!comments || comments->empty()) continue;
     const Comment& c = comments->back();
     const auto author = store_.people.find(c.author);
-    auto* card = new Card(tr("From your teacher"), tr("on your go of %1").arg(format_day(moment(go.started_utc_us))));
-    const QString who = author ? QString::fromStdString(author->name) : tr("Teacher");
+    auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(moment(attempt.started_utc_us))));
+    const QString who = author ? QString::fromStdString(author->name) : tr("Instructor");
     QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));
     text->setWordWrap(true);
     card->body()->addWidget(text);
@@ -330,7 +332,7 @@ QWidget* StartPage::make_word(const Account& account) {
 
 void StartPage::show_picture() {
   if (!picture_ || !next_) return;
-  show_covering(picture_, pictures_.picture(next_->exercise, {}, PictureShelf::Use::card, tokens().dark), px(7));
+  show_covering(picture_, pictures_.picture(next_->exercise, {}, ThumbnailCache::Use::card, tokens().dark), px(7));
 }
 
 void StartPage::resizeEvent(QResizeEvent* event) {

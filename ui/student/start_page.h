@@ -6,7 +6,7 @@
 #include <string>
 
 #include "ui/student/course.h"
-#include "ui/student/picture_shelf.h"
+#include "ui/student/thumbnail_cache.h"
 
 class QBoxLayout;
 class QLabel;
@@ -23,7 +23,7 @@ class StartPage : public QWidget {
 
  public:
   /// `device_class`: of the device that this station drills with.
-  StartPage(Store& store, const Account& account, PictureShelf& pictures, const QDateTime& now,
+  StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
             std::string device_class = "pointer", QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
   /// nullptr without an attempt that broke off.
@@ -35,7 +35,7 @@ class StartPage : public QWidget {
   void briefing_wanted(const Exercise& exercise);
   void report_wanted(const SessionId& session);
   void exercises_wanted();
-  void go_on_wanted(const SessionId& session);
+  void resume_wanted(const SessionId& session);
   void grade_wanted(const SessionId& session);
 
  protected:
@@ -53,7 +53,7 @@ class StartPage : public QWidget {
   void show_picture();
 
   Store& store_;
-  PictureShelf& pictures_;
+  ThumbnailCache& pictures_;
   std::string device_class_;
   Course course_;
   InterruptedCard* interrupted_ = nullptr;

@@ -1,3 +1,4 @@
+#include "ui/text/names.h"
 #include "ui/text/audit_text.h"
 
 #include <QCoreApplication>
@@ -12,17 +13,17 @@
 namespace cusp::ui {
 namespace {
 
-struct Words {
+struct Text {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Audit)
 };
 
 QString mm(double value) { return format_value({value, {}, u"mm"_qs, value * 100 == static_cast<int>(value * 100) ? 2 : 3}); }
 
 QString around_name(const std::string& key) {
-  if (key == "neighbours") return Words::tr("Neighbouring teeth");
+  if (key == "neighbours") return Text::tr("Neighbouring teeth");
   if (key == "gingiva") return tissue_name(Tissue::gingiva);
   if (key == "bone") return tissue_name(Tissue::bone);
-  return Words::tr("The rest of the jaw");
+  return Text::tr("The rest of the jaw");
 }
 
 QString tissue_of(const std::string& key) {
@@ -38,11 +39,11 @@ QStringList taken(const AuditReport& report) {
   return out;
 }
 
-/// Where single goes part by chance: what half the voxels change in the mean.
+/// Where single attempts part by chance: what half the voxels change in the mean.
 QString means_sentence(const AuditReport& report) {
   if (!report.at_half_voxel || report.at_half_voxel->attempts_per_operator < 2) return {};
   const GradeChange& half = *report.at_half_voxel;
-  return u' ' + Words::tr("Single goes part by chance: over %1 goes of each hand, half the voxels change the mean score by %2 ± %3 points.")
+  return u' ' + Text::tr("Single attempts differ by chance: over %1 attempts of each operator, half the voxels change the mean score by %2 ± %3 points.")
                     .arg(QLocale().toString(half.attempts_per_operator), format_number(std::abs(half.score), 1), format_number(half.standard_error, 1));
 }
 
@@ -50,59 +51,59 @@ QString means_sentence(const AuditReport& report) {
 
 QString choice_name(const Choice& c) {
   switch (c.aspect) {
-    case Aspect::voxel: return Words::tr("Voxels of %1").arg(mm(c.instead));
-    case Aspect::band: return Words::tr("Half the band");
-    case Aspect::region: return Words::tr("Only near the target");
-    case Aspect::around: return Words::tr("%1 left out").arg(around_name(c.subject));
-    case Aspect::tissue: return Words::tr("%1 left out").arg(tissue_of(c.subject));
-    case Aspect::friction: return Words::tr("Friction left out");
-    case Aspect::spindle: return Words::tr("Handpiece left out");
-    case Aspect::vibration: return Words::tr("Vibration left out");
-    case Aspect::heat: return Words::tr("Heat left out");
-    case Aspect::tilt: return Words::tr("Tilting of the handpiece left out");
+    case Aspect::voxel: return Text::tr("Voxels of %1").arg(mm(c.instead));
+    case Aspect::band: return Text::tr("Half the band");
+    case Aspect::region: return Text::tr("Only near the target");
+    case Aspect::around: return Text::tr("%1 left out").arg(around_name(c.subject));
+    case Aspect::tissue: return Text::tr("%1 left out").arg(tissue_of(c.subject));
+    case Aspect::friction: return Text::tr("Friction left out");
+    case Aspect::spindle: return Text::tr("Handpiece left out");
+    case Aspect::vibration: return Text::tr("Vibration left out");
+    case Aspect::heat: return Text::tr("Heat left out");
+    case Aspect::tilt: return Text::tr("Tilting of the handpiece left out");
   }
   return {};
 }
 
 QString verdict_name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::needed: return Words::tr("needed");
-    case Verdict::not_needed: return Words::tr("not needed");
-    case Verdict::shown: return Words::tr("same score");
-    case Verdict::unplayable: return Words::tr("cannot be played");
-    case Verdict::unresolved: return Words::tr("too coarse");
+    case Verdict::needed: return Text::tr("needed");
+    case Verdict::not_needed: return Text::tr("not needed");
+    case Verdict::shown: return Text::tr("same score");
+    case Verdict::unplayable: return Text::tr("cannot be played");
+    case Verdict::unresolved: return Text::tr("too coarse");
   }
   return {};
 }
 
 QString leanest_sentence(const AuditReport& report) {
   if (!report.changed() && !report.detail_holds())
-    return Words::tr("Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every "
+    return Text::tr("Half the voxels change a score by %1 points, more than the %2 that the exercise allows, and so did every "
                      "size that was tried.")
                .arg(format_number(std::abs(report.at_half_voxel->score), 1), format_points(report.tolerance_points)) +
            means_sentence(report);
   if (!report.changed())
-    return Words::tr("Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).")
+    return Text::tr("Nothing can be left out: the exercise is as lean as its scores allow (within %1 points).")
                .arg(format_points(report.tolerance_points)) +
            means_sentence(report);
   const QString what = taken(report).join(u", "_qs);
   const bool finer = report.leanest.specimen.voxel_mm < report.scenario.specimen.voxel_mm;
-  const QString tells = finer ? Words::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
-                              : Words::tr("Every go keeps its score within %1 points: %2.");
+  const QString tells = finer ? Text::tr("The detail was too coarse for its scores; now half the voxels change none by more than %1 points: %2.")
+                              : Text::tr("Every attempt keeps its score within %1 points: %2.");
   QString out = tells.arg(format_points(report.tolerance_points), what);
   if (report.leanest_result) {
     const ModelCost &was = report.as_set.cost, &is = report.leanest_result->cost;
-    out += u' ' + Words::tr("An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.")
+    out += u' ' + Text::tr("An update takes %1 µs instead of %2, the tooth %3 MB instead of %4.")
                       .arg(format_number(is.us_a_tick, 0), format_number(is.us_a_tick - is.us_more, 0),
                            format_number(static_cast<double>(is.bytes) / 1e6, 0), format_number(static_cast<double>(was.bytes) / 1e6, 0));
   }
-  return out + means_sentence(report) + u' ' + Words::tr("One thing after another was tried: a leaner set may exist.");
+  return out + means_sentence(report) + u' ' + Text::tr("One thing after another was tried: a leaner set may exist.");
 }
 
-Told tell(const AuditFailure& failure) {
-  if (failure.code == AuditError::cancelled) return {Words::tr("The audit was stopped."), Words::tr("Nothing was changed.")};
-  return {Words::tr("The exercise cannot be played as it stands (%1).").arg(QString::fromStdString(failure.where)),
-          Words::tr("Look at its checks first.")};
+Message describe(const AuditFailure& failure) {
+  if (failure.code == AuditError::cancelled) return {Text::tr("The audit was stopped."), Text::tr("Nothing was changed.")};
+  return {Text::tr("The exercise cannot be played as it stands (%1).").arg(QString::fromStdString(failure.where)),
+          Text::tr("Look at its checks first.")};
 }
 
 }  // namespace cusp::ui

@@ -1,17 +1,17 @@
-/// What an audit found, in words: for the verb and for the editor's page.
+/// Text for the findings of an audit: for the verb and for the editor's page.
 #pragma once
 
 #include "scenarios/audit/audit.h"
 #include "ui/modules.h"
-#include "ui/text/sentences.h"
+#include "ui/text/failure_text.h"
 
 namespace cusp::ui {
 
 /// "Voxels 0.2 mm", "Pulp left out".
 QString choice_name(const Choice& choice);
 QString verdict_name(Verdict verdict);
-/// What was found: "Every go keeps its score within 2 points: Vibration left out. An update takes 31 µs instead of 40, …"
+/// What was found: "Every attempt keeps its score within 2 points: Vibration left out. An update takes 31 µs instead of 40, …"
 QString leanest_sentence(const AuditReport& report);
-Told tell(const AuditFailure& failure);
+Message describe(const AuditFailure& failure);
 
 }  // namespace cusp::ui

@@ -10,73 +10,73 @@
 namespace cusp::ui {
 namespace {
 
-struct BurWords {
+struct BurText {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::BurWords)
 };
 
 QString use_name(std::string_view use) {
-  if (use == "caries") return BurWords::tr("decay");
-  if (use == "entry") return BurWords::tr("entry");
-  if (use == "undercut") return BurWords::tr("undercuts");
-  if (use == "flatten") return BurWords::tr("flat floors");
-  if (use == "walls") return BurWords::tr("walls");
-  if (use == "bulk") return BurWords::tr("bulk removal");
-  if (use == "line_angles") return BurWords::tr("rounded line angles");
-  if (use == "crown") return BurWords::tr("crowns");
-  if (use == "inlay") return BurWords::tr("inlays");
-  if (use == "class_1") return BurWords::tr("class I outlines");
-  if (use == "class_2") return BurWords::tr("class II outlines");
-  if (use == "class_2_box") return BurWords::tr("class II boxes");
-  if (use == "chamfer") return BurWords::tr("chamfers");
-  if (use == "shoulder") return BurWords::tr("shoulders");
-  if (use == "bevel") return BurWords::tr("bevels");
-  if (use == "proximal") return BurWords::tr("between teeth");
-  if (use == "occlusal") return BurWords::tr("occlusal surfaces");
-  if (use == "lingual") return BurWords::tr("lingual surfaces");
+  if (use == "caries") return BurText::tr("carious lesion");
+  if (use == "entry") return BurText::tr("entry");
+  if (use == "undercut") return BurText::tr("undercuts");
+  if (use == "flatten") return BurText::tr("flat floors");
+  if (use == "walls") return BurText::tr("walls");
+  if (use == "bulk") return BurText::tr("bulk removal");
+  if (use == "line_angles") return BurText::tr("rounded line angles");
+  if (use == "crown") return BurText::tr("crowns");
+  if (use == "inlay") return BurText::tr("inlays");
+  if (use == "class_1") return BurText::tr("class I outlines");
+  if (use == "class_2") return BurText::tr("class II outlines");
+  if (use == "class_2_box") return BurText::tr("class II boxes");
+  if (use == "chamfer") return BurText::tr("chamfers");
+  if (use == "shoulder") return BurText::tr("shoulders");
+  if (use == "bevel") return BurText::tr("bevels");
+  if (use == "proximal") return BurText::tr("between teeth");
+  if (use == "occlusal") return BurText::tr("occlusal surfaces");
+  if (use == "lingual") return BurText::tr("lingual surfaces");
   return QString::fromUtf8(use.data(), static_cast<qsizetype>(use.size()));
 }
 
 }  // namespace
 
 QString bur_shape_name(std::string_view shape) {
-  if (shape == "round") return BurWords::tr("Round");
-  if (shape == "inverted_cone") return BurWords::tr("Inverted cone");
-  if (shape == "straight_fissure") return BurWords::tr("Straight fissure");
-  if (shape == "cross_cut_fissure") return BurWords::tr("Cross-cut fissure");
-  if (shape == "dome_fissure") return BurWords::tr("Dome fissure");
-  if (shape == "tapered_fissure") return BurWords::tr("Tapered fissure");
-  if (shape == "cross_cut_tapered_fissure") return BurWords::tr("Cross-cut tapered fissure");
-  if (shape == "pear") return BurWords::tr("Pear");
-  if (shape == "long_pear") return BurWords::tr("Long pear");
-  if (shape == "round_end_taper") return BurWords::tr("Round-end taper");
-  if (shape == "flat_end_taper") return BurWords::tr("Flat-end taper");
-  if (shape == "flame") return BurWords::tr("Flame");
-  if (shape == "football") return BurWords::tr("Football");
-  return BurWords::tr("Own shape");
+  if (shape == "round") return BurText::tr("Round");
+  if (shape == "inverted_cone") return BurText::tr("Inverted cone");
+  if (shape == "straight_fissure") return BurText::tr("Straight fissure");
+  if (shape == "cross_cut_fissure") return BurText::tr("Cross-cut fissure");
+  if (shape == "dome_fissure") return BurText::tr("Dome fissure");
+  if (shape == "tapered_fissure") return BurText::tr("Tapered fissure");
+  if (shape == "cross_cut_tapered_fissure") return BurText::tr("Cross-cut tapered fissure");
+  if (shape == "pear") return BurText::tr("Pear");
+  if (shape == "long_pear") return BurText::tr("Long pear");
+  if (shape == "round_end_taper") return BurText::tr("Round-end taper");
+  if (shape == "flat_end_taper") return BurText::tr("Flat-end taper");
+  if (shape == "flame") return BurText::tr("Flame");
+  if (shape == "football") return BurText::tr("Football");
+  return BurText::tr("Own shape");
 }
 
 QString bur_shape_word(std::string_view shape) {
-  if (shape == "round") return BurWords::tr("round");
-  if (shape == "inverted_cone") return BurWords::tr("inverted cone");
-  if (shape == "straight_fissure") return BurWords::tr("straight fissure");
-  if (shape == "cross_cut_fissure") return BurWords::tr("cross-cut fissure");
-  if (shape == "dome_fissure") return BurWords::tr("dome fissure");
-  if (shape == "tapered_fissure") return BurWords::tr("tapered fissure");
-  if (shape == "cross_cut_tapered_fissure") return BurWords::tr("cross-cut tapered fissure");
-  if (shape == "pear") return BurWords::tr("pear");
-  if (shape == "long_pear") return BurWords::tr("long pear");
-  if (shape == "round_end_taper") return BurWords::tr("round-end taper");
-  if (shape == "flat_end_taper") return BurWords::tr("flat-end taper");
-  if (shape == "flame") return BurWords::tr("flame");
-  if (shape == "football") return BurWords::tr("football");
-  return BurWords::tr("own shape");
+  if (shape == "round") return BurText::tr("round");
+  if (shape == "inverted_cone") return BurText::tr("inverted cone");
+  if (shape == "straight_fissure") return BurText::tr("straight fissure");
+  if (shape == "cross_cut_fissure") return BurText::tr("cross-cut fissure");
+  if (shape == "dome_fissure") return BurText::tr("dome fissure");
+  if (shape == "tapered_fissure") return BurText::tr("tapered fissure");
+  if (shape == "cross_cut_tapered_fissure") return BurText::tr("cross-cut tapered fissure");
+  if (shape == "pear") return BurText::tr("pear");
+  if (shape == "long_pear") return BurText::tr("long pear");
+  if (shape == "round_end_taper") return BurText::tr("round-end taper");
+  if (shape == "flat_end_taper") return BurText::tr("flat-end taper");
+  if (shape == "flame") return BurText::tr("flame");
+  if (shape == "football") return BurText::tr("football");
+  return BurText::tr("own shape");
 }
 
 QString bur_diameter_text(const Bur& bur) { return format({2 * bur.radius_mm, {}, QStringLiteral("mm"), 1}); }
 
 QString bur_text(const Bur& bur) {
   //: Number of a bur, its shape, its diameter.
-  return BurWords::tr("%1, %2, %3")
+  return BurText::tr("%1, %2, %3")
       .arg(QString::fromStdString(bur.name), bur_shape_word(shape_of(bur)), bur_diameter_text(bur));
 }
 
@@ -85,7 +85,7 @@ QString bur_uses_text(const Bur& bur) {
   if (one == nullptr || one->shape != shape_of(bur)) return {};
   QStringList out;
   for (const std::string& use : one->use) out += use_name(use);
-  const QString text = out.join(BurWords::tr(", "));
+  const QString text = out.join(BurText::tr(", "));
   return text.isEmpty() ? text : QString(text.at(0).toUpper()) + text.mid(1);
 }
 

@@ -1,4 +1,4 @@
-/// Burs in words: the shape, and which one it is. Needs no window.
+/// Names of burs: the shape, and which one it is. Needs no window.
 #pragma once
 
 #include <QString>

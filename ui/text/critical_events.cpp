@@ -40,8 +40,8 @@ std::optional<Vec3> place_of(const std::string& key, const Grade& grade, const s
 
 /// The pair of ways that the side names begin with: "mesio" and "disto" have no sense of their own in other languages.
 QString oblique(bool mesial, bool buccal, bool upper) {
-  if (mesial) return buccal ? Words::tr("mesiobuccal") : upper ? Words::tr("mesiopalatal") : Words::tr("mesiolingual");
-  return buccal ? Words::tr("distobuccal") : upper ? Words::tr("distopalatal") : Words::tr("distolingual");
+  if (mesial) return buccal ? Text::tr("mesiobuccal") : upper ? Text::tr("mesiopalatal") : Text::tr("mesiolingual");
+  return buccal ? Text::tr("distobuccal") : upper ? Text::tr("distopalatal") : Text::tr("distolingual");
 }
 
 }  // namespace
@@ -61,14 +61,14 @@ std::vector<CriticalEvent> critical_events(const Grade& grade, const std::vector
 QString critical_text(const CriticalEvent& event, const SpecimenSource& specimen) {
   QString text = critical_name(event.key);
   //: A critical event, and when it happened in the attempt: "The pulp was opened after 1:12 min".
-  if (event.at_s) text = Words::tr("%1 after %2 min").arg(text, format_clock(*event.at_s));
+  if (event.at_s) text = Text::tr("%1 after %2 min").arg(text, format_clock(*event.at_s));
   const QString side = event.place_mm ? side_text(specimen, *event.place_mm) : QString();
-  return side.isEmpty() ? text : text + Words::tr(", ") + side;
+  return side.isEmpty() ? text : text + Text::tr(", ") + side;
 }
 
 QString critical_advice(const std::string& key) {
-  if (key == "pulp_exposure") return Words::tr("Read the depth before each stroke, and stop above the wanted floor.");
-  if (key == "dry_cutting") return Words::tr("Run the coolant before the bur touches the tooth.");
+  if (key == "pulp_exposure") return Text::tr("Read the depth before each stroke, and stop above the wanted floor.");
+  if (key == "dry_cutting") return Text::tr("Run the coolant before the bur touches the tooth.");
   return {};
 }
 
@@ -78,9 +78,9 @@ QString side_text(const SpecimenSource& specimen, Vec3 place_mm) {
   const double mesial = toward_mesial * place_mm.x, buccal = place_mm.y;
   if (std::hypot(mesial, buccal) < kMiddleMm) return {};
   const bool upper = specimen.fdi < 30;
-  if (std::abs(mesial) > kMostOblique * std::abs(buccal)) return mesial > 0 ? Words::tr("mesial") : Words::tr("distal");
+  if (std::abs(mesial) > kMostOblique * std::abs(buccal)) return mesial > 0 ? Text::tr("mesial") : Text::tr("distal");
   if (std::abs(buccal) > kMostOblique * std::abs(mesial)) {
-    return buccal > 0 ? Words::tr("buccal") : upper ? Words::tr("palatal") : Words::tr("lingual");
+    return buccal > 0 ? Text::tr("buccal") : upper ? Text::tr("palatal") : Text::tr("lingual");
   }
   return oblique(mesial > 0, buccal > 0, upper);
 }

@@ -1,4 +1,4 @@
-/// What went wrong in any room, put into words: what happened, where, what was kept, and one way out. Needs no window.
+/// Messages for failures of every module: what happened, where, what was kept, and one way out. Needs no window.
 #pragma once
 
 #include <QString>
@@ -10,28 +10,28 @@
 #include "scenarios/import/import_error.h"
 #include "storage/error.h"
 #include "ui/modules.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 
 namespace cusp::ui {
 
-/// A failure as people read it: one bold sentence, and what else there is to know.
-struct Told {
+/// A failure as people read it: one bold sentence, and the rest.
+struct Message {
   QString what;
   QString more;
   QString line() const { return more.isEmpty() ? what : what + u' ' + more; }
 };
 
-Told tell(const StorageFailure& failure);
-/// What a person was asked for.
+Message describe(const StorageFailure& failure);
+/// What the user was asked for.
 enum class Secret : std::uint8_t { password, pin };
-/// Of signing in, of making an account and of changing one: names the person's number, never the database's file.
-Told tell_account(const StorageFailure& failure, const QString& number, Secret asked);
-Told tell(const FormatFailure& failure);
-Told tell(const ImportFailure& failure);
-Told tell(const PortFailure& failure);
-Told tell(const RunFailure& failure);
-Told tell(Fault fault);
+/// Of signing in, of making an account and of changing one: names the account's number, never the database's file.
+Message describe_account(const StorageFailure& failure, const QString& number, Secret asked);
+Message describe(const FormatFailure& failure);
+Message describe(const ImportFailure& failure);
+Message describe(const PortFailure& failure);
+Message describe(const SessionFailure& failure);
+Message describe(Fault fault);
 /// How the loop of a device stands among other programs.
-Told tell(const RealtimeGrant& grant);
+Message describe(const RealtimeGrant& grant);
 
 }  // namespace cusp::ui

@@ -3,36 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/text/sentences.h"
+#include "ui/text/names.h"
 #include "ui/text/text.h"
 #include "ui/widgets/format.h"
 
 namespace cusp::ui {
 
 QString metric_name(const std::string& m) {
-  if (m == "target_removed") return Words::tr("Target removed");
-  if (m == "overcut_leeway_floor") return Words::tr("Leeway used, floor");
-  if (m == "overcut_leeway_side") return Words::tr("Leeway used, walls");
-  if (m == "overcut_beyond_floor") return Words::tr("Floor cut too far");
-  if (m == "overcut_beyond_side") return Words::tr("Walls cut too far");
-  if (m == "undercut") return Words::tr("Left standing");
-  if (m == "depth_least") return Words::tr("Floor depth, shallowest");
-  if (m == "depth_mean") return Words::tr("Floor depth, mean");
-  if (m == "depth_most") return Words::tr("Floor depth, deepest");
-  if (m == "remaining_over_pulp") return Words::tr("Dentine over pulp");
-  if (m == "time") return Words::tr("Time");
-  if (m == "force_peak") return Words::tr("Peak push");
-  if (m == "force_mean") return Words::tr("Mean push");
-  if (m == "pulp_exposure") return Words::tr("Pulp opened");
-  if (m == "dry_cutting_time") return Words::tr("Cut without coolant");
-  if (m == "temperature_rise_peak") return Words::tr("Tooth warmer by (not verified)");
-  if (m == "dry_cutting") return Words::tr("Tooth overheated");
+  if (m == "target_removed") return Text::tr("Target removed");
+  if (m == "overcut_leeway_floor") return Text::tr("Over-cut within tolerance, floor");
+  if (m == "overcut_leeway_side") return Text::tr("Over-cut within tolerance, walls");
+  if (m == "overcut_beyond_floor") return Text::tr("Over-cut, floor");
+  if (m == "overcut_beyond_side") return Text::tr("Over-cut, walls");
+  if (m == "undercut") return Text::tr("Not removed");
+  if (m == "depth_least") return Text::tr("Floor depth, shallowest");
+  if (m == "depth_mean") return Text::tr("Floor depth, mean");
+  if (m == "depth_most") return Text::tr("Floor depth, deepest");
+  if (m == "remaining_over_pulp") return Text::tr("Dentine over pulp");
+  if (m == "time") return Text::tr("Time");
+  if (m == "force_peak") return Text::tr("Peak push");
+  if (m == "force_mean") return Text::tr("Mean push");
+  if (m == "pulp_exposure") return Text::tr("Pulp opened");
+  if (m == "dry_cutting_time") return Text::tr("Cut without coolant");
+  if (m == "temperature_rise_peak") return Text::tr("Tooth warmer by (not verified)");
+  if (m == "dry_cutting") return Text::tr("Tooth overheated");
   if (m.starts_with("removed_")) {
     const std::string key = m.substr(8);
-    if (const auto tissue = tissue_from_key(key)) return Words::tr("%1 removed").arg(tissue_name(*tissue));
+    if (const auto tissue = tissue_from_key(key)) return Text::tr("%1 removed").arg(tissue_name(*tissue));
     bool number = false;
     const int code = text(key).toInt(&number);
-    if (number) return Words::tr("%1 removed").arg(tissue_name(static_cast<Tissue>(code)));
+    if (number) return Text::tr("%1 removed").arg(tissue_name(static_cast<Tissue>(code)));
   }
   return text(m);
 }
@@ -48,8 +48,8 @@ QString metric_unit(const std::string& m) {
 }
 
 QString critical_name(const std::string& critical) {
-  if (critical == "pulp_exposure") return Words::tr("The pulp was opened");
-  if (critical == "dry_cutting") return Words::tr("The tooth was overheated by cutting dry (criterion not verified)");
+  if (critical == "pulp_exposure") return Text::tr("The pulp was opened");
+  if (critical == "dry_cutting") return Text::tr("The tooth was overheated by cutting dry (criterion not verified)");
   return metric_name(critical);
 }
 
@@ -67,7 +67,7 @@ QString with_unit(double value, const QString& unit) {
   return isolate(unit.isEmpty() ? number_of(value) : number_of(value) + QChar(0x00A0) + unit_text(unit));
 }
 
-/// Down to the tenth of a percent: "100 %" is never said where points are missing.
+/// Down to the tenth of a percent: "100 %" never appears where points are missing.
 QString share_text(double share) { return with_unit(std::floor(share * 1000 + 1e-6) / 10, u"%"_qs); }
 
 /// As many decimals as keep value and limit apart, up to three, and never fewer than `least`: "96.97", not "97", of 97.
@@ -86,10 +86,10 @@ QString wanted_text(const Criterion& c) {
   // A side whose three edges coincide has no edge: nothing lies beyond it.
   const bool open_low = b.fail_lo == b.ideal_lo && b.acc_lo == b.ideal_lo;
   const bool open_high = b.fail_hi == b.ideal_hi && b.acc_hi == b.ideal_hi;
-  if (open_low && !open_high) return Words::tr("up to %1").arg(with_unit(b.ideal_hi, unit));
-  if (open_high && !open_low) return Words::tr("%1 or more").arg(with_unit(b.ideal_lo, unit));
+  if (open_low && !open_high) return Text::tr("up to %1").arg(with_unit(b.ideal_hi, unit));
+  if (open_high && !open_low) return Text::tr("%1 or more").arg(with_unit(b.ideal_lo, unit));
   if (b.ideal_lo == b.ideal_hi) return with_unit(b.ideal_lo, unit);
-  return Words::tr("%1 to %2").arg(number_of(b.ideal_lo), with_unit(b.ideal_hi, unit));
+  return Text::tr("%1 to %2").arg(number_of(b.ideal_lo), with_unit(b.ideal_hi, unit));
 }
 
 QString reason_text(const CriterionGrade& g) {
@@ -99,23 +99,23 @@ QString reason_text(const CriterionGrade& g) {
   };
   const QString unit = text(g.measure.unit);
   if (g.reason_code == "little_drilled") {
-    return Words::tr("Counts only as far as the target was cut: %1").arg(share_text(arg("share")));
+    return Text::tr("Counts only as far as the target was cut: %1").arg(share_text(arg("share")));
   }
   const double value = arg("value"), limit = arg("limit");
   const int decimals = decimals_apart(value, limit, unit == u"%" ? 1 : 2);
   const QString v = format({value, std::nullopt, unit, decimals}), l = with_unit(limit, unit);
   const QString apart = format({std::abs(value - limit), std::nullopt, unit, decimals});
-  if (g.reason_code == "full") return Words::tr("Full points");
-  if (g.reason_code == "not_measured") return Words::tr("Could not be measured");
-  if (g.reason_code == "too_deep") return Words::tr("%1, %2 deeper than %3").arg(v, apart, l);
-  if (g.reason_code == "too_shallow") return Words::tr("%1, %2 short of %3").arg(v, apart, l);
+  if (g.reason_code == "full") return Text::tr("Full points");
+  if (g.reason_code == "not_measured") return Text::tr("Could not be measured");
+  if (g.reason_code == "too_deep") return Text::tr("%1, %2 deeper than %3").arg(v, apart, l);
+  if (g.reason_code == "too_shallow") return Text::tr("%1, %2 short of %3").arg(v, apart, l);
   const QString whole = format_value({value, std::nullopt, unit, decimals});
-  if (g.reason_code == "too_much") return Words::tr("%1; full points up to %2").arg(whole, l);
-  if (g.reason_code == "too_dry") return Words::tr("%1 without coolant; full points up to %2").arg(whole, l);
-  if (g.reason_code == "too_warm") return Words::tr("%1 warmer; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_much") return Text::tr("%1; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_dry") return Text::tr("%1 without coolant; full points up to %2").arg(whole, l);
+  if (g.reason_code == "too_warm") return Text::tr("%1 warmer; full points up to %2").arg(whole, l);
   if (g.reason_code == "too_little") {
-    return g.id == "target_removed" ? Words::tr("%1 removed; full points from %2").arg(whole, l)
-                                    : Words::tr("%1; full points from %2").arg(whole, l);
+    return g.id == "target_removed" ? Text::tr("%1 removed; full points from %2").arg(whole, l)
+                                    : Text::tr("%1; full points from %2").arg(whole, l);
   }
   return text(g.reason_code);
 }
@@ -123,7 +123,7 @@ QString reason_text(const CriterionGrade& g) {
 int point_forms(double points) { return format_points(points) == format_points(1) ? 1 : 2; }
 
 QString lost_text(const CriterionGrade& g, double lost) {
-  return Words::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id), format_points(lost));
+  return Text::tr("%1: %2 point(s) lost", nullptr, point_forms(lost)).arg(metric_name(g.id), format_points(lost));
 }
 
 QString counted_text(const Grade& grade, const Rubric& rubric) {
@@ -133,7 +133,7 @@ QString counted_text(const Grade& grade, const Rubric& rubric) {
     for (const Criterion& asked : rubric.criteria) {
       if (asked.metric != c.id || !(c.measure.value < asked.bands.ideal_lo)) continue;
       const double share = std::max(0.0, c.measure.value) / asked.bands.ideal_lo;
-      return Words::tr("What stayed intact counts only as far as the target was cut: %1.").arg(share_text(share));
+      return Text::tr("What stayed intact counts only as far as the target was cut: %1.").arg(share_text(share));
     }
   }
   return {};
@@ -143,23 +143,23 @@ QString advice_text(const CriterionGrade& g) {
   // What was drilled too little is advised about once, by the target's own criterion.
   if (g.reason_code == "full" || g.reason_code == "not_measured" || g.reason_code == "little_drilled") return {};
   const std::string& m = g.id;
-  if (m == "target_removed") return Words::tr("Turn the view and look for what still stands inside the target line.");
+  if (m == "target_removed") return Text::tr("Turn the view and look for what still stands inside the target line.");
   if (m == "overcut_leeway_floor" || m == "overcut_beyond_floor")
-    return Words::tr("Lift off and read the depth before you go deeper.");
+    return Text::tr("Lift off and read the depth before you go deeper.");
   if (m == "overcut_leeway_side" || m == "overcut_beyond_side")
-    return Words::tr("Keep the bur’s edge inside the target line; push less near the walls.");
-  if (m == "undercut") return Words::tr("Turn the view and clear the corners along the walls.");
+    return Text::tr("Keep the bur’s edge inside the target line; push less near the walls.");
+  if (m == "undercut") return Text::tr("Turn the view and clear the corners along the walls.");
   if (m.starts_with("depth_")) {
-    if (g.reason_code == "too_deep") return Words::tr("Stop pushing before the wanted depth and move sideways.");
-    return Words::tr("Go on to the wanted depth over the whole floor.");
+    if (g.reason_code == "too_deep") return Text::tr("Stop pushing before the wanted depth and move sideways.");
+    return Text::tr("Go on to the wanted depth over the whole floor.");
   }
-  if (m == "remaining_over_pulp") return Words::tr("Keep away from the pulp: stay above the wanted floor.");
-  if (m == "force_peak" || m == "force_mean") return Words::tr("Push less; let the bur do the work.");
-  if (m == "time") return Words::tr("Plan the way of the bur before the first cut.");
-  if (g.reason_code == "too_dry") return Words::tr("Run the coolant before the bur touches the tooth.");
-  if (g.reason_code == "too_warm") return Words::tr("Run the coolant, push less, and lift off now and then.");
-  if (g.reason_code == "too_much") return Words::tr("Take away less of it.");
-  return Words::tr("Take away more of it.");
+  if (m == "remaining_over_pulp") return Text::tr("Keep away from the pulp: stay above the wanted floor.");
+  if (m == "force_peak" || m == "force_mean") return Text::tr("Push less; let the bur do the work.");
+  if (m == "time") return Text::tr("Plan the way of the bur before the first cut.");
+  if (g.reason_code == "too_dry") return Text::tr("Run the coolant before the bur touches the tooth.");
+  if (g.reason_code == "too_warm") return Text::tr("Run the coolant, push less, and lift off now and then.");
+  if (g.reason_code == "too_much") return Text::tr("Take away less of it.");
+  return Text::tr("Take away more of it.");
 }
 
 }  // namespace cusp::ui

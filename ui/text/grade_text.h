@@ -1,4 +1,4 @@
-/// What a grade says, put into words: criteria, what they want, why points went, what to do next time. Needs no window.
+/// Text for a grade: criteria, what they want, why points went, what to do next time. Needs no window.
 #pragma once
 
 #include <QString>
@@ -10,7 +10,7 @@
 
 namespace cusp::ui {
 
-/// "Floor depth, deepest" for a key of scenarios/metrics; the key itself for one that has no words yet.
+/// "Floor depth, deepest" for a key of scenarios/metrics; the key itself for one that has no name yet.
 QString metric_name(const std::string& metric);
 QString metric_unit(const std::string& metric);
 QString critical_name(const std::string& critical);

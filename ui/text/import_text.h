@@ -1,4 +1,4 @@
-/// What an import did to a file, put into words. Needs no window.
+/// Text for what an import did to a file. Needs no window.
 #pragma once
 
 #include <QString>
@@ -13,9 +13,9 @@
 namespace cusp::ui {
 
 /// "Two holes were closed in crown, the widest of 0.4 mm." Empty for a remark that makes no sentence alone (precedence).
-QString tell(const ImportRemark& remark);
+QString describe(const ImportRemark& remark);
 /// All sentences of an import; the order in which meshes win is one.
-QStringList tell(const std::vector<ImportRemark>& remarks);
+QStringList describe(const std::vector<ImportRemark>& remarks);
 /// "It is 155 mm long …": for the question, without a way out.
 QString odd_size_text(double longest_mm);
 /// What a limit refused, as a headline.

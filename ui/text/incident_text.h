@@ -1,4 +1,4 @@
-/// What opening the records met, put into words for staff: StorageContext::incident (storage/sealing.h). Needs no window.
+/// Messages for staff about opening the records: StorageContext::incident (storage/sealing.h). Needs no window.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 namespace cusp::ui {
 
 /// What happened, what it means, and what to do about it. `incident`: an action of storage/sealing.h.
-Told tell_incident(std::string_view incident, const std::filesystem::path& database);
+Message describe_incident(std::string_view incident, const std::filesystem::path& database);
 
 /// The records can only be read, for the reason that `cause` names.
-Told tell_reading_only(const StorageFailure& cause, const std::filesystem::path& database);
+Message describe_reading_only(const StorageFailure& cause, const std::filesystem::path& database);
 
 }  // namespace cusp::ui

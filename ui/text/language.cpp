@@ -40,7 +40,7 @@ void install_language(QCoreApplication& app, const QString& wanted) {
   const QLocale system = QLocale::system();
   const QLocale plain(code == u"pseudo" ? u"en"_qs : code);
   QLocale locale = system.language() == plain.language() ? system : plain;
-  // No thousands sign: a score or a count of goes never needs one, and a field that reads it back may not know it.
+  // No thousands sign: a score or a count of attempts never needs one, and a field that reads it back may not know it.
   locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
   QLocale::setDefault(locale);
 

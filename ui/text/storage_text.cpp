@@ -1,4 +1,4 @@
-// Failures of storage, put into words.
+// Messages for failures of storage.
 
 #include <QDateTime>
 #include <QLocale>
@@ -13,150 +13,150 @@ namespace {
 
 QString place(const std::string& where) { return isolate(text(where)); }
 
-QString nothing_changed() { return Words::tr("Nothing was changed."); }
+QString nothing_changed() { return Text::tr("Nothing was changed."); }
 
 /// "/data/cusp.db", and where a library gave a reason "/data/cusp.db (disk I/O error)".
 QString with_reason(const StorageFailure& f) {
-  return f.detail.empty() ? place(f.where) : Words::tr("%1 (%2)").arg(place(f.where), isolate(text(f.detail)));
+  return f.detail.empty() ? place(f.where) : Text::tr("%1 (%2)").arg(place(f.where), isolate(text(f.detail)));
 }
 
 /// The file, its folder, or the disk under it.
-std::optional<Told> tell_file(const StorageFailure& f) {
+std::optional<Message> describe_file(const StorageFailure& f) {
   const QString where = place(f.where);
   switch (f.code) {
     case StorageError::not_a_database:
-      return Told{Words::tr("This file is not a Cusp database."),
-                  Words::tr("%1 was left as it is. Choose another file with --db.").arg(where)};
+      return Message{Text::tr("This file is not a Cusp database."),
+                  Text::tr("%1 was left as it is. Choose another file with --db.").arg(where)};
     case StorageError::newer_schema:
-      return Told{Words::tr("This database was written by a newer version of Cusp."),
-                  Words::tr("%1 was left as it is. Install the newer version to open it.").arg(where)};
+      return Message{Text::tr("This database was written by a newer version of Cusp."),
+                  Text::tr("%1 was left as it is. Install the newer version to open it.").arg(where)};
     case StorageError::network_drive:
-      return Told{Words::tr("The database lies on a network drive."),
-                  Words::tr("%1 would not be safe there. Move it to this computer’s own disk.").arg(where)};
+      return Message{Text::tr("The database lies on a network drive."),
+                  Text::tr("%1 would not be safe there. Move it to this computer’s own disk.").arg(where)};
     case StorageError::read_only:
       if (f.detail == "new file") {
-        return Told{Words::tr("The database cannot be made there."),
-                    Words::tr("No file can be made at %1. Choose another place with --db.").arg(where)};
+        return Message{Text::tr("The database cannot be made there."),
+                    Text::tr("No file can be made at %1. Choose another place with --db.").arg(where)};
       }
-      return Told{Words::tr("The database cannot be written."),
-                  Words::tr("%1 or its folder is read-only. Nothing was changed.").arg(where)};
+      return Message{Text::tr("The database cannot be written."),
+                  Text::tr("%1 or its folder is read-only. Nothing was changed.").arg(where)};
     case StorageError::disk_full:
-      return Told{Words::tr("The disk is full."),
-                  Words::tr("Nothing of the last step was written to %1; all before it is kept. Free some space and try "
+      return Message{Text::tr("The disk is full."),
+                  Text::tr("Nothing of the last step was written to %1; all before it is kept. Free some space and try "
                             "again.")
                       .arg(where)};
     case StorageError::io:
       if (f.where == "memory") {
-        return Told{Words::tr("This computer has too little free memory to check a password."),
-                    Words::tr("Nothing was changed. Close other programs and try again.")};
+        return Message{Text::tr("This computer has too little free memory to check a password."),
+                    Text::tr("Nothing was changed. Close other programs and try again.")};
       }
-      return Told{Words::tr("A file could not be read or written."),
-                  Words::tr("Nothing of the last step was written to %1; all before it is kept.").arg(with_reason(f))};
+      return Message{Text::tr("A file could not be read or written."),
+                  Text::tr("Nothing of the last step was written to %1; all before it is kept.").arg(with_reason(f))};
     case StorageError::busy:
-      return Told{Words::tr("Another program holds the database."),
-                  Words::tr("%1 stayed as it was. Close the other program and try again.").arg(where)};
+      return Message{Text::tr("Another program holds the database."),
+                  Text::tr("%1 stayed as it was. Close the other program and try again.").arg(where)};
     case StorageError::corrupt:
-      return Told{Words::tr("The database is damaged."),
-                  Words::tr("%1 cannot be read whole. Nothing was changed; restore it from a backup.").arg(with_reason(f))};
+      return Message{Text::tr("The database is damaged."),
+                  Text::tr("%1 cannot be read whole. Nothing was changed; restore it from a backup.").arg(with_reason(f))};
     default: return std::nullopt;
   }
 }
 
-Told tell_locked(const StorageFailure& f, const QString& what) {
+Message describe_locked(const StorageFailure& f, const QString& what) {
   const qint64 until_us = QString::fromStdString(f.detail).toLongLong();
-  if (until_us <= 0) return {what, Words::tr("Wait a little and try again.")};
+  if (until_us <= 0) return {what, Text::tr("Wait a little and try again.")};
   const QDateTime until = QDateTime::fromMSecsSinceEpoch(until_us / 1000).toLocalTime();
-  return {what, Words::tr("Signing in is open again at %1.").arg(QLocale().toString(until.time(), u"HH:mm:ss"_qs))};
+  return {what, Text::tr("Signing in is open again at %1.").arg(QLocale().toString(until.time(), u"HH:mm:ss"_qs))};
 }
 
-Told tell_weak(const StorageFailure& f) {
-  if (f.where == "pin") return {Words::tr("A PIN has exactly six digits."), nothing_changed()};
-  return {Words::tr("This password is too short."), Words::tr("A password has at least 8 characters. Nothing was changed.")};
+Message describe_weak(const StorageFailure& f) {
+  if (f.where == "pin") return {Text::tr("A PIN has exactly six digits."), nothing_changed()};
+  return {Text::tr("This password is too short."), Text::tr("A password has at least 8 characters. Nothing was changed.")};
 }
 
-Told tell_missing(const StorageFailure& f) {
+Message describe_missing(const StorageFailure& f) {
   const QString which = f.detail.empty() ? QString() : isolate(text(f.detail));
   if (f.detail == "folder") {
-    return {Words::tr("The database’s folder is not there."),
-            Words::tr("There is no folder %1. Make it, or choose another place with --db.").arg(place(f.where))};
+    return {Text::tr("The database’s folder is not there."),
+            Text::tr("There is no folder %1. Make it, or choose another place with --db.").arg(place(f.where))};
   }
   const auto none = [&](const QString& what) {
-    return Told{what, which.isEmpty() ? nothing_changed() : Words::tr("%1 was not found. Nothing was changed.").arg(which)};
+    return Message{what, which.isEmpty() ? nothing_changed() : Text::tr("%1 was not found. Nothing was changed.").arg(which)};
   };
-  if (f.where == "people") return none(Words::tr("This account is not there."));
-  if (f.where == "sessions") return none(Words::tr("This attempt is not there."));
-  if (f.where == "scenario_versions") return none(Words::tr("This exercise is not there."));
+  if (f.where == "people") return none(Text::tr("This account is not there."));
+  if (f.where == "sessions") return none(Text::tr("This attempt is not there."));
+  if (f.where == "scenario_versions") return none(Text::tr("This exercise is not there."));
   if (f.where == "blobs" || f.where == "trace_chunks" || f.where == "cohort_students") {
-    return none(Words::tr("A part of the records is not there."));
+    return none(Text::tr("A part of the records is not there."));
   }
-  return {Words::tr("The record is not there."), Words::tr("%1 was not found. Nothing was changed.").arg(place(f.where))};
+  return {Text::tr("The record is not there."), Text::tr("%1 was not found. Nothing was changed.").arg(place(f.where))};
 }
 
-Told tell_bad_value(const StorageFailure& f) {
-  if (f.where == "number") return {Words::tr("A number has 1 to 64 characters."), nothing_changed()};
-  if (f.where == "name") return {Words::tr("A name has 1 to 200 characters."), nothing_changed()};
-  if (f.where == "pin") return {Words::tr("Only students have a PIN."), nothing_changed()};
-  if (f.where == "text") return {Words::tr("A comment has 1 to 10,000 characters."), nothing_changed()};
-  if (f.where == "due") return {Words::tr("The due date lies before the first day."), nothing_changed()};
-  return {Words::tr("A value is missing or outside its range."),
-          Words::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
+Message describe_bad_value(const StorageFailure& f) {
+  if (f.where == "number") return {Text::tr("A number has 1 to 64 characters."), nothing_changed()};
+  if (f.where == "name") return {Text::tr("A name has 1 to 200 characters."), nothing_changed()};
+  if (f.where == "pin") return {Text::tr("Only students have a PIN."), nothing_changed()};
+  if (f.where == "text") return {Text::tr("A comment has 1 to 10,000 characters."), nothing_changed()};
+  if (f.where == "due") return {Text::tr("The due date lies before the first day."), nothing_changed()};
+  return {Text::tr("A value is missing or outside its range."),
+          Text::tr("Look at %1. Nothing was changed.").arg(with_reason(f))};
 }
 
-/// A path, as SQLite names what it refused: it does not know which person or exercise was meant.
+/// A path, as SQLite names what it refused: it does not name the account or exercise that was meant.
 bool names_file(const StorageFailure& f) { return f.where.find('/') != std::string::npos; }
 
 }  // namespace
 
-Told tell(const StorageFailure& f) {
-  if (auto told = tell_file(f)) return *told;
+Message describe(const StorageFailure& f) {
+  if (auto message = describe_file(f)) return *message;
   const QString where = place(f.where);
   switch (f.code) {
-    case StorageError::not_found: return tell_missing(f);
+    case StorageError::not_found: return describe_missing(f);
     case StorageError::wrong_password:
-      return {Words::tr("Number and password do not match."), Words::tr("Check both and try again.")};
+      return {Text::tr("Number and password do not match."), Text::tr("Check both and try again.")};
     case StorageError::other_secret:
-      if (f.detail == "pin") return {Words::tr("%1 signs in with a PIN of six digits.").arg(where), {}};
-      return {Words::tr("%1 signs in with a password.").arg(where), {}};
-    case StorageError::locked: return tell_locked(f, Words::tr("Too many wrong tries."));
+      if (f.detail == "pin") return {Text::tr("%1 signs in with a PIN of six digits.").arg(where), {}};
+      return {Text::tr("%1 signs in with a password.").arg(where), {}};
+    case StorageError::locked: return describe_locked(f, Text::tr("Too many wrong tries."));
     case StorageError::disabled:
-      return {Words::tr("This account is switched off."), Words::tr("Ask an administrator to switch it on again.")};
-    case StorageError::not_allowed: return {Words::tr("Your role may not do this."), nothing_changed()};
-    case StorageError::weak_password: return tell_weak(f);
+      return {Text::tr("This account is switched off."), Text::tr("Ask an administrator to switch it on again.")};
+    case StorageError::not_allowed: return {Text::tr("Your role may not do this."), nothing_changed()};
+    case StorageError::weak_password: return describe_weak(f);
     case StorageError::last_administrator:
-      return {Words::tr("This is the last administrator."),
-              Words::tr("Somebody has to manage people. Make another administrator first.")};
+      return {Text::tr("This is the last administrator."),
+              Text::tr("Somebody has to manage people. Make another administrator first.")};
     case StorageError::duplicate:
-      if (names_file(f)) return {Words::tr("This number or name is taken."), nothing_changed()};
-      return {Words::tr("This is there already."), Words::tr("%1 is taken. Nothing was changed.").arg(where)};
-    case StorageError::bad_value: return tell_bad_value(f);
+      if (names_file(f)) return {Text::tr("This number or name is taken."), nothing_changed()};
+      return {Text::tr("This is there already."), Text::tr("%1 is taken. Nothing was changed.").arg(where)};
+    case StorageError::bad_value: return describe_bad_value(f);
     case StorageError::wrong_state:
-      return {Words::tr("This attempt is not in a state that allows it."), nothing_changed()};
+      return {Text::tr("This attempt is not in a state that allows it."), nothing_changed()};
     case StorageError::bad_trace:
-      return {Words::tr("The recording cannot be read."),
-              Words::tr("%1 is damaged; the grade and all other attempts are kept.").arg(where)};
+      return {Text::tr("The recording cannot be read."),
+              Text::tr("%1 is damaged; the grade and all other attempts are kept.").arg(where)};
     default: break;
   }
-  return {Words::tr("The database failed."), where};
+  return {Text::tr("The database failed."), where};
 }
 
-Told tell_account(const StorageFailure& f, const QString& number, Secret asked) {
+Message describe_account(const StorageFailure& f, const QString& number, Secret asked) {
   const QString who = isolate(number);
   switch (f.code) {
     case StorageError::wrong_password:
-      if (asked == Secret::pin) return {Words::tr("Number and PIN do not match."), Words::tr("Check both and try again.")};
-      return tell(f);
-    case StorageError::locked: return tell_locked(f, Words::tr("Too many wrong tries for %1.").arg(who));
+      if (asked == Secret::pin) return {Text::tr("Number and PIN do not match."), Text::tr("Check both and try again.")};
+      return describe(f);
+    case StorageError::locked: return describe_locked(f, Text::tr("Too many wrong tries for %1.").arg(who));
     case StorageError::disabled:
-      return {Words::tr("The account %1 is switched off.").arg(who), Words::tr("Ask an administrator to switch it on again.")};
+      return {Text::tr("The account %1 is switched off.").arg(who), Text::tr("Ask an administrator to switch it on again.")};
     case StorageError::not_found:
-      if (f.where != "people" && !names_file(f)) return tell(f);
-      return {Words::tr("There is no account %1.").arg(who), nothing_changed()};
+      if (f.where != "people" && !names_file(f)) return describe(f);
+      return {Text::tr("There is no account %1.").arg(who), nothing_changed()};
     case StorageError::duplicate:
-      return {Words::tr("The number %1 is taken.").arg(who), Words::tr("Nothing was changed. Choose another number.")};
+      return {Text::tr("The number %1 is taken.").arg(who), Text::tr("Nothing was changed. Choose another number.")};
     case StorageError::weak_password:
-      if (asked == Secret::pin) return tell_weak({f.code, "pin", f.detail});
-      return tell_weak(f);
-    default: return tell(f);
+      if (asked == Secret::pin) return describe_weak({f.code, "pin", f.detail});
+      return describe_weak(f);
+    default: return describe(f);
   }
 }
 

@@ -1,4 +1,4 @@
-/// What the files of sentences in this folder share: their context of translation, and text from the rooms below. Private to ui/app.
+/// What the files of this folder share: their translation context, and strings of the modules below. Private to ui/text.
 #pragma once
 
 #include <QCoreApplication>
@@ -7,8 +7,8 @@
 
 namespace cusp::ui {
 
-/// Words::tr("…") is looked up in the context Sentences.
-struct Words {
+/// Text::tr("…") is looked up in the context Sentences.
+struct Text {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Sentences)
 };
 

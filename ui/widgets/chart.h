@@ -24,7 +24,7 @@ struct ChartAxis {
 struct ChartPoint {
   double x = 0, y = 0;
   QString label{};    // in the table and the tooltip: "Fri 20 Nov, 10:14"
-  bool strong = false;  // filled and named, as the newest go
+  bool strong = false;  // filled and named, as the newest attempt
 };
 
 struct ChartSeries {

@@ -246,7 +246,7 @@ QColor colour_of(Bar::Role role) {
     case Bar::Role::bad: return t.bad;
     case Bar::Role::enamel: return t.bar_enamel;
     case Bar::Role::dentine: return t.bar_dentine;
-    case Bar::Role::decay: return t.bar_decay;
+    case Bar::Role::caries: return t.bar_caries;
     case Bar::Role::pulp: return t.bar_pulp;
     case Bar::Role::plain: return t.text2;
   }

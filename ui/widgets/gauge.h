@@ -56,7 +56,7 @@ class Bar : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Role { accent, target, good, look, bad, enamel, dentine, decay, pulp, plain };
+  enum class Role { accent, target, good, look, bad, enamel, dentine, caries, pulp, plain };
   explicit Bar(Role role = Role::accent, QWidget* parent = nullptr);
   void set_role(Role role);
   /// Clamped to [0, 1]; `spoken` is what a screen reader says ("6.82 mm³").

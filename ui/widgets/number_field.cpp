@@ -64,17 +64,17 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent), note_(new QW
   line->addWidget(sign, 0, Qt::AlignTop);
   line->addWidget(note_text_, 1);
   note_->hide();
-  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { say_nothing(); });
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { clear_note(); });
   connect(this, &QDoubleSpinBox::valueChanged, this, [this] {
-    say_nothing();
-    tell_rounding();
+    clear_note();
+    show_rounding();
   });
-  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { tell_rounding(); });  // to the value before, perhaps
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { show_rounding(); });  // to the value before, perhaps
 }
 
 QString NumberField::said() const { return saying_ ? note_text_->text() : QString(); }
 
-void NumberField::say(const QString& sentence) {
+void NumberField::show_note(const QString& sentence) {
   if (said() == sentence) return;
   if (!std::exchange(saying_, true)) description_ = accessibleDescription();
   note_text_->setText(sentence);
@@ -87,7 +87,7 @@ void NumberField::say(const QString& sentence) {
   announce(this, sentence);
 }
 
-void NumberField::say_nothing() {
+void NumberField::clear_note() {
   if (!std::exchange(saying_, false)) return;
   note_->hide();
   set_kind(this, "");
@@ -141,10 +141,10 @@ QString NumberField::refusal(const QString& typed) const {
   return tr("%1 is outside %2. It stays at %3.").arg(isolate(typed + suffix()), range, stays);
 }
 
-void NumberField::refuse(const QString& typed) { say(refusal(typed)); }
+void NumberField::refuse(const QString& typed) { show_note(refusal(typed)); }
 
-void NumberField::tell_rounding() {
-  if (std::exchange(rounded_, false)) say(tr("Rounded to %1.").arg(shown(value())));
+void NumberField::show_rounding() {
+  if (std::exchange(rounded_, false)) show_note(tr("Rounded to %1.").arg(shown(value())));
 }
 
 void NumberField::show_value(double value) {
@@ -156,19 +156,19 @@ void NumberField::show_value(double value) {
   }
   const double step = std::pow(10.0, -decimals());
   if (value < minimum() - step || value > maximum() + step) {
-    say(tr("%1 stands in the exercise, outside %2.")
+    show_note(tr("%1 stands in the exercise, outside %2.")
             .arg(isolate(format_number(value, decimals(), locale()) + suffix()),
                  tr("%1 to %2").arg(shown(minimum()), shown(maximum()))));
   } else if (this->value() != before) {
-    say_nothing();
+    clear_note();
   }
 }
 
 void NumberField::stepBy(int steps) {
   const double before = value();
-  say_nothing();
+  clear_note();
   QDoubleSpinBox::stepBy(steps);  // from what was typed; where that is refused there is no step
-  if (value() != before) say_nothing();
+  if (value() != before) clear_note();
 }
 
 void NumberField::wheelEvent(QWheelEvent* event) {

@@ -25,8 +25,8 @@ class NumberField : public QDoubleSpinBox {
   /// the nearest in it, and the note names it.
   void show_value(double value);
   /// Puts a sentence into the note: why a value was not taken, or which was taken instead.
-  void say(const QString& sentence);
-  void say_nothing();
+  void show_note(const QString& sentence);
+  void clear_note();
 
   QValidator::State validate(QString& text, int& cursor) const override;
   double valueFromText(const QString& text) const override;
@@ -44,7 +44,7 @@ class NumberField : public QDoubleSpinBox {
   QString shown(double value) const;
   QString refusal(const QString& typed) const;
   void refuse(const QString& typed);
-  void tell_rounding();
+  void show_rounding();
 
   QWidget* note_;
   QLabel* note_text_;

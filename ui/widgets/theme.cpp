@@ -45,7 +45,7 @@ Tokens make_light() {
   t.bad = QColor(u"#B3261E"_qs), t.bad_soft = QColor(u"#FBE3E0"_qs);
   t.view_middle = QColor(u"#CDD4DC"_qs), t.view_edge = QColor(u"#AFB8C3"_qs);
   t.bar_enamel = QColor(u"#8C7B52"_qs), t.bar_dentine = QColor(u"#A06A17"_qs);
-  t.bar_decay = QColor(u"#6A3D1E"_qs), t.bar_pulp = QColor(u"#B01E55"_qs);
+  t.bar_caries = QColor(u"#6A3D1E"_qs), t.bar_pulp = QColor(u"#B01E55"_qs);
   t.line_target = QColor(u"#007A68"_qs), t.line_leeway = QColor(u"#2F68C4"_qs);
   t.line_over = QColor(u"#B54708"_qs), t.line_under = QColor(u"#5B3DA8"_qs);
   t.shadow = QColor(u"#33000000"_qs);
@@ -65,7 +65,7 @@ Tokens make_dark() {
   t.bad = QColor(u"#FF8B80"_qs), t.bad_soft = QColor(u"#431B18"_qs);
   t.view_middle = QColor(u"#262B32"_qs), t.view_edge = QColor(u"#0E1114"_qs);
   t.bar_enamel = QColor(u"#F1EBDD"_qs), t.bar_dentine = QColor(u"#DFB26B"_qs);
-  t.bar_decay = QColor(u"#B98158"_qs), t.bar_pulp = QColor(u"#F0679A"_qs);
+  t.bar_caries = QColor(u"#B98158"_qs), t.bar_pulp = QColor(u"#F0679A"_qs);
   t.line_target = QColor(u"#2FC7AF"_qs), t.line_leeway = QColor(u"#7FAEF5"_qs);
   t.line_over = QColor(u"#F2913D"_qs), t.line_under = QColor(u"#A98BF0"_qs);
   t.shadow = QColor(u"#80000000"_qs);

@@ -24,7 +24,7 @@ struct Tokens {
   QColor accent, on_accent, accent_soft;  // accent is also the focus
   QColor good, good_soft, look, look_soft, bad, bad_soft;
   QColor view_middle, view_edge;  // behind the tooth
-  QColor bar_enamel, bar_dentine, bar_decay, bar_pulp;
+  QColor bar_enamel, bar_dentine, bar_caries, bar_pulp;
   QColor line_target, line_leeway, line_over, line_under;
   QColor shadow;
 
@@ -34,7 +34,7 @@ struct Tokens {
 
 /// Colours on the tooth itself: the same in both themes.
 struct ToothColours {
-  QColor enamel, dentine, decay, pulp, target, casing, leeway, over, under, water;
+  QColor enamel, dentine, caries, pulp, target, casing, leeway, over, under, water;
   /// Difference map from far left standing to far cut too far, at -0.5, -0.3, 0, +0.3, +0.5 mm.
   QColor map[5];
   static const ToothColours& get();

@@ -1,4 +1,4 @@
-"""A day at the school, on one screen and one file of records: the first start, a student, a teacher, the administrator.
+"""A day at the school, on one screen and one file of records: the first start, a student, an instructor, the administrator.
 
     /usr/bin/python3 tests/outside/desktop/a_day.py build/release/cusp
 """
@@ -22,11 +22,11 @@ def main():
     with desk.Desk(sys.argv[1]) as own:
         program = own.start()
         school.first_start(program)
-        done("the first start made an administrator, a teacher and a student")
+        done("the first start made an administrator, an instructor and a student")
         points = student.visit(program)
         done(f"the student drilled {student.EXERCISE}: {points} points, on the report and in the history")
         said = instructor.visit(program)
-        done(f"the teacher made a channel {instructor.DEPTH_MM} mm deep, tried it out ({', '.join(said)}) and published it")
+        done(f"the instructor made a channel {instructor.DEPTH_MM} mm deep, tried it out ({', '.join(said)}) and published it")
         program.close()
 
         program = own.start()

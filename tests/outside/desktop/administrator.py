@@ -15,7 +15,7 @@ def visit(program, points):
     school.sign_in_staff(program, *school.ADMINISTRATOR[1:])
     school.page(program, "Performance")
     name, number, _ = school.STUDENT
-    row = [cell.name for cell in school.row_of(program, "Goes", name, student.EXERCISE)]
+    row = [cell.name for cell in school.row_of(program, "Attempts", name, student.EXERCISE)]
     desk.check(any(cell.split(" ")[0] == points for cell in row), f"the student's report said {points}, here stands {row}")
 
     program.press("Export CSV")
@@ -27,7 +27,7 @@ def visit(program, points):
     with open(path, encoding="utf-8-sig", newline="") as f:
         text = f.read()
     rows = list(csv.DictReader(text.splitlines(), delimiter=csv.Sniffer().sniff(text.splitlines()[0]).delimiter))
-    desk.check(len(rows) == 1, f"one go was finished, the file has {len(rows)}")
+    desk.check(len(rows) == 1, f"one attempt was finished, the file has {len(rows)}")
     desk.check(rows[0]["student_number"] == number, f"not {number} stands in {rows[0]}")
     # The screen rounds to a tenth.
     desk.check(abs(float(rows[0]["score"]) - float(points)) <= 0.05, f"not {points} points stand in {rows[0]}")

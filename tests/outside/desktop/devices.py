@@ -27,7 +27,7 @@ def station(own, theme="light", language="en"):
 
 
 def going(program, what, look):
-    """As desk.until(), for a machine with other work: a mock that answers too late stops the go, and it is told to go on."""
+    """As desk.until(), for a machine with other work: a mock that answers too late stops the attempt, and it is told to go on."""
     def asked():
         if program.here("label", re.compile("^The device answered too late")):
             press_if(program, "Go on")
@@ -49,7 +49,7 @@ def speed(program):
 
 
 def view(own, program):
-    """What the view shows now of the tooth, between the card that stops a go and the coach."""
+    """What the view shows now of the tooth, between the card that stops an attempt and the coach."""
     x, y = program.find(None, "Tooth").middle()
     pixels = subprocess.run(["import", "-window", "root", "-crop", f"300x150+{x - 150}+{y + 100}", "rgb:-"],
                             capture_output=True, check=True, timeout=60).stdout
@@ -68,7 +68,7 @@ def still(own, program):
 
 
 def start(program, hand):
-    """From the sign-in to a go on the Falcon: the screen asks for homing, the hand homes."""
+    """From the sign-in to an attempt on the Falcon: the screen asks for homing, the hand homes."""
     school.sign_in_student(program)
     school.page(program, "Exercises")
     school.row_of(program, "Exercises", EXERCISE)[0].click()
@@ -76,7 +76,7 @@ def start(program, hand):
     program.press("Start")
     program.find("label", "Finding its middle")
     hand("falcon", "home")
-    desk.until("the go to begin", lambda: program.find("push button", "Finish").has("ENABLED"))
+    desk.until("the attempt to begin", lambda: program.find("push button", "Finish").has("ENABLED"))
 
 
 def with_the_pedal(program, hand):
@@ -140,7 +140,7 @@ def with_the_falcon(own, program, hand, picture=lambda name: None):
     hand("falcon", "sway", *DOWN)
     going(program, "it to drill again", lambda: school.removed_mm3(program) > gone)
     hand("falcon", "buttons", 0)
-    return "the go stood still while its plug was out, and went on where it was"
+    return "the attempt stood still while its plug was out, and went on where it was"
 
 
 def main():
@@ -158,12 +158,12 @@ def main():
         school.first_start(program)
         done("a school")
         start(program, hand)
-        done("a go began on the Falcon once it was homed")
+        done("an attempt began on the Falcon once it was homed")
         done("pedal: " + with_the_pedal(program, hand))
         done("SpaceMouse: " + with_the_space_mouse(own, program, hand))
         done("Falcon: " + with_the_falcon(own, program, hand))
         school.finish(program)
-        done("the go was finished and graded")
+        done("the attempt was finished and graded")
         program.close()
 
 

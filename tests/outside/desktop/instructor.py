@@ -1,4 +1,4 @@
-"""A teacher changes the depth of a target, tries the exercise out, and publishes it as a new version.
+"""An instructor changes the depth of a target, tries the exercise out, and publishes it as a new version.
 
     /usr/bin/python3 tests/outside/desktop/instructor.py build/release/cusp
 """
@@ -24,7 +24,7 @@ def choose_devices(program):
 
 
 def visit(program):
-    school.sign_in_staff(program, *school.TEACHER[1:])
+    school.sign_in_staff(program, *school.INSTRUCTOR[1:])
     choose_devices(program)
     school.page(program, "Library")
     school.row_of(program, "Exercises", EXERCISE)[0].click()

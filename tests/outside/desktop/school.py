@@ -4,7 +4,7 @@ import re
 from desk import check, until
 
 ADMINISTRATOR = ("Ada Lindqvist", "ada", "quartz lamp 9")
-TEACHER = ("Jonas Weber", "weber", "copper lamp 7")
+INSTRUCTOR = ("Jonas Weber", "weber", "copper lamp 7")
 STUDENT = ("Mira Okafor", "20267314", "314159")
 
 ACCOUNT = re.compile("^Account of ")
@@ -12,7 +12,7 @@ CHOICE = re.compile("^(check box|radio button)$")  # a button that stays down
 
 
 def first_start(program):
-    """The first start makes the administrator, who adds a teacher and a student, and signs out."""
+    """The first start makes the administrator, who adds an instructor and a student, and signs out."""
     name, number, password = ADMINISTRATOR
     program.find("label", "First start")
     program.find("text", "Your name").type(name)
@@ -22,7 +22,7 @@ def first_start(program):
     program.press("Make the administrator")
     program.find("table", "People")
     add_person(program, *STUDENT, "Student", "PIN, six digits")
-    add_person(program, *TEACHER, "Teacher", "Password, at least 8 characters")
+    add_person(program, *INSTRUCTOR, "Instructor", "Password, at least 8 characters")
     sign_out(program)
 
 
@@ -119,7 +119,7 @@ def drill(program, least_mm3):
 
 
 def finish(program):
-    """Finishes the go and says yes."""
+    """Finishes the attempt and says yes."""
     program.press("Finish")
     question = program.find("alert")
     program.find("label", "Finish and see the result?", within=question)
@@ -128,7 +128,7 @@ def finish(program):
 
 
 def points_on_report(program):
-    """The large number, and whether the go is passed."""
+    """The large number, and whether the attempt is passed."""
     line = program.find("label", re.compile("^of 100 points"), within=program.find(None, "Report"))
     number = program.here("label", re.compile(r"^\d+(\.\d)?$"), within=program.find(None, "Report"))
     check(number, f"no points stand before {line.name!r}")

@@ -28,7 +28,7 @@ def no_place_for_records(own):
 def wrong_secrets(program):
     school.sign_in_student(program, pin="999999")
     program.find("label", re.compile("^Number and PIN do not match"))
-    school.sign_in_staff(program, school.TEACHER[1], "tin lamp 123")
+    school.sign_in_staff(program, school.INSTRUCTOR[1], "tin lamp 123")
     said = program.find("label", re.compile("(?i)password.*(match|wrong|not|fit)")).name
     desk.check(program.here(None, "Pages") is None, "a wrong password led inside")
     return said
@@ -40,7 +40,7 @@ def broken_off(own, program):
     school.begin(program, EXERCISE)
     x, y = program.find(None, "Tooth").middle()
     program.screen.x("mousemove", x, y, "mousedown", 1)
-    # A second of the go lies in the file: what is killed now was being kept.
+    # A second of the attempt lies in the file: what is killed now was being kept.
     desk.until("something to be drilled away", lambda: school.removed_mm3(program) >= 0.05)
     desk.until("the clock to pass two seconds", lambda: clock_s(program) >= 2)
     program.kill()
@@ -52,7 +52,7 @@ def broken_off(own, program):
     program.find("push button", "Continue")
     school.page(program, "My results")
     row = [cell.name for cell in school.row_of(program, "My results", EXERCISE)]
-    desk.check(any("nterrupted" in name for name in row), f"a go that broke off is shown as {row}")
+    desk.check(any("nterrupted" in name for name in row), f"an attempt that broke off is shown as {row}")
     school.page(program, "Start")
     program.press("Grade as it stands")
     school.points_on_report(program)
@@ -63,13 +63,13 @@ def broken_off(own, program):
 
     def verb(*arguments):
         done = subprocess.run([own.binary, *arguments], capture_output=True, text=True, timeout=desk.LIMIT_S,
-                              input=school.TEACHER[2] + "\n")
+                              input=school.INSTRUCTOR[2] + "\n")
         desk.check(done.returncode == 0, f"{arguments}: {done.stderr}")
         return json.loads(done.stdout)
-    goes = verb("history", own.database, "list", "--as", school.TEACHER[1], "--json", "-")
+    goes = verb("history", own.database, "list", "--as", school.INSTRUCTOR[1], "--json", "-")
     rows = goes if isinstance(goes, list) else next(v for v in goes.values() if isinstance(v, list))
     session = rows[0].get("session", rows[0].get("id"))
-    graded = verb("grade", own.database, session, "--as", school.TEACHER[1], "--json", "-")
+    graded = verb("grade", own.database, session, "--as", school.INSTRUCTOR[1], "--json", "-")
     return f"shown as {row}, graded with {graded.get('score')} points"
 
 

@@ -8,7 +8,7 @@
 namespace cusp::test {
 namespace {
 
-HistoryRow go(int student, int number, double score, double seconds = 300, bool passed = true) {
+HistoryRow attempt(int student, int number, double score, double seconds = 300, bool passed = true) {
   HistoryRow r;
   r.student.uuid.bytes[15] = static_cast<std::uint8_t>(student);
   r.go = number;
@@ -34,11 +34,11 @@ TEST(Wilson, gives_the_published_interval) {
   EXPECT_NEAR(wilson_95(0, 20).high, 0.1611, 5e-5);
 }
 
-TEST(Figures, count_graded_goes_only) {
-  std::vector<HistoryRow> rows = {go(1, 1, 60, 100, false), go(1, 2, 80, 200), go(2, 1, 90, 300)};
+TEST(Figures, count_graded_attempts_only) {
+  std::vector<HistoryRow> rows = {attempt(1, 1, 60, 100, false), attempt(1, 2, 80, 200), attempt(2, 1, 90, 300)};
   rows.push_back(HistoryRow{});  // broke off: no score
   const Figures f = figures_of(rows);
-  EXPECT_EQ(f.goes, 3);
+  EXPECT_EQ(f.attempts, 3);
   EXPECT_EQ(f.students, 2);
   EXPECT_EQ(f.passed, 2);
   EXPECT_DOUBLE_EQ(*f.median_score, 80);
@@ -46,8 +46,8 @@ TEST(Figures, count_graded_goes_only) {
   EXPECT_FALSE(figures_of({}).median_score.has_value());
 }
 
-TEST(Spread, counts_every_go_once_also_at_the_ends) {
-  const std::vector<HistoryRow> rows = {go(1, 1, 12), go(1, 2, 40), go(1, 3, 44.9), go(1, 4, 45), go(1, 5, 100)};
+TEST(Spread, counts_every_attempt_once_also_at_the_ends) {
+  const std::vector<HistoryRow> rows = {attempt(1, 1, 12), attempt(1, 2, 40), attempt(1, 3, 44.9), attempt(1, 4, 45), attempt(1, 5, 100)};
   const std::vector<int> bars = spread_of(rows, 40, 5);
   ASSERT_EQ(bars.size(), 12u);
   EXPECT_EQ(bars[0], 3);  // 12, 40 and 44.9
@@ -56,10 +56,10 @@ TEST(Spread, counts_every_go_once_also_at_the_ends) {
 }
 
 TEST(Learning, needs_three_students_for_a_median) {
-  const std::vector<HistoryRow> rows = {go(1, 1, 50), go(2, 1, 60), go(3, 1, 70), go(1, 2, 80), go(2, 2, 90)};
+  const std::vector<HistoryRow> rows = {attempt(1, 1, 50), attempt(2, 1, 60), attempt(3, 1, 70), attempt(1, 2, 80), attempt(2, 2, 90)};
   const auto points = learning_of(rows);
   ASSERT_EQ(points.size(), 1u);
-  EXPECT_EQ(points[0].go, 1);
+  EXPECT_EQ(points[0].attempt, 1);
   EXPECT_DOUBLE_EQ(points[0].median, 60);
   EXPECT_DOUBLE_EQ(points[0].middle_half.low, 55);
 }

@@ -85,7 +85,7 @@ TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_in_words) {
 
 TEST_F(AdminPages, switching_an_account_off_asks_first_and_keeps_the_results) {
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 78, 100);
+  records.attempt(lena, "channel-1", 78, 100);
   PeoplePage page(records.store(), records.administrator().actor(), ports);
   page.show();
   page.table()->choose_row(page.model()->row_of(lena.id));
@@ -115,39 +115,39 @@ TEST_F(AdminPages, the_last_administrator_stays_one) {
 
 TEST_F(AdminPages, performance_shows_everybody_and_filters) {
   const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
-  records.go(lena, "channel-1", 78, 100);
-  records.go(lena, "paper-block", 40, 100);
-  records.go(noah, "channel-1", 90, 100);
+  records.attempt(lena, "channel-1", 78, 100);
+  records.attempt(lena, "paper-block", 40, 100);
+  records.attempt(noah, "channel-1", 90, 100);
   Performance page(records.store(), records.administrator().actor(), ports);
   page.resize(1080, 752);
   page.show();
-  EXPECT_EQ(page.goes().rowCount(), 3);
+  EXPECT_EQ(page.attempts().rowCount(), 3);
   page.result()->setCurrentIndex(1);
-  EXPECT_EQ(page.goes().rowCount(), 2);  // passed
+  EXPECT_EQ(page.attempts().rowCount(), 2);  // passed
   page.result()->setCurrentIndex(2);
-  EXPECT_EQ(page.goes().rowCount(), 1);
+  EXPECT_EQ(page.attempts().rowCount(), 1);
   page.result()->setCurrentIndex(0);
   page.search()->setText(QStringLiteral("adler"));
-  ASSERT_EQ(page.goes().rowCount(), 1);
-  EXPECT_EQ(page.goes().row(0).student_name, "Noah Adler");
+  ASSERT_EQ(page.attempts().rowCount(), 1);
+  EXPECT_EQ(page.attempts().row(0).student_name, "Noah Adler");
   page.search()->setText(QStringLiteral("nobody"));
-  EXPECT_EQ(page.goes().rowCount(), 0);
+  EXPECT_EQ(page.attempts().rowCount(), 0);
   page.search()->clear();
   page.exercise()->setCurrentIndex(1);
-  EXPECT_LT(page.goes().rowCount(), 3);
+  EXPECT_LT(page.attempts().rowCount(), 3);
   page.exercise()->setCurrentIndex(0);
   page.period()->setCurrentIndex(1);  // last day: all of this morning
-  EXPECT_EQ(page.goes().rowCount(), 3);
+  EXPECT_EQ(page.attempts().rowCount(), 3);
 }
 
-TEST_F(AdminPages, a_row_opens_the_report_of_that_go_also_when_sorted) {
+TEST_F(AdminPages, a_row_opens_the_report_of_that_attempt_also_when_sorted) {
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 78, 100);
-  const SessionId worst = records.go(lena, "channel-1", 20, 100);
-  records.go(lena, "channel-1", 90, 100);
+  records.attempt(lena, "channel-1", 78, 100);
+  const SessionId worst = records.attempt(lena, "channel-1", 20, 100);
+  records.attempt(lena, "channel-1", 90, 100);
   Performance page(records.store(), records.administrator().actor(), ports);
   page.show();
-  page.table()->sortByColumn(GoesModel::kScore, Qt::AscendingOrder);
+  page.table()->sortByColumn(AttemptsModel::kScore, Qt::AscendingOrder);
   page.table()->choose_row(0);
   std::optional<SessionId> wanted;
   QObject::connect(&page, &Performance::report_wanted, [&](const SessionId& id) { wanted = id; });
@@ -157,8 +157,8 @@ TEST_F(AdminPages, a_row_opens_the_report_of_that_go_also_when_sorted) {
 
 TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
-  records.go(lena, "channel-1", 78, 100);
-  records.go(noah, "channel-1", 90, 100);
+  records.attempt(lena, "channel-1", 78, 100);
+  records.attempt(noah, "channel-1", 90, 100);
   const QTemporaryDir folder;
   file = folder.filePath(QStringLiteral("out.csv"));
   Performance page(records.store(), records.administrator().actor(), ports);
@@ -167,7 +167,7 @@ TEST_F(AdminPages, csv_holds_what_the_filters_leave) {
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   const QByteArray bytes = written.readAll();
-  EXPECT_EQ(bytes.count("\r\n"), 2);  // head and one go
+  EXPECT_EQ(bytes.count("\r\n"), 2);  // head and one attempt
   EXPECT_TRUE(bytes.contains("Lena Brandt"));
   EXPECT_FALSE(bytes.contains("Noah Adler"));
 }

@@ -96,7 +96,7 @@ TEST_F(Accessible, a_bur_is_taken_from_the_tray_without_a_mouse) {
   ASSERT_TRUE(chosen.count() == 1 || chosen.wait(kPatienceMs));
   EXPECT_EQ(chosen[0][0].toInt(), 1);
   EXPECT_EQ(tray.chosen(), 1);
-  tray.choose(0);  // what the go says it has in hand is no choice
+  tray.choose(0);  // what the attempt says it has in hand is no choice
   EXPECT_EQ(chosen.count(), 1);
   buttons[1]->setChecked(true);  // as Qt's own accessibility does it
   EXPECT_EQ(chosen.count(), 2);

@@ -101,7 +101,7 @@ TEST_F(DesktopTest, what_was_typed_at_sign_in_survives_a_change_of_language) {
   EXPECT_EQ(page->typed_number().toStdString(), "20267314");
 }
 
-TEST_F(DesktopTest, a_file_that_is_no_database_is_refused_in_words_and_left_alone) {
+TEST_F(DesktopTest, a_file_that_is_no_database_is_refused_with_a_message_and_left_alone) {
   const QString name = folder.filePath(QStringLiteral("letter.txt"));
   QFile letter(name);
   ASSERT_TRUE(letter.open(QIODevice::WriteOnly));
@@ -117,7 +117,7 @@ TEST_F(DesktopTest, a_file_that_is_no_database_is_refused_in_words_and_left_alon
 
 TEST_F(DesktopTest, every_control_on_every_page_has_a_name) {
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 78, 426);
+  records.attempt(lena, "channel-1", 78, 426);
   open(records.file());
   for (const Account& who : {records.administrator(), lena}) {
     desktop->sign_in(who);
@@ -168,7 +168,7 @@ TEST_F(DesktopTest, an_incident_of_the_records_is_named_to_staff_and_not_to_stud
 
 TEST_F(DesktopTest, on_a_full_disk_results_are_read_and_nothing_is_drilled) {
   const Account lena = records.student("1", "Lena Brandt", "271828");
-  records.go(lena, "channel-1", 78, 426);
+  records.attempt(lena, "channel-1", 78, 426);
   bool full = true;
   const auto access = [](const StoreOptions& options) { return options.database.access; };
   desktop = std::make_unique<Desktop>(settings, Ports::of_the_system(), records.file(),

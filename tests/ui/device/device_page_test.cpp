@@ -22,7 +22,7 @@
 #include "ui/device/falcon_text.h"
 #include "ui/device/self_test_report.h"
 #include "ui/device/trim_form.h"
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/number_field.h"
 
@@ -152,7 +152,7 @@ TEST(DevicePage, a_bus_that_hangs_holds_the_window_neither_when_it_opens_nor_loo
   EXPECT_TRUE(test::eventually([&] { return page.listed().size() == 3; }));
   EXPECT_FALSE(says(page, QStringLiteral("Looking at what is plugged in")));
   page.hide();
-  wait_for_dropped_errands();
+  wait_for_dropped_tasks();
   EXPECT_FALSE(gate->gave_up());
 }
 
@@ -212,7 +212,7 @@ TEST(DevicePage, the_trim_of_each_falcon_is_kept_under_its_name_and_can_be_taken
   EXPECT_DOUBLE_EQ(kept.calibration.force_gain, 1.25);
   EXPECT_LT(glm::length(kept.centre_m - Vec3(0, -0.007, 0.125)), 1e-12);
   EXPECT_EQ(DeviceSettings(desk.settings.file()).profile("FT000002"), FalconProfile{});
-  // What the go is made with.
+  // What the attempt is made with.
   const FalconSettings driver = settings_for(desk.choice().profile);
   EXPECT_DOUBLE_EQ(driver.workspace.scale, 0.8);
   EXPECT_DOUBLE_EQ(driver.calibration.force_gain, 1.25);
@@ -275,8 +275,8 @@ TEST(TrimForm, each_field_s_steps_are_one_and_all_can_be_taken_back_to_the_start
   TrimForm form;
   const FalconTrim began{.centre_m = Vec3(0.001, 0, 0.125), .scale = 0.4};
   form.set_trim(began);
-  int told = 0;
-  QObject::connect(&form, &TrimForm::changed, [&told] { ++told; });
+  int changes = 0;
+  QObject::connect(&form, &TrimForm::changed, [&changes] { ++changes; });
   NumberField* scale = form.findChildren<NumberField*>()[3];
   for (int percent = 41; percent <= 60; ++percent) scale->setValue(percent);
   form.findChildren<NumberField*>()[4]->setValue(130);
@@ -286,12 +286,12 @@ TEST(TrimForm, each_field_s_steps_are_one_and_all_can_be_taken_back_to_the_start
   EXPECT_EQ(form.trim().clutch, 0);
   form.reset();
   EXPECT_EQ(form.trim(), FalconTrim{});
-  EXPECT_EQ(told, 20 + 1 + 1 + 1);
+  EXPECT_EQ(changes, 20 + 1 + 1 + 1);
   for (int step = 0; step < 4; ++step) form.undo();
   EXPECT_EQ(form.trim(), began);
   form.undo();  // there is nothing more
   EXPECT_EQ(form.trim(), began);
-  EXPECT_EQ(told, 20 + 1 + 1 + 1 + 4);
+  EXPECT_EQ(changes, 20 + 1 + 1 + 1 + 4);
 }
 
 TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
@@ -317,7 +317,7 @@ TEST(DevicePage, the_emulated_falcon_homes_answers_and_pushes) {
   page->hide();  // lets go of it
 }
 
-TEST(SelfTestReport, says_what_was_measured_and_what_it_means_for_exercises) {
+TEST(SelfTestReport, shows_what_was_measured_and_what_it_means_for_exercises) {
   falcon::SelfTestResult found;
   falcon::MotionFit fit;
   fit.mass_kg = 0.2;
@@ -342,7 +342,7 @@ TEST(SelfTestReport, says_what_was_measured_and_what_it_means_for_exercises) {
   EXPECT_NEAR(json["scenes_may_use_n_per_mm"], 1.5, 1e-9);
 }
 
-TEST(FalconWords, every_phase_and_every_end_has_its_sentence) {
+TEST(FalconText, every_phase_and_every_end_has_its_text) {
   for (int phase = 0; phase <= static_cast<int>(falcon::Phase::failed); ++phase) {
     falcon::SessionState state;
     state.phase = static_cast<falcon::Phase>(phase);

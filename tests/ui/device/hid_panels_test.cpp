@@ -15,7 +15,7 @@
 #include "ui/settings/settings.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/pedal_panel.h"
-#include "ui/device/pedal_words.h"
+#include "ui/device/pedal_text.h"
 #include "ui/device/space_mouse_panel.h"
 #include "ui/device/space_mouse_turner.h"
 #include "ui/widgets/number_field.h"
@@ -174,7 +174,7 @@ TEST(SpaceMouseLeads, pulled_to_the_user_the_tooth_comes_nearer_and_pushed_right
   EXPECT_EQ(led(camera, motion, 3.0, 1.0), camera);
 }
 
-TEST(PedalWords, controls_have_names_that_people_know) {
+TEST(PedalText, controls_have_names_that_people_know) {
   EXPECT_EQ(control_name({hid::usage::kButtonPage, 2, 0}, hid::ControlKind::button), "Switch 2");
   EXPECT_EQ(control_name({hid::usage::kKeyPage, 0x68, 0}, hid::ControlKind::key), "Key F13");
   EXPECT_EQ(control_name({hid::usage::kKeyPage, 0x05, 0}, hid::ControlKind::key), "Key B");

@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -16,7 +17,7 @@
 #include "tests/ui/session/gate.h"
 #include "ui/settings/device_settings.h"
 #include "ui/settings/settings.h"
-#include "ui/session/errand.h"
+#include "ui/session/background_task.h"
 #include "ui/widgets/gauge.h"
 #include "ui/widgets/number_field.h"
 
@@ -59,7 +60,7 @@ TEST_F(InversePanelTest, follows_the_hand_once_it_was_asked_for) {
   EXPECT_TRUE(panel.summary().contains("not asked"));
 }
 
-TEST_F(InversePanelTest, says_what_is_missing) {
+TEST_F(InversePanelTest, shows_what_is_missing) {
   FakeService service;
   service.set_way(FakeService::Way::no_device);
   InversePanel panel(&settings);
@@ -120,33 +121,33 @@ TEST_F(InversePanelTest, a_service_that_hangs_holds_the_window_neither_while_it_
   }
   EXPECT_FALSE(gate->gave_up());
   gate->open();
-  wait_for_dropped_errands();
+  wait_for_dropped_tasks();
   EXPECT_FALSE(gate->gave_up());
 }
 
-TEST_F(InversePanelTest, one_that_says_nothing_is_asked_until_the_limit_and_the_bar_shows_how_long_it_may_last) {
+TEST_F(InversePanelTest, a_silent_service_is_asked_until_the_limit_and_the_bar_shows_how_long_it_may_last) {
   FakeService service;
   service.set_way(FakeService::Way::silent);
   InversePanel panel(&settings);
   panel.show();
   panel.findChildren<NumberField*>().last()->setValue(service.port());
   panel.connect_to_it();
-  const auto* bar = panel.findChild<Bar*>();
+  const auto* bar = panel.findChild<QProgressBar*>();
   EXPECT_TRUE(bar->isVisibleTo(&panel));
-  EXPECT_TRUE(eventually([&] { return bar->share() > 0.5; }));
+  EXPECT_TRUE(eventually([&] { return 2 * bar->value() > bar->maximum(); }));
   EXPECT_TRUE(eventually([&] { return panel.summary().contains("not found"); }));
   EXPECT_FALSE(bar->isVisibleTo(&panel));
   EXPECT_TRUE(shows(panel, "not as an Inverse3's service does"));
 }
 
-TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {
+TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_an_attempt_is_drilled_with) {
   FakeService service;
   DeviceSettings kept(settings.file());
   kept.choose("inverse3", "");
   InverseSettings stands = kept.inverse();
   stands.service.port = service.port();
   kept.set_inverse(stands);
-  auto device = make_run_device(kept.choice(), {1, 2, 3}, 2);
+  auto device = make_session_device(kept.choice(), {1, 2, 3}, 2);
   ASSERT_TRUE(device);
   EXPECT_FALSE(device->hand);
   ASSERT_TRUE(device->port->open());
@@ -156,7 +157,7 @@ TEST_F(InversePanelTest, the_one_that_was_chosen_is_what_a_go_is_drilled_with) {
     sample = device->port->wait(std::chrono::steady_clock::now() + std::chrono::milliseconds(20));
     device->port->write({});
   }
-  EXPECT_LT(glm::length(sample.position_mm - Vec3(1, 2, 3)), 1e-9);  // where the go begins
+  EXPECT_LT(glm::length(sample.position_mm - Vec3(1, 2, 3)), 1e-9);  // where the attempt begins
   device->port->close();
 }
 

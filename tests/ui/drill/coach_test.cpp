@@ -29,17 +29,17 @@ LiveView drilling(Vec3 pivot, double radius) {
 constexpr Leeway kLeeway{0.3, 0.3};
 constexpr double kRadius = 0.5;
 
-TEST(Coach, before_anything_is_cut_it_says_how_to_begin) {
+TEST(Coach, before_anything_is_cut_it_shows_how_to_begin) {
   EXPECT_EQ(coach({}, slot(), kLeeway, kRadius).what, Coach::begin);
 }
 
-TEST(Coach, above_the_floor_it_says_how_much_is_left) {
+TEST(Coach, above_the_floor_it_shows_how_much_is_left) {
   const CoachLine line = coach(drilling({0, 0, -0.9}, kRadius), slot(), kLeeway, kRadius);
   EXPECT_EQ(line.what, Coach::deeper);
   EXPECT_NEAR(line.mm, 0.6, 1e-9);  // floor at 2.0, tip at 0.9 + 0.5
 }
 
-TEST(Coach, at_the_floor_it_says_sideways_and_below_it_how_far_too_deep) {
+TEST(Coach, at_the_floor_it_shows_sideways_and_below_it_how_far_too_deep) {
   EXPECT_EQ(coach(drilling({0, 0, -1.45}, kRadius), slot(), kLeeway, kRadius).what, Coach::sideways);
   const CoachLine line = coach(drilling({0, 0, -1.75}, kRadius), slot(), kLeeway, kRadius);
   EXPECT_EQ(line.what, Coach::too_deep);
@@ -61,7 +61,7 @@ TEST(Coach, an_open_pulp_comes_before_all_else_and_thin_dentine_before_depth) {
   EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::pulp_open);
 }
 
-TEST(Coach, with_nearly_all_out_it_says_finish_and_lifted_off_it_is_quiet) {
+TEST(Coach, with_nearly_all_out_it_shows_finish_and_lifted_off_it_is_quiet) {
   LiveView live = drilling({0, 0, -1.4}, kRadius);
   live.target_removed_percent = 98;
   EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::finish);
@@ -74,7 +74,7 @@ TEST(Coach, without_a_target_it_has_nothing_to_say) {
   EXPECT_EQ(coach(drilling({0, 0, -1}, kRadius), TargetShape(Target{}), kLeeway, kRadius).what, Coach::quiet);
 }
 
-TEST(Coach, of_a_place_that_the_bur_has_left_it_says_nothing) {
+TEST(Coach, of_a_place_that_the_bur_has_left_it_shows_nothing) {
   LiveView live = drilling({0, 0.7, -2.9}, kRadius);
   live.over_pulp_mm = 0.3;
   live.target_removed_percent = 50;
@@ -85,7 +85,7 @@ TEST(Coach, of_a_place_that_the_bur_has_left_it_says_nothing) {
   EXPECT_EQ(coach(live, slot(), kLeeway, kRadius).what, Coach::pulp_open);
 }
 
-TEST(Coach, while_the_go_stands_or_its_device_is_gone_it_is_quiet) {
+TEST(Coach, while_the_attempt_stands_or_its_device_is_gone_it_is_quiet) {
   for (const LoopPhase phase : {LoopPhase::paused, LoopPhase::held}) {
     LiveView live = drilling({0, 0, -2.9}, kRadius);
     live.phase = phase;

@@ -1,4 +1,4 @@
-// A whole go on the platform "offscreen": real loop, mirror and scores, by keys alone, nothing drawn.
+// A whole attempt on the platform "offscreen": real loop, mirror and scores, by keys alone, nothing drawn.
 #include "tests/modules.h"
 #include "ui/drill/drill_screen.h"
 
@@ -31,12 +31,12 @@ class Screen : public testing::Test {
       asked << question.act;
       then(answer);
     };
-    screen = std::make_unique<DrillScreen>(nullptr, ports);
+    screen = std::make_unique<DrillScreen>(ports);
     screen->resize(1280, 800);
     screen->show();
   }
   void begin(const char* key, const std::vector<std::string>& phenomena = {}) {
-    RunPlan plan;
+    SessionPlan plan;
     plan.scenario = load_builtin(key).value();
     plan.scenario.phenomena = phenomena;
     plan.kind = SessionKind::try_it;
@@ -77,7 +77,7 @@ TEST_F(Screen, space_alone_drills_the_block_and_finishing_brings_the_grade) {
   screen->ask_finish();
   ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatienceMs));
   ASSERT_EQ(failed.count(), 0);
-  const auto result = finished[0][0].value<std::shared_ptr<const RunResult>>();
+  const auto result = finished[0][0].value<std::shared_ptr<const SessionResult>>();
   ASSERT_TRUE(result);
   EXPECT_GT(result->seconds, 0);
   EXPECT_FALSE(result->volume->cut_bricks().empty());
@@ -111,7 +111,7 @@ TEST_F(Screen, speed_coolant_and_warmth_are_shown_where_the_exercise_reckons_the
   QTest::keyRelease(screen.get(), Qt::Key_Space);
 }
 
-TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_said) {
+TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_shown) {
   const QTemporaryDir folder;
   Settings settings(folder.filePath(QStringLiteral("Cusp.ini")));
   settings.set_volume_percent(30);
@@ -134,7 +134,7 @@ TEST_F(Screen, the_sound_is_turned_down_and_off_by_key_and_kept_or_its_lack_is_s
   EXPECT_FALSE(slider->isEnabled());
 }
 
-TEST_F(Screen, answering_no_goes_on_with_the_go) {
+TEST_F(Screen, answering_no_continues_the_attempt) {
   begin("channel-1");
   answer = false;
   QSignalSpy finished(screen.get(), &DrillScreen::finished);
@@ -145,7 +145,7 @@ TEST_F(Screen, answering_no_goes_on_with_the_go) {
   EXPECT_EQ(finished.count(), 0);
 }
 
-TEST_F(Screen, pause_says_so_and_the_same_key_goes_on) {
+TEST_F(Screen, pause_is_shown_and_the_same_key_resumes) {
   begin("channel-1");
   const auto button = [this](const QString& text) {
     for (QPushButton* b : screen->findChildren<QPushButton*>()) {
@@ -179,7 +179,7 @@ class LaidAside final : public HapticPort {
 };
 
 TEST_F(Screen, the_cutaway_of_a_bur_that_is_laid_aside_cuts_the_target) {
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = load_builtin("channel-1").value();
   plan.kind = SessionKind::try_it;
   screen->begin(std::move(plan), {}, std::make_unique<LaidAside>());
@@ -214,7 +214,7 @@ TEST_F(Screen, leaving_before_anything_is_cut_asks_nothing) {
 }
 
 TEST_F(Screen, a_scenario_whose_volume_is_missing_fails_with_its_reason) {
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = load_builtin("channel-1").value();
   plan.scenario.specimen = {};
   plan.scenario.specimen.volume = "nowhere.nrrd";
@@ -222,7 +222,7 @@ TEST_F(Screen, a_scenario_whose_volume_is_missing_fails_with_its_reason) {
   QSignalSpy failed(screen.get(), &DrillScreen::failed);
   screen->begin(std::move(plan), {});
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatienceMs));
-  EXPECT_EQ(failed[0][0].value<RunFailure>().code, RunError::specimen);
+  EXPECT_EQ(failed[0][0].value<SessionFailure>().code, SessionError::specimen);
   EXPECT_FALSE(screen->running());
 }
 
@@ -238,14 +238,14 @@ TEST_F(Screen, brackets_go_through_the_burs_and_stop_at_the_ends) {
 }
 
 TEST_F(Screen, it_can_be_closed_while_the_tooth_is_being_made_ready) {
-  RunPlan plan;
+  SessionPlan plan;
   plan.scenario = load_builtin("channel-1").value();
   plan.kind = SessionKind::try_it;
   screen->begin(std::move(plan), {});
   screen.reset();
 }
 
-TEST_F(Screen, it_can_be_closed_in_the_middle_of_a_go) {
+TEST_F(Screen, it_can_be_closed_in_the_middle_of_an_attempt) {
   begin("channel-1");
   QTest::keyPress(screen.get(), Qt::Key_Space);
   screen.reset();

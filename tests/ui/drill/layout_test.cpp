@@ -90,7 +90,7 @@ struct DrillGauges : testing::Test {
     scenario.leeway = {0.2, 0.2};
     stage.resize(900, 600);
     stage.show();
-    stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway), {{-10, -10, -10}, {10, 10, 0}}, true, true, 3.1);
+    stage.set_exercise(scenario, TargetLook(scenario.target, scenario.leeway), {.bounds = {{-10, -10, -10}, {10, 10, 0}}, .by_mouse = true, .is_tooth = true, .pulp_depth_mm = 3.1});
     live.phase = LoopPhase::running;
     live.output.contact = true;
     live.push_n = 0.8;
@@ -133,7 +133,7 @@ TEST_F(DrillGauges, a_bur_beside_the_tooth_has_no_depth_and_one_over_the_cavity_
   EXPECT_TRUE(gauge("Depth").value().has_value());
 }
 
-TEST_F(DrillGauges, what_a_go_that_stands_said_last_is_no_longer_shown) {
+TEST_F(DrillGauges, last_values_of_an_attempt_that_stands_are_no_longer_shown) {
   EXPECT_GT(gauge("Push").value().value(), 0);
   EXPECT_TRUE(coach()->isVisible());
   live.phase = LoopPhase::paused;
@@ -178,7 +178,7 @@ TEST(StopCard, names_the_cause_for_which_the_record_cannot_be_written) {
   for (const StorageError other : {StorageError::read_only, StorageError::busy, StorageError::io, StorageError::corrupt}) {
     const StorageFailure failure{other, "/data/cusp.db", {}};
     const QString text = shown(failure);
-    EXPECT_TRUE(text.contains(tell(failure).what)) << text.toStdString();
+    EXPECT_TRUE(text.contains(describe(failure).what)) << text.toStdString();
     EXPECT_FALSE(text.contains(u"room on the disk"_qs) || text.contains(u"disk is full"_qs)) << text.toStdString();
   }
 }
@@ -205,16 +205,16 @@ TEST(Compass, is_hidden_where_no_side_of_the_specimen_is_known) {
   auto* compass = stage.findChild<Compass*>();
   Scenario scenario;
   scenario.specimen.volume = "molar.nrrd";
-  stage.set_exercise(scenario, TargetLook(Target{}, {}), Box{Vec3(-5.0), Vec3(5.0)}, true, true);
+  stage.set_exercise(scenario, TargetLook(Target{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_TRUE(compass->isHidden());
   scenario.specimen = {};
   scenario.specimen.generator = "tooth";
   scenario.specimen.fdi = 46;
-  stage.set_exercise(scenario, TargetLook(Target{}, {}), Box{Vec3(-5.0), Vec3(5.0)}, true, true);
+  stage.set_exercise(scenario, TargetLook(Target{}, {}), {.bounds = {Vec3(-5.0), Vec3(5.0)}, .by_mouse = true, .is_tooth = true});
   EXPECT_FALSE(compass->isHidden());
 }
 
-TEST(StopCard, a_device_that_answers_again_is_told_so_and_not_to_look_for_its_cable) {
+TEST(StopCard, a_device_that_answers_again_is_shown_as_back_without_its_cable) {
   DrillStage stage;
   stage.resize(800, 600);
   stage.show();

@@ -43,7 +43,7 @@ const std::vector<Edit>& every_edit() {
          s.voxel_mm = 0.1;
          return m.set_specimen(s, load_builtin("channel-1")->tissues);
        }},
-      {"decay",
+      {"lesion",
        [](EditorModel& m) {
          SpecimenSource s = m.scenario().specimen;
          s.lesions.push_back({"proximal", "mesial", 1.0, 1.2, 0.6});
@@ -246,20 +246,20 @@ TEST(editor_model, publishing_waits_for_a_change_the_tooth_and_every_check) {
 TEST(editor_model, another_tooth_is_grown_anew_and_the_old_facts_are_forgotten) {
   EditorModel model(class_one());
   model.set_facts(facts_of_36());
-  int told = 0;
-  QObject::connect(&model, &EditorModel::specimen_changed, [&told] { ++told; });
+  int signals_seen = 0;
+  QObject::connect(&model, &EditorModel::specimen_changed, [&signals_seen] { ++signals_seen; });
   model.set_width_mm(1.4);
-  EXPECT_EQ(told, 0);
+  EXPECT_EQ(signals_seen, 0);
   SpecimenSource other = model.scenario().specimen;
   other.fdi = 46;
   ASSERT_TRUE(model.set_specimen(other, model.scenario().tissues));
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(signals_seen, 1);
   EXPECT_FALSE(model.facts().has_value());
   model.stack().undo();
-  EXPECT_EQ(told, 2);
+  EXPECT_EQ(signals_seen, 2);
 }
 
-TEST(editor_model, decay_and_neighbours_bring_their_tissues_and_leave_the_figures_of_the_others) {
+TEST(editor_model, lesions_and_neighbours_bring_their_tissues_and_leave_the_figures_of_the_others) {
   EditorModel model(class_one());
   ASSERT_TRUE(model.set_tissue_figures(0, 2.5, 0.6));
   SpecimenSource tooth = model.scenario().specimen;

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   std::shared_ptr<const SceneryLook> scenery;
-  Run<std::shared_ptr<const Specimen>> specimen;
+  Outcome<std::shared_ptr<const Specimen>> specimen;
   {
     const std::jthread beside([&] { scenery = scenery_of(scenario->specimen); });
     specimen = build_specimen(*scenario, {});

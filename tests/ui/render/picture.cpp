@@ -104,7 +104,7 @@ TEST_F(Drawn, pictures_drawn_on_two_threads_do_not_end_each_others_display) {
   EXPECT_EQ(drawn[1], kPictures) << first_failure[1];
 }
 
-TEST_F(Drawn, a_place_is_told_where_it_is_seen_and_not_where_the_tooth_hides_it) {
+TEST_F(Drawn, a_place_is_given_where_it_is_seen_and_not_where_the_tooth_hides_it) {
   PictureRequest request = small();
   request.view = PresetView::occlusal;
   request.places_mm = {{0, 0, kBallMm}, {0, 0, -kBallMm}, {0, 0, 0}};
@@ -247,7 +247,7 @@ TEST_F(Drawn, a_png_is_written_whole_under_its_name) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Png, a_folder_that_is_not_there_is_said_and_nothing_is_left) {
+TEST(Png, a_folder_that_is_not_there_is_shown_and_nothing_is_left) {
   const auto done = write_png("/nowhere/at/all/tooth.png", Picture{1, 1, {0, 0, 0, 255}});
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, PictureError::cannot_write);

@@ -34,7 +34,7 @@ ReportData sample(double score = 81) {
   data.student = QStringLiteral("Lena Brandt");
   data.when = QDateTime(QDate(2026, 11, 20), QTime(10, 14));
   data.kind = SessionKind::practice;
-  data.go = 7;
+  data.attempt = 7;
   data.peak_push_n = 2.1;
   return data;
 }
@@ -160,7 +160,7 @@ TEST(ReportData, the_side_of_a_tooth_follows_its_quadrant) {
 TEST(ReportData, says_which_bur_was_used_when) {
   ReportData data = sample();
   data.result.scenario.instruments = {catalogue_bur("2")->bur, catalogue_bur("8")->bur, catalogue_bur("57")->bur};
-  EXPECT_TRUE(burs_used_text(data).isEmpty()) << "of a go that was not kept nothing is said";
+  EXPECT_TRUE(burs_used_text(data).isEmpty()) << "of an attempt that was not kept nothing is said";
   BurUse use;
   const auto put = [&use](std::uint16_t bur, int seconds) {
     StepInput input;
@@ -218,20 +218,20 @@ TEST(Paper, numbers_of_places_that_lie_together_never_cover_each_other) {
   }
 }
 
-TEST(ReportData, gathers_student_go_and_the_best_before_from_the_records) {
+TEST(ReportData, gathers_student_attempt_and_the_best_before_from_the_records) {
   test::DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 60, 100);
-  records.go(lena, "channel-1", 74, 100);
-  records.go(lena, "channel-1", 90, 100, "falcon");  // another device class is never compared
-  RunResult result;
+  records.attempt(lena, "channel-1", 60, 100);
+  records.attempt(lena, "channel-1", 74, 100);
+  records.attempt(lena, "channel-1", 90, 100, "falcon");  // another device class is never compared
+  SessionResult result;
   result.scenario = *load_builtin("channel-1");
   result.grade = test::sample_grade(78);
-  result.session = records.go(lena, "channel-1", 78, 100);
+  result.session = records.attempt(lena, "channel-1", 78, 100);
   const Actor reader = lena.actor();
   const ReportData data = gather_report(result, &records.store(), &reader);
   EXPECT_EQ(data.student.toStdString(), "Lena Brandt");
-  EXPECT_EQ(data.go, 4);
+  EXPECT_EQ(data.attempt, 4);
   ASSERT_TRUE(data.before.has_value());
   EXPECT_DOUBLE_EQ(data.before->score, 74);
 }
@@ -248,9 +248,9 @@ TEST(ReportPage, shows_the_score_the_reasons_and_what_to_do) {
   EXPECT_TRUE(plain(all).find("2.41 mm, 0.41 mm deeper than 2 mm.") != std::string::npos) << plain(all);
   EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing before the wanted depth and move sideways.")));
   EXPECT_EQ(page.table()->chosen_row(), 1);  // the dearest loss
-  QSignalSpy again(&page, &ReportPage::go_again_wanted);
+  QSignalSpy again(&page, &ReportPage::try_again_wanted);
   for (QPushButton* b : page.findChildren<QPushButton*>()) {
-    if (b->accessibleName() == u"Go again") b->click();
+    if (b->accessibleName() == u"Try again") b->click();
   }
   EXPECT_EQ(again.count(), 1);
 }

@@ -1,4 +1,4 @@
-// The goes themselves, on a coarse block that takes a moment.
+// The attempts themselves, on a coarse block that takes a moment.
 
 #include "tests/modules.h"
 #include "ui/session/audit_run.h"
@@ -71,7 +71,7 @@ TEST(AuditRun, FrictionIsFeltOnTheSamePath) {
   EXPECT_GE((*results)[1]->force_most_n, (*results)[1]->force_rms_n);
 }
 
-TEST(AuditRun, StopsInTheMiddleOfAGo) {
+TEST(AuditRun, StopsInTheMiddleOfAnAttempt) {
   AuditRun run;
   run.home = small();
   run.models = {{small()}};
@@ -99,7 +99,7 @@ TEST(AuditRun, StopsWhileAToothGrows) {
   ASSERT_FALSE(results);
   EXPECT_EQ(results.error().code, AuditError::cancelled);
   EXPECT_GT(last, 0.0);
-  EXPECT_LT(last, 0.1) << "the goes begin there";
+  EXPECT_LT(last, 0.1) << "the attempts begin there";
 }
 
 /// The CPU time of a start is never the same twice: what has the same was not made again.

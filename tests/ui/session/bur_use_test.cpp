@@ -14,7 +14,7 @@ std::vector<StepInput> inputs(std::uint16_t bur, int count, bool cut, std::uint3
   return std::vector<StepInput>(static_cast<std::size_t>(count), one);
 }
 
-TEST(BurUse, tells_each_bur_from_when_it_was_taken_to_when_another_was) {
+TEST(BurUse, shows_each_bur_from_when_it_was_taken_to_when_another_was) {
   BurUse use;
   use.add(inputs(0, 300, false));
   use.add(inputs(0, 200, true));

@@ -1,4 +1,4 @@
-// A foot pedal drives the handpiece of a go, and one that was lost is up: read over HID devices in memory.
+// A foot pedal drives the handpiece of an attempt, and one that was lost is up: read over HID devices in memory.
 #include <gtest/gtest.h>
 
 #include "device/hid/pedal_reader.h"
@@ -43,10 +43,10 @@ TEST(Pedal, DrivesTheHandpieceAndUnpluggedItLetsGo) {
   auto pedal = std::make_shared<hid::PedalReader>(test::bus_of(desk));
   pedal->start();
   const Workplace work;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.pedal = pedal;
   PressingPort port;
-  auto run = ExerciseRun::start(plan, port);
+  auto run = ExerciseSession::start(plan, port);
   ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where;
   ASSERT_TRUE(eventually([&] { return (*run)->view().output.contact; }));
   const auto removed = [&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)]; };

@@ -39,7 +39,7 @@ TEST(PlayThrough, LeavesASessionWhoseReplayIsTheSameBitForBit) {
 
 TEST(PlayThrough, WithSpindleVibrationAndHeatItsReplayIsTheSameBitForBitAndTheGradeKnowsOfCoolant) {
   const Workplace work;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.scenario.phenomena = {"spindle-turbine", "vibration", "sound", "heat"};
   plan.scenario.rubric.criteria.push_back({"dry_cutting_time", 10, {0, 0, 0, 0.1, 0.2, 0.3}});
   DrillingPort port(2600);
@@ -94,7 +94,7 @@ TEST(PlayThrough, RecordsRemovedTissueAndForcesEachSecond) {
 
 TEST(PlayThrough, WithoutADatabaseNothingIsKept) {
   const Workplace work;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.database.clear();
   DrillingPort port(300);
   const auto result = play_through(plan, port);
@@ -106,7 +106,7 @@ TEST(PlayThrough, WithoutADatabaseNothingIsKept) {
 
 TEST(PlayThrough, ATryOutIsKeptApartFromTheHistory) {
   const Workplace work;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.kind = SessionKind::try_out;
   DrillingPort port(300);
   const auto result = play_through(plan, port);
@@ -133,12 +133,12 @@ TEST(PlayThrough, StoppedFromOutsideItIsInterruptedAndGradedAsItStands) {
 
 TEST(PlayThrough, AScenarioWithATissueLeftOutIsRefusedBeforeAnyRowIsWritten) {
   const Workplace work;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.scenario.tissues = {{Tissue::enamel, 1.0, 1.0}};
   DrillingPort port(300);
   const auto result = play_through(plan, port);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, RunError::scene);
+  EXPECT_EQ(result.error().code, SessionError::scene);
   EXPECT_EQ(result.error().where, "/tissues");
   EXPECT_EQ(result.error().detail, "plastic");
   EXPECT_TRUE(work.store()->history.list(work.demo.actor())->empty());
@@ -146,19 +146,19 @@ TEST(PlayThrough, AScenarioWithATissueLeftOutIsRefusedBeforeAnyRowIsWritten) {
 
 TEST(PlayThrough, AScenarioThatCouldNotBeReadAgainIsRefusedBeforeAnyRowIsWritten) {
   const Workplace work;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.scenario.instruments[0].name.clear();
   DrillingPort port(300);
   const auto result = play_through(plan, port);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, RunError::scenario);
+  EXPECT_EQ(result.error().code, SessionError::scenario);
   EXPECT_EQ(result.error().where, "/instruments/0/name");
   EXPECT_TRUE(work.store()->scenarios.library()->empty());
 }
 
 TEST(PlayThrough, ADeviceThatTheScenarioDoesNotAdmitIsRefused) {
   const Workplace work;
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.scenario.device.admitted = {"falcon"};
   class Mouse : public test::DrillingPort {
    public:
@@ -172,7 +172,7 @@ TEST(PlayThrough, ADeviceThatTheScenarioDoesNotAdmitIsRefused) {
   Mouse port(10);
   const auto result = play_through(plan, port);
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, RunError::device_class);
+  EXPECT_EQ(result.error().code, SessionError::device_class);
 }
 
 }  // namespace

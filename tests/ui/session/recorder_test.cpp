@@ -9,7 +9,7 @@
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/play_through.h"
 #include "ui/session/replay.h"
-#include "ui/session/run_setup.h"
+#include "ui/session/session_setup.h"
 
 namespace cusp::test {
 namespace {
@@ -31,7 +31,7 @@ RecordedSecond second_number(std::uint64_t number) {
 /// A session that has begun, and a store of its own for the recorder.
 struct Begun {
   explicit Begun(const Workplace& work, DatabaseOptions options = {}) {
-    RunPlan plan = work.plan();
+    SessionPlan plan = work.plan();
     session = set_up(plan, DrillingPort(1).limits()).value().session;
     StoreOptions quick = test::quick_store();
     quick.database = std::move(options);
@@ -53,7 +53,7 @@ void expect_whole(const Workplace& work, SessionId session, std::size_t seconds)
   EXPECT_TRUE(verify_session(store->context(), session)->intact());
 }
 
-TEST(Recorder, WaitsForAnotherProcessSaysSoAndLosesNothing) {
+TEST(Recorder, WaitsForAnotherProcessAndLosesNothing) {
   const Workplace work;
   LockHolder other(work.database());
   Begun begun(work, impatient());

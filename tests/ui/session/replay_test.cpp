@@ -75,7 +75,7 @@ TEST(Replay, AJumpWithoutACacheFillsItAndTheNextOneIsShort) {
   EXPECT_EQ(cold->state().hash(), warm->state().hash());
 }
 
-TEST(Replay, ALongJumpTellsHowFarItIsAndStopsWhenAsked) {
+TEST(Replay, ALongJumpReportsHowFarItIsAndStopsWhenAsked) {
   const Workplace work;
   DrillingPort port(3000);
   const auto result = play_through(work.plan(), port);
@@ -140,7 +140,7 @@ TEST(Replay, ACacheThatCannotBeWrittenChangesNothing) {
   EXPECT_EQ(replay->ticks_run(), 5200u);
 }
 
-TEST(Replay, ItsObserversAreToldOfEveryBrickThatAJumpChanged) {
+TEST(Replay, ItsObserversAreNotifiedOfEveryBrickThatAJumpChanged) {
   class Sketch final : public Observer {
    public:
     void on_state(const StepState& state, const StateNews& news) override {
@@ -211,12 +211,12 @@ TEST(Replay, AnotherRubricGradesTheSameToothOtherwiseAndKeepsNothingUnlessAsked)
   EXPECT_EQ(store->grades.all(result->session)->size(), 1u);
 }
 
-TEST(Replay, ASessionThatIsNotThereSaysSo) {
+TEST(Replay, ASessionThatIsNotThereFails) {
   const Workplace work;
   const auto store = work.store();
   const auto opened = open_session(*store, SessionId::make());
   ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().code, RunError::storage);
+  EXPECT_EQ(opened.error().code, SessionError::storage);
   EXPECT_EQ(std::get<StorageError>(opened.error().cause), StorageError::not_found);
 }
 

@@ -39,7 +39,7 @@ struct Uninterrupted {
     proof = prove_session(*store, result.session).value();
   }
   Workplace work;
-  RunResult result;
+  SessionResult result;
   std::vector<ChunkInfo> chunks;
   ReplayProof proof;
 };
@@ -71,13 +71,13 @@ SessionId play_and_die(const Workplace& work) {
 }
 
 void expect_same_as_uninterrupted(const Workplace& work, SessionId session) {
-  RunPlan plan = work.plan();
-  plan.go_on = session;
+  SessionPlan plan = work.plan();
+  plan.resumes = session;
   const std::uint64_t stored = open_session(*work.store(), session)->ticks;
   LaterPort port(stored, kTicks);
   const auto result = play_through(plan, port);
   ASSERT_TRUE(result) << key_of(result.error().code) << ' ' << result.error().where << ' ' << result.error().detail;
-  const RunResult& whole = uninterrupted().result;
+  const SessionResult& whole = uninterrupted().result;
   EXPECT_EQ(result->volume_hash, whole.volume_hash);
   EXPECT_EQ(result->seconds, whole.seconds);
   EXPECT_EQ(result->grade.score, whole.grade.score);

@@ -52,7 +52,7 @@ TEST(BuildScene, LeavesAMouseAndACalibratedDeviceWhatTheScenarioAsks) {
   }
 }
 
-TEST(BuildScene, TellsTheGuardWhatTheDeviceIs) {
+TEST(BuildScene, GivesTheGuardWhatTheDeviceIs) {
   const auto specimen = Specimen::build(test::block_volume(), Reading::banded);
   DeviceLimits device = held_device();
   device.encoder_mm = 0.02;
@@ -72,7 +72,7 @@ TEST(BuildScene, TellsTheGuardWhatTheDeviceIs) {
 TEST(BuildScene, AReplayHasTheStiffnessAndTheGuardOfItsSession) {
   const Workplace work;
   test::DrillingPort port(1500, false);
-  RunPlan plan = work.plan();
+  SessionPlan plan = work.plan();
   plan.scenario.tissues = {{Tissue::plastic, 2.0, 4.0}};
   const auto result = play_through(plan, port);
   ASSERT_TRUE(result) << key_of(result.error().code);

@@ -8,7 +8,7 @@
 #include "storage/store.h"
 #include "tests/engine/loop/block_scene.h"
 #include "tests/modules.h"
-#include "ui/session/exercise_run.h"
+#include "ui/session/exercise_session.h"
 
 namespace cusp::test {
 
@@ -49,8 +49,8 @@ class Workplace {
   }
   ~Workplace() { std::filesystem::remove_all(folder); }
   std::filesystem::path database() const { return folder / "cusp.db"; }
-  RunPlan plan() const {
-    RunPlan plan;
+  SessionPlan plan() const {
+    SessionPlan plan;
     plan.scenario = small_exercise();
     plan.specimen = Specimen::build(block_volume(), Reading::banded);
     plan.database = database();

@@ -88,9 +88,9 @@ TEST_F(SignInTest, five_wrong_tries_close_it_until_a_time_that_is_told) {
     field(*page, "Password")->setText(QStringLiteral("wrong horse"));
     QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
   }
-  QString told = page->message();
-  for (const char16_t c : {u'\x2066', u'\x2069'}) told.remove(QChar(c));
-  EXPECT_TRUE(told.startsWith(QStringLiteral("Too many wrong tries for anna. Signing in is open again at "))) << told.toStdString();
+  QString message = page->message();
+  for (const char16_t c : {u'\x2066', u'\x2069'}) message.remove(QChar(c));
+  EXPECT_TRUE(message.startsWith(QStringLiteral("Too many wrong tries for anna. Signing in is open again at "))) << message.toStdString();
   EXPECT_FALSE(who.has_value());
 }
 
@@ -112,10 +112,10 @@ TEST_F(SignInTest, a_student_who_is_locked_out_reads_the_number_and_the_time) {
     for (int digit = 0; digit < 6; ++digit) QTest::keyClicks(pin->box(digit), QStringLiteral("1"));
     QTest::keyClick(pin->box(5), Qt::Key_Return);
   }
-  QString told = page->message();
-  for (const char16_t c : {u'\x2066', u'\x2069'}) told.remove(QChar(c));
-  EXPECT_TRUE(told.startsWith(QStringLiteral("Too many wrong tries for 20267314. Signing in is open again at "))) << told.toStdString();
-  EXPECT_FALSE(told.contains(QStringLiteral("cusp.db")));
+  QString message = page->message();
+  for (const char16_t c : {u'\x2066', u'\x2069'}) message.remove(QChar(c));
+  EXPECT_TRUE(message.startsWith(QStringLiteral("Too many wrong tries for 20267314. Signing in is open again at "))) << message.toStdString();
+  EXPECT_FALSE(message.contains(QStringLiteral("cusp.db")));
 }
 
 TEST_F(SignInTest, an_empty_number_or_half_a_pin_is_told_before_the_records_are_asked) {

@@ -71,18 +71,18 @@ TEST(DrillSynth, cutting_is_louder_than_turning_in_the_air_and_more_load_louder_
   EXPECT_GT(hard, 1.3 * light);
 }
 
-TEST(DrillSynth, enamel_sounds_louder_and_higher_than_dentine_and_dentine_than_decay) {
+TEST(DrillSynth, enamel_sounds_louder_and_higher_than_dentine_and_dentine_than_caries) {
   const auto enamel = heard(cutting(Tissue::enamel)), dentine = heard(cutting(Tissue::dentine)),
-             decay = heard(cutting(Tissue::carious_dentine));
+             caries = heard(cutting(Tissue::carious_dentine));
   EXPECT_GT(loud(enamel), loud(dentine));
-  EXPECT_GT(loud(dentine), loud(decay));
+  EXPECT_GT(loud(dentine), loud(caries));
   const auto power = [](const std::vector<float>& samples, double from, double to) {
     double sum = 0;
     for (double hz = from; hz < to; hz += 20.0) sum += at_pitch(samples, hz);
     return sum;
   };
   // The noise about its middle, against that an octave and more below; the whine lies between and is left out.
-  EXPECT_GT(power(enamel, 3800, 5200) / power(enamel, 600, 1600), 2.0 * power(decay, 3800, 5200) / power(decay, 600, 1600));
+  EXPECT_GT(power(enamel, 3800, 5200) / power(enamel, 600, 1600), 2.0 * power(caries, 3800, 5200) / power(caries, 600, 1600));
 }
 
 TEST(DrillSynth, glides_and_never_clicks) {
@@ -101,7 +101,7 @@ TEST(DrillSynth, glides_and_never_clicks) {
   EXPECT_LT(most, 0.12);  // the whine itself moves so much from sample to sample: 0.1 * 2 pi * 3500 / 48000 = 0.05
 }
 
-TEST(DrillSynth, stays_within_its_bounds_and_is_a_number_whatever_it_is_told) {
+TEST(DrillSynth, stays_within_its_bounds_and_is_a_number_whatever_it_gets) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   DrillSynth synth(kRate);
   for (const double bad : {nan, inf, -inf, -1.0, 1e300}) {

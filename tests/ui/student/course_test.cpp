@@ -48,66 +48,66 @@ TEST(Course, the_next_exercise_is_the_first_that_was_not_passed_yet) {
   EXPECT_EQ(course->last_graded(), nullptr);
 
   const std::string first(builtin_scenarios()[0]);
-  records.go(lena, first, 55, 300);
+  records.attempt(lena, first, 55, 300);
   course = load_course(records.store(), lena.actor());
   EXPECT_EQ(course->next(), 0);  // not passed
-  records.go(lena, first, 82, 280);
+  records.attempt(lena, first, 82, 280);
   course = load_course(records.store(), lena.actor());
   EXPECT_EQ(course->next(), 1);
-  EXPECT_EQ(course->rows[0].goes, 2);
+  EXPECT_EQ(course->rows[0].attempts, 2);
   ASSERT_TRUE(course->rows[0].best.has_value());
   EXPECT_DOUBLE_EQ(*course->rows[0].best->score, 82);
 }
 
-TEST(Course, a_student_sees_no_one_elses_goes) {
+TEST(Course, a_student_sees_no_one_elses_attempts) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt"), noah = records.student("2", "Noah Adler");
-  records.go(noah, "channel-1", 90, 100);
+  records.attempt(noah, "channel-1", 90, 100);
   const auto course = load_course(records.store(), lena.actor());
   ASSERT_TRUE(course.has_value());
-  EXPECT_TRUE(course->goes.empty());
+  EXPECT_TRUE(course->attempts.empty());
 }
 
 TEST(CourseModel, shows_what_is_not_yet_as_words_not_as_zero) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 78, 300);
+  records.attempt(lena, "channel-1", 78, 300);
   const auto course = load_course(records.store(), lena.actor());
   const CourseModel model(course->rows);
   for (int row = 0; row < model.rowCount(); ++row) {
     const bool drilled = model.row(row).exercise.scenario.key == "channel-1";
     EXPECT_EQ(model.index(row, CourseModel::kBest).data().toString().toStdString(), drilled ? "78" : "none yet");
-    EXPECT_EQ(model.index(row, CourseModel::kGoes).data().toString().toStdString(), drilled ? "1" : "0");
+    EXPECT_EQ(model.index(row, CourseModel::kAttempts).data().toString().toStdString(), drilled ? "1" : "0");
   }
 }
 
-TEST(GoesModel, has_a_line_a_go_with_result_and_state) {
+TEST(AttemptsModel, has_a_line_an_attempt_with_result_and_state) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 78, 300);
-  records.go(lena, "channel-1", 40, 200);
-  records.broken_go(lena, "channel-1");
+  records.attempt(lena, "channel-1", 78, 300);
+  records.attempt(lena, "channel-1", 40, 200);
+  records.broken_attempt(lena, "channel-1");
   const auto rows = records.store().history.list(lena.actor());
   ASSERT_TRUE(rows.has_value());
-  GoesModel model;
+  AttemptsModel model;
   model.set_rows(*rows);
   ASSERT_EQ(model.rowCount(), 3);
   const auto text = [&](int row, int column) { return model.index(row, column).data().toString().toStdString(); };
-  EXPECT_EQ(text(0, GoesModel::kResult), "Interrupted");
-  EXPECT_EQ(text(0, GoesModel::kScore), "–");
-  EXPECT_EQ(text(1, GoesModel::kResult), "Not passed");
-  EXPECT_EQ(text(2, GoesModel::kResult), "Passed");
-  EXPECT_EQ(text(2, GoesModel::kScore), "78");
-  EXPECT_EQ(text(2, GoesModel::kGo), "1");
-  EXPECT_TRUE(model.index(2, GoesModel::kTime).data().toString().contains(QStringLiteral("5:00")));
-  EXPECT_LT(model.index(0, GoesModel::kScore).data(SortRole).toDouble(), 0);
+  EXPECT_EQ(text(0, AttemptsModel::kResult), "Interrupted");
+  EXPECT_EQ(text(0, AttemptsModel::kScore), "–");
+  EXPECT_EQ(text(1, AttemptsModel::kResult), "Not passed");
+  EXPECT_EQ(text(2, AttemptsModel::kResult), "Passed");
+  EXPECT_EQ(text(2, AttemptsModel::kScore), "78");
+  EXPECT_EQ(text(2, AttemptsModel::kAttempt), "1");
+  EXPECT_TRUE(model.index(2, AttemptsModel::kTime).data().toString().contains(QStringLiteral("5:00")));
+  EXPECT_LT(model.index(0, AttemptsModel::kScore).data(SortRole).toDouble(), 0);
 }
 
-TEST(HistoryCharts, the_newest_go_is_the_strong_point_and_the_axes_hold_every_go) {
+TEST(HistoryCharts, the_newest_attempt_is_the_strong_point_and_the_axes_hold_every_attempt) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
   for (const auto& [score, seconds] : {std::pair{54.0, 744.0}, {61.0, 640.0}, {78.0, 426.0}}) {
-    records.go(lena, "channel-1", score, seconds);
+    records.attempt(lena, "channel-1", score, seconds);
   }
   const auto rows = records.store().history.list(lena.actor());
   const ChartData chart = time_and_score(*rows);
@@ -123,12 +123,12 @@ TEST(HistoryCharts, the_newest_go_is_the_strong_point_and_the_axes_hold_every_go
     EXPECT_GE(p.y, chart.y.least);
     EXPECT_LE(p.y, chart.y.most);
   }
-  EXPECT_EQ(score_by_go(*rows).series[0].points.last().x, 3.0);
+  EXPECT_EQ(score_by_attempt(*rows).series[0].points.last().x, 3.0);
 }
 
-TEST(HistoryCharts, without_a_go_there_is_nothing_to_draw) {
+TEST(HistoryCharts, without_an_attempt_there_is_nothing_to_draw) {
   EXPECT_TRUE(time_and_score({}).series[0].points.isEmpty());
-  EXPECT_TRUE(score_by_go({}).summary.isEmpty());
+  EXPECT_TRUE(score_by_attempt({}).summary.isEmpty());
 }
 
 }  // namespace

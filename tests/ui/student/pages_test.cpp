@@ -38,17 +38,17 @@ QString texts(QWidget& page) {
 struct Pages : ::testing::Test {
   DeskRecords records;
   QTemporaryDir cache;
-  PictureShelf pictures{cache.path().toStdString()};
+  ThumbnailCache pictures{cache.path().toStdString()};
   QDateTime now{QDate(2026, 11, 20), QTime(10, 0)};
 };
 
 TEST_F(Pages, closing_gives_up_the_picture_that_is_being_drawn) {
   const QTemporaryDir folder;
   {
-    PictureShelf shelf(folder.path().toStdString());
+    ThumbnailCache thumbnails(folder.path().toStdString());
     Exercise jaw;
     jaw.scenario = *load_builtin("class-1-36-jaw");
-    EXPECT_TRUE(shelf.picture(jaw, {}, PictureShelf::Use::card, false).isNull());
+    EXPECT_TRUE(thumbnails.picture(jaw, {}, ThumbnailCache::Use::card, false).isNull());
   }
   EXPECT_TRUE(QDir(folder.path()).isEmpty()) << "it was drawn to its end";
 }
@@ -69,32 +69,32 @@ TEST_F(Pages, the_start_page_of_a_new_student_says_what_is_not_there_yet_and_off
 
 TEST_F(Pages, the_start_page_shows_the_last_result_and_how_to_do_better) {
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 74, 500);
-  records.go(lena, "channel-1", 78, 426);
+  records.attempt(lena, "channel-1", 74, 500);
+  records.attempt(lena, "channel-1", 78, 426);
   StartPage page(records.store(), lena, pictures, now);
   const QString all = texts(page);
   EXPECT_TRUE(all.contains(QStringLiteral("78")));
   EXPECT_TRUE(all.contains(QStringLiteral("4 more than\nyour best before")));
   EXPECT_TRUE(all.contains(QStringLiteral("Stop pushing before the wanted depth")));  // depth_most, too_deep
-  EXPECT_TRUE(all.contains(QStringLiteral("Mouse and keys only, 2 goes.")));
+  EXPECT_TRUE(all.contains(QStringLiteral("Mouse and keys only, 2 attempts.")));
 }
 
 TEST_F(Pages, the_start_page_tells_of_an_attempt_that_broke_off_and_offers_one_way_on) {
   const Account lena = records.student("1", "Lena Brandt");
   EXPECT_EQ(StartPage(records.store(), lena, pictures, now).interrupted(), nullptr);
-  const SessionId broken = records.broken_go(lena, "channel-1");
+  const SessionId broken = records.broken_attempt(lena, "channel-1");
   StartPage page(records.store(), lena, pictures, now);
   page.show();
   ASSERT_NE(page.interrupted(), nullptr);
   const QString all = texts(*page.interrupted());
   EXPECT_TRUE(all.contains(QStringLiteral("Interrupted attempt"))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("attempt 1"))) << all.toStdString();
-  EXPECT_TRUE(all.contains(QStringLiteral("0:12"))) << all.toStdString();  // how far: broken_go() lasts 12 s
+  EXPECT_TRUE(all.contains(QStringLiteral("0:12"))) << all.toStdString();  // how far: broken_attempt() lasts 12 s
   int primary = 0;
   for (const QPushButton* b : page.findChildren<QPushButton*>()) primary += b->property("kind") == u"primary"_qs ? 1 : 0;
   EXPECT_EQ(primary, 1);
   std::optional<SessionId> on, graded;
-  QObject::connect(&page, &StartPage::go_on_wanted, [&](const SessionId& id) { on = id; });
+  QObject::connect(&page, &StartPage::resume_wanted, [&](const SessionId& id) { on = id; });
   QObject::connect(&page, &StartPage::grade_wanted, [&](const SessionId& id) { graded = id; });
   page.interrupted()->primary()->click();
   EXPECT_EQ(on, broken);
@@ -103,7 +103,7 @@ TEST_F(Pages, the_start_page_tells_of_an_attempt_that_broke_off_and_offers_one_w
 
 TEST_F(Pages, an_attempt_with_another_device_can_only_be_graded_as_it_stands) {
   const Account lena = records.student("1", "Lena Brandt");
-  const SessionId broken = records.broken_go(lena, "channel-1");
+  const SessionId broken = records.broken_attempt(lena, "channel-1");
   StartPage page(records.store(), lena, pictures, now, "falcon");
   ASSERT_NE(page.interrupted(), nullptr);
   EXPECT_TRUE(texts(*page.interrupted()).contains(QStringLiteral("cannot be continued here")));
@@ -115,18 +115,18 @@ TEST_F(Pages, an_attempt_with_another_device_can_only_be_graded_as_it_stands) {
 
 TEST_F(Pages, the_card_is_gone_once_the_attempt_is_graded) {
   const Account lena = records.student("1", "Lena Brandt");
-  const SessionId broken = records.broken_go(lena, "channel-1");
+  const SessionId broken = records.broken_attempt(lena, "channel-1");
   ASSERT_TRUE(records.store().grades.save(broken, test::sample_grade(30), Hash256{}));
   EXPECT_EQ(StartPage(records.store(), lena, pictures, now).interrupted(), nullptr);
 }
 
 TEST_F(Pages, an_opened_pulp_comes_first_in_what_to_do_next_time) {
   const Account lena = records.student("1", "Lena Brandt");
-  const SessionId go = records.go(lena, "class-1-36", 81, 300);
+  const SessionId attempt = records.attempt(lena, "class-1-36", 81, 300);
   Grade grade = test::sample_grade(81);
   grade.critical = {"pulp_exposure"};
   grade.passed = false;
-  ASSERT_TRUE(records.store().grades.save(go, grade, Hash256{}));
+  ASSERT_TRUE(records.store().grades.save(attempt, grade, Hash256{}));
   StartPage page(records.store(), lena, pictures, now);
   const QString all = texts(page);
   const auto pulp = all.indexOf(QStringLiteral("The pulp was opened"));
@@ -242,8 +242,8 @@ TEST_F(Pages, the_briefing_says_what_earns_points_and_starts) {
 
 TEST_F(Pages, my_results_filters_by_exercise_and_opens_a_report) {
   const Account lena = records.student("1", "Lena Brandt");
-  records.go(lena, "channel-1", 60, 300);
-  const SessionId block = records.go(lena, "paper-block", 70, 200);
+  records.attempt(lena, "channel-1", 60, 300);
+  const SessionId block = records.attempt(lena, "paper-block", 70, 200);
   OwnHistory page(records.store(), lena.actor());
   page.show();
   EXPECT_EQ(page.table()->model()->rowCount(), 2);
@@ -255,7 +255,7 @@ TEST_F(Pages, my_results_filters_by_exercise_and_opens_a_report) {
   EXPECT_EQ(page.table()->model()->rowCount(), 1);
 }
 
-TEST_F(Pages, my_results_without_a_go_offers_the_exercises) {
+TEST_F(Pages, my_results_without_an_attempt_offers_the_exercises) {
   const Account lena = records.student("1", "Lena Brandt");
   OwnHistory page(records.store(), lena.actor());
   page.show();

@@ -50,7 +50,7 @@ TEST(Look, every_text_role_can_be_read_on_every_ground) {
 
 TEST(Look, borders_bars_and_lines_stand_out_by_three_to_one) {
   for (const Tokens* t : {&Tokens::light(), &Tokens::dark_theme()}) {
-    for (const QColor& ink : {t->border, t->accent, t->bar_enamel, t->bar_dentine, t->bar_decay, t->bar_pulp, t->line_target,
+    for (const QColor& ink : {t->border, t->accent, t->bar_enamel, t->bar_dentine, t->bar_caries, t->bar_pulp, t->line_target,
                               t->line_leeway, t->line_over, t->line_under}) {
       EXPECT_GE(contrast(ink, t->surface), 3.0) << ink.name().toStdString();
     }

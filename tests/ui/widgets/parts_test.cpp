@@ -50,7 +50,7 @@ TEST(Bar, keeps_its_share_between_nothing_and_all) {
   EXPECT_DOUBLE_EQ(bar.share(), 0.0);
 }
 
-ChartData two_goes() {
+ChartData two_attempts() {
   ChartData d;
   d.title = QStringLiteral("Time and score");
   d.x = {QStringLiteral("minutes"), 0, 14, 2, 0};
@@ -67,7 +67,7 @@ ChartData two_goes() {
 TEST(Chart, is_its_table_too) {
   Chart chart;
   chart.resize(320, 220);
-  chart.set_data(two_goes());
+  chart.set_data(two_attempts());
   chart.show();
   EXPECT_FALSE(chart.shows_table());
   QTest::keyClick(chart.focusWidget() ? chart.focusWidget() : &chart, Qt::Key_T, Qt::ControlModifier);
@@ -81,11 +81,11 @@ TEST(Chart, is_its_table_too) {
 }
 
 TEST(Chart, draws_its_points_where_the_axes_say) {
-  // 320 x 220: the newest go is a filled dot in accent at x = 7.1 of 0..14, y = 78 of 40..100.
+  // 320 x 220: the newest attempt is a filled dot in accent at x = 7.1 of 0..14, y = 78 of 40..100.
   QImage image(320, 220, QImage::Format_RGB32);
   image.fill(Tokens::light().surface);
   QPainter painter(&image);
-  paint_chart(painter, QRectF(0, 0, 320, 220), two_goes(), Tokens::light(), 1.0);
+  paint_chart(painter, QRectF(0, 0, 320, 220), two_attempts(), Tokens::light(), 1.0);
   painter.end();
   int found = 0, top = 220, bottom = 0;
   for (int y = 0; y < 220; ++y) {
@@ -106,7 +106,7 @@ TEST(Chart, draws_its_points_where_the_axes_say) {
 TEST(Chart, a_figure_of_full_points_is_drawn_whole) {
   // 100 of 100 lies 8 px below the chart's upper edge, its figure is 9 px high: above the dot it would be cut off.
   const auto dark_pixels = [](double points) {
-    ChartData d = two_goes();
+    ChartData d = two_attempts();
     d.mark.reset();
     d.series[0].points = {{7.1, points, QStringLiteral("last"), true}};
     QImage image(320, 220, QImage::Format_RGB32);  // its edge is the canvas's

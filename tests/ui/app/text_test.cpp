@@ -1,0 +1,250 @@
+// Codes put into words, and what the desktop remembers.
+
+#include <gtest/gtest.h>
+
+#include <QDateTime>
+#include <QTemporaryDir>
+#include <set>
+
+#include "tests/modules.h"
+#include "tests/ui/desk_records.h"
+#include "ui/text/failure_text.h"
+#include "ui/text/grade_text.h"
+#include "ui/text/names.h"
+#include "ui/settings/settings.h"
+
+namespace cusp::test {
+namespace {
+
+template <class Code, class Failure>
+void each_code_has_its_own_text(int codes) {
+  std::set<QString> messages;
+  for (int i = 0; i < codes; ++i) {
+    const Message t = describe(Failure{static_cast<Code>(i), "the/place", {}});
+    EXPECT_FALSE(t.what.isEmpty()) << i;
+    EXPECT_TRUE(t.what.endsWith(u'.')) << t.what.toStdString();
+    EXPECT_FALSE(t.line().contains(u'%')) << t.line().toStdString();
+    messages.insert(t.line());
+  }
+  EXPECT_GE(static_cast<int>(messages.size()), codes - 8);  // kinds of "not known" share one sentence with another place
+}
+
+TEST(Sentences, every_code_of_every_module_has_text) {
+  each_code_has_its_own_text<StorageError, StorageFailure>(static_cast<int>(StorageError::bad_trace) + 1);
+  each_code_has_its_own_text<FormatError, FormatFailure>(static_cast<int>(FormatError::unknown_builtin) + 1);
+  each_code_has_its_own_text<ImportError, ImportFailure>(static_cast<int>(kImportErrors));
+  each_code_has_its_own_text<PortError, PortFailure>(static_cast<int>(PortError::io) + 1);
+  for (int i = 0; i <= static_cast<int>(SessionError::specimen_changed); ++i) {
+    EXPECT_FALSE(describe(SessionFailure{static_cast<SessionError>(i), "place"}).what.isEmpty());
+  }
+}
+
+TEST(Sentences, why_a_device_may_be_late_is_reported_with_a_way_out) {
+  RealtimeGrant grant;
+  grant.level = RealtimeLevel::rtkit;
+  grant.refusal = RealtimeRefusal::none;
+  EXPECT_EQ(describe(grant).line().toStdString(), "The device goes before other programs.");
+  grant.level = RealtimeLevel::normal;
+  grant.refusal = RealtimeRefusal::no_service;
+  const QString missing = describe(grant).more;
+  EXPECT_TRUE(missing.contains("rtkit"));
+  grant.refusal = RealtimeRefusal::not_permitted;
+  EXPECT_NE(describe(grant).more, missing);
+  EXPECT_FALSE(describe(RealtimeGrant{}).what.isEmpty());
+}
+
+TEST(Sentences, a_failed_attempt_names_its_cause_not_its_consequence) {
+  const SessionFailure full{SessionError::recording_failed, "/data/cusp.db", {}, StorageError::disk_full};
+  EXPECT_EQ(describe(full).what.toStdString(), "The disk is full.");
+}
+
+TEST(Sentences, a_newer_database_is_refused_by_name_and_stays_as_it_is) {
+  const QString line = describe(StorageFailure{StorageError::newer_schema, "/data/cusp.db"}).line();
+  EXPECT_TRUE(line.contains(QStringLiteral("/data/cusp.db")));
+  EXPECT_TRUE(line.contains(QStringLiteral("left as it is")));
+}
+
+TEST(Sentences, nobody_is_shouted_at_or_blamed) {
+  for (int i = 0; i <= static_cast<int>(StorageError::bad_trace); ++i) {
+    const QString line = describe(StorageFailure{static_cast<StorageError>(i), "x"}).line().toLower();
+    for (const char* word : {"!", "please", "invalid", "error", "oops", "sorry"}) {
+      EXPECT_FALSE(line.contains(QLatin1String(word))) << line.toStdString();
+    }
+  }
+}
+
+TEST(Sentences, what_earns_full_points_reads_as_dentists_say_it) {
+  const auto wanted = [](const char* metric, Bands bands) {
+    QString text = wanted_text({metric, 10, bands});
+    for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+    return text.replace(QChar(0x00A0), u' ').toStdString();
+  };
+  EXPECT_EQ(wanted("depth_mean", {1.2, 1.4, 1.5, 2.0, 2.2, 2.6}), "1.5 to 2 mm");
+  EXPECT_EQ(wanted("target_removed", {80, 95, 99, 100, 100, 100}), "99 % or more");
+  EXPECT_EQ(wanted("overcut_beyond_floor", {0, 0, 0, 0.3, 1, 3}), "up to 0.3 mm³");
+}
+
+TEST(Sentences, reasons_name_value_limit_and_what_lies_between) {
+  QString text = reason_text(test::sample_grade(70).criteria[1]);
+  for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+  EXPECT_EQ(text.replace(QChar(0x00A0), u' ').toStdString(), "2.41 mm, 0.41 mm deeper than 2 mm");
+}
+
+std::string reason(CriterionGrade grade) {
+  QString text = reason_text(grade);
+  for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+  return text.replace(QChar(0x00A0), u' ').toStdString();
+}
+
+TEST(Sentences, what_was_too_little_or_too_much_is_shown_with_what_earns_full_points) {
+  CriterionGrade g;
+  const auto set = [&](const char* id, const char* unit, const char* code, double value, double limit) {
+    g.id = id;
+    g.measure.unit = unit;
+    g.reason_code = code;
+    g.reason_args = {{"value", value}, {"limit", limit}};
+  };
+  set("target_removed", "%", "too_little", 0.2, 97);
+  EXPECT_EQ(reason(g), "0.2 % removed; full points from 97 %");
+  set("target_removed", "%", "too_little", 96.97, 97);
+  EXPECT_EQ(reason(g), "96.97 % removed; full points from 97 %");  // never "97.0 %; from 97 %"
+  set("depth_mean", "mm", "too_deep", 1.954, 1.95);
+  EXPECT_EQ(reason(g), "1.954 mm, 0.004 mm deeper than 1.95 mm");  // never "0.00 mm deeper"
+  set("remaining_over_pulp", "mm", "too_little", 0.4, 1);
+  EXPECT_EQ(reason(g), "0.40 mm; full points from 1 mm");
+  set("overcut_beyond_side", "mm3", "too_much", 2.5, 0.3);
+  EXPECT_EQ(reason(g), "2.50 mm³; full points up to 0.3 mm³");
+}
+
+TEST(Sentences, little_drilled_is_shown_to_the_tenth_and_advised_about_by_the_target_alone) {
+  CriterionGrade g;
+  g.id = "overcut_beyond_floor";
+  g.reason_code = "little_drilled";
+  g.reason_args = {{"share", 4.3 / 97}, {"lost", 14.335}};
+  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 4.4 %");
+  g.reason_args["share"] = 87.3 / 97;
+  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 90 %");
+  g.reason_args["share"] = 96.999 / 97;
+  EXPECT_EQ(reason(g), "Counts only as far as the target was cut: 99.9 %");  // points are missing
+  EXPECT_TRUE(advice_text(g).isEmpty());
+}
+
+TEST(Sentences, one_point_is_singular_and_fractions_are_not) {
+  CriterionGrade g;
+  g.id = "time";
+  for (const auto& [lost, said] : {std::pair{1.0, "Time: 1 point lost"}, std::pair{1.5, "Time: 1.5 points lost"},
+                                   std::pair{0.5, "Time: 0.5 points lost"}, std::pair{0.98, "Time: 1 point lost"},
+                                   std::pair{6.0, "Time: 6 points lost"}}) {
+    EXPECT_EQ(lost_text(g, lost).toStdString(), said);
+  }
+}
+
+std::string bare(QString text) {
+  for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+  return text.replace(QChar(0x00A0), u' ').toStdString();
+}
+
+TEST(Sentences, a_failure_about_a_person_names_the_number_and_never_the_file) {
+  const std::string file = "/var/lib/cusp/school.db";
+  const auto line = [&](StorageError code, const char* where, Secret asked, const std::string& detail = {}) {
+    return bare(describe_account({code, where, detail}, QStringLiteral("20267314"), asked).line());
+  };
+  EXPECT_EQ(line(StorageError::duplicate, file.c_str(), Secret::pin, "UNIQUE constraint failed: people.number"),
+            "The number 20267314 is taken. Nothing was changed. Choose another number.");
+  EXPECT_EQ(line(StorageError::not_found, "people", Secret::password), "There is no account 20267314. Nothing was changed.");
+  EXPECT_EQ(line(StorageError::disabled, "sign_in", Secret::pin),
+            "The account 20267314 is switched off. Ask an administrator to switch it on again.");
+  const QDateTime until(QDate(2026, 11, 20), QTime(10, 14, 30));
+  EXPECT_EQ(line(StorageError::locked, "sign_in", Secret::pin, std::to_string(until.toMSecsSinceEpoch() * 1000)),
+            "Too many wrong tries for 20267314. Signing in is open again at 10:14:30.");
+  for (const StorageError code : {StorageError::duplicate, StorageError::not_found, StorageError::disabled, StorageError::locked,
+                                  StorageError::wrong_password, StorageError::weak_password}) {
+    for (const Secret asked : {Secret::password, Secret::pin}) {
+      EXPECT_EQ(line(code, file.c_str(), asked).find("school.db"), std::string::npos) << static_cast<int>(code);
+    }
+  }
+  // Without a person in hand the file is not what is taken either.
+  EXPECT_EQ(bare(describe(StorageFailure{StorageError::duplicate, file, "UNIQUE constraint failed"}).line()),
+            "This number or name is taken. Nothing was changed.");
+}
+
+TEST(Sentences, a_pin_is_called_a_pin_and_a_password_a_password) {
+  const auto line = [](StorageError code, const char* where, Secret asked) {
+    return describe_account({code, where, {}}, QStringLiteral("7"), asked).line();
+  };
+  for (const StorageError code : {StorageError::wrong_password, StorageError::weak_password}) {
+    EXPECT_TRUE(line(code, "sign_in", Secret::pin).contains(QStringLiteral("PIN")));
+    EXPECT_FALSE(line(code, "sign_in", Secret::pin).contains(QStringLiteral("assword")));
+    EXPECT_TRUE(line(code, "sign_in", Secret::password).contains(QStringLiteral("assword")));
+    EXPECT_FALSE(line(code, "sign_in", Secret::password).contains(QStringLiteral("PIN")));
+  }
+  // Storage says which of the two was too weak, whatever was asked.
+  EXPECT_EQ(describe(StorageFailure{StorageError::weak_password, "pin"}).what.toStdString(), "A PIN has exactly six digits.");
+}
+
+TEST(Sentences, a_table_of_the_records_is_never_named) {
+  for (const char* table : {"people", "sessions", "scenario_versions", "blobs", "trace_chunks", "cohort_students"}) {
+    const QString line = describe(StorageFailure{StorageError::not_found, table, "0199"}).line();
+    EXPECT_FALSE(line.contains(QLatin1String(table))) << line.toStdString();
+    EXPECT_TRUE(line.contains(QStringLiteral("0199"))) << line.toStdString();
+  }
+}
+
+TEST(Sentences, a_full_disk_is_shown_only_where_the_disk_is_full) {
+  const QString failed = describe(StorageFailure{StorageError::io, "/cache/tooth.nrrd", "Permission denied"}).line();
+  EXPECT_FALSE(failed.contains(QStringLiteral("full"))) << failed.toStdString();
+  EXPECT_TRUE(failed.contains(QStringLiteral("Permission denied"))) << failed.toStdString();
+  const QString memory = describe(StorageFailure{StorageError::io, "memory"}).line();
+  EXPECT_TRUE(memory.contains(QStringLiteral("memory to check a password"))) << memory.toStdString();
+}
+
+TEST(Sentences, a_place_for_a_database_that_admits_no_file_is_not_called_missing) {
+  const auto line = [](StorageError code, const char* detail) {
+    QString text = describe(StorageFailure{code, "/sys/cusp.db", detail}).line();
+    for (const char16_t c : {u'\x2066', u'\x2069'}) text.remove(QChar(c));
+    return text.toStdString();
+  };
+  EXPECT_EQ(line(StorageError::read_only, "new file"),
+            "The database cannot be made there. No file can be made at /sys/cusp.db. Choose another place with --db.");
+  EXPECT_EQ(line(StorageError::not_found, "folder"),
+            "The database’s folder is not there. There is no folder /sys/cusp.db. Make it, or choose another place with "
+            "--db.");
+}
+
+TEST(Sentences, every_metric_and_tissue_has_a_name) {
+  for (const char* metric : {"target_removed", "overcut_leeway_floor", "overcut_leeway_side", "overcut_beyond_floor",
+                             "overcut_beyond_side", "undercut", "depth_least", "depth_mean", "depth_most",
+                             "removed_enamel", "removed_carious_dentine", "removed_16", "remaining_over_pulp", "time",
+                             "force_peak", "force_mean", "pulp_exposure"}) {
+    EXPECT_NE(metric_name(metric).toStdString(), metric);
+  }
+  for (std::size_t i = 0; i < kTissueKeys.size(); ++i) EXPECT_FALSE(tissue_name(static_cast<Tissue>(i)).isEmpty());
+}
+
+TEST(SettingsTest, are_read_back_as_they_were_set_and_nonsense_is_brought_into_range) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("Cusp.ini"));
+  {
+    Settings settings(file);
+    EXPECT_EQ(settings.scheme(), ColourScheme::system);
+    EXPECT_EQ(settings.scale_percent(), 100);
+    settings.set_scheme(ColourScheme::dark);
+    settings.set_language(QStringLiteral("de"));
+    settings.set_scale_percent(900);
+  }
+  const Settings again(file);
+  EXPECT_EQ(again.scheme(), ColourScheme::dark);
+  EXPECT_EQ(again.language().toStdString(), "de");
+  EXPECT_EQ(again.scale_percent(), 200);
+}
+
+TEST(SettingsTest, the_database_is_where_the_option_or_the_environment_says) {
+  EXPECT_EQ(database_path(QStringLiteral("/tmp/x.db")), "/tmp/x.db");
+  qputenv("CUSP_DB", "/tmp/y.db");
+  EXPECT_EQ(database_path({}), "/tmp/y.db");
+  qunsetenv("CUSP_DB");
+  EXPECT_EQ(database_path({}).filename(), "cusp.db");
+}
+
+}  // namespace
+}  // namespace cusp::test

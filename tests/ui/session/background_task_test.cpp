@@ -1,0 +1,108 @@
+// BackgroundTasks and the watch in the background: whoever starts one never waits for it. A step that would wait is held by a
+// gate that only opens afterwards; the gate gives up by itself, so that a fault is a failure and no hang.
+#include "tests/modules.h"
+#include "ui/session/background_task.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "tests/eventually.h"
+#include "tests/ui/session/gate.h"
+#include "ui/session/background_watch.h"
+
+namespace cusp::test {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Gate;
+using test::eventually;
+
+TEST(BackgroundTask, dropping_one_that_hangs_does_not_wait_and_it_is_waited_for_by_who_must) {
+  auto gate = std::make_shared<Gate>();
+  auto done = std::make_shared<std::atomic<bool>>(false);
+  {
+    BackgroundTask background_task([gate, done] {
+      gate->pass();
+      *done = true;
+    });
+    EXPECT_FALSE(background_task.over());
+  }
+  EXPECT_FALSE(*done);
+  gate->open();
+  wait_for_dropped_tasks();
+  EXPECT_TRUE(*done);
+  EXPECT_FALSE(gate->gave_up());
+}
+
+TEST(BackgroundTask, what_it_holds_goes_on_its_own_thread_before_it_is_over) {
+  struct Held {
+    std::atomic<std::thread::id>& where;
+    ~Held() { where = std::this_thread::get_id(); }
+  };
+  std::atomic<std::thread::id> where{};
+  BackgroundTask background_task([held = std::make_shared<Held>(where)] {});
+  ASSERT_TRUE(eventually([&] { return background_task.over(); }));
+  EXPECT_NE(where.load(), std::thread::id());
+  EXPECT_NE(where.load(), std::this_thread::get_id());
+}
+
+TEST(BackgroundTask, none_is_over_and_another_may_take_its_place) {
+  BackgroundTask background_task;
+  EXPECT_TRUE(background_task.over());
+  std::atomic<int> runs{0};
+  for (int i = 0; i < 20; ++i) background_task = BackgroundTask([&runs] { ++runs; });
+  background_task = {};
+  wait_for_dropped_tasks();
+  EXPECT_EQ(runs, 20);
+}
+
+/// A bus that hangs until the gate opens.
+class SlowWatch final : public DeviceWatch {
+ public:
+  explicit SlowWatch(std::shared_ptr<Gate> gate) : gate_(std::move(gate)) {}
+  std::vector<FoundDevice> list() override {
+    gate_->pass();
+    return with_those_of_no_hardware({{.kind = "falcon", .name = "FT000001", .port = "1-1"}});
+  }
+  bool changed() noexcept override { return true; }
+
+ private:
+  std::shared_ptr<Gate> gate_;
+};
+
+TEST(BackgroundWatch, a_bus_that_hangs_holds_nobody_and_is_listed_when_it_answers) {
+  auto gate = std::make_shared<Gate>();
+  auto watch = watch_in_background([gate] { return std::make_unique<SlowWatch>(gate); }, 1ms);
+  EXPECT_EQ(watch->list(), with_those_of_no_hardware({}));
+  EXPECT_FALSE(watch->changed());
+  gate->open();
+  ASSERT_TRUE(eventually([&] { return watch->changed(); }));
+  ASSERT_EQ(watch->list().size(), 3u);
+  EXPECT_EQ(watch->list()[0].name, "FT000001");
+  EXPECT_FALSE(watch->changed());  // the same again is no news
+  EXPECT_FALSE(gate->gave_up());
+}
+
+TEST(BackgroundWatch, it_can_be_left_while_the_bus_hangs) {
+  auto gate = std::make_shared<Gate>();
+  watch_in_background([gate] { return std::make_unique<SlowWatch>(gate); }, 1ms).reset();
+  EXPECT_FALSE(gate->gave_up());
+  gate->open();
+  wait_for_dropped_tasks();
+  EXPECT_FALSE(gate->gave_up());
+}
+
+TEST(BackgroundWatch, an_empty_bus_is_an_answer_too) {
+  struct Empty final : DeviceWatch {
+    std::vector<FoundDevice> list() override { return with_those_of_no_hardware({}); }
+    bool changed() noexcept override { return !std::exchange(asked, true); }
+    bool asked = false;
+  };
+  auto watch = watch_in_background([] { return std::make_unique<Empty>(); }, 1ms);
+  EXPECT_TRUE(eventually([&] { return watch->changed(); }));
+}
+
+}  // namespace
+}  // namespace cusp::test

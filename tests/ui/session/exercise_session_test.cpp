@@ -1,0 +1,190 @@
+#include "tests/modules.h"
+#include "ui/session/exercise_session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/ui/session/small_exercise.h"
+#include "ui/session/replay.h"
+
+namespace cusp::test {
+namespace {
+
+using test::DrillingPort;
+using test::eventually;
+using test::Workplace;
+
+class Counter final : public Observer {
+ public:
+  void on_state(const StepState& state, const StateNews& news) override {
+    if (news.first) ++firsts;
+    if (news.last) ++lasts;
+    cut_bricks = state.volume().cut_bricks().size();
+  }
+  std::atomic<std::size_t> firsts{0}, lasts{0}, cut_bricks{0};
+};
+
+TEST(ExerciseSession, DrillsRecordsAndGradesWhatTheReplayConfirms) {
+  const Workplace work;
+  Counter counter;
+  SessionPlan plan = work.plan();
+  plan.observers = {&counter};
+  DrillingPort port(1u << 30, true);
+  auto run = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
+  // Panels and gauges read all the while.
+  ASSERT_TRUE(eventually([&] {
+    const LiveView view = (*run)->view();
+    return view.seconds > 1.2 && view.removed_mm3[index_of(Tissue::plastic)] > 0 && view.shown_tick > 0;
+  }));
+  const LiveView view = (*run)->view();
+  EXPECT_EQ(view.phase, LoopPhase::running);
+  EXPECT_EQ(view.recording, RecordingState::recording);
+  EXPECT_FALSE(view.mismatch);
+  EXPECT_GT(view.peak_push_n, 0.0);
+  EXPECT_GT(view.depth_mm, 0.0);
+  EXPECT_GT(view.loop.ticks, 0u);
+  const auto result = (*run)->finish();
+  ASSERT_TRUE(result) << key_of(result.error().code) << ' ' << result.error().where << ' ' << result.error().detail;
+  EXPECT_EQ(counter.firsts, 1u);
+  EXPECT_EQ(counter.lasts, 1u);
+  EXPECT_EQ(counter.cut_bricks, result->volume->cut_bricks().size());
+  EXPECT_EQ(port.last_force_n(), 0.0);
+  EXPECT_FALSE((*run)->finish()) << "an attempt is finished once";
+  run->reset();
+
+  const auto store = work.store();
+  const auto proof = prove_session(*store, result->session);
+  ASSERT_TRUE(proof);
+  EXPECT_TRUE(proof->holds());
+  EXPECT_TRUE(proof->has_grade && proof->grade_equal && proof->volume_equal);
+  const auto opened = open_result(*store, result->session);
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->volume_hash, result->volume_hash);
+  EXPECT_EQ(opened->grade.score, result->grade.score);
+}
+
+TEST(ExerciseSession, HoldsItselfAtTheTimeLimitAndIsGradedAsUsedUp) {
+  const Workplace work;
+  SessionPlan plan = work.plan();
+  plan.scenario.time_limit_s = 0.5;
+  DrillingPort port(1u << 30, true);
+  auto session = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(session);
+  EXPECT_FALSE((*session)->view().time_is_up);
+  ASSERT_TRUE(eventually([&] { return (*session)->view().time_is_up && (*session)->view().phase == LoopPhase::paused; }));
+  EXPECT_GE((*session)->view().seconds, 0.5);
+  const double at = (*session)->view().seconds;
+  (*session)->resume();
+  const auto written = port.writes();
+  ASSERT_TRUE(eventually([&] { return port.writes() > written + 30; }));
+  EXPECT_EQ((*session)->view().phase, LoopPhase::paused) << "nobody resumes a session whose time is up";
+  EXPECT_EQ((*session)->view().seconds, at);
+  EXPECT_EQ(port.last_force_n(), 0.0);
+  const auto result = (*session)->finish();
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->seconds, at);
+  EXPECT_FALSE(result->interrupted);
+  const auto events = work.store()->sessions.events(result->session);
+  ASSERT_TRUE(events);
+  EXPECT_TRUE(std::ranges::any_of(*events, [](const SessionEvent& e) { return e.reason == "time_limit"; }));
+}
+
+TEST(ExerciseSession, PausedItsClockStandsStill) {
+  const Workplace work;
+  DrillingPort port(1u << 30, true);
+  auto run = ExerciseSession::start(work.plan(), port);
+  ASSERT_TRUE(run);
+  ASSERT_TRUE(eventually([&] { return (*run)->view().seconds > 0.1; }));
+  (*run)->pause();
+  ASSERT_TRUE(eventually([&] { return (*run)->view().phase == LoopPhase::paused; }));
+  const double at = (*run)->view().seconds;
+  const auto written = port.writes();
+  ASSERT_TRUE(eventually([&] { return port.writes() > written + 30; }));
+  EXPECT_EQ((*run)->view().seconds, at);
+  EXPECT_EQ(port.last_force_n(), 0.0);
+  (*run)->change_bur(1);
+  (*run)->resume();
+  EXPECT_TRUE(eventually([&] { return (*run)->view().seconds > at && (*run)->view().output.bur == 1; }));
+  EXPECT_TRUE((*run)->finish());
+}
+
+TEST(ExerciseSession, LeftItIsInterruptedAndCanBeGradedOnceAsItStands) {
+  const Workplace work;
+  SessionId session;
+  {
+    DrillingPort port(1u << 30, true);
+    auto run = ExerciseSession::start(work.plan(), port);
+    ASSERT_TRUE(run);
+    session = (*run)->session();
+    ASSERT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
+  }
+  const auto store = work.store();
+  EXPECT_EQ(store->sessions.state(session), SessionState::interrupted);
+  const auto graded = grade_session(*store, session, nullptr, true);
+  ASSERT_TRUE(graded) << key_of(graded.error().code) << graded.error().where;
+  EXPECT_TRUE(graded->interrupted);
+  EXPECT_TRUE(store->traces.final_volume(session)->has_value());
+  const auto proof = prove_session(*store, session);
+  EXPECT_TRUE(proof->holds());
+  EXPECT_TRUE(proof->has_grade && proof->grade_equal);
+}
+
+TEST(ExerciseSession, AnInterruptedAttemptGoesOnWithItsToothAndItsClock) {
+  const Workplace work;
+  SessionId session;
+  double before = 0, taken = 0;
+  {
+    DrillingPort port(1u << 30, true);
+    auto run = ExerciseSession::start(work.plan(), port);
+    ASSERT_TRUE(run);
+    session = (*run)->session();
+    ASSERT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] > 0; }));
+    (*run)->abandon();
+    before = (*run)->view().seconds;
+    taken = (*run)->view().removed_mm3[index_of(Tissue::plastic)];
+  }
+  SessionPlan plan = work.plan();
+  plan.resumes = session;
+  DrillingPort port(1u << 30, true);
+  auto run = ExerciseSession::start(plan, port);
+  ASSERT_TRUE(run) << key_of(run.error().code) << ' ' << run.error().where << ' ' << run.error().detail;
+  EXPECT_EQ((*run)->session(), session);
+  // It waits for the operator, whose hand is elsewhere than the record ends.
+  ASSERT_TRUE(eventually([&] { return (*run)->view().phase == LoopPhase::paused; }));
+  EXPECT_EQ((*run)->view().fault, Fault::none);
+  (*run)->resume();
+  ASSERT_TRUE(eventually([&] { return (*run)->view().seconds > before + 0.05; }));
+  EXPECT_EQ((*run)->view().fault, Fault::none);
+  EXPECT_TRUE(eventually([&] { return (*run)->view().removed_mm3[index_of(Tissue::plastic)] >= taken; }));
+  const auto result = (*run)->finish();
+  ASSERT_TRUE(result) << key_of(result.error().code) << ' ' << result.error().where << ' ' << result.error().detail;
+  const auto store = work.store();
+  const auto proof = prove_session(*store, session);
+  ASSERT_TRUE(proof);
+  EXPECT_TRUE(proof->holds());
+  EXPECT_TRUE(proof->grade_equal);
+  EXPECT_FALSE(proof->differs_at_tick);
+}
+
+TEST(ExerciseSession, APortThatDoesNotOpenLeavesNoSession) {
+  class Absent final : public HapticPort {
+   public:
+    Result<void, PortFailure> open() override { return fail(PortError::not_found, "falcon"); }
+    Sample wait(std::chrono::steady_clock::time_point) noexcept override { return {}; }
+    void write(const Feedback&) noexcept override {}
+    DeviceLimits limits() const override { return {}; }
+    void close() noexcept override {}
+  };
+  const Workplace work;
+  Absent port;
+  const auto run = ExerciseSession::start(work.plan(), port);
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().code, SessionError::device);
+  EXPECT_EQ(std::get<PortError>(run.error().cause), PortError::not_found);
+  EXPECT_TRUE(work.store()->history.list(work.demo.actor())->empty());
+}
+
+}  // namespace
+}  // namespace cusp::test

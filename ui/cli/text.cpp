@@ -1,0 +1,126 @@
+#include "ui/cli/text.h"
+
+#include <optional>
+
+#include "storage/clock.h"
+#include "ui/modules.h"
+#include "ui/text/failure_text.h"
+
+namespace cusp::ui {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QString number(const std::map<std::string, double>& args, const char* key) {
+  const auto it = args.find(key);
+  return it == args.end() ? QString() : QString::number(it->second, 'g', 6);
+}
+
+std::optional<FormatError> format_error(const std::string& code) {
+  for (int i = 0; i <= static_cast<int>(FormatError::unknown_builtin); ++i) {
+    if (key_of(static_cast<FormatError>(i)) == code) return static_cast<FormatError>(i);
+  }
+  return std::nullopt;
+}
+
+QString reason(const Finding& f) {
+  const std::string& c = f.code;
+  if (c == "no_instrument") return CliText::tr("it has no instrument");
+  if (c == "no_target") return CliText::tr("it has no target");
+  if (c == "path_count" || c == "point_count") return CliText::tr("the target’s path does not fit its shape");
+  if (c == "empty_target") return CliText::tr("the target is empty");
+  if (c == "no_criteria") return CliText::tr("the rubric has no criterion");
+  if (c == "weight_zero" || c == "weights_zero") return CliText::tr("no criterion brings points");
+  if (c == "bands_not_ordered") return CliText::tr("the bands are not in rising order");
+  if (c == "pass_unreachable") return CliText::tr("the pass mark cannot be reached");
+  if (c == "protected_missing") return CliText::tr("a protected tissue is missing (%1)").arg(text(f.detail));
+  if (c == "tissue_missing") return CliText::tr("the specimen holds a tissue that is not described (%1)").arg(text(f.detail));
+  if (c == "tissue_unused") return CliText::tr("a tissue does not occur in the specimen (%1)").arg(text(f.detail));
+  if (c == "target_outside") return CliText::tr("the target lies outside the specimen");
+  if (c == "voxel_mismatch") return CliText::tr("the volume’s voxels are not of the size that is stated");
+  if (c == "feature_thin") return CliText::tr("a feature is thinner than 2.5 voxels and cannot be judged");
+  if (c == "bur_small") return CliText::tr("a bur’s radius is below 3 voxels");
+  if (c == "neck_wider_than_ball") return CliText::tr("a bur’s neck is wider than its ball");
+  if (c == "bur_wider_than_target") return CliText::tr("no bur fits into the target");
+  if (c == "corner_below_bur") return CliText::tr("the target’s corners are sharper than the smallest bur");
+  if (c == "leeway_below_voxel") return CliText::tr("the tolerance zone is thinner than a voxel");
+  if (c == "point_off_floor") return CliText::tr("points of the path do not lie on the floor");
+  if (c == "target_scores_less") return CliText::tr("an attempt that meets the target loses points");
+  if (c == "language_missing") return CliText::tr("a text is missing in a language (%1)").arg(text(f.detail));
+  if (c == "weight_vanishes") return CliText::tr("a criterion brings less than a twentieth of a point");
+  if (c == "target_opens_pulp") return CliText::tr("the target opens the pulp");
+  if (c == "target_holds_pulp") return CliText::tr("the target holds pulp, as the access to a root canal does");
+  if (c == "pulp_rule_off") return CliText::tr("opening the pulp does not fail the attempt");
+  if (c == "leeway_opens_pulp") return CliText::tr("the tolerance zone reaches the pulp");
+  if (c == "target_cuts_protected") return CliText::tr("the target takes a protected tissue (%1)").arg(text(f.detail));
+  if (c == "leeway_cuts_protected") return CliText::tr("the tolerance zone reaches a protected tissue (%1)").arg(text(f.detail));
+  if (c == "target_without_tissue") return CliText::tr("the target holds nothing that could be cut");
+  if (c == "idle_earns") return CliText::tr("an attempt that cuts nothing earns points");
+  if (c == "token_passes") return CliText::tr("an attempt that cuts a twentieth of the target passes");
+  if (c == "text_of_template") return CliText::tr("the text is still that of the exercise it was copied from (%1)").arg(text(f.detail));
+  if (c == "text_other_tooth") return CliText::tr("the title names another tooth (%1)").arg(text(f.detail));
+  if (c == "text_figure") return CliText::tr("the text names a length that the target has not (%1)").arg(text(f.detail));
+  if (c == "nothing_can_be_cut") return CliText::tr("nothing can be cut");
+  if (c == "schema") return text(f.detail);
+  return text(c);
+}
+
+}  // namespace
+
+QString finding_text(const Finding& f) {
+  if (const auto code = format_error(f.code)) {
+    return describe(FormatFailure{*code, f.path, f.detail}).line();
+  }
+  QString out = f.path.empty() ? reason(f) : text(f.path) + QStringLiteral(": ") + reason(f);
+  const QString value = number(f.args, "value");
+  const QString limit = number(f.args, "limit");
+  if (!value.isEmpty() && !limit.isEmpty()) return CliText::tr("%1 (%2, limit %3).").arg(out, value, limit);
+  if (!value.isEmpty()) return CliText::tr("%1 (%2).").arg(out, value);
+  return out + u'.';
+}
+
+QString finding_text(const ChainFinding& f) {
+  QString where = f.row >= 0 ? CliText::tr("%1, row %2").arg(text(f.table)).arg(f.row) : text(f.table);
+  if (!f.what.empty()) where += QStringLiteral(", ") + text(f.what);
+  QString when = f.second >= 0 ? CliText::tr(", second %1 of the session").arg(f.second) : QString();
+  if (f.at_utc_us > 0) when += CliText::tr(", in the audit log since %1").arg(text(iso_utc(f.at_utc_us)));
+  switch (f.code) {
+    case FindingCode::row_changed: return CliText::tr("The record was changed: %1%2.").arg(where, when);
+    case FindingCode::row_missing: return CliText::tr("A part of the record is missing: %1%2.").arg(where, when);
+    case FindingCode::row_added: return CliText::tr("Something was added to the record: %1%2.").arg(where, when);
+    case FindingCode::link_broken: return CliText::tr("The record’s chain is broken: %1%2.").arg(where, when);
+    case FindingCode::head_broken:
+      return CliText::tr("The signature over the record does not hold: %1%2.").arg(where, when);
+    case FindingCode::key_changed:
+      return CliText::tr("The station’s key is not the one that signed: %1%2.").arg(where, when);
+    case FindingCode::unreadable: return CliText::tr("The record cannot be read: %1%2.").arg(where, when);
+    case FindingCode::count_wrong: return CliText::tr("The record does not add up: %1%2.").arg(where, when);
+    case FindingCode::seal_broken: return CliText::tr("The record is not the one that was sealed: %1%2.").arg(where, when);
+    case FindingCode::rolled_back:
+      return CliText::tr("The database is older than the counter beside its key, or its audit log was cut: %1%2.").arg(where, when);
+    case FindingCode::counter_missing:
+      return CliText::tr("The counter beside the station’s key is missing: %1%2.").arg(where, when);
+    case FindingCode::counter_broken:
+      return CliText::tr("The counter beside the station’s key is not the one of this database: %1%2.").arg(where, when);
+    case FindingCode::log_damaged:
+      return CliText::tr("The audit log’s end was changed or taken out: %1%2.").arg(where, when);
+  }
+  return where;
+}
+
+QString proof_text(const ReplayProof& proof) {
+  if (!proof.chain.intact()) return finding_text(proof.chain.findings.front());
+  if (proof.differs_at_tick) {
+    return CliText::tr("The replay comes to another state at tick %1.").arg(*proof.differs_at_tick);
+  }
+  if (proof.has_final_volume && !proof.volume_equal) {
+    return CliText::tr("The replay comes to another tooth than the one that is stored.");
+  }
+  if (proof.has_grade && !proof.grade_equal) {
+    return CliText::tr("The replay comes to another grade than the one that is stored (%1).").arg(text(proof.grade_differs));
+  }
+  return {};
+}
+
+}  // namespace cusp::ui

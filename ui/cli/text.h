@@ -1,0 +1,27 @@
+/// Text that only the verbs print. Codes of other modules have theirs in ui/text.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <string>
+
+#include "scenarios/format/validate.h"
+#include "ui/modules.h"
+#include "ui/session/replay.h"
+
+namespace cusp::ui {
+
+struct CliText {
+  Q_DECLARE_TR_FUNCTIONS(cusp::ui::Cli)
+};
+/// Descriptions of options are given to CLI11 as text.
+inline std::string help(const QString& text) { return text.toStdString(); }
+
+/// What is wrong with a record, and where: "Trace of second 12 was changed (trace_chunks, row 11)."
+QString finding_text(const ChainFinding& finding);
+/// What is wrong with a scenario, with its place.
+QString finding_text(const Finding& finding);
+/// Why a proof does not hold.
+QString proof_text(const ReplayProof& proof);
+
+}  // namespace cusp::ui

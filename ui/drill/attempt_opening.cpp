@@ -1,0 +1,124 @@
+#include "ui/drill/attempt_opening.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "ui/render/scenery_look.h"
+#include "ui/session/background_task.h"
+#include "ui/session/scene_builder.h"
+
+namespace cusp::ui {
+namespace {
+
+constexpr double kStartAboveMm = 1.5;
+
+/// Place above the target where the bur begins, clear of all tissue.
+Vec3 start_place(const Specimen& specimen, const TargetLook& look, const Bur& bur) {
+  const Grid& grid = specimen.grid();
+  const Vec3 top = grid.centre_mm(grid.size);
+  Vec3 at = 0.5 * (grid.origin_mm + top);
+  if (!look.empty()) {
+    at.x = 0.5 * (look.shape().low().x + look.shape().high().x);
+    at.y = 0.5 * (look.shape().low().y + look.shape().high().y);
+  }
+  at.z = top.z + bur.radius_mm + kStartAboveMm;
+  return at;
+}
+
+/// Of the highest pulp under the target and what stands about it, below the target's top; nullopt where there is none.
+std::optional<double> pulp_under(const Specimen& specimen, const TargetLook& look) {
+  if (look.empty()) return std::nullopt;
+  constexpr double kAboutMm = 0.5;  // about the outline: a wall that leans out reaches there
+  const Grid& grid = specimen.grid();
+  const TargetShape& shape = look.shape();
+  std::optional<double> highest_mm;
+  for (int y = 0; y < grid.size.y; ++y) {
+    for (int x = 0; x < grid.size.x; ++x) {
+      const Vec3 foot = grid.centre_mm({x, y, 0});
+      if (shape.outline_mm({foot.x, foot.y}) > kAboutMm) continue;
+      for (int z = grid.size.z - 1; z >= 0; --z) {
+        if (specimen.tissue({x, y, z}) != Tissue::pulp) continue;
+        highest_mm = std::max(highest_mm.value_or(-1e300), grid.centre_mm({x, y, z}).z);
+        break;
+      }
+    }
+  }
+  return highest_mm ? std::optional(shape.top_mm() - *highest_mm) : std::nullopt;
+}
+
+}  // namespace
+
+AttemptOpening::AttemptOpening(Order order, Answer answer) {
+  auto shared = std::make_shared<Order>(std::move(order));
+  thread_ = std::thread([this, shared, answer = std::move(answer)] {
+    open(std::move(*shared), [this, &answer](std::shared_ptr<OpenedAttempt> attempt, std::optional<SessionFailure> failure) {
+      over_.store(true, std::memory_order_release);
+      answer(std::move(attempt), std::move(failure));
+    });
+  });
+}
+
+AttemptOpening::~AttemptOpening() {
+  // A port forgets a cancel() that came before its open().
+  while (!over_.load(std::memory_order_acquire)) {
+    call_off();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  thread_.join();
+}
+
+void AttemptOpening::call_off() noexcept {
+  called_off_ = true;
+  if (FalconPort* falcon = falcon_.load(std::memory_order_acquire)) falcon->cancel();
+  if (InversePort* inverse = inverse_.load(std::memory_order_acquire)) inverse->cancel();
+}
+
+void AttemptOpening::open(Order order, const Answer& answer) {
+  SessionPlan& plan = order.plan;
+  auto attempt = std::make_shared<OpenedAttempt>();
+  // Beside the specimen: a jaw's other teeth take as long as its own.
+  std::jthread beside([&attempt = *attempt, source = plan.scenario.specimen] { attempt.scenery = scenery_of(source); });
+  auto specimen = plan.specimen ? Outcome<std::shared_ptr<const Specimen>>(plan.specimen)
+                                : build_specimen(plan.scenario, plan.scenario_folder);
+  if (!specimen) return answer(nullptr, specimen.error());
+  plan.specimen = *specimen;
+  attempt->look = std::make_shared<TargetLook>(plan.scenario.target, plan.scenario.leeway);
+  attempt->patches = std::make_shared<PatchFeed>(attempt->look->feed());
+  {
+    const Volume whole(*specimen);
+    attempt->patches->build_all(whole);
+    attempt->lines = attempt->look->lines(whole);
+  }
+  const Grid& grid = (*specimen)->grid();
+  attempt->bounds = {grid.origin_mm, grid.centre_mm(grid.size)};
+  for (const ScenarioTissue& t : plan.scenario.tissues) attempt->has_pulp = attempt->has_pulp || t.tissue == Tissue::pulp;
+  if (attempt->has_pulp) attempt->pulp_depth_mm = pulp_under(**specimen, *attempt->look);
+  beside.join();
+  attempt->feed = std::make_shared<DrillFeed>(attempt->patches, *attempt->look, attempt->bounds, std::move(order.frame_wanted), attempt->scenery);
+  plan.observers.push_back(attempt->feed.get());
+  if (order.port) {
+    attempt->device.port = std::move(order.port);
+  } else {
+    const Vec3 start =
+        start_place(**specimen, *attempt->look, plan.scenario.instruments.empty() ? Bur() : plan.scenario.instruments[0]);
+    auto device = make_session_device(order.choice, start, plan.scenario.instruments.size());
+    if (!device) return answer(nullptr, std::move(session_fail(SessionError::device, device.error()).error()));
+    attempt->device = std::move(*device);
+  }
+  wait_for_dropped_tasks();  // a page may still be closing the device
+  falcon_.store(attempt->device.falcon, std::memory_order_release);
+  inverse_.store(attempt->device.inverse, std::memory_order_release);
+  auto session = ExerciseSession::start(std::move(plan), *attempt->device.port);
+  falcon_.store(nullptr, std::memory_order_release);
+  inverse_.store(nullptr, std::memory_order_release);
+  if (!session) {
+    // The window may hold the pointer for the length of one look: the port goes with the answer, on its thread.
+    auto failed = session.error();
+    return answer(std::move(attempt), std::move(failed));
+  }
+  attempt->session = std::move(*session);
+  answer(std::move(attempt), std::nullopt);
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,49 @@
+/// The drilling screen's parts and the attempt that it shows. For drill_screen*.cpp alone. Thread: GUI.
+#pragma once
+
+#include <QTimer>
+#include <memory>
+#include <thread>
+
+#include "ui/drill/attempt_opening.h"
+#include "ui/drill/attempt_sound.h"
+#include "ui/drill/bur_tray.h"
+#include "ui/drill/drill_bar.h"
+#include "ui/drill/drill_screen.h"
+#include "ui/drill/drill_stage.h"
+#include "ui/drill/handpiece_panel.h"
+#include "ui/drill/homing_card.h"
+#include "ui/drill/pointer_input.h"
+#include "ui/drill/score_panel.h"
+#include "ui/view/frame_stats.h"
+#include "ui/view/tooth_view.h"
+#include "ui/widgets/busy.h"
+
+namespace cusp::ui {
+
+struct DrillScreen::Inner {
+  Ports ports;
+  // Widgets.
+  DrillBar* bar;
+  DrillStage* stage;
+  ScorePanel* panel;
+  BurTray* tray;
+  Busy* busy;
+  QTimer look_timer;
+  AttemptSound* sound;
+  HomingCard* homing;
+
+  // The attempt.
+  DeviceChoice choice;
+  std::unique_ptr<AttemptOpening> opening;  // until the attempt has started
+  QTimer opening_timer;
+  std::shared_ptr<OpenedAttempt> attempt;
+  std::unique_ptr<PointerInput> input;
+  std::thread worker;  // grades
+  FrameStats stats;
+  LiveView live;
+  int looks = 0;
+  bool working = false, over = false;
+};
+
+}  // namespace cusp::ui

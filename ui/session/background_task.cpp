@@ -1,0 +1,111 @@
+#include "ui/session/background_task.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <list>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace cusp::ui {
+
+struct BackgroundTask::Job {
+  std::thread thread;
+  std::atomic<bool> over{false};
+};
+
+namespace {
+
+/// BackgroundTasks that nobody holds any more.
+class Dropped {
+ public:
+  ~Dropped() { wait(); }
+
+  /// Keeps the thread until it is over.
+  void take(std::function<bool()> is_over, std::thread thread) {
+    const std::lock_guard lock(mutex_);
+    sweep();
+    left_.push_back({std::move(is_over), std::move(thread)});
+  }
+
+  void wait() {
+    for (;;) {
+      One one;
+      {
+        const std::lock_guard lock(mutex_);
+        if (left_.empty()) return;
+        one = std::move(left_.front());
+        left_.pop_front();
+        ++waited_for_;
+      }
+      one.thread.join();
+      const std::lock_guard lock(mutex_);
+      --waited_for_;
+      joined_.notify_all();
+    }
+  }
+
+  void wait_for_all() {
+    wait();
+    // Another may have taken one over to wait for it.
+    std::unique_lock lock(mutex_);
+    joined_.wait(lock, [this] { return waited_for_ == 0; });
+  }
+
+ private:
+  struct One {
+    std::function<bool()> is_over;
+    std::thread thread;
+  };
+  void sweep() {
+    for (auto it = left_.begin(); it != left_.end();) {
+      if (!it->is_over()) {
+        ++it;
+        continue;
+      }
+      it->thread.join();
+      it = left_.erase(it);
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable joined_;
+  std::list<One> left_;
+  int waited_for_ = 0;
+};
+
+Dropped& dropped() {
+  static Dropped all;
+  return all;
+}
+
+}  // namespace
+
+BackgroundTask::BackgroundTask(std::function<void()> work) : job_(std::make_shared<Job>()) {
+  dropped();  // stands before the first background task, and goes after it
+  job_->thread = std::thread([work = std::move(work), job = job_.get()]() mutable {
+    work();
+    work = nullptr;  // what it holds goes here, not on the window's thread
+    job->over.store(true, std::memory_order_release);
+  });
+}
+
+BackgroundTask::~BackgroundTask() {
+  if (!job_) return;
+  std::thread thread = std::move(job_->thread);
+  dropped().take([job = std::move(job_)] { return job->over.load(std::memory_order_acquire); }, std::move(thread));
+}
+
+BackgroundTask::BackgroundTask(BackgroundTask&& other) noexcept = default;
+
+BackgroundTask& BackgroundTask::operator=(BackgroundTask&& other) noexcept {
+  BackgroundTask gone(std::move(*this));
+  job_ = std::move(other.job_);
+  return *this;
+}
+
+bool BackgroundTask::over() const noexcept { return !job_ || job_->over.load(std::memory_order_acquire); }
+
+void wait_for_dropped_tasks() { dropped().wait_for_all(); }
+
+}  // namespace cusp::ui

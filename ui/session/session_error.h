@@ -1,0 +1,57 @@
+/// How running, opening and replaying an attempt can fail. Codes only; ui/text has their text.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "engine/base/haptic_port.h"
+#include "scenarios/format/format_error.h"
+#include "scenarios/import/import_error.h"
+#include "storage/error.h"
+#include "ui/modules.h"
+
+namespace cusp::ui {
+
+enum class SessionError : std::uint8_t {
+  specimen,           // the scenario's volume cannot be made or read; cause: ImportError
+  scene,              // where: the key of scenario.json whose value the engine refuses
+  device,             // the port did not open; cause: PortError
+  device_class,       // the scenario does not admit this class of device, or it has too few axes; where: the class
+  scenario,           // the stored version cannot be read; cause: FormatError
+  storage,            // cause: StorageError
+  recording_failed,   // the record could not be written; what stands in the database is whole; cause: StorageError
+  not_deterministic,  // loop and mirror came to different states; where: the tick
+  fell_behind,        // inputs were not taken off in time; the attempt ended as interrupted
+  wrong_state,        // finish() of an attempt that is over; grading one that still runs
+  other_engine,       // recorded by another engine version: only its stored results open; where: that version
+  specimen_changed,   // what is stored is not the specimen that the attempt began with
+};
+
+/// Stable keys, for --json.
+std::string_view key_of(SessionError code) noexcept;
+
+struct SessionFailure {
+  SessionError code = SessionError::storage;
+  std::string where;     // file, key or device; never text for people
+  std::string detail{};  // a library's own message
+  /// The code of the module below, where it has one.
+  std::variant<std::monostate, StorageError, ImportError, PortError, FormatError> cause{};
+};
+
+template <class T>
+using Outcome = std::expected<T, SessionFailure>;
+
+inline std::unexpected<SessionFailure> session_fail(SessionError code, std::string where, std::string detail = {}) {
+  return std::unexpected(SessionFailure{code, std::move(where), std::move(detail), {}});
+}
+/// Carries a failure of a module below upwards.
+template <class Code>
+std::unexpected<SessionFailure> session_fail(SessionError code, const Failure<Code>& below) {
+  return std::unexpected(SessionFailure{code, below.where, below.detail, below.code});
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,79 @@
+/// Follows an attempt on the mirror's thread: keeps the live scores, cuts the inputs into seconds for the recorder, and copies
+/// what panels show under a mutex that the loop never takes.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "engine/mirror/mirror.h"
+#include "scenarios/metrics/live.h"
+#include "scenarios/metrics/process.h"
+#include "ui/modules.h"
+#include "ui/session/recorder.h"
+
+namespace cusp::ui {
+
+/// The mirror's part of LiveView.
+struct FollowedView {
+  std::uint64_t tick = 0, elapsed_us = 0;
+  LiveReading scores;
+  double deepest_mm = 0;
+  double peak_push_n = 0;
+};
+
+class SessionFollower final : public MirrorObserver {
+ public:
+  struct Settings {
+    Recorder* recorder = nullptr;  // null: nothing is kept
+    Process process;               // of the part before, when a session is resumed
+    double time_limit_s = 0;       // of session time; 0: none
+    std::function<void()> hold;    // stops the loop's clock; mirror's thread; may be empty
+  };
+  /// Calls `hold` when the record cannot be written and when the time limit is reached.
+  SessionFollower(std::shared_ptr<const Reference> reference, const StepState& start, Settings settings);
+
+  void on_tick(const StepInput& input, const StepState& after) override;
+  void on_state(const StepState& state, const StateNews& news) override;
+
+  /// Any thread.
+  FollowedView view() const;
+  /// Any thread. Whether the time limit is reached; never false again. Not in view(): a held loop brings no new state.
+  bool time_is_up() const noexcept { return time_is_up_.load(std::memory_order_acquire); }
+  /// After the mirror has stopped.
+  const Process& process() const noexcept { return process_; }
+
+ private:
+  void update_scores(const StepState& state);
+  void flush(const StepState& after);
+  std::vector<RemovedTissue> removed() const;
+
+  std::shared_ptr<const Reference> reference_;
+  Recorder* recorder_;
+  std::function<void()> hold_;
+  std::uint64_t limit_us_;  // of session time
+  std::atomic<bool> time_is_up_{false};
+  LiveMetrics live_;
+  Process process_;
+  double deepest_mm_ = 0;
+
+  std::vector<std::uint32_t> seen_revision_;  // [brick]
+  std::vector<std::int32_t> changed_;
+  std::map<std::int32_t, std::array<std::uint32_t, kTissueCodes>> gone_voxels_;  // [brick][tissue]
+  std::array<std::uint64_t, kTissueCodes> gone_total_{};
+
+  RecordedSecond second_;
+  std::uint64_t next_second_us_, next_key_us_;
+  std::uint64_t next_scores_us_ = 0;
+  double impulse_n_us_ = 0;
+  std::uint64_t contact_us_ = 0;
+
+  mutable std::mutex mutex_;
+  FollowedView view_;
+};
+
+}  // namespace cusp::ui

@@ -1,0 +1,100 @@
+#include "ui/student/thumbnail_cache.h"
+
+#include <QFile>
+#include <QRunnable>
+#include <QStringList>
+
+#include "scenarios/format/content_hash.h"
+#include "ui/modules.h"
+#include "ui/render/gl_context_egl.h"
+#include "ui/render/patch_feed.h"
+#include "ui/render/patch_store.h"
+#include "ui/render/target_look.h"
+#include "ui/render/tooth_picture.h"
+#include "ui/session/scene_builder.h"
+#include "ui/widgets/theme.h"
+
+namespace cusp::ui {
+namespace {
+
+// Drawn at twice the size and halved: smooth edges without multisampling.
+constexpr QSize kCard(560, 460), kCover(1080, 1200);
+
+Colour linear(const QColor& c) {
+  return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF()), 1.0f};
+}
+
+/// Null when told to stop.
+QImage draw(const Scenario& scenario, const std::filesystem::path& folder, ThumbnailCache::Use use, bool dark,
+            const std::atomic<bool>& stop) {
+  const auto specimen = build_specimen(scenario, folder, &stop);
+  if (!specimen) return {};
+  const Volume volume(*specimen);
+  const QSize size = use == ThumbnailCache::Use::card ? kCard : kCover;
+  const auto context = EglContext::create(2 * size.width(), 2 * size.height());
+  if (!context) return {};
+  const auto picture = ToothPicture::create();
+  if (!picture) return {};
+  const TargetLook look(scenario.target, scenario.leeway);
+  const bool card = use == ThumbnailCache::Use::card;
+  PatchFeed feed(card ? look.feed() : FeedSettings{});
+  if (stop) return {};
+  feed.build_all(volume);
+  PatchStore patches;
+  for (BakedPatch& patch : feed.take(~std::size_t{0}).patches) {
+    picture->put(patch);
+    patches.put(std::move(patch));
+  }
+  const auto scenery = scenery_of(scenario.specimen, &stop);
+  if (stop) return {};
+  picture->set_scenery(scenery.get());
+  const Box box = patches.bounds().value_or(Box{Vec3(-5.0), Vec3(5.0)});
+  Scene3d scene;
+  scene.camera = Camera::about(0.5 * (box.low + box.high), (card ? 0.40 : 0.46) * glm::length(box.high - box.low));
+  scene.camera.set_preset(PresetView::working);
+  const Tokens& t = dark ? Tokens::dark_theme() : Tokens::light();
+  scene.background_middle = linear(t.view_middle);
+  scene.background_edge = linear(t.view_edge);
+  scene.show_target = card;
+  scene.line_scale = 3.0f;
+  if (card) picture->set_lines(look.lines(volume));
+  picture->draw(scene, context->width(), context->height());
+  const std::vector<std::uint8_t> rgba = context->read_rgba();
+  const QImage twice(rgba.data(), context->width(), context->height(), context->width() * 4, QImage::Format_RGBX8888);
+  return twice.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32);
+}
+
+}  // namespace
+
+ThumbnailCache::ThumbnailCache(std::filesystem::path cache, QObject* parent) : QObject(parent), cache_(std::move(cache)) {
+  pool_.setMaxThreadCount(1);
+  std::error_code ignored;
+  std::filesystem::create_directories(cache_, ignored);
+}
+
+ThumbnailCache::~ThumbnailCache() {
+  closing_ = true;
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+QImage ThumbnailCache::picture(const Exercise& exercise, const std::filesystem::path& folder, Use use, bool dark) {
+  const QString name = QString::fromStdString(content_hash(exercise.scenario).hex()).left(32) +
+                       (use == Use::card ? u"-card"_qs : u"-cover"_qs) + (dark ? u"-dark.png"_qs : u"-light.png"_qs);
+  const QString file = QString::fromStdString((cache_ / name.toStdString()).string());
+  QImage kept(file);
+  if (!kept.isNull() || asked_.contains(name)) return kept;
+  asked_.insert(name);
+  pool_.start([this, scenario = exercise.scenario, folder, use, dark, file] {
+    const QImage drawn = draw(scenario, folder, use, dark, closing_);
+    if (drawn.isNull()) return;
+    // Renamed when whole: a half picture is never read.
+    if (!drawn.save(file + u".part"_qs, "PNG")) return;
+    QFile::remove(file);
+    QFile::rename(file + u".part"_qs, file);
+    QMetaObject::invokeMethod(this, &ThumbnailCache::ready, Qt::QueuedConnection);
+  });
+  return {};
+}
+
+}  // namespace cusp::ui

@@ -1,0 +1,78 @@
+#include "ui/text/names.h"
+
+#include "scenarios/teeth/own_tissues.h"
+#include "ui/modules.h"
+#include "ui/text/language.h"
+#include "ui/text/text.h"
+
+namespace cusp::ui {
+
+QString local(const LocalText& texts) {
+  const std::string code = current_language().toStdString();
+  if (const auto it = texts.find(code); it != texts.end()) return text(it->second);
+  if (const auto it = texts.find("en"); it != texts.end()) return text(it->second);
+  return texts.empty() ? QString() : text(texts.begin()->second);
+}
+
+QString role_name(Role role) {
+  switch (role) {
+    case Role::student: return Text::tr("Student");
+    case Role::instructor: return Text::tr("Instructor");
+    case Role::administrator: return Text::tr("Administrator");
+  }
+  return {};
+}
+
+QString state_name(SessionState state) {
+  switch (state) {
+    case SessionState::running: return Text::tr("Running");
+    case SessionState::interrupted: return Text::tr("Interrupted");
+    case SessionState::finished: return Text::tr("Not graded");
+    case SessionState::graded: return Text::tr("Graded");
+    case SessionState::closed: return Text::tr("Closed");
+  }
+  return {};
+}
+
+QString kind_name(SessionKind kind) {
+  switch (kind) {
+    case SessionKind::practice: return Text::tr("Practice");
+    case SessionKind::assessment: return Text::tr("Assessment");
+    case SessionKind::try_it: return Text::tr("Try it");
+    case SessionKind::try_out: return Text::tr("Try-out");
+  }
+  return {};
+}
+
+QString device_name(const std::string& device_class) {
+  if (device_class == "pointer") return Text::tr("Mouse and keys");
+  if (device_class == "falcon") return QStringLiteral("Falcon");
+  if (device_class == "emulated-falcon") return Text::tr("Emulated Falcon");
+  if (device_class == "inverse3") return QStringLiteral("Inverse3");
+  if (device_class == "scripted") return Text::tr("Scripted operator");
+  return text(device_class);
+}
+
+QString tissue_name(Tissue tissue) {
+  switch (tissue) {
+    case Tissue::empty: return Text::tr("Nothing");
+    case Tissue::enamel: return Text::tr("Enamel");
+    case Tissue::dentine: return Text::tr("Dentine");
+    case Tissue::carious_dentine: return Text::tr("Carious dentine");
+    case Tissue::cementum: return Text::tr("Cementum");
+    case Tissue::pulp: return Text::tr("Pulp");
+    case Tissue::bone: return Text::tr("Bone");
+    case Tissue::gingiva: return Text::tr("Gingiva");
+    case Tissue::ligament: return Text::tr("Ligament");
+    case Tissue::amalgam: return Text::tr("Amalgam");
+    case Tissue::composite: return Text::tr("Composite");
+    case Tissue::plastic: return Text::tr("Plastic");
+    case Tissue::carious_enamel: return Text::tr("Carious enamel");
+  }
+  if (tissue == kNeighbourEnamel) return Text::tr("Neighbour enamel");
+  if (tissue == kNeighbourDentine) return Text::tr("Neighbour dentine");
+  if (tissue == kFirmCariousDentine) return Text::tr("Firm carious dentine");
+  return Text::tr("Material %1").arg(static_cast<int>(tissue) - 15);
+}
+
+}  // namespace cusp::ui
