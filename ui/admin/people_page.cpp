@@ -2,6 +2,7 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -71,11 +72,13 @@ QWidget* PeoplePage::make_form() {
   for (const Role role : {Role::student, Role::instructor, Role::administrator}) role_->addItem(role_name(role));
   secret_ = new QLineEdit;
   secret_->setEchoMode(QLineEdit::Password);
-  form_->body()->addWidget(labelled(tr("Name"), name_));
-  form_->body()->addWidget(labelled(tr("Number or user name"), number_));
-  form_->body()->addWidget(labelled(tr("Role"), role_));
-  secret_box_ = labelled(tr("PIN, six digits"), secret_, &secret_label_);
-  form_->body()->addWidget(secret_box_);
+  constexpr int kBetween = 4;  // px at 100 %, beyond the card's own
+  QFormLayout* fields = ui::make_form();
+  form_->body()->addLayout(fields);
+  add_field(*fields, tr("Name"), name_);
+  add_field(*fields, tr("Number or user name"), number_, kBetween);
+  add_field(*fields, tr("Role"), role_, kBetween);
+  secret_label_ = add_field(*fields, tr("PIN, six digits"), secret_, kBetween);
   secret_note_ = make_label({}, TextRole::caption, false, "text2");
   secret_note_->setWordWrap(true);
   form_->body()->addWidget(secret_note_);
@@ -135,18 +138,18 @@ void PeoplePage::show_chosen() {
 }
 
 void PeoplePage::read() {
-  auto people = store_.people.list(actor_);
-  if (!people) {
-    const Told told = tell(people.error());
+  auto accounts = store_.people.list(actor_);
+  if (!accounts) {
+    const Told told = tell(accounts.error());
     band_->show_message(Band::Kind::bad, told.what, told.more);
     return;
   }
   const std::optional<UserId> kept = edited_ ? std::optional(edited_->id) : std::nullopt;
-  model_->set_people(std::move(*people));
+  model_->set_accounts(std::move(*accounts));
   if (kept) table_->choose_row(model_->row_of(*kept));
 }
 
-bool PeoplePage::tell_if_failed(const Stored<void>& done) {
+bool PeoplePage::show_if_failed(const Stored<void>& done) {
   if (done) return false;
   const Told told = tell_account(done.error(), number_->text().trimmed(), role_->currentIndex() == static_cast<int>(Role::student) ? Secret::pin : Secret::password);
   band_->show_message(Band::Kind::bad, told.what, told.more);
@@ -176,19 +179,19 @@ void PeoplePage::save() {
     return;
   }
   const Account before = *edited_;
-  // A new role needs its own secret first: staff without a password could not sign in.
+  // The secret comes before the role: staff without a password cannot sign in.
   if (!secret.empty()) {
-    if (tell_if_failed(role == Role::student ? store_.people.set_pin(actor_, before.id, secret)
+    if (show_if_failed(role == Role::student ? store_.people.set_pin(actor_, before.id, secret)
                                              : store_.people.set_password(actor_, before.id, {}, secret))) {
       return;
     }
   }
-  if (role != before.role && tell_if_failed(store_.people.set_role(actor_, before.id, role))) {
+  if (role != before.role && show_if_failed(store_.people.set_role(actor_, before.id, role))) {
     read();
     return;
   }
   if ((name != before.name || number != before.number) &&
-      tell_if_failed(store_.people.rename(actor_, before.id, number, name))) {
+      show_if_failed(store_.people.rename(actor_, before.id, number, name))) {
     read();
     return;
   }
@@ -203,7 +206,7 @@ void PeoplePage::switch_account() {
   const bool off = !account.disabled;
   const QString name = QString::fromStdString(account.name);
   const auto act = [this, account, off, name] {
-    if (tell_if_failed(store_.people.set_disabled(actor_, account.id, off))) return;
+    if (show_if_failed(store_.people.set_disabled(actor_, account.id, off))) return;
     read();
     band_->show_message(off ? Band::Kind::look : Band::Kind::good,
                         off ? tr("%1 can no longer sign in.").arg(name) : tr("%1 can sign in again.").arg(name),

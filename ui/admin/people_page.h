@@ -1,5 +1,5 @@
-/// People: list, add, change, switch off, new password or PIN, role. The form stands beside the list; nothing is asked
-/// in a dialog but what cannot be undone.
+/// Accounts: list, add, change, switch off, new password or PIN, role. The form stands beside the list; only switching an account
+/// off asks a question. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -37,7 +37,7 @@ class PeoplePage : public QWidget {
   void fit_secret();
   void save();
   void switch_account();
-  bool tell_if_failed(const Stored<void>& done);
+  bool show_if_failed(const Stored<void>& done);
 
   Store& store_;
   Actor actor_;
@@ -47,7 +47,6 @@ class PeoplePage : public QWidget {
   Band* band_ = nullptr;
   Card* form_ = nullptr;
   QLineEdit *name_ = nullptr, *number_ = nullptr, *secret_ = nullptr;
-  QWidget* secret_box_ = nullptr;
   class QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
   QComboBox* role_ = nullptr;
   QPushButton *save_ = nullptr, *switch_ = nullptr;

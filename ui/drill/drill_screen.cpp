@@ -167,7 +167,7 @@ void DrillScreen::begin(RunPlan plan, const DrillText& text, std::unique_ptr<Hap
   in.bar->set_exercise(text.title, text.aside);
   in.tray->set_burs(plan.scenario.instruments);
   in.working = true;
-  in.busy->start(tr("Getting the tooth ready"), false);
+  in.busy->start(tr("Getting the tooth ready"), Busy::Cancel::none);
   in.opening = std::make_unique<GoOpening>(
       GoOpening::Order{std::move(plan), in.choice, std::move(port),
                        [view = QPointer<ToothView>(in.stage->view())] {
@@ -299,7 +299,7 @@ void DrillScreen::finish_now() {
   enable_controls(false);
   in.bar->enable_leave(false);
   in.stats.write_where_asked();
-  in.busy->start(tr("Measuring the tooth"), false);
+  in.busy->start(tr("Measuring the tooth"), Busy::Cancel::none);
   in.worker = std::thread([this, run = in.go->run.get()] {
     auto result = std::make_shared<Run<RunResult>>(run->finish());
     QMetaObject::invokeMethod(this, [this, result] { graded(result); }, Qt::QueuedConnection);

@@ -105,7 +105,7 @@ void AuditPage::measure() {
   measure_->setEnabled(false);
   busy_ = new Busy;
   busy_place_->addWidget(busy_);
-  busy_->start(tr("Measuring"), true);
+  busy_->start(tr("Measuring"), Busy::Cancel::offered);
   connect(busy_, &Busy::cancelled, this, [this] {
     job_->cancel();
     stop();

@@ -129,7 +129,7 @@ void EditorPage::show_tooth_form(bool on) {
 void EditorPage::grow() {
   grown_.reset();
   busy_ = new Busy;
-  busy_->start(tr("Growing the tooth"), true);
+  busy_->start(tr("Growing the tooth"), Busy::Cancel::offered);
   stage_->set_centre(busy_);
   connect(busy_, &Busy::cancelled, this, [this] {
     grower_->cancel();

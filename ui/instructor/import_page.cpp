@@ -159,7 +159,7 @@ void ImportPage::begin_work(const QString& what) {
   if (work_) work_->request_stop();
   work_ = std::make_shared<std::stop_source>();
   band_->clear();
-  busy_->start(what, true);
+  busy_->start(what, Busy::Cancel::offered);
   show_files();
 }
 
