@@ -15,7 +15,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kSide = 16;  // px at 100 %, as the other forms
+constexpr int kSide = 16;  // px at 100 %, as in the other forms
 
 QLabel* figure(const QString& text, const QString& name) {
   QLabel* out = make_label(text);
@@ -24,7 +24,7 @@ QLabel* figure(const QString& text, const QString& name) {
   return out;
 }
 
-/// With its sign: what it takes more or less.
+/// A difference, with its sign.
 QString signed_number(double value, int decimals) {
   const QString text = format_number(value, decimals);
   return value > 0 && text != format_number(0, decimals) ? u'+' + text : text;
@@ -41,7 +41,7 @@ AuditPage::AuditPage(EditorModel& model, std::function<AuditRunner(const std::st
   column->setContentsMargins(px(kSide), px(12), px(kSide), px(16));
   column->setSpacing(px(8));
   column->addWidget(make_label(tr("What this exercise costs"), TextRole::section, true));
-  about_ = make_label(tr("Scripted hands play it with each choice left out or halved. That takes some minutes; you can go on "
+  about_ = make_label(tr("Scripted operators play it with each choice left out or halved. That takes some minutes; you can go on "
                          "working meanwhile."),
                       TextRole::caption, false, "text2");
   about_->setWordWrap(true);
@@ -113,7 +113,7 @@ void AuditPage::measure() {
   job_->start(measured_, {}, runner_of_(model_.folder()));
 }
 
-/// No more of the run is shown; what was measured before stays.
+/// The progress is hidden; the last report stays.
 void AuditPage::stop() {
   if (busy_) {
     busy_->hide();

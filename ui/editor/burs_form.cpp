@@ -19,7 +19,7 @@
 namespace cusp::ui {
 namespace {
 
-/// The head from the side, the longest as high as there is room, small ones larger than they are beside it.
+/// The head from the side. The longest fills the height; the scale of small heads is larger.
 class BurPicture : public QWidget {
  public:
   explicit BurPicture(const Bur& bur) : bur_(bur) { setFixedSize(px(22), px(34)); }
@@ -82,7 +82,7 @@ BursForm::BursForm(EditorModel& model, QWidget* parent) : QWidget(parent), model
     if (catalogue_->count() > 0) model_.add_bur(bur_catalogue()[static_cast<std::size_t>(index)].bur);
   });
   connect(shapes_, &QComboBox::currentIndexChanged, this, &BursForm::fill_catalogue);
-  connect(catalogue_, &QComboBox::currentIndexChanged, this, &BursForm::tell_uses);
+  connect(catalogue_, &QComboBox::currentIndexChanged, this, &BursForm::show_uses);
   connect(&model_, &EditorModel::changed, this, &BursForm::follow_model);
   follow_model();
 }
@@ -152,10 +152,10 @@ void BursForm::fill_catalogue() {
   }
   catalogue_->setCurrentIndex(std::max(catalogue_->findData(kept), 0));
   add_->setEnabled(catalogue_->count() > 0);
-  tell_uses();
+  show_uses();
 }
 
-void BursForm::tell_uses() {
+void BursForm::show_uses() {
   if (catalogue_->count() == 0) return uses_->setText(tr("All burs of this shape are in the exercise."));
   const auto index = static_cast<std::size_t>(catalogue_->currentData().toInt());
   uses_->setText(bur_uses_text(bur_catalogue()[index].bur));

@@ -14,7 +14,7 @@
 namespace cusp::ui {
 namespace {
 
-// Leeway of three levels of block exercises, beginner to exam, mm.
+// Tolerance zone of the three levels of block exercises, beginner to exam, mm.
 constexpr std::array kStrictness = {0.5, 0.3, 0.2};
 constexpr double kMostSizeMm = 30, kMostDepthMm = 15, kReachMm = 100;
 
@@ -115,12 +115,12 @@ ShapeForm::ShapeForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
     model_.set_leeway({mm, mm});
     model_.end_gesture();
   });
-  floor_ = number(tr("Leeway, floor"), 0, 5,
+  floor_ = number(tr("Tolerance zone, floor"), 0, 5,
                   [this](double v) { return model_.set_leeway({v, model_.scenario().leeway.side_mm}); });
-  side_ = number(tr("Leeway, sides"), 0, 5,
+  side_ = number(tr("Tolerance zone, sides"), 0, 5,
                  [this](double v) { return model_.set_leeway({model_.scenario().leeway.floor_mm, v}); });
-  add_row(column, tr("Leeway, floor"), floor_);
-  add_row(column, tr("Leeway, sides"), side_);
+  add_row(column, tr("Tolerance zone, floor"), floor_);
+  add_row(column, tr("Tolerance zone, sides"), side_);
   time_ = new NumberBox(model_, tr("Time limit"), u"s"_qs, 0, 7200, 30, 0,
                         [this](double v) { return model_.set_time_limit_s(v); });
   time_->setSpecialValueText(tr("none"));
@@ -147,7 +147,7 @@ void ShapeForm::follow_model() {
   slot_rows_->setVisible(!box);
   box_rows_->setVisible(box);
   point_buttons_->setVisible(outline);
-  const QSignalBlocker silent(strictness_);  // shows what there is: it chooses nothing
+  const QSignalBlocker silent(strictness_);  // showing a value is no edit
   int chosen = -1;
   for (std::size_t i = 0; i < kStrictness.size(); ++i) {
     if (s.leeway.floor_mm == kStrictness[i] && s.leeway.side_mm == kStrictness[i]) chosen = static_cast<int>(i);
@@ -155,7 +155,7 @@ void ShapeForm::follow_model() {
   if (chosen >= 0) {
     strictness_->choose(chosen);
   } else {
-    // A leeway of one's own is none of the three.
+    // Any other tolerance is none of the three levels.
     QButtonGroup* group = strictness_->button(0)->group();
     group->setExclusive(false);
     for (std::size_t i = 0; i < kStrictness.size(); ++i) strictness_->button(static_cast<int>(i))->setChecked(false);

@@ -19,7 +19,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr std::size_t kMostLesions = 4;  // more than a tooth that is still drilled has
+constexpr std::size_t kMostLesions = 4;  // most lesions of one tooth
 constexpr double kLeastSizeMm = 0.4, kMostSizeMm = 5.0, kMostDepthMm = 4.0;
 
 Lesion::Kind kind_of(const std::string& key) {
@@ -44,7 +44,7 @@ bool stands_round(const SpecimenSource& source, std::string_view key) {
   return std::ranges::find(source.around, key) != source.around.end();
 }
 
-/// Keys in the order of the format, so that the same choice is the same exercise.
+/// Keys in the order of the format: equal choices give equal exercises.
 void put_around(SpecimenSource& source, std::string_view key, bool on) {
   std::erase(source.around, key);
   if (on) source.around.emplace_back(key);
@@ -86,18 +86,18 @@ ToothForm::ToothForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   const std::pair<QCheckBox*, const char*> around[] = {{neighbours_, "neighbours"}, {gums_, "gingiva"}, {bone_, "bone"}, {jaw_, "jaw"}};
   for (const auto& [check, key] : around) connect(check, &QCheckBox::toggled, this, [this, key](bool on) { set_around(key, on); });
   column->addSpacing(px(4));
-  decay_ = new QWidget;
-  auto* inside = new QVBoxLayout(decay_);
+  lesions_ = new QWidget;
+  auto* inside = new QVBoxLayout(lesions_);
   inside->setContentsMargins(0, 0, 0, 0);
   inside->setSpacing(px(6));
-  add_section(inside, tr("Decay"));
+  add_section(inside, tr("Carious lesions"));
   list_ = new QVBoxLayout;
   list_->setSpacing(px(6));
   inside->addLayout(list_);
-  add_ = make_button(tr("Add decay"), ButtonKind::standard, u"plus"_qs);
+  add_ = make_button(tr("Add a carious lesion"), ButtonKind::standard, u"plus"_qs);
   inside->addWidget(add_, 0, Qt::AlignLeft);
-  column->addWidget(decay_);
-  QLabel* note = make_label(tr("How decay spreads, and how gums and bone lie, is general knowledge, not verified."), TextRole::caption,
+  column->addWidget(lesions_);
+  QLabel* note = make_label(tr("How caries spreads, and how gums and bone lie, is general knowledge, not verified."), TextRole::caption,
                             false, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
@@ -122,7 +122,7 @@ void ToothForm::edit_at_once(const QString& field, const std::function<void(Spec
 void ToothForm::set_around(const char* key, bool on) {
   edit_at_once(u"around"_qs, [&](SpecimenSource& s) {
     put_around(s, key, on);
-    // A jaw stands beyond the neighbours.
+    // A jaw includes the neighbours.
     if (on && std::string_view(key) == "jaw") put_around(s, "neighbours", true);
     if (!on && std::string_view(key) == "neighbours") put_around(s, "jaw", false);
   });
@@ -130,7 +130,7 @@ void ToothForm::set_around(const char* key, bool on) {
 
 void ToothForm::add_lesion() {
   edit_at_once(u"lesions"_qs, [](SpecimenSource& s) {
-    // The first place that is still sound.
+    // The first place without a lesion.
     for (const std::string_view kind : kLesionKeys) {
       for (const std::string& site : lesion_sites(s.fdi, kind_of(std::string(kind)))) {
         const bool taken = std::ranges::any_of(s.lesions, [&](const LesionSource& l) { return l.kind == kind && l.site == site; });
@@ -150,7 +150,7 @@ void ToothForm::fill_sites(QComboBox& box, const LesionSource& lesion) const {
   for (const std::string& site : lesion_sites(model_.scenario().specimen.fdi, kind_of(lesion.kind))) {
     box.addItem(site_name(lesion.kind, site), QString::fromStdString(site));
   }
-  // A fissure by another name, as a file may have it.
+  // A file may have another key for a fissure.
   const QString own = QString::fromStdString(lesion.site);
   if (box.findData(own) < 0) box.addItem(site_name(lesion.kind, lesion.site), own);
 }
@@ -183,10 +183,10 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
   }
-  row.kind->setAccessibleName(tr("Kind of decay %1").arg(number));
-  row.site->setAccessibleName(tr("Place of decay %1").arg(number));
+  row.kind->setAccessibleName(tr("Kind of carious lesion %1").arg(number));
+  row.site->setAccessibleName(tr("Place of carious lesion %1").arg(number));
   head->addWidget(row.kind, 1);
-  QToolButton* remove = make_icon_button(u"minus"_qs, tr("Remove decay %1").arg(number));
+  QToolButton* remove = make_icon_button(u"minus"_qs, tr("Remove carious lesion %1").arg(number));
   head->addWidget(remove);
   column->addLayout(head);
   column->addWidget(row.site);
@@ -206,16 +206,16 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
       if (index < s.lesions.size()) s.lesions.erase(s.lesions.begin() + static_cast<std::ptrdiff_t>(index));
     });
   });
-  // A person thinks of how wide decay is; the file has half of it.
-  row.size = new NumberBox(model_, tr("Width of decay %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostSizeMm, 0.1, 1,
+  // The form shows the diameter; scenario.json holds the radius.
+  row.size = new NumberBox(model_, tr("Width of carious lesion %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostSizeMm, 0.1, 1,
                            [=](double mm) { return change(field + u"size"_qs, [mm](LesionSource& l) { l.radius_mm = mm / 2; }, false); });
   add_row(column, tr("Width"), row.size);
-  row.depth = new NumberBox(model_, tr("Depth of decay %1").arg(number), u"mm"_qs, 0, kMostDepthMm, 0.1, 1,
+  row.depth = new NumberBox(model_, tr("Depth of carious lesion %1").arg(number), u"mm"_qs, 0, kMostDepthMm, 0.1, 1,
                             [=](double mm) { return change(field + u"depth"_qs, [mm](LesionSource& l) { l.depth_mm = mm; }, false); });
   row.depth_label = add_row(column, tr("Depth"), row.depth);
-  row.softness = new NumberBox(model_, tr("Softness of decay %1").arg(number), u"%"_qs, 0, 100, 5, 0,
+  row.softness = new NumberBox(model_, tr("Softness of carious lesion %1").arg(number), u"%"_qs, 0, 100, 5, 0,
                                [=](double share) { return change(field + u"soft"_qs, [share](LesionSource& l) { l.softness = share / 100; }, false); });
-  row.softness->setToolTip(tr("How far from its middle to its rim decay is soft; the rest is firm"));
+  row.softness->setToolTip(tr("How far from its middle to its rim the lesion is soft; the rest is firm"));
   add_row(column, tr("Soft"), row.softness);
   list_->addWidget(card);
   return row;
@@ -229,10 +229,10 @@ void ToothForm::follow_model() {
   gums_->setChecked(stands_round(s, "gingiva"));
   bone_->setChecked(stands_round(s, "bone"));
   jaw_->setChecked(stands_round(s, "jaw"));
-  decay_->setVisible(!s.typodont);
+  lesions_->setVisible(!s.typodont);
   add_->setEnabled(s.lesions.size() < kMostLesions);
   while (rows_.size() > s.lesions.size()) {
-    // A row may be the sender of what is being followed.
+    // A row may be the sender of this signal, so it is deleted later.
     QLayoutItem* last = list_->takeAt(list_->count() - 1);
     last->widget()->hide();
     last->widget()->deleteLater();

@@ -5,7 +5,7 @@
 
 #include "scenarios/library/library.h"
 #include "ui/editor/editor_records.h"
-#include "ui/editor/words_form.h"
+#include "ui/editor/texts_form.h"
 #include "ui/modules.h"
 #include "ui/text/sentences.h"
 #include "ui/widgets/parts.h"
@@ -14,7 +14,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr const char* kBlankExercise = "channel-1";  // a new exercise begins on the plain block
+constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercise: the plain block
 
 }  // namespace
 
@@ -63,7 +63,7 @@ LibraryPage::LibraryPage(Store& store, const Actor& actor, const Ports& ports, s
 
 void LibraryPage::read() {
   auto library = load_library(store_, actor_);
-  if (!library) return tell_failure(library.error());
+  if (!library) return show_failure(library.error());
   if (!library->unreadable.empty()) {
     band_->show_message(Band::Kind::look,
                         tr("%n exercise(s) cannot be read.", nullptr, static_cast<int>(library->unreadable.size())),
@@ -89,12 +89,12 @@ void LibraryPage::discard_draft() {
              [this, id, published = row.exercise.has_value(), json = row.draft_json](bool yes) {
                if (!yes) return;
                const auto done = store_.scenarios.drop_draft(actor_, id, json);
-               if (!done) return tell_failure(done.error());
+               if (!done) return show_failure(done.error());
                if (*done == DraftSave::changed_elsewhere) {
                  band_->show_message(Band::Kind::look, tr("The draft was changed in another window meanwhile."),
                                      tr("It was not discarded. The list shows it as it is now."));
                } else if (!published) {
-                 std::error_code ignored;  // a volume that stays behind costs room and nothing else
+                 std::error_code ignored;  // a volume that stays wastes disk space only
                  std::filesystem::remove_all(drafts_folder(database_, id), ignored);
                }
                read();
@@ -102,7 +102,7 @@ void LibraryPage::discard_draft() {
              });
 }
 
-void LibraryPage::tell_failure(const StorageFailure& failure) {
+void LibraryPage::show_failure(const StorageFailure& failure) {
   const Told told = tell(failure);
   band_->show_message(Band::Kind::bad, told.what, told.more);
 }
@@ -116,7 +116,7 @@ void LibraryPage::open_chosen() {
     return;
   }
   const auto start = open_for_editing(store_, actor_, *row.exercise, database_, cache_);
-  if (!start) return tell_failure(start.error());
+  if (!start) return show_failure(start.error());
   Q_EMIT edit_wanted(*start);
 }
 
@@ -134,13 +134,13 @@ void LibraryPage::copy_chosen() {
 void LibraryPage::begin_new() {
   const auto pattern = load_builtin(kBlankExercise);
   if (!pattern) return;
-  // Content, not the screen's words: every language that the pattern has a briefing in.
+  // Content of the exercise, in each language of the pattern's briefing; tr() translates the screen only.
   begin_as_copy({*pattern, {}, 1, {}}, {{"en", "New exercise"}, {"de", "Neue Übung"}});
 }
 
 void LibraryPage::begin_as_copy(const Exercise& pattern, const LocalText& title) {
   const auto start = copy_exercise(store_, pattern, title, database_, cache_);
-  if (!start) return tell_failure(start.error());
+  if (!start) return show_failure(start.error());
   Q_EMIT edit_wanted(*start);
 }
 

@@ -1,4 +1,4 @@
-// The editor and what is kept: drafts, publishing, versions that never change, volumes beside a draft.
+// The editor's records: drafts, publishing, versions that never change, volumes beside a draft.
 
 #include <gtest/gtest.h>
 
@@ -22,13 +22,13 @@ namespace {
 struct EditorRecords : ::testing::Test {
   test::DeskRecords records;
   QTemporaryDir cache;
-  Account teacher;
+  Account instructor;
   std::optional<std::string> kept_json;  // of the one window that a test is about
   void SetUp() override {
     const auto made = records.store().people.create(records.administrator().actor(),
                                                     {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
     ASSERT_TRUE(made.has_value());
-    teacher = *made;
+    instructor = *made;
   }
   std::filesystem::path cache_folder() const { return cache.path().toStdString(); }
   Exercise exercise(const std::string& key) {
@@ -39,7 +39,7 @@ struct EditorRecords : ::testing::Test {
     return {};
   }
   EditorStart open(const Exercise& e) {
-    return *open_for_editing(records.store(), teacher.actor(), e, records.file(), cache_folder());
+    return *open_for_editing(records.store(), instructor.actor(), e, records.file(), cache_folder());
   }
 };
 
@@ -52,10 +52,10 @@ TEST_F(EditorRecords, a_changed_builtin_is_published_as_its_second_version_and_o
   ASSERT_TRUE(model.set_depth_mm(2.4));
   model.set_facts(facts_of_block());
   const Scenario draft = model.scenario();
-  const auto version = publish(records.store(), teacher.actor(), model, kept_json);
+  const auto version = publish(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, 2);
-  EXPECT_EQ(version->author, teacher.id);
+  EXPECT_EQ(version->author, instructor.id);
   EXPECT_TRUE(model.unchanged());
   EXPECT_FALSE(model.stack().canUndo());
   const auto versions = records.store().scenarios.versions(draft.id);
@@ -72,10 +72,10 @@ TEST_F(EditorRecords, a_changed_builtin_is_published_as_its_second_version_and_o
 TEST_F(EditorRecords, publishing_is_refused_while_a_check_fails_or_nothing_changed) {
   EditorModel model(open(exercise("channel-1")));
   model.set_facts(facts_of_block());
-  EXPECT_EQ(publish(records.store(), teacher.actor(), model, kept_json).error().code, StorageError::bad_value);
+  EXPECT_EQ(publish(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::bad_value);
   ASSERT_TRUE(model.set_top_mm(5));  // floor 3 mm above the block
   const Scenario before = model.scenario();
-  EXPECT_EQ(publish(records.store(), teacher.actor(), model, kept_json).error().code, StorageError::bad_value);
+  EXPECT_EQ(publish(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::bad_value);
   EXPECT_TRUE(model.scenario() == before);
   EXPECT_TRUE(records.store().scenarios.library()->empty());
 }
@@ -93,8 +93,8 @@ TEST_F(EditorRecords, a_student_may_not_publish_and_nothing_is_kept) {
 TEST_F(EditorRecords, a_draft_is_found_again_and_goes_when_everything_is_undone) {
   EditorModel model(open(exercise("channel-1")));
   ASSERT_TRUE(model.set_width_mm(1.9));
-  ASSERT_TRUE(keep_draft(records.store(), teacher.actor(), model, kept_json).has_value());
-  const auto library = load_library(records.store(), teacher.actor());
+  ASSERT_TRUE(keep_draft(records.store(), instructor.actor(), model, kept_json).has_value());
+  const auto library = load_library(records.store(), instructor.actor());
   ASSERT_TRUE(library.has_value());
   int drafts = 0;
   for (const LibraryRow& row : library->rows) drafts += row.draft.has_value();
@@ -103,8 +103,8 @@ TEST_F(EditorRecords, a_draft_is_found_again_and_goes_when_everything_is_undone)
   EXPECT_TRUE(again.scenario() == model.scenario());
   EXPECT_FALSE(again.unchanged());
   model.stack().undo();
-  ASSERT_TRUE(keep_draft(records.store(), teacher.actor(), model, kept_json).has_value());
-  EXPECT_TRUE(records.store().scenarios.drafts(teacher.actor())->empty());
+  ASSERT_TRUE(keep_draft(records.store(), instructor.actor(), model, kept_json).has_value());
+  EXPECT_TRUE(records.store().scenarios.drafts(instructor.actor())->empty());
 }
 
 TEST_F(EditorRecords, a_copy_has_an_identity_of_its_own_and_begins_at_version_one) {
@@ -131,7 +131,7 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   ASSERT_TRUE(back.has_value());
   model.set_facts(facts_of(*back));
   ASSERT_TRUE(model.publishable()) << (model.findings().empty() ? "" : model.findings().front().code);
-  const auto version = publish(records.store(), teacher.actor(), model, kept_json);
+  const auto version = publish(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, 1);
   ASSERT_EQ(version->files.size(), 1u);
@@ -146,7 +146,7 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   EXPECT_EQ(unpacked->tissue, volume->tissue);
 }
 
-TEST_F(EditorRecords, a_volume_that_is_gone_is_told_and_nothing_is_published) {
+TEST_F(EditorRecords, a_missing_volume_is_reported_and_nothing_is_published) {
   SpecimenSource block;
   block.generator = "block";
   block.voxel_mm = 0.4;
@@ -155,7 +155,7 @@ TEST_F(EditorRecords, a_volume_that_is_gone_is_told_and_nothing_is_published) {
   EditorModel model(*start);
   model.set_facts(facts_of(*volume));
   std::filesystem::remove(std::filesystem::path(model.folder()) / model.scenario().specimen.volume);
-  EXPECT_EQ(publish(records.store(), teacher.actor(), model, kept_json).error().code, StorageError::not_found);
+  EXPECT_EQ(publish(records.store(), instructor.actor(), model, kept_json).error().code, StorageError::not_found);
   EXPECT_TRUE(records.store().scenarios.library()->empty());
 }
 

@@ -1,4 +1,4 @@
-// One draft in two windows, each with a store of its own as two processes have: the second to save is told and chooses.
+// One draft in two windows, each with a store of its own as two processes have: the second one to save gets the choice.
 #include <gtest/gtest.h>
 
 #include <QPushButton>
@@ -24,11 +24,11 @@ struct TwoWindows : ::testing::Test {
   Ports ports = Ports::of_the_system();
   QStringList asked;
   bool answer = true;
-  Account teacher;
+  Account instructor;
   std::unique_ptr<EditorPage> first, second;
 
   void SetUp() override {
-    teacher = *records.store().people.create(records.administrator().actor(),
+    instructor = *records.store().people.create(records.administrator().actor(),
                                              {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
     auto opened = Store::open(records.file());
     ASSERT_TRUE(opened.has_value());
@@ -50,11 +50,11 @@ struct TwoWindows : ::testing::Test {
     start.draft = *start.published;
     start.draft.version = 2;
     start.folder = drafts_folder(records.file(), start.draft.id).string();
-    if (const auto draft = store.scenarios.draft(teacher.actor(), start.draft.id); draft && *draft) {
+    if (const auto draft = store.scenarios.draft(instructor.actor(), start.draft.id); draft && *draft) {
       start.kept = (*draft)->json;
       start.draft = *read_scenario((*draft)->json);
     }
-    auto page = std::make_unique<EditorPage>(store, teacher.actor(), ports, start);
+    auto page = std::make_unique<EditorPage>(store, instructor.actor(), ports, start);
     page->show();
     return page;
   }
@@ -64,7 +64,7 @@ struct TwoWindows : ::testing::Test {
     page.leave();
     return left.count() == 1;
   }
-  static Band* told(EditorPage& page) {
+  static Band* warning(EditorPage& page) {
     for (Band* band : page.findChildren<Band*>())
       if (!band->isHidden() && band->text().contains(QStringLiteral("nother window"))) return band;
     return nullptr;
@@ -76,15 +76,15 @@ struct TwoWindows : ::testing::Test {
   }
   std::vector<Scenario> drafts() {
     std::vector<Scenario> out;
-    const auto kept = records.store().scenarios.drafts(teacher.actor());
+    const auto kept = records.store().scenarios.drafts(instructor.actor());
     for (const ScenarioDraft& d : *kept) out.push_back(*read_scenario(d.json));
     return out;
   }
 };
 
-TEST_F(TwoWindows, the_second_to_save_is_told_and_nothing_is_written) {
+TEST_F(TwoWindows, the_second_to_save_is_warned_and_nothing_is_written) {
   EXPECT_FALSE(save(*second));
-  ASSERT_NE(told(*second), nullptr);
+  ASSERT_NE(warning(*second), nullptr);
   ASSERT_EQ(drafts().size(), 1u);
   EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.4);
   EXPECT_DOUBLE_EQ(second->model().scenario().target.width_mm, 1.9) << "what was done here stands";
@@ -132,7 +132,7 @@ TEST_F(TwoWindows, theirs_is_replaced_only_after_asking) {
   EXPECT_EQ(asked, QStringList({QStringLiteral("Replace theirs"), QStringLiteral("Replace theirs")}));
   EXPECT_DOUBLE_EQ(drafts()[0].target.width_mm, 1.9);
   EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.0);
-  EXPECT_EQ(told(*second), nullptr);
+  EXPECT_EQ(warning(*second), nullptr);
   EXPECT_TRUE(save(*second));
 }
 
@@ -173,7 +173,7 @@ TEST_F(TwoWindows, undoing_everything_here_drops_no_draft_of_the_other_window) {
 }
 
 TEST_F(TwoWindows, a_draft_that_changed_since_the_list_was_read_is_not_discarded) {
-  LibraryPage library(records.store(), teacher.actor(), ports, records.file(), records.file().parent_path());
+  LibraryPage library(records.store(), instructor.actor(), ports, records.file(), records.file().parent_path());
   library.show();
   for (int i = 0; i < library.model().rowCount(); ++i)
     if (library.model().row(i).draft) library.table()->choose_row(i);
