@@ -84,7 +84,7 @@ void OwnHistory::show_goes() {
   for (const HistoryRow& go : all_) {
     if (chosen.isEmpty() || QString::fromStdString(go.scenario.text()) == chosen) rows.push_back(go);
   }
-  // A chart is of one exercise: of the chosen one, or of the one drilled last.
+  // A chart shows one exercise: the chosen one, or that of the newest row.
   std::vector<HistoryRow> drawn;
   for (const HistoryRow& go : rows) {
     if (go.scenario == rows.front().scenario && go.device_class == rows.front().device_class) drawn.push_back(go);
