@@ -10,7 +10,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr double kZ95 = 1.959963984540054;  // normal quantile of 0.975
-constexpr int kLeastStudents = 3;           // below it a median says nothing about a group
+constexpr int kLeastStudents = 3;           // fewer make no group
 
 }  // namespace
 

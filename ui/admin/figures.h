@@ -1,4 +1,4 @@
-/// The four figures of the performance page, and the shapes of its charts. Plain numbers, no words, no widget.
+/// The four figures of the performance page and the data of its charts. Plain numbers, no text, no widget. Pure functions.
 #pragma once
 
 #include <optional>

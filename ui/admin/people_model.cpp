@@ -5,8 +5,8 @@
 
 namespace cusp::ui {
 
-void PeopleModel::set_people(std::vector<Account> people) {
-  all_ = std::move(people);
+void PeopleModel::set_accounts(std::vector<Account> accounts) {
+  all_ = std::move(accounts);
   narrow(search_);
 }
 

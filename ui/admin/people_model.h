@@ -1,4 +1,4 @@
-/// Accounts as a table.
+/// Accounts as a table. No widget.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -15,8 +15,8 @@ class PeopleModel : public QAbstractTableModel {
  public:
   enum Column { kName, kNumber, kRole, kSignIn, kState, kColumns };
   explicit PeopleModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
-  void set_people(std::vector<Account> people);
-  /// Only names and numbers that hold this text.
+  void set_accounts(std::vector<Account> accounts);
+  /// Shows only accounts with this text in name or number.
   void narrow(const QString& text);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

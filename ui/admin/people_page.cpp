@@ -2,6 +2,7 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -72,11 +73,13 @@ QWidget* PeoplePage::make_form() {
   for (const Role role : {Role::student, Role::instructor, Role::administrator}) role_->addItem(role_name(role));
   secret_ = new QLineEdit;
   secret_->setEchoMode(QLineEdit::Password);
-  form_->body()->addWidget(labelled(tr("Name"), name_));
-  form_->body()->addWidget(labelled(tr("Number or user name"), number_));
-  form_->body()->addWidget(labelled(tr("Role"), role_));
-  secret_box_ = labelled(tr("PIN, six digits"), secret_, &secret_label_);
-  form_->body()->addWidget(secret_box_);
+  constexpr int kBetween = 4;  // px at 100 %, beyond the card's own
+  QFormLayout* fields = ui::make_form();
+  form_->body()->addLayout(fields);
+  add_field(*fields, tr("Name"), name_);
+  add_field(*fields, tr("Number or user name"), number_, kBetween);
+  add_field(*fields, tr("Role"), role_, kBetween);
+  secret_label_ = add_field(*fields, tr("PIN, six digits"), secret_, kBetween);
   secret_note_ = make_label({}, TextRole::caption, false, "text2");
   secret_note_->setWordWrap(true);
   form_->body()->addWidget(secret_note_);
@@ -136,14 +139,14 @@ void PeoplePage::show_chosen() {
 }
 
 void PeoplePage::read() {
-  auto people = store_.people.list(actor_);
-  if (!people) {
-    const Message message = describe(people.error());
+  auto accounts = store_.people.list(actor_);
+  if (!accounts) {
+    const Message message = describe(accounts.error());
     band_->show_message(Band::Kind::bad, message.what, message.more);
     return;
   }
   const std::optional<UserId> kept = edited_ ? std::optional(edited_->id) : std::nullopt;
-  model_->set_people(std::move(*people));
+  model_->set_accounts(std::move(*accounts));
   if (kept) table_->choose_row(model_->row_of(*kept));
 }
 
@@ -177,7 +180,7 @@ void PeoplePage::save() {
     return;
   }
   const Account before = *edited_;
-  // A new role needs its own secret first: staff without a password could not sign in.
+  // The secret comes before the role: staff without a password cannot sign in.
   if (!secret.empty()) {
     if (show_if_failed(role == Role::student ? store_.people.set_pin(actor_, before.id, secret)
                                              : store_.people.set_password(actor_, before.id, {}, secret))) {

@@ -1,5 +1,5 @@
-/// People: list, add, change, switch off, new password or PIN, role. The form stands beside the list; nothing is asked
-/// in a dialog but what cannot be undone.
+/// Accounts: list, add, change, switch off, new password or PIN, role. The form stands beside the list; only switching an account
+/// off asks a question. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -47,7 +47,6 @@ class PeoplePage : public QWidget {
   Band* band_ = nullptr;
   Card* form_ = nullptr;
   QLineEdit *name_ = nullptr, *number_ = nullptr, *secret_ = nullptr;
-  QWidget* secret_box_ = nullptr;
   class QLabel *secret_label_ = nullptr, *secret_note_ = nullptr;
   QComboBox* role_ = nullptr;
   QPushButton *save_ = nullptr, *switch_ = nullptr;

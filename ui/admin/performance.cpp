@@ -32,9 +32,9 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kStackBelow = 1000;       // px at 100 %, of the page
-constexpr double kBar = 5, kFrom = 40;  // points a bar; from, where nobody has fewer
+constexpr double kBar = 5, kFrom = 40;  // points: width of a bar; least value of the axis unless somebody has fewer
 
-/// Sorts by SortRole: numbers as numbers, names as the language orders them.
+/// Sorts by SortRole: numbers by value, names by the language.
 class Sorted : public QSortFilterProxyModel {
  public:
   explicit Sorted(QObject* parent) : QSortFilterProxyModel(parent) {
@@ -71,7 +71,14 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   band_ = new Band;
   body->addWidget(band_);
   body->addWidget(make_figures());
+  body->addLayout(make_charts());
+  body->addWidget(make_table(), 1);
+  fill_filters();
+  read();
+  setFocusProxy(search_);
+}
 
+QBoxLayout* Performance::make_charts() {
   charts_ = new QBoxLayout(QBoxLayout::LeftToRight);
   charts_->setSpacing(px(12));
   spread_ = new Chart;
@@ -83,8 +90,10 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
     card->body()->addWidget(chart);
     charts_->addWidget(card, 1);
   }
-  body->addLayout(charts_);
+  return charts_;
+}
 
+QWidget* Performance::make_table() {
   auto* card = new Card;
   card->body()->setContentsMargins(px(8), px(8), px(8), px(8));
   table_ = new Table;
@@ -105,7 +114,6 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   });
   below_->addWidget(none);
   card->body()->addWidget(below_);
-  body->addWidget(card, 1);
   const auto open = [this](const QModelIndex& at) {
     Q_EMIT report_wanted(model_->row(sorted_->mapToSource(at).row()).session);
   };
@@ -113,9 +121,7 @@ Performance::Performance(Store& store, const Actor& reader, const Ports& ports, 
   connect(table_, &QTableView::clicked, this, [open](const QModelIndex& at) {
     if (at.column() == AttemptsModel::kOpen) open(at);
   });
-  fill_filters();
-  read();
-  setFocusProxy(search_);
+  return card;
 }
 
 QWidget* Performance::make_filters() {
@@ -215,6 +221,12 @@ void Performance::read() {
 
 void Performance::show_figures() {
   const Figures f = figures_of(model_->rows());
+  show_numbers(f);
+  show_spread(f);
+  show_learning();
+}
+
+void Performance::show_numbers(const Figures& f) {
   const QString none = QStringLiteral("–");
   figure_[0]->setText(format_number(f.attempts, 0));
   note_[0]->setText(tr("%n student(s)", nullptr, f.students));
@@ -228,7 +240,17 @@ void Performance::show_figures() {
                                 : QString());
   figure_[3]->setText(f.median_time_s ? format_clock(*f.median_time_s) : none);
   note_[3]->setText(f.median_time_s ? tr("minutes and seconds") : QString());
+}
 
+std::optional<double> Performance::common_pass_mark() const {
+  std::set<double> marks;
+  for (const HistoryRow& r : model_->rows()) {
+    if (r.pass_mark) marks.insert(*r.pass_mark);
+  }
+  return marks.size() == 1 ? std::optional(*marks.begin()) : std::nullopt;
+}
+
+void Performance::show_spread(const Figures& f) {
   ChartData spread;
   spread.title = tr("How scores spread");
   const bool poor = std::ranges::any_of(model_->rows(), [](const HistoryRow& r) { return r.score && *r.score < kFrom; });
@@ -249,18 +271,13 @@ void Performance::show_figures() {
                        false};
   }
   spread.series += counted;
-  // One pass mark only where all attempts have the same one.
-  std::set<double> marks;
-  for (const HistoryRow& r : model_->rows()) {
-    if (r.pass_mark) marks.insert(*r.pass_mark);
-  }
-  if (marks.size() == 1) {
-    spread.mark = *marks.begin();
-    spread.mark_text = tr("pass %1").arg(format_points(*marks.begin()));
-  }
+  spread.mark = common_pass_mark();
+  if (spread.mark) spread.mark_text = tr("pass %1").arg(format_points(*spread.mark));
   spread.summary = tr("%n attempt(s).", nullptr, f.attempts);
   spread_->set_data(spread);
+}
 
+void Performance::show_learning() {
   ChartData learning;
   learning.title = tr("Learning");
   const std::vector<LearningPoint> points = learning_of(model_->rows());
@@ -293,10 +310,8 @@ void Performance::show_figures() {
     learning.series << high << low << median;
     learning.summary = tr("Median over %n attempt(s).", nullptr, static_cast<int>(points.size()));
   }
-  if (marks.size() == 1) {
-    learning.mark = *marks.begin();
-    learning.mark_text = tr("pass %1").arg(format_points(*marks.begin()));
-  }
+  learning.mark = common_pass_mark();
+  if (learning.mark) learning.mark_text = tr("pass %1").arg(format_points(*learning.mark));
   learning_->set_data(learning);
 }
 
@@ -315,7 +330,7 @@ void Performance::export_csv() {
   wish.filter = tr("CSV (*.csv)");
   const int rows = model_->rowCount();
   ports_.pick_file(this, wish, [this, rows, bytes = QByteArray::fromStdString(*text)](const QString& path) {
-    // Written beside and renamed: a full disk leaves the old file.
+    // QSaveFile renames at the end: a full disk leaves the old file.
     QSaveFile file(path);
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) {
       band_->show_message(Band::Kind::good, tr("%n attempt(s) exported.", nullptr, rows), path);

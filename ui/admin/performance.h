@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "storage/store.h"
 #include "ui/modules.h"
@@ -22,6 +23,7 @@ class Band;
 class Chart;
 class AttemptsModel;
 class Table;
+struct Figures;
 
 class Performance : public QWidget {
   Q_OBJECT
@@ -50,8 +52,15 @@ class Performance : public QWidget {
  private:
   QWidget* make_filters();
   QWidget* make_figures();
+  QBoxLayout* make_charts();
+  QWidget* make_table();
   void fill_filters();
   void show_figures();
+  void show_numbers(const Figures& figures);
+  void show_spread(const Figures& figures);
+  void show_learning();
+  /// nullopt if the rows shown have more than one pass mark, or none.
+  std::optional<double> common_pass_mark() const;
 
   Store& store_;
   Actor reader_;

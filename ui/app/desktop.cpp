@@ -97,7 +97,7 @@ void Desktop::show_sign_in(const QString& number, bool staff) {
   auto* page = new SignIn(*store_);
   if (const auto message = incident()) page->show_incident(*message);
   if (const auto why = why_reading_only()) page->show_reading_only(*why);
-  page->set_typed_number(number, staff);
+  page->set_typed_number(number, staff ? SignIn::Who::staff : SignIn::Who::student);
   connect(page, &SignIn::try_again, this, &Desktop::start);
   connect(page, &SignIn::signed_in, this, &Desktop::sign_in);
   connect(page, &SignIn::language_chosen, this, &Desktop::set_language);
@@ -275,7 +275,7 @@ void Desktop::show_failure(const Message& message) {
 
 void Desktop::rebuild() {
   if (sign_in_ && page() == sign_in_) {
-    show_sign_in(sign_in_->typed_number(), sign_in_->staff());
+    show_sign_in(sign_in_->typed_number(), sign_in_->who() == SignIn::Who::staff);
   } else if (shell_ && page() == shell_) {
     show_shell(shell_->page_key());
   } else if (!store_) {

@@ -39,7 +39,7 @@ void Desktop::open_result_page(const SessionId& session, Keep keep) {
   auto* busy = new Busy;
   column->addWidget(busy);
   push(waiting);
-  busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), false);
+  busy->start(keep == Keep::grade ? tr("Measuring the tooth") : tr("Opening the report"), Busy::Cancel::none);
   StoreOptions options;
   options.database.access = reading_only_ ? DatabaseOptions::Access::read_only : DatabaseOptions::Access::existing;
   options.mark_interrupted = false;

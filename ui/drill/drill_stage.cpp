@@ -118,7 +118,7 @@ void DrillStage::connect_tools() {
 void DrillStage::make_gauges() {
   depth_ = new Gauge(tr("Depth"), QStringLiteral("mm"), Gauge::Grows::down, this);
   push_ = new Gauge(tr("Push"), QStringLiteral("N"), Gauge::Grows::up, this);
-  push_->set_range(0, 3, 0.5);
+  push_->set_scale({.least = 0, .most = 3, .major_step = 0.5});
   push_->set_scale_side(Gauge::ScaleSide::right);
   wanted_push_ = make_label({}, TextRole::caption, false, "text2");
   wanted_push_->setParent(this);
@@ -203,7 +203,7 @@ double DrillStage::required_depth_mm() const {
 
 void DrillStage::scale_depth(double seen_mm) {
   const double most = depth_scale_mm(required_depth_mm(), leeway_.floor_mm, pulp_depth_mm_, seen_mm);
-  depth_->set_range(0, most, most > 4 ? 1.0 : 0.5);
+  depth_->set_scale({.least = 0, .most = most, .major_step = most > 4 ? 1.0 : 0.5});
 }
 
 void DrillStage::want_sections() {

@@ -25,7 +25,7 @@ Bar::Role role_of(Tissue tissue) {
     case Tissue::dentine:
     case Tissue::cementum: return Bar::Role::dentine;
     case Tissue::carious_dentine:
-    case Tissue::carious_enamel: return Bar::Role::caries;
+    case Tissue::carious_enamel: return Bar::Role::carious;
     case Tissue::pulp: return Bar::Role::pulp;
     default: return Bar::Role::plain;
   }

@@ -19,31 +19,31 @@ void AuditJob::start(const Scenario& scenario, const AuditSettings& settings, co
   cancel();
   run_ = std::make_shared<Run>();
   QThreadPool::globalInstance()->start([run = run_, scenario, settings, runner, self = QPointer<AuditJob>(this)] {
-    const auto notify = [&](auto say) {
+    const auto post = [&](auto answer) {
       QMetaObject::invokeMethod(
           qApp,
-          [self, run, say] {
-            if (self && self->run_ == run) say(*self);
+          [self, run, answer] {
+            if (self && self->run_ == run) answer(*self);
           },
           Qt::QueuedConnection);
     };
     double reported = -1;
     const auto report = audit(scenario, settings, runner, [&](double share) {
-      // A hundred times in all, however often it is asked.
+      // At most 100 signals, one for each percent.
       if (share >= reported + 0.01) {
         reported = share;
-        notify([share](AuditJob& job) { Q_EMIT job.progressed(share); });
+        post([share](AuditJob& job) { Q_EMIT job.progressed(share); });
       }
       return !run->cancel.load();
     });
     if (!report) {
-      notify([failure = report.error()](AuditJob& job) {
+      post([failure = report.error()](AuditJob& job) {
         job.run_.reset();
         Q_EMIT job.failed(failure);
       });
       return;
     }
-    notify([found = std::make_shared<const AuditReport>(*report)](AuditJob& job) {
+    post([found = std::make_shared<const AuditReport>(*report)](AuditJob& job) {
       job.run_.reset();
       Q_EMIT job.done(found);
     });

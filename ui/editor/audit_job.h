@@ -1,4 +1,4 @@
-/// Audits an exercise in Qt's pool; reports on the GUI thread. GUI thread.
+/// Audits an exercise in Qt's pool; its signals come on the GUI thread. Thread: GUI.
 #pragma once
 
 #include <QObject>
@@ -18,9 +18,9 @@ class AuditJob : public QObject {
   explicit AuditJob(QObject* parent = nullptr);
   ~AuditJob() override;
 
-  /// Stops the one that runs. `runner` is called in the pool.
+  /// Cancels the running audit first. The pool calls `runner`.
   void start(const Scenario& scenario, const AuditSettings& settings, const AuditRunner& runner);
-  /// Nothing more is told of the one that runs; it ends within a fraction of a second or when a specimen has been grown.
+  /// No more signals come. The audit ends within a fraction of a second, or when its specimen is grown.
   void cancel();
   bool running() const { return run_ != nullptr; }
 

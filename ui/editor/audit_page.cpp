@@ -15,7 +15,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kSide = 16;  // px at 100 %, as the other forms
+constexpr int kSide = 16;  // px at 100 %, as in the other forms
 
 QLabel* figure(const QString& text, const QString& name) {
   QLabel* out = make_label(text);
@@ -24,7 +24,7 @@ QLabel* figure(const QString& text, const QString& name) {
   return out;
 }
 
-/// With its sign: what it takes more or less.
+/// A difference, with its sign.
 QString signed_number(double value, int decimals) {
   const QString text = format_number(value, decimals);
   return value > 0 && text != format_number(0, decimals) ? u'+' + text : text;
@@ -105,7 +105,7 @@ void AuditPage::measure() {
   measure_->setEnabled(false);
   busy_ = new Busy;
   busy_place_->addWidget(busy_);
-  busy_->start(tr("Measuring"), true);
+  busy_->start(tr("Measuring"), Busy::Cancel::offered);
   connect(busy_, &Busy::cancelled, this, [this] {
     job_->cancel();
     stop();
@@ -113,7 +113,7 @@ void AuditPage::measure() {
   job_->start(measured_, {}, runner_of_(model_.folder()));
 }
 
-/// No more of the run is shown; what was measured before stays.
+/// The progress is hidden; the last report stays.
 void AuditPage::stop() {
   if (busy_) {
     busy_->hide();

@@ -1,5 +1,5 @@
-/// What the exercise's model costs and what each part of it changes, and the leanest that marks the same: measured at the
-/// press of a button, in the background, and taken with one step of undo. GUI thread.
+/// Measures what each part of the exercise costs and changes, and finds the leanest exercise with the same grades. AuditJob measures;
+/// taking the leanest is one step of undo. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -21,7 +21,7 @@ class AuditPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `runner_of` makes what plays the draft, which may name a volume in that folder.
+  /// `runner_of` makes the runner that plays the draft; the draft may name a volume in that folder.
   AuditPage(EditorModel& model, std::function<AuditRunner(const std::string& folder)> runner_of, QWidget* parent = nullptr);
   ~AuditPage() override;
 
@@ -41,7 +41,7 @@ class AuditPage : public QWidget {
   AuditJob* job_;
   Busy* busy_ = nullptr;
   std::shared_ptr<const AuditReport> report_;
-  Scenario measured_;  // what the report is of
+  Scenario measured_;  // the exercise of the report
   QLabel *about_, *aside_, *leanest_title_, *leanest_, *legend_;
   QPushButton *measure_, *use_;
   QWidget* table_ = nullptr;

@@ -19,7 +19,7 @@
 namespace cusp::ui {
 namespace {
 
-/// The head from the side, the longest as high as there is room, small ones larger than they are beside it.
+/// The head from the side. The longest fills the height; the scale of small heads is larger.
 class BurPicture : public QWidget {
  public:
   explicit BurPicture(const Bur& bur) : bur_(bur) { setFixedSize(px(22), px(34)); }

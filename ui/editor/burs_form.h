@@ -1,4 +1,4 @@
-/// The burs that students may choose from.
+/// The burs that an exercise lends to students. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -32,7 +32,7 @@ class BursForm : public QWidget {
   QComboBox* catalogue_;
   QLabel* uses_;
   QPushButton* add_;
-  std::vector<NumberBox*> diameters_;  // by row; of a head that is no ball none
+  std::vector<NumberBox*> diameters_;  // one for each round bur, in the order of the rows
   std::vector<std::string> built_;  // names of the rows, in order
 };
 

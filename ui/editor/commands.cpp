@@ -26,7 +26,7 @@ bool ScenarioEdit::mergeWith(const QUndoCommand* next) {
   const auto* edit = static_cast<const ScenarioEdit*>(next);  // the stack compares id() first
   if (edit->field_ != field_ || edit->gesture_ != gesture_) return false;
   after_ = edit->after_;
-  setObsolete(before_ == after_);  // turned back to where it was: no step
+  setObsolete(before_ == after_);  // the value of before again: no step
   return true;
 }
 

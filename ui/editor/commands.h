@@ -1,5 +1,5 @@
-/// One edit of an exercise, to be undone and done again. Nothing else changes the exercise that an editor holds.
-/// An exercise is a page of values, so an edit keeps it whole before and after: undoing cannot forget a field.
+/// One edit of an exercise as a step of undo; nothing else changes the exercise of an EditorModel. The command keeps the whole
+/// exercise before and after, so that undo restores every field. Thread: GUI.
 #pragma once
 
 #include <QUndoCommand>
@@ -12,8 +12,8 @@ namespace cusp::ui {
 
 class ScenarioEdit : public QUndoCommand {
  public:
-  /// `field` and `gesture` say what may merge: edits of one field within one gesture (a handle being dragged, a spin box
-  /// being turned) become one step. `changed` is called after every undo and redo; `held` outlives the command.
+  /// Edits with the same `field` and `gesture` (one drag of a handle, one turn of a spin box) merge into one step. The command
+  /// calls `changed` after every undo and redo. `held` outlives the command.
   ScenarioEdit(Scenario& held, Scenario after, const QString& text, QString field, int gesture,
                std::function<void()> changed);
   void undo() override;

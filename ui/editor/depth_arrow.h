@@ -1,5 +1,5 @@
-/// The depth of a target as it is drawn on the tooth: an arrow from the floor up to the reference plane. Shaped, not
-/// translucent: what lies below is OpenGL. GUI thread.
+/// Depth of a target on the picture of the tooth: an arrow from the floor to the reference plane. A mask shapes the widget, since
+/// OpenGL below it allows no translucency. Thread: GUI.
 #pragma once
 
 #include <QPainterPath>
@@ -11,7 +11,7 @@ namespace cusp::ui {
 class DepthArrow : public QWidget {
  public:
   explicit DepthArrow(QWidget* parent);
-  /// Both in the parent's coordinates; too near each other, nothing is shown.
+  /// Both points in the parent's coordinates. If they are too close, the arrow is hidden.
   void span(QPointF floor, QPointF top);
 
  protected:

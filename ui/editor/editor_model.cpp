@@ -12,16 +12,16 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kNewSegmentMm = 1.0;  // a branch as long as a fissure's arm, where no step tells a length
-constexpr double kLeastNewWidthMm = 0.5, kLeastNewLengthMm = 2.0;  // of a shape made from another
+constexpr double kNewSegmentMm = 1.0;  // length of a branch, about that of a fissure's arm
+constexpr double kLeastNewWidthMm = 0.5, kLeastNewLengthMm = 2.0;  // of a shape after set_shape()
 
-/// A tenth of a micrometre: sums of steps stay numbers that people can read.
+/// Rounds to 0.1 µm, so that sums of steps print short.
 double tidy(double mm) { return std::round(mm * 1e4) / 1e4; }
 Vec3 tidy(Vec3 v) { return {tidy(v.x), tidy(v.y), tidy(v.z)}; }
 
 bool has(const std::vector<Tissue>& list, Tissue tissue) { return std::ranges::find(list, tissue) != list.end(); }
 
-/// The rectangle of all points.
+/// Bounding rectangle of all points.
 void bounds(const Target& target, Vec3& low, Vec3& high) {
   low = high = target.paths.front().front();
   for (const auto& path : target.paths) {
@@ -34,7 +34,7 @@ void bounds(const Target& target, Vec3& low, Vec3& high) {
 
 bool finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// The writer takes finite numbers only.
+/// The writer of scenario.json refuses numbers that are not finite.
 bool finite(const Scenario& s) {
   const Target& t = s.target;
   bool all = std::isfinite(t.width_mm) && std::isfinite(t.depth_mm) && std::isfinite(t.top_mm) &&
@@ -84,7 +84,7 @@ bool EditorModel::edit(const QString& text, const QString& field, const std::fun
   change(after);
   if (after == scenario_) return true;
   if (!finite(after)) return false;
-  // The format's own reader says what an exercise may hold; a draft that would not open again is never made.
+  // The reader of the format decides what an exercise may hold: a draft must open again.
   const auto back = read_scenario(canonical_json(after));
   if (!back || !(*back == after)) return false;
   stack_.push(new ScenarioEdit(scenario_, std::move(after), text, field, gesture_, [this] { after_change(); }));
@@ -197,7 +197,7 @@ bool EditorModel::set_depth_mm(double mm) {
     for (Criterion& c : s.rubric.criteria) {
       if (!c.metric.starts_with("depth_")) continue;
       Bands& b = c.bands;
-      // A side whose three edges coincide is open: nothing lies beyond it, so there is nothing to move.
+      // A side with three equal edges is open and has no bands to move.
       if (b.fail_lo != b.ideal_lo || b.acc_lo != b.ideal_lo) {
         for (double* edge : {&b.fail_lo, &b.acc_lo, &b.ideal_lo}) *edge = tidy(*edge + by);
       }
@@ -250,7 +250,7 @@ bool EditorModel::add_point(std::size_t path) {
 bool EditorModel::remove_point(std::size_t path, std::size_t point) {
   const auto& paths = scenario_.target.paths;
   if (path >= paths.size() || point >= paths[path].size() || scenario_.target.shape != "outline") return false;
-  if (paths.size() == 1 && paths[0].size() <= 2) return false;  // a target stays
+  if (paths.size() == 1 && paths[0].size() <= 2) return false;  // the target keeps one segment
   end_gesture();
   return edit(tr("Remove a point"), u"points"_qs, [&](Scenario& s) {
     auto& points = s.target.paths[path];

@@ -1,4 +1,4 @@
-// What stands against the exercise that the editor's model holds, and what its grown specimen says of the pulp's rule.
+// EditorModel's findings, and the pulp's rule after the specimen has grown.
 #include <algorithm>
 
 #include "scenarios/checks/checks.h"
@@ -33,7 +33,7 @@ bool EditorModel::allow_access() {
   std::erase(without.rubric.critical, "pulp_exposure");
   const auto found = check_regions(without, *specimen_);
   if (std::ranges::find(found, "target_holds_pulp", &Finding::code) == found.end()) return false;
-  // The field and gesture of the step that brought the tooth: it merges with that.
+  // With the field and gesture of the specimen's step this edit merges into it.
   stack_.push(new ScenarioEdit(scenario_, std::move(without), last->text(), last->field(), last->gesture(),
                                [this] { after_change(); }));
   return true;

@@ -1,4 +1,4 @@
-// What the editor's model does to the specimen of an exercise, and to the tissues that come with it.
+// EditorModel's edits of the specimen and of its tissues.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@
 namespace cusp::ui {
 namespace {
 
-/// What was meant stays what is meant: a field that its shape does not use stands at its default.
+/// Keeps the fields that the shape uses; the others take their defaults.
 void clean(SpecimenSource& source) {
   if (!source.generator.empty()) source.volume.clear();
   if (source.generator != "tooth") {
@@ -28,8 +28,8 @@ bool has_pulp(const Scenario& s) {
   return std::ranges::any_of(s.tissues, [](const ScenarioTissue& t) { return t.tissue == Tissue::pulp; });
 }
 
-/// Critical tissues stay protected where there are any, and nothing else is. Pulp that was not there before brings its
-/// rule; where it was there, whoever switched the rule off meant it.
+/// Protects the critical tissues of the specimen and no others. New pulp brings its rule; a rule that was switched off while
+/// there was pulp stays off.
 void guard(Scenario& s, bool had_pulp) {
   const auto there = [&s](Tissue t) {
     return std::ranges::any_of(s.tissues, [t](const ScenarioTissue& have) { return have.tissue == t; });

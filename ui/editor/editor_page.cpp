@@ -11,13 +11,13 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "ui/editor/check_sentences.h"
+#include "ui/editor/check_messages.h"
 #include "ui/editor/editor_page_parts.h"
 #include "ui/editor/editor_records.h"
 #include "ui/editor/shape_form.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/target_view.h"
-#include "ui/editor/words_form.h"
+#include "ui/editor/texts_form.h"
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
@@ -32,7 +32,7 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kAutosaveMs = 1500;
-constexpr int kRestMs = 350;  // a number that is being turned is not grown at every step
+constexpr int kRestMs = 350;  // a spin box that is being turned does not start a specimen at every step
 
 }  // namespace
 
@@ -67,14 +67,14 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
   column->addLayout(row, 1);
 
   connect(model_, &EditorModel::changed, this, &EditorPage::follow_model);
-  // The model tells of a change while its step is still being pushed: what can be undone is the stack's to tell.
+  // EditorModel::changed comes before the stack has the step, so the buttons follow the stack.
   connect(&model_->stack(), &QUndoStack::indexChanged, this, &EditorPage::show_undo);
   grow_soon_.setSingleShot(true);
   grow_soon_.setInterval(kRestMs);
   connect(&grow_soon_, &QTimer::timeout, this, &EditorPage::grow);
   connect(model_, &EditorModel::specimen_changed, this, [this] {
     grower_->cancel();
-    grown_.reset();  // the tooth before is seen until the new one is there, but it is no longer tried out or checked
+    grown_.reset();  // the view keeps the last tooth; trying out and checks wait for the new one
     grow_soon_.start();
   });
   connect(grower_, &SpecimenGrower::previewed, stage_, &TargetView::set_specimen);
@@ -98,7 +98,7 @@ EditorPage::EditorPage(Store& store, const Actor& actor, const Ports& ports, Edi
     stage_->set_centre(state);
     follow_model();
   });
-  // A window that is closed, or a machine that stops, loses a moment's work and no more.
+  // If the program dies, only the edits since the last pause are lost.
   autosave_.setSingleShot(true);
   autosave_.setInterval(kAutosaveMs);
   connect(&autosave_, &QTimer::timeout, this, &EditorPage::keep);
@@ -130,7 +130,7 @@ void EditorPage::show_tooth_form(bool on) {
 void EditorPage::grow() {
   grown_.reset();
   busy_ = new Busy;
-  busy_->start(tr("Growing the tooth"), true);
+  busy_->start(tr("Growing the tooth"), Busy::Cancel::offered);
   stage_->set_centre(busy_);
   connect(busy_, &Busy::cancelled, this, [this] {
     grower_->cancel();
@@ -199,7 +199,7 @@ void EditorPage::follow_model() {
                         : standing == EditorModel::Standing::unchanged   ? tr("nothing was changed since it was published")
                                                                          : tr("ready to publish"));
   checks_chip_->set(failing ? tr("Check fails") : tr("Checks passed"), failing ? Chip::Kind::bad : Chip::Kind::good);
-  check_->setText(wrong > 0 ? check_sentence(findings.front()) : QString());
+  check_->setText(wrong > 0 ? check_message(findings.front()) : QString());
   show_->setVisible(wrong > 0);
 }
 
@@ -256,7 +256,7 @@ void EditorPage::try_out() {
   plan.scenario = model_->scenario();
   plan.scenario_folder = model_->folder();
   plan.student = actor_;
-  plan.kind = SessionKind::try_out;  // and no database: nothing is kept
+  plan.kind = SessionKind::try_out;  // no database: the records get nothing
   plan.specimen = grown_->whole->specimen_ptr();
   Q_EMIT try_out_wanted(plan, local(model_->scenario().title));
 }

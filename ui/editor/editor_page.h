@@ -1,5 +1,5 @@
-/// The editor: shapes and tooth at the left, the tooth with its handles in the middle, numbers at the right, checks
-/// below. It shows one EditorModel; the draft is kept whenever the hand rests, and on leaving. GUI thread.
+/// The editor page: shapes and specimen at the left, the tooth with handles in the middle, numbers at the right, checks below.
+/// It shows one EditorModel and saves the draft after each pause and on leaving. Thread: GUI.
 #pragma once
 
 #include <QTimer>
@@ -39,25 +39,25 @@ class EditorPage : public QWidget {
 
   EditorModel& model() { return *model_; }
   TargetView* stage() const { return stage_; }
-  /// Grown and shown; nullptr before.
+  /// The specimen shown; nullptr until it is grown.
   const std::shared_ptr<const GrownSpecimen>& grown() const { return grown_; }
 
  public Q_SLOTS:
   /// Starts an attempt at the draft as it stands, of which nothing is kept.
   void try_out();
   void publish_version();
-  /// The window is being closed: what is not kept yet is kept, as a copy where another window has changed the draft.
+  /// Saves the draft while the window closes; as a copy if another window has changed it.
   void keep_before_closing();
-  /// Keeps the draft, then back_wanted(); stays when it cannot be kept, and says why.
+  /// Saves the draft and emits back_wanted(). If saving fails, the page stays and shows the cause.
   void leave();
 
  Q_SIGNALS:
   void back_wanted();
   void try_out_wanted(const SessionPlan& plan, const QString& title);
   void published(const ScenarioVersion& version);
-  /// The draft goes on as this new exercise; the one that was opened is another window's.
+  /// The editor continues with this copy; the opened exercise belongs to another window.
   void copied(const EditorStart& copy);
-  /// The tooth is there and shown.
+  /// The specimen is grown and shown.
   void ready();
 
  private:
@@ -84,7 +84,7 @@ class EditorPage : public QWidget {
   Store& store_;
   Actor actor_;
   const Ports& ports_;
-  std::optional<std::string> kept_;  // the draft's JSON as this window has read or written it last
+  std::optional<std::string> kept_;  // the draft's JSON that this window read or wrote last
   QTimer autosave_, grow_soon_;
   EditorModel* model_;
   SpecimenGrower* grower_;

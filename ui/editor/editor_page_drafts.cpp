@@ -1,4 +1,4 @@
-// The editor's page and the records: keeping the draft, another window that changed it, publishing.
+// EditorPage and the records: saving the draft, conflicts with another window, publishing.
 
 #include <QBoxLayout>
 #include <QDateTime>
@@ -8,7 +8,7 @@
 #include "scenarios/format/read.h"
 #include "ui/editor/editor_page.h"
 #include "ui/editor/editor_records.h"
-#include "ui/editor/words_form.h"
+#include "ui/editor/texts_form.h"
 #include "ui/modules.h"
 #include "ui/text/language.h"
 #include "ui/text/failure_text.h"
@@ -50,7 +50,7 @@ bool EditorPage::keep() {
 }
 
 void EditorPage::show_clash() {
-  if (!clash_->isHidden()) return;  // it was said, and stands until one chooses
+  if (!clash_->isHidden()) return;  // the question stays until it is answered
   const auto theirs = store_.scenarios.draft(actor_, model_->scenario().id);
   if (!theirs) return show_failure(theirs.error());
   band_->clear();
@@ -69,7 +69,7 @@ void EditorPage::see_theirs() {
   const auto theirs = store_.scenarios.draft(actor_, model_->scenario().id);
   if (!theirs) return show_failure(theirs.error());
   clash_->clear();
-  if (!*theirs) return show_clash();  // gone meanwhile
+  if (!*theirs) return show_clash();  // discarded meanwhile
   const auto read = read_scenario((*theirs)->json);
   if (!read || !model_->take(*read)) {
     band_->show_message(Band::Kind::bad, tr("The other window’s draft cannot be read."), tr("Yours stands as it was."));
@@ -102,7 +102,7 @@ void EditorPage::keep_before_closing() {
   autosave_.stop();
   const auto kept = keep_draft(store_, actor_, *model_, kept_);
   if (!kept || *kept == DraftSave::kept) return;
-  // Nobody is asked any more: both stay. A disk that refuses the copy has nobody to tell either.
+  // A closing window asks no question: both drafts stay. A failed copy cannot be shown any more.
   [[maybe_unused]] const auto copy = keep_as_copy(store_, actor_, *model_, title_of_copy(model_->scenario().title));
 }
 

@@ -1,4 +1,4 @@
-// What stands where on the editor's page, and which of its functions each part calls.
+// The parts of the editor page and their connections.
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QLabel>
@@ -18,7 +18,7 @@
 #include "ui/editor/shape_form.h"
 #include "ui/editor/specimen_form.h"
 #include "ui/editor/tissues_form.h"
-#include "ui/editor/words_form.h"
+#include "ui/editor/texts_form.h"
 #include "ui/session/audit_run.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/format.h"
@@ -59,13 +59,13 @@ QWidget* EditorPage::make_top_bar() {
   row->addWidget(rule);
   title_ = new QLineEdit;
   title_->setAccessibleName(tr("Title of the exercise"));
-  title_->setToolTip(tr("Title, in the language of the screen; the others stand under Words"));
+  title_->setToolTip(tr("Title, in the language of the screen; the others stand under Texts"));
   title_->setFont(font_of(TextRole::section, true));
   title_->setMinimumWidth(px(200));
   title_->setMaximumWidth(px(340));
   row->addWidget(title_, 1);
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
-    // English is always there: an emptied one keeps its last letter until another is typed.
+    // English is required: an emptied title keeps its last letter until another is typed.
     model_->set_title(screen_language(), text.trimmed());
   });
   connect(title_, &QLineEdit::editingFinished, this, [this] {
@@ -81,7 +81,7 @@ QWidget* EditorPage::make_top_bar() {
   row->addWidget(redo_);
   row->addSpacing(px(8));
   connect(undo_, &QToolButton::clicked, this, [this] {
-    undo_->setFocus();  // a field that is being typed in shows what there is again
+    undo_->setFocus();  // a field with the focus would keep its typed text
     model_->stack().undo();
   });
   connect(redo_, &QToolButton::clicked, this, [this] {
@@ -167,12 +167,12 @@ QWidget* EditorPage::make_right() {
   column->setContentsMargins(1, 0, 0, 0);
   tabs_ = new QTabWidget;
   tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setProperty("tight", true);  // six words in 368 px
+  tabs_->tabBar()->setProperty("tight", true);  // six tabs in 368 px
   tabs_->addTab(scrolling(new ShapeForm(*model_)), tr("Shape"));
   tabs_->addTab(scrolling(new PointsForm(*model_)), tr("Points"));
   tabs_->addTab(scrolling(new BursForm(*model_)), tr("Burs"));
   tabs_->addTab(scrolling(new TissuesForm(*model_)), tr("Tissues"));
-  tabs_->addTab(scrolling(new WordsForm(*model_)), tr("Words"));
+  tabs_->addTab(scrolling(new TextsForm(*model_)), tr("Texts"));
   tabs_->addTab(scrolling(new AuditPage(*model_, [](const std::string& folder) { return audit_runner(folder); })), tr("Audit"));
   column->addWidget(tabs_);
   return panel;

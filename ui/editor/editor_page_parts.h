@@ -1,4 +1,4 @@
-/// What the two files of the editor's page share.
+/// Declarations that the editor_page*.cpp files share.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace cusp::ui {
 
-/// Of the tabs at the right.
+/// Index of a tab at the right.
 enum EditorTab { kShapeTab, kPointsTab, kBursTab, kTissuesTab, kWordsTab, kAuditTab };
 
 struct ShapeChoice {
@@ -16,7 +16,7 @@ struct ShapeChoice {
 };
 inline constexpr ShapeChoice kShapes[] = {{"outline", "fissures"}, {"channel", "channel"}, {"box", "box"}};
 
-/// Code of the language whose title stands at the top.
+/// Code of the language of the title at the head.
 inline std::string screen_language() { return current_language() == u"de" ? "de" : "en"; }
 
 }  // namespace cusp::ui

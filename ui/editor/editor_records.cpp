@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Puts the volume of a published version beside the draft, so that every volume a draft ever names lies in one folder.
+/// Copies the volume of a published version beside the draft: all volumes that a draft names lie in one folder.
 Stored<void> unpack_volume(Store& store, const Exercise& exercise, const fs::path& to, const fs::path& cache) {
   const std::string& volume = exercise.scenario.specimen.volume;
   std::error_code error;
@@ -47,7 +47,7 @@ Stored<EditorStart> open_for_editing(Store& store, const Actor& actor, const Exe
                                      const fs::path& database, const fs::path& cache) {
   EditorStart start;
   start.published = exercise.scenario;
-  // A version's own number is the records'; the file's is what it was called where it came from.
+  // The records number the versions; the number in the file comes from another station.
   start.published->version = exercise.version.is_nil() ? exercise.scenario.version : exercise.version_number;
   start.draft = *start.published;
   const auto draft = store.scenarios.draft(actor, exercise.scenario.id);
@@ -91,7 +91,7 @@ Stored<DraftSave> keep_draft(Store& store, const Actor& actor, const EditorModel
     return done;
   }
   std::string json = canonical_json(s);
-  if (json == kept) return DraftSave::kept;  // a window that changed nothing overwrites nothing
+  if (json == kept) return DraftSave::kept;  // nothing to write
   const auto done = store.scenarios.save_draft(actor, s.id, json, kept);
   if (done && *done == DraftSave::kept) kept = std::move(json);
   return done;
@@ -121,7 +121,7 @@ Stored<EditorStart> keep_as_copy(Store& store, const Actor& actor, const EditorM
 Stored<int> next_version(Store& store, const EditorModel& model) {
   const auto versions = store.scenarios.versions(model.scenario().id);
   if (!versions) return std::unexpected(versions.error());
-  // A built-in exercise that was never played here is its own first version.
+  // The built-in exercise becomes the first version.
   if (versions->empty()) return model.published() ? model.published()->version + 1 : 1;
   return versions->back().number + 1;
 }

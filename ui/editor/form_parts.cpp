@@ -21,12 +21,12 @@ NumberBox::NumberBox(EditorModel& model, const QString& name, const QString& uni
   if (!unit.isEmpty()) setSuffix(QChar(0x00A0) + unit_text(unit));
   connect(this, &QDoubleSpinBox::valueChanged, this, [this, take](double value) {
     if (take(value)) {
-      shown_ = this->value();  // the exercise may have taken another one
+      shown_ = this->value();  // take() may have rounded it
       return;
     }
     const QString wanted = isolate(textFromValue(value) + suffix());
     show_value(shown_);
-    show_note(tr("%1 does not go with the rest of the exercise. It stays at %2.")
+    show_message(tr("%1 does not go with the rest of the exercise. It stays at %2.")
             .arg(wanted, isolate(textFromValue(shown_) + suffix())));
   });
   connect(this, &QDoubleSpinBox::editingFinished, this, [&model] { model.end_gesture(); });
@@ -38,7 +38,7 @@ void NumberBox::show_value(double value) {
 }
 
 bool NumberBox::event(QEvent* event) {
-  // Undo is the exercise's, not that of the digits in this box.
+  // Ctrl+Z undoes an edit of the exercise, not a digit of this box.
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||

@@ -1,4 +1,4 @@
-/// What the editor's forms are made of: a number with its unit, a row with its label.
+/// Parts of the editor's forms: a number with its unit, a labelled row. Thread: GUI.
 #pragma once
 
 #include <functional>
@@ -12,15 +12,15 @@ namespace cusp::ui {
 
 class EditorModel;
 
-/// A number that changes the exercise as it is turned; leaving it ends the step of undo.
+/// A number of the exercise: each step changes it, and leaving the field ends the step of undo.
 class NumberBox : public NumberField {
   Q_OBJECT
 
  public:
-  /// `unit` may be empty. `take` is false where the value was refused: then the box shows what there is, and says so.
+  /// `unit` may be empty. If `take` returns false, the box shows the old value and a message.
   NumberBox(EditorModel& model, const QString& name, const QString& unit, double least, double most, double step,
             int decimals, std::function<bool(double)> take);
-  /// Shows the exercise's value without changing anything.
+  /// Shows the exercise's value without a signal.
   void show_value(double value);
 
  protected:
@@ -30,7 +30,7 @@ class NumberBox : public NumberField {
   double shown_ = 0;
 };
 
-/// Label at the left, field at the right, a number's note below; the label is the field's buddy.
+/// Label at the left, field at the right, the message of a NumberField below. The label is the field's buddy.
 QLabel* add_row(QBoxLayout* column, const QString& label, QWidget* field);
 /// A section's title with quiet text at the right.
 void add_section(QBoxLayout* column, const QString& title, QLabel** aside = nullptr);

@@ -1,4 +1,4 @@
-// A handle on the target: how it looks, is dragged, and answers to the arrow keys.
+// HandleKnob: painting, dragging, arrow keys.
 
 #include <QAccessibleWidget>
 #include <QCoreApplication>
@@ -15,11 +15,11 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kBody = 14, kWhole = 22;                // px: a handle, and the room of its focus ring
+constexpr int kBody = 14, kWhole = 22;                // px: a handle, and with its focus ring
 constexpr double kStepMm = 0.05, kFineStepMm = 0.01;  // of an arrow key
 
-/// A handle as a screen reader meets it: something that slides, with its place or size as the value. A depth or a width grows
-/// and shrinks by actions, a step of the arrow keys each; a point has no more and less, and its numbers stand in the form.
+/// A handle for screen readers: a slider with place or size as its value. Two actions change a depth or a width by one step; a
+/// point has none, and its numbers stand in the form.
 class KnobForReaders : public QAccessibleWidget {
  public:
   explicit KnobForReaders(HandleKnob* knob) : QAccessibleWidget(knob, QAccessible::Slider), knob_(*knob) {}
@@ -114,7 +114,7 @@ void HandleKnob::mouseMoveEvent(QMouseEvent* event) {
     if (!from || !below) return;
     const QPointF by = now - start_at_, down = *below - *from;  // px of one millimetre deeper
     const double length2 = QPointF::dotProduct(down, down);
-    // Seen from above a depth has no length in the picture: then down the screen is deeper.
+    // From above a depth has no length on the screen; then "down" means deeper.
     const double scale = stage_.view_->camera().px_per_mm(std::min(stage_.width(), stage_.height()));
     to.z -= length2 > 16.0 ? QPointF::dotProduct(by, down) / length2 : by.y() / std::max(scale, 1.0);
   } else {
@@ -145,7 +145,7 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
   const Target target = stage_.model_.scenario().target;
   switch (handle_.kind) {
     case TargetHandle::Kind::point: {
-      // The specimen's own axis that lies nearest to what the key says on the screen.
+      // The axis of the specimen that is nearest to the key's direction on the screen.
       const Vec3 right = stage_.view_->camera().right();
       const bool along_x = std::abs(right.x) >= std::abs(right.y);
       const Vec3 axis = along_x ? Vec3(right.x >= 0 ? 1 : -1, 0, 0) : Vec3(0, right.y >= 0 ? 1 : -1, 0);
@@ -155,7 +155,7 @@ void HandleKnob::keyPressEvent(QKeyEvent* event) {
       break;
     }
     case TargetHandle::Kind::width: {
-      // Half of it on either side: the step is of the width.
+      // Each side moves by half: the step is one of the width.
       Target wider = target;
       wider.width_mm = std::max(target.width_mm + (x + y) * step, kLeastHandleMm);
       stage_.model_.set_width_mm(std::round(wider.width_mm * 1e4) / 1e4);

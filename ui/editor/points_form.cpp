@@ -49,7 +49,7 @@ Bands first_bands(const std::string& metric, const Target& target) {
       return b;
     }
   }
-  // Coolant: none of it missing is the ideal, the pulp's criterion the end [M].
+  // Coolant: nothing missing is ideal; the pulp's temperature criterion is the worst edge [M].
   if (metric == "dry_cutting_time") return {0, 0, 0, 2, 5, 10};
   if (metric == "temperature_rise_peak") return {0, 0, 0, 2, 4, kPulpCriterionK};
   const auto known = metric_from_key(metric);

@@ -42,11 +42,11 @@ class PointsForm : public QWidget {
   QVBoxLayout* list_;
   std::vector<Row> rows_;
   std::vector<std::string> built_;  // metrics of rows_, in order
-  std::string open_;                // metric whose bands are shown
+  std::string open_;                // metric with its bands shown
 };
 
-/// Bands to begin with: those of the exercises that come with the program, depths moved to this target's; where none
-/// asks for the metric, bands that take no points.
+/// First bands of a criterion: those of the built-in exercises, moved to this target's depth. If none of them has the metric, bands
+/// that cost no points.
 Bands first_bands(const std::string& metric, const Target& target);
 
 }  // namespace cusp::ui

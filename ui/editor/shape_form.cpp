@@ -14,7 +14,7 @@
 namespace cusp::ui {
 namespace {
 
-// Leeway of three levels of block exercises, beginner to exam, mm.
+// Tolerance zone of the three levels of block exercises, beginner to exam, mm.
 constexpr std::array kStrictness = {0.5, 0.3, 0.2};
 constexpr double kMostSizeMm = 30, kMostDepthMm = 15, kReachMm = 100;
 
@@ -147,7 +147,7 @@ void ShapeForm::follow_model() {
   slot_rows_->setVisible(!box);
   box_rows_->setVisible(box);
   point_buttons_->setVisible(outline);
-  const QSignalBlocker silent(strictness_);  // shows what there is: it chooses nothing
+  const QSignalBlocker silent(strictness_);  // showing a value is no edit
   int chosen = -1;
   for (std::size_t i = 0; i < kStrictness.size(); ++i) {
     if (s.leeway.floor_mm == kStrictness[i] && s.leeway.side_mm == kStrictness[i]) chosen = static_cast<int>(i);
@@ -155,7 +155,7 @@ void ShapeForm::follow_model() {
   if (chosen >= 0) {
     strictness_->choose(chosen);
   } else {
-    // A leeway of one's own is none of the three.
+    // Any other tolerance is none of the three levels.
     QButtonGroup* group = strictness_->button(0)->group();
     group->setExclusive(false);
     for (std::size_t i = 0; i < kStrictness.size(); ++i) strictness_->button(static_cast<int>(i))->setChecked(false);

@@ -1,4 +1,4 @@
-/// The target in numbers: all that its handles do, and leeway and time besides.
+/// The target in numbers: everything that its handles change, tolerance zone and time limit. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -23,7 +23,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kMostSeed = 999999;  // six digits are enough teeth, and can be told over the phone
+constexpr double kMostSeed = 999999;  // six digits
 constexpr double kDefaultVoxelMm = 0.1;
 constexpr int kDefaultTooth = 36;
 
@@ -44,7 +44,7 @@ QWidget* group(QVBoxLayout** column) {
   return box;
 }
 
-/// The longest entry does not set the width: the panel has the room it has.
+/// A box that the panel's width limits, not its longest entry.
 void shrinks(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box.setMinimumContentsLength(8);
@@ -86,7 +86,7 @@ SpecimenForm::SpecimenForm(EditorModel& model, const Ports& ports, QWidget* pare
   shrinks(*tooth_);
   rows->addWidget(labelled(tr("Tooth"), tooth_));
   seed_ = new NumberBox(model_, tr("Variation"), {}, 0, kMostSeed, 1, 0, [this](double seed) {
-    if (!tooth_stands()) return true;  // it is part of what is used as a whole
+    if (!tooth_stands()) return true;  // the button takes it with the rest
     SpecimenSource source = model_.scenario().specimen;
     source.seed = static_cast<std::uint64_t>(seed);
     return model_.set_tooth(source, u"seed"_qs);
@@ -169,7 +169,7 @@ void SpecimenForm::use() {
   source.generator = kind_->currentData().toString().toStdString();
   source.voxel_mm = voxel_->value();
   if (source.generator == "paper-block") {
-    // Always the paper's grid: its own exercise states the size.
+    // The paper's grid; the exercise states the voxel size.
     source.voxel_mm = 10.0 / 128.0;
   } else if (source.generator == "tooth") {
     source.fdi = tooth_->currentData().toInt();
@@ -192,7 +192,7 @@ void SpecimenForm::pick() {
       band_->show_message(Band::Kind::bad, message.what, message.more);
       return;
     }
-    // Under a name of its own: a file of the same name may already be what an earlier step of undo means.
+    // A new name: an earlier step of undo may mean a file of the old one.
     const std::filesystem::path folder = model_.folder();
     std::error_code error;
     std::filesystem::create_directories(folder, error);

@@ -1,5 +1,5 @@
-/// Which tooth or block an exercise is drilled on: a grown one by number, seed and fineness, or a volume file. Where the
-/// exercise has a tooth already, number, seed and fineness change it at once; another kind is chosen as a whole.
+/// The specimen of an exercise: a grown tooth by number, seed and voxel size, or a volume file. If the exercise has a grown tooth,
+/// each change is an edit at once; another kind is taken as a whole. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -21,7 +21,7 @@ class SpecimenForm : public QWidget {
   Q_OBJECT
 
  public:
-  /// A picked file is copied into the model's folder, so that the draft keeps it.
+  /// Copies the picked file into the model's folder: the draft keeps it.
   SpecimenForm(EditorModel& model, const Ports& ports, QWidget* parent = nullptr);
 
  Q_SIGNALS:

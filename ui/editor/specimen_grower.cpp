@@ -13,11 +13,11 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kPreviewMm = 0.25, kPreviewedBelowMm = 0.2;  // an eighth of the voxels, or less
+constexpr double kPreviewMm = 0.25, kPreviewedBelowMm = 0.2;  // at most an eighth of the voxels
 
 using Grown = Result<std::shared_ptr<const GrownSpecimen>, ImportFailure>;
 
-/// Voxels of a tissue with a neighbour of another.
+/// Voxels of a tissue that touch another one.
 std::vector<Vec3> rim_of(const VoxelVolume& volume, Tissue tissue) {
   const IVec3 n = volume.grid.size;
   const auto at = [n](int x, int y, int z) {
@@ -48,7 +48,7 @@ Grown grow_now(const SpecimenSource& source, Method method, const std::string& f
     auto tooth = grow_tooth(tooth_request(source), &cancel, progress);
     if (!tooth) {
       if (tooth.error().code == ToothError::cancelled) return fail(ImportError::cancelled, source.generator);
-      // Message by the one place that knows the words for a specimen that cannot be made.
+      // ImportError carries the message for a specimen that cannot be made.
       auto refused = make_specimen(source, folder);
       if (!refused) return std::unexpected(refused.error());
       volume = std::move(*refused);
@@ -83,11 +83,11 @@ void SpecimenGrower::grow(const SpecimenSource& source, Method method, const std
   cancel();
   job_ = std::make_shared<Job>();
   QThreadPool::globalInstance()->start([job = job_, source, method, folder, self = QPointer<SpecimenGrower>(this)] {
-    const auto notify = [&](auto say) {
+    const auto post = [&](auto answer) {
       QMetaObject::invokeMethod(
           qApp,
-          [self, job, say] {
-            if (self && self->job_ == job) say(*self);
+          [self, job, answer] {
+            if (self && self->job_ == job) answer(*self);
           },
           Qt::QueuedConnection);
     };
@@ -95,13 +95,13 @@ void SpecimenGrower::grow(const SpecimenSource& source, Method method, const std
       SpecimenSource coarse = source;
       coarse.voxel_mm = kPreviewMm;
       if (const auto seen = grow_now(coarse, method, folder, job->cancel, {})) {
-        notify([seen](SpecimenGrower& grower) { Q_EMIT grower.previewed(*seen); });
+        post([seen](SpecimenGrower& grower) { Q_EMIT grower.previewed(*seen); });
       }
     }
     const auto made = grow_now(source, method, folder, job->cancel, [&](double share) {
-      notify([share](SpecimenGrower& grower) { Q_EMIT grower.progressed(share); });
+      post([share](SpecimenGrower& grower) { Q_EMIT grower.progressed(share); });
     });
-    notify([made](SpecimenGrower& grower) {
+    post([made](SpecimenGrower& grower) {
       grower.job_.reset();
       if (made) {
         Q_EMIT grower.grown(*made);
@@ -116,7 +116,7 @@ std::vector<ScenarioTissue> usual_tissues(const std::string& generator) {
   for (const std::string_view key : builtin_scenarios()) {
     const auto scenario = load_builtin(key);
     if (!scenario || scenario->specimen.generator != generator) continue;
-    // The paper's three materials are the paper's; all others begin with what is usual.
+    // The paper's block has the paper's figures; other specimens have the usual ones.
     if (generator == "paper-block") return scenario->tissues;
     std::vector<Tissue> there;
     for (const ScenarioTissue& t : scenario->tissues) there.push_back(t.tissue);

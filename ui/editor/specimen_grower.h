@@ -1,5 +1,5 @@
-/// Grows the specimen of an exercise in the background, and makes of it what the editor needs: voxels for the try-out,
-/// facts for the checks, and how high it stands. No widget. Thread: GUI; the growing has one of Qt's pool.
+/// Grows the specimen of an exercise in Qt's pool: voxels for the try-out, facts for the checks, its height. No widget.
+/// Thread: GUI.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ struct GrownSpecimen {
   std::shared_ptr<const Volume> whole;  // nothing cut
   SpecimenFacts facts;
   std::vector<Vec3> pulp_mm;       // outermost voxels of the pulp
-  std::optional<Vec3> central_mm;  // a tooth's central pit
+  std::optional<Vec3> central_mm;  // central pit of a tooth
 };
 
 class SpecimenGrower : public QObject {
@@ -30,15 +30,15 @@ class SpecimenGrower : public QObject {
  public:
   explicit SpecimenGrower(QObject* parent = nullptr);
   ~SpecimenGrower() override;
-  /// What was being grown is given up. `folder`: where a volume lies.
+  /// Cancels the running growth first. `folder`: of a volume file.
   void grow(const SpecimenSource& source, Method method, const std::string& folder);
-  /// Nothing more is told of what is being grown.
+  /// No more signals come of the running growth.
   void cancel();
   bool running() const { return job_ != nullptr; }
 
  Q_SIGNALS:
   void progressed(double share);
-  /// A fine tooth as coarse voxels, to be looked at while it grows.
+  /// A coarse copy of a fine tooth, shown while the fine one grows.
   void previewed(std::shared_ptr<const GrownSpecimen> specimen);
   void grown(std::shared_ptr<const GrownSpecimen> specimen);
   void failed(ImportFailure failure);
@@ -50,12 +50,12 @@ class SpecimenGrower : public QObject {
   std::shared_ptr<Job> job_;
 };
 
-/// What exercises that come with the program say of a generator's tissues (feel, speed).
+/// Tissue figures (stiffness, speed) that the built-in exercises give a generator.
 std::vector<ScenarioTissue> usual_tissues(const std::string& generator);
-/// The same for the tissues that a volume holds; those that no exercise knows get the values of ScenarioTissue.
+/// Likewise for the tissues of a volume; a tissue of no built-in exercise gets the defaults of ScenarioTissue.
 std::vector<ScenarioTissue> usual_tissues(const std::vector<Tissue>& tissues);
 
-/// Highest solid place under x, y; nullopt beside the specimen.
+/// Height of the specimen's surface at x, y; nullopt beside it.
 std::optional<double> height_at(const Specimen& specimen, double x_mm, double y_mm);
 
 }  // namespace cusp::ui

@@ -10,12 +10,12 @@ namespace {
 
 double rounded(double mm) { return std::round(mm / kHandleStepMm) * kHandleStepMm; }
 double at_least(double mm) { return std::max(rounded(mm), kLeastHandleMm); }
-/// Decimal again: 124 steps of 0.01 are 1.24, not a hair beside it.
+/// Rounds to a decimal number: 124 steps of 0.01 give 1.24.
 double decimal(double mm) { return std::round(mm * 1e4) / 1e4; }
 
 bool same_place(Vec3 a, Vec3 b) { return std::abs(a.x - b.x) < 1e-6 && std::abs(a.y - b.y) < 1e-6; }
 
-/// Middle and unit normal of the stretch that shows the width: the longest of the first path.
+/// Middle and unit normal of the longest segment of the first path, which carries the handle of the width.
 struct Stretch {
   Vec3 middle{0.0};
   Vec3 across{0.0, 1.0, 0.0};

@@ -10,8 +10,7 @@
 namespace cusp::ui {
 namespace {
 
-/// Takes the target's inside away: the cut field is the distance to the target's wall, as a bur that met it would
-/// leave it.
+/// Carves the target out: the cut field becomes the distance to the target's wall.
 void carve_target(Volume& volume, const TargetShape& shape) {
   const Grid& grid = volume.grid();
   const Specimen& specimen = volume.specimen();
@@ -58,7 +57,7 @@ TargetPreview make_preview(const PreviewWish& wish) {
   Volume volume = *wish.whole;
   if (wish.carved && !look.empty()) carve_target(volume, look.shape());
   FeedSettings settings = look.feed();
-  // Nothing here is cut too far or left standing: the picture is of what is wanted.
+  // The ideal preparation has neither over-cut nor uncut remainder.
   if (wish.carved) settings.deviation = {};
   out.patches = std::make_shared<PatchFeed>(std::move(settings));
   out.patches->build_all(volume);

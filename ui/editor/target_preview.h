@@ -1,5 +1,5 @@
-/// The tooth as it will look when the target is met, made in the background: the cavity carved out, and the outlines of
-/// target and leeway on the whole tooth. No widget; any thread.
+/// The tooth with the ideal preparation: the cavity carved out, and outlines of target and tolerance zone on the whole tooth.
+/// No widget. Thread: any.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ struct TargetPreview {
   std::vector<OverlayLine> lines;
 };
 
-/// The outlines alone: what follows a hand that drags.
+/// The outlines alone: fast enough to follow a drag.
 std::vector<OverlayLine> preview_lines(const PreviewWish& wish);
 TargetPreview make_preview(const PreviewWish& wish);
 

@@ -21,8 +21,8 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kFirstPitch = 1.2;                  // radians: from above, yet the floor's depth is seen
-constexpr int kRestMs = 200;                         // a hand that rests this long may have its cavity
+constexpr double kFirstPitch = 1.2;                  // radians: nearly from above, with the floor's depth in view
+constexpr int kRestMs = 200;                         // pause before the cavity is carved
 constexpr std::array kTurns = {PresetView::working, PresetView::buccal, PresetView::distal, PresetView::lingual};
 
 QFrame* make_panel(QWidget* parent) {
@@ -32,7 +32,7 @@ QFrame* make_panel(QWidget* parent) {
   return card;
 }
 
-/// A short stretch of a line as it is drawn on the tooth.
+/// Sample of a line for the legend.
 class LineSample : public QWidget {
  public:
   LineSample(bool leeway, QWidget* parent) : QWidget(parent), leeway_(leeway) { setFixedSize(px(24), px(12)); }
@@ -135,7 +135,7 @@ void TargetView::set_centre(QWidget* widget) {
 
 void TargetView::set_specimen(std::shared_ptr<const GrownSpecimen> grown) {
   const bool there = grown != nullptr;
-  // The hand that turned the tooth keeps its view while lesions or neighbours come and go.
+  // The camera stays while carious lesions or neighbours change.
   const auto same = [](const SpecimenSource& a, const SpecimenSource& b) {
     return a.generator == b.generator && a.fdi == b.fdi && a.volume == b.volume && a.around.empty() == b.around.empty();
   };
@@ -176,7 +176,7 @@ void TargetView::look_at_target() {
   const Target& t = model_.scenario().target;
   const Vec3 size = f.high_mm - f.low_mm;
   Vec3 centre = (f.low_mm + f.high_mm) / 2.0;
-  centre.z = std::clamp(t.top_mm - 1.0, f.low_mm.z, f.high_mm.z);  // the crown, not the roots
+  centre.z = std::clamp(t.top_mm - 1.0, f.low_mm.z, f.high_mm.z);  // the crown
   Camera camera = Camera::about(centre, 0.5 * std::hypot(size.x, size.y));
   camera.set_preset(PresetView::working);
   camera.set_angles(camera.yaw(), kFirstPitch);
@@ -214,7 +214,7 @@ void TargetView::run_next() {
         [self, made, whole = wish.whole] {
           if (!self) return;
           self->working_ = false;
-          // Another tooth may have come meanwhile.
+          // The answer is out of date if another tooth came first.
           if (self->grown_ && self->grown_->whole == whole) {
             self->view_->set_lines(made->lines);
             if (made->patches) self->view_->set_feed(made->patches);
@@ -240,7 +240,7 @@ void TargetView::apply(const TargetHandle& handle, const Target& from, Vec3 to) 
 
 std::optional<Vec3> TargetView::on_plane(QPointF at) const {
   const Ray ray = view_->ray(at);
-  if (std::abs(ray.along.z) < 1e-3) return std::nullopt;  // seen from the side the plane is a line
+  if (std::abs(ray.along.z) < 1e-3) return std::nullopt;  // the ray is parallel to the plane
   const double t = (model_.scenario().target.top_mm - ray.from_mm.z) / ray.along.z;
   if (t < 0) return std::nullopt;
   return ray.from_mm + t * ray.along;
@@ -322,7 +322,7 @@ void TargetView::place_all() {
 }
 
 void TargetView::place_tag(QLabel* tag, QPoint at) {
-  // The nearest place about the handle where it covers no other: below first, where the hand's shadow does not fall.
+  // The nearest free place around the handle, below it first.
   static constexpr std::array<QPointF, 6> kWays = {
       QPointF(-0.8, 0.6), QPointF(0.8, 0.6), QPointF(0, 1), QPointF(-1, -0.3), QPointF(1, -0.3), QPointF(0, -1)};
   const auto free = [&](const QRect& room) {

@@ -1,6 +1,6 @@
-/// The tooth with the target's handles on it. A handle is a widget of its own: it has the focus, a name and a value, is
-/// dragged with the left button and moved with the arrow keys by 0.05 mm, with Shift by 0.01. Elsewhere the left button
-/// turns the tooth. Outlines follow the hand; the cavity follows when it rests. GUI thread; meshes come from the pool.
+/// The tooth with the handles of the target. Each handle is a widget with focus, name and value: the left button drags it, arrow
+/// keys move it by 0.05 mm, with Shift by 0.01 mm. Elsewhere the left button turns the tooth. Outlines follow a drag at once, the
+/// cavity after a pause. Thread: GUI; the pool makes the meshes.
 #pragma once
 
 #include <QTimer>
@@ -29,12 +29,12 @@ class TargetView : public QWidget {
   explicit TargetView(EditorModel& model, QWidget* parent = nullptr);
   ~TargetView() override;
 
-  /// Null while none is grown: handles are away then.
+  /// Null hides the handles: no specimen is grown yet.
   void set_specimen(std::shared_ptr<const GrownSpecimen> grown);
   ToothView* view() const { return view_; }
-  /// In the order of handles_of(); as many are visible.
+  /// In the order of handles_of(); the others are hidden.
   const std::vector<HandleKnob*>& knobs() const { return knobs_; }
-  /// A widget in the middle (growing, or why it failed).
+  /// A widget in the middle: progress, or the cause of a failure.
   void set_centre(QWidget* widget);
 
  protected:
@@ -49,7 +49,7 @@ class TargetView : public QWidget {
   void show_scenery();
   void run_next();
   void apply(const TargetHandle& handle, const Target& from, Vec3 to_mm);
-  /// Place on the reference plane under a widget position.
+  /// Place on the reference plane under a position of the widget.
   std::optional<Vec3> on_plane(QPointF at) const;
 
   EditorModel& model_;

@@ -18,7 +18,7 @@
 namespace cusp::ui {
 namespace {
 
-/// Keys of the list, in its order; the first is none.
+/// Keys in the order of the list; the first stands for none.
 constexpr std::array<const char*, 4> kHandpieces = {"", "spindle-turbine", "spindle-electric", "spindle-slow"};
 
 QLabel* make_note() {

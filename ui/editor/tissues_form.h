@@ -1,4 +1,4 @@
-/// How each tissue of the exercise feels and how fast it goes, where its figure comes from, and what handpiece is used.
+/// Stiffness and removal speed of each tissue with the source of the figure, and the handpiece. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -37,7 +37,7 @@ class TissuesForm : public QWidget {
   QCheckBox *vibration_, *sound_, *heat_, *friction_;
 };
 
-/// Where a figure comes from, in words: set here, the usual one with its source, or the usual one that nobody verified.
+/// Source of a figure: set here, usual with its source, or usual and not verified.
 QString figure_note(double value, double usual, const std::string& source, bool verified);
 
 }  // namespace cusp::ui

@@ -19,7 +19,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr std::size_t kMostLesions = 4;  // more than a tooth that is still drilled has
+constexpr std::size_t kMostLesions = 4;  // most lesions of one tooth
 constexpr double kLeastSizeMm = 0.4, kMostSizeMm = 5.0, kMostDepthMm = 4.0;
 
 Lesion::Kind kind_of(const std::string& key) {
@@ -44,7 +44,7 @@ bool stands_round(const SpecimenSource& source, std::string_view key) {
   return std::ranges::find(source.around, key) != source.around.end();
 }
 
-/// Keys in the order of the format, so that the same choice is the same exercise.
+/// Keys in the order of the format: equal choices give equal exercises.
 void put_around(SpecimenSource& source, std::string_view key, bool on) {
   std::erase(source.around, key);
   if (on) source.around.emplace_back(key);
@@ -94,10 +94,10 @@ ToothForm::ToothForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
   list_ = new QVBoxLayout;
   list_->setSpacing(px(6));
   inside->addLayout(list_);
-  add_ = make_button(tr("Add carious lesion"), ButtonKind::standard, u"plus"_qs);
+  add_ = make_button(tr("Add a carious lesion"), ButtonKind::standard, u"plus"_qs);
   inside->addWidget(add_, 0, Qt::AlignLeft);
   column->addWidget(lesions_);
-  QLabel* note = make_label(tr("How a carious lesion spreads, and how gums and bone lie, is general knowledge, not verified."), TextRole::caption,
+  QLabel* note = make_label(tr("How caries spreads, and how gums and bone lie, is general knowledge, not verified."), TextRole::caption,
                             false, "text2");
   note->setWordWrap(true);
   column->addWidget(note);
@@ -122,7 +122,7 @@ void ToothForm::edit_at_once(const QString& field, const std::function<void(Spec
 void ToothForm::set_around(const char* key, bool on) {
   edit_at_once(u"around"_qs, [&](SpecimenSource& s) {
     put_around(s, key, on);
-    // A jaw stands beyond the neighbours.
+    // A jaw includes the neighbours.
     if (on && std::string_view(key) == "jaw") put_around(s, "neighbours", true);
     if (!on && std::string_view(key) == "neighbours") put_around(s, "jaw", false);
   });
@@ -130,7 +130,7 @@ void ToothForm::set_around(const char* key, bool on) {
 
 void ToothForm::add_lesion() {
   edit_at_once(u"lesions"_qs, [](SpecimenSource& s) {
-    // The first place that is still sound.
+    // The first place without a lesion.
     for (const std::string_view kind : kLesionKeys) {
       for (const std::string& site : lesion_sites(s.fdi, kind_of(std::string(kind)))) {
         const bool taken = std::ranges::any_of(s.lesions, [&](const LesionSource& l) { return l.kind == kind && l.site == site; });
@@ -150,7 +150,7 @@ void ToothForm::fill_sites(QComboBox& box, const LesionSource& lesion) const {
   for (const std::string& site : lesion_sites(model_.scenario().specimen.fdi, kind_of(lesion.kind))) {
     box.addItem(site_name(lesion.kind, site), QString::fromStdString(site));
   }
-  // A fissure by another name, as a file may have it.
+  // A file may have another key for a fissure.
   const QString own = QString::fromStdString(lesion.site);
   if (box.findData(own) < 0) box.addItem(site_name(lesion.kind, lesion.site), own);
 }
@@ -206,7 +206,7 @@ ToothForm::LesionRow ToothForm::make_row(std::size_t index) {
       if (index < s.lesions.size()) s.lesions.erase(s.lesions.begin() + static_cast<std::ptrdiff_t>(index));
     });
   });
-  // A person thinks of how wide a lesion is; the file has half of it.
+  // The form shows the diameter; scenario.json holds the radius.
   row.size = new NumberBox(model_, tr("Width of carious lesion %1").arg(number), u"mm"_qs, kLeastSizeMm, kMostSizeMm, 0.1, 1,
                            [=](double mm) { return change(field + u"size"_qs, [mm](LesionSource& l) { l.radius_mm = mm / 2; }, false); });
   add_row(column, tr("Width"), row.size);
@@ -232,7 +232,7 @@ void ToothForm::follow_model() {
   lesions_->setVisible(!s.typodont);
   add_->setEnabled(s.lesions.size() < kMostLesions);
   while (rows_.size() > s.lesions.size()) {
-    // A row may be the sender of what is being followed.
+    // A row may be the sender of this signal, so it is deleted later.
     QLayoutItem* last = list_->takeAt(list_->count() - 1);
     last->widget()->hide();
     last->widget()->deleteLater();

@@ -1,5 +1,5 @@
-/// What a grown tooth is like beyond its number: plastic or not, what stands round it, its carious lesions. Every change is an edit
-/// of the exercise at once, and the tooth is grown again while one looks.
+/// Options of a grown tooth: plastic or not, neighbours, carious lesions. Each change is an edit at once, and the tooth grows
+/// again. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -34,9 +34,9 @@ class ToothForm : public QWidget {
   void fill_sites(QComboBox& box, const LesionSource& lesion) const;
   void add_lesion();
   void set_around(const char* key, bool on);
-  /// One step of undo of its own.
+  /// An edit as one step of undo.
   void edit_at_once(const QString& field, const std::function<void(SpecimenSource&)>& change);
-  /// A number that is still being turned.
+  /// An edit of a spin box that is being turned: merges with the last one.
   bool edit(const QString& field, const std::function<void(SpecimenSource&)>& change);
 
   EditorModel& model_;
@@ -47,7 +47,7 @@ class ToothForm : public QWidget {
   std::vector<LesionRow> rows_;
 };
 
-/// The sites of a tooth's lesions that still stand when it becomes another tooth.
+/// The carious lesions that another tooth can have too.
 void keep_possible_lesions(SpecimenSource& source);
 
 }  // namespace cusp::ui

@@ -34,7 +34,7 @@ Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const 
   const Vec3 middle = (facts.low_mm + facts.high_mm) / 2.0;
   const auto specimen = Specimen::build(volume, Reading::banded);
   s.target.top_mm = tidy(height_at(*specimen, middle.x, middle.y).value_or(facts.high_mm.z));
-  // A third of the length and of the height at most, so that the first target lies inside whatever was brought.
+  // At most a third of length and height: the first target lies inside the specimen.
   const double reach = std::min(std::abs(s.target.paths[0][0].x), (facts.high_mm.x - facts.low_mm.x) / 6);
   s.target.paths = {{{tidy(middle.x - reach), tidy(middle.y), 0}, {tidy(middle.x + reach), tidy(middle.y), 0}}};
   settle_on_floor(s.target);

@@ -27,10 +27,10 @@ namespace {
 constexpr std::array kTissues = {Tissue::enamel, Tissue::carious_enamel, Tissue::dentine, Tissue::carious_dentine,
                                  Tissue::cementum, Tissue::pulp, Tissue::bone, Tissue::gingiva, Tissue::ligament,
                                  Tissue::amalgam, Tissue::composite, Tissue::plastic};
-constexpr int kNothing = -1;         // of a range of grey: it is left out
+constexpr int kNothing = -1;         // the range of grey is left out
 constexpr int kNotUsed = 0;
-constexpr std::size_t kRanges = 4;   // dentine, enamel, metal and one more
-constexpr double kMendMm = 1.0;      // a speck of a scanner's; a jaw's open base is far wider
+constexpr std::size_t kRanges = 4;   // dentine, enamel, metal and one spare
+constexpr double kMendMm = 1.0;      // a scanner's gaps are smaller, a jaw's open base is far wider
 
 QPixmap swatch(QColor colour) {
   QPixmap out(px(14), px(14));
@@ -100,15 +100,15 @@ MeshForm::MeshForm(std::vector<MeshInfo> meshes, QWidget* parent) : QWidget(pare
     column->addWidget(width_->note());
     connect(mend_, &QCheckBox::toggled, this, [this](bool on) {
       width_->setEnabled(on);
-      describe();
+      show_states();
       Q_EMIT changed();
     });
     connect(width_, &QDoubleSpinBox::valueChanged, this, [this] {
-      describe();
+      show_states();
       Q_EMIT changed();
     });
   }
-  describe();
+  show_states();
 }
 
 void MeshForm::add_precedence(QVBoxLayout& column) {
@@ -126,7 +126,7 @@ void MeshForm::add_precedence(QVBoxLayout& column) {
 
 void MeshForm::set_unit_mm(double unit_mm) {
   unit_mm_ = unit_mm;
-  describe();
+  show_states();
 }
 
 std::optional<double> MeshForm::mend_mm() const {
@@ -137,7 +137,7 @@ PartPrecedence MeshForm::precedence() const {
   return precedence_ ? static_cast<PartPrecedence>(precedence_->currentIndex()) : PartPrecedence::innermost;
 }
 
-void MeshForm::describe() {
+void MeshForm::show_states() {
   const auto mend = mend_mm();
   for (const Row& row : rows_) {
     const MeshInfo& m = row.info;
@@ -224,7 +224,7 @@ QWidget* VolumeForm::make_labels() {
     const bool colours = info_.kind == ImageKind::colours;
     const QString name = colours ? QColor::fromRgb(value).name() : QLocale().toString(value);
     QComboBox* tissue = make_tissue_box(tr("Leave out"), tr("What %1 is made of").arg(name));
-    // Numbers that are tissue codes most likely mean them.
+    // A label that is a tissue code most likely means that tissue.
     if (!colours) tissue->setCurrentIndex(std::max(0, tissue->findData(static_cast<int>(value))));
     auto* sign = new QLabel;
     if (colours) sign->setPixmap(swatch(QColor::fromRgb(value)));
@@ -286,7 +286,7 @@ ImageTissues VolumeForm::tissues() const {
     if (code != kNotUsed) out.thresholds.emplace_back(range.from->value(), code == kNothing ? Tissue::empty : static_cast<Tissue>(code));
   }
   std::ranges::stable_sort(out.thresholds, {}, [](const auto& t) { return t.first; });
-  // Of two that begin at one value the later row is meant.
+  // Of two ranges with one first value the later row counts.
   for (std::size_t i = 1; i < out.thresholds.size();) {
     if (out.thresholds[i].first == out.thresholds[i - 1].first) out.thresholds.erase(out.thresholds.begin() + static_cast<std::ptrdiff_t>(i - 1));
     else ++i;

@@ -1,4 +1,4 @@
-/// What an import must be told of a file: what each mesh, label or range of grey is made of.
+/// Forms of an import: the tissue of each mesh, label or range of grey. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -17,21 +17,21 @@ namespace cusp::ui {
 class NumberField;
 class SliceView;
 
-/// A list of tissues with their codes as data, `none` (0) first.
+/// A box of tissues with their codes as data; `none` has the code 0 and comes first.
 QComboBox* make_tissue_box(const QString& none, const QString& name);
 
-/// The meshes of a file: size, whether they are closed and where not, and what they are made of.
+/// The meshes of a file: size, gaps and tissue.
 class MeshForm : public QWidget {
   Q_OBJECT
 
  public:
   MeshForm(std::vector<MeshInfo> meshes, QWidget* parent = nullptr);
-  /// Lengths are told in millimetres by this.
+  /// Millimetres in one unit of the file, for the lengths shown.
   void set_unit_mm(double unit_mm);
   std::vector<std::pair<std::string, Tissue>> chosen() const;
-  /// The box of what is chosen, of all when nothing is; in the file's units.
+  /// Size of the bounding box of the chosen meshes, or of all if none is chosen. Units: of the file.
   Vec3 size() const;
-  /// Width up to which holes are closed; none: nothing is mended.
+  /// Widest hole that is closed; nullopt without mending.
   std::optional<double> mend_mm() const;
   PartPrecedence precedence() const;
 
@@ -45,22 +45,22 @@ class MeshForm : public QWidget {
     QComboBox* tissue;
   };
   void add_precedence(QVBoxLayout& column);
-  void describe();
+  void show_states();
 
   double unit_mm_ = 1.0;
   std::vector<Row> rows_;
   QCheckBox* mend_ = nullptr;
-  QComboBox* precedence_ = nullptr;  // of several meshes
+  QComboBox* precedence_ = nullptr;  // nullptr with one mesh
   NumberField* width_ = nullptr;
 };
 
-/// A volume: its labels, colours or ranges of grey, and a slice that shows what they become.
+/// A volume: tissues of its labels, colours or ranges of grey, and a slice with the tissues in colour.
 class VolumeForm : public QWidget {
   Q_OBJECT
 
  public:
   VolumeForm(const ImageInfo& info, std::shared_ptr<const ImagePreview> preview, QWidget* parent = nullptr);
-  /// Labels or thresholds, and the two choices; not the unit and the fineness.
+  /// Labels or thresholds and the two options, without unit and voxel size.
   ImageTissues tissues() const;
   bool ready() const;
   SliceView* view() const { return view_; }

@@ -28,7 +28,7 @@
 namespace cusp::ui {
 namespace {
 
-/// One of the import's own answers, told on the window's thread while the page is still there.
+/// Calls `answer` on the GUI thread if the page still exists and `work` is not cancelled.
 template <class Answer>
 void answer_to(const QPointer<ImportPage>& page, const std::shared_ptr<std::stop_source>& work, Answer answer) {
   QMetaObject::invokeMethod(
@@ -114,7 +114,7 @@ void ImportPage::build_files(QVBoxLayout* body) {
                      {tr("Choose a file"), {},
                       tr("Meshes and volumes (*.stl *.obj *.ply *.3ds *.off *.nrrd *.mha *.mhd *.nii *.nii.gz *.hdr *.binvox *.dcm *.ima);;All files (*)"),
                       false},
-                     [this](const QString& path) { open_file(path); });
+                     [this](const QString& path) { open_files({path}); });
   });
   connect(clear_, &QPushButton::clicked, this, [this] {
     band_->clear();
@@ -159,7 +159,7 @@ void ImportPage::begin_work(const QString& what) {
   if (work_) work_->request_stop();
   work_ = std::make_shared<std::stop_source>();
   band_->clear();
-  busy_->start(what, true);
+  busy_->start(what, Busy::Cancel::offered);
   show_files();
 }
 
@@ -249,13 +249,16 @@ void ImportPage::show_look(FileLook look) {
     volume_form_ = new VolumeForm(i, std::make_shared<ImagePreview>(std::move(look.preview)));
     parts_card_->body()->addWidget(volume_form_);
     connect(volume_form_, &VolumeForm::changed, this, &ImportPage::forget_made);
-    size_->begin(!i.spacing_known, 1.0, std::min({i.spacing_mm.x, i.spacing_mm.y, i.spacing_mm.z}));
+    using Unit = ImportSize::FileSize::Unit;
+    size_->begin({.unit = i.spacing_known ? Unit::stated : Unit::unknown,
+                  .unit_mm = 1.0,
+                  .voxel_mm = std::min({i.spacing_mm.x, i.spacing_mm.y, i.spacing_mm.z})});
   } else {
     mesh_form_ = new MeshForm(std::move(look.meshes));
     parts_card_->body()->addWidget(mesh_form_);
     connect(mesh_form_, &MeshForm::changed, this, &ImportPage::forget_made);
     const Vec3 size = mesh_form_->size();
-    size_->begin(true, guessed_unit_mm(std::max({size.x, size.y, size.z})), std::nullopt);
+    size_->begin({.unit_mm = guessed_unit_mm(std::max({size.x, size.y, size.z}))});
   }
   show_files();
 }
@@ -289,7 +292,7 @@ void ImportPage::show_size() {
                          .arg(size_text(spacing, u"mm"_qs, 3), format_value({.value = voxel, .unit = QStringLiteral("mm"), .decimals = 3}));
     }
   }
-  // Of a volume it is known only once it is made how much of it is tooth. A specimen of our own has its size.
+  // Only the imported volume shows how much of it is tooth. A specimen of this program has its size.
   if (preview_->volume() && !own) {
     const Vec3 made = preview_->size_mm();
     longest = std::max({made.x, made.y, made.z});
@@ -354,14 +357,14 @@ void ImportPage::show_made(ImportedSpecimen made, const std::vector<ImportRemark
   preview_->show_specimen(std::move(made), remarks);
   show_size();
   keep_->setFocus();
-  // Once the card has its place on the page.
+  // After the layout has placed the card.
   QMetaObject::invokeMethod(this, [this] { findChild<QScrollArea*>()->ensureWidgetVisible(made_card_); }, Qt::QueuedConnection);
   announce(this, tr("The specimen is made. Look at it, and keep it."));
 }
 
 void ImportPage::keep() {
   if (!preview_->volume() || preview_->turning()) return;
-  // A CT's files are often called after the patient.
+  // Files of a CT are often named after the patient.
   const bool ct = image_ && image_->slices > 0;
   const std::string name = ct ? tr("CT").toStdString() : QFileInfo(QString::fromStdString(files_.front().string())).completeBaseName().toStdString();
   const auto start = exercise_on(*preview_->volume(), name, database_);

@@ -1,6 +1,5 @@
-/// Files of meshes or a volume become the specimen of a new exercise: dropped or chosen, how long one unit is, what each
-/// part is made of, how fine. The size in millimetres is shown before anything is made, the specimen in 3D before it is
-/// kept. Reading and turning into a volume run in a process of their own, with progress, and can be stopped.
+/// Makes a new exercise on meshes or on a volume from files: drop or choice, tissues, unit, voxel size, then a 3D preview. Shows the
+/// size in millimetres before the import. A child process reads and converts the files, with progress and cancelling. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -37,21 +36,20 @@ class ImportPage : public QWidget {
  public:
   ImportPage(const Ports& ports, std::filesystem::path database, QWidget* parent = nullptr);
   ~ImportPage() override;
-  /// What the file picker and a drop do. Meshes join those that are there; anything else replaces them.
+  /// Opens files as the picker and a drop do. Meshes join the open ones; any other file replaces them.
   void open_files(const QStringList& paths);
-  void open_file(const QString& path) { open_files({path}); }
-  /// What a child process would have told of the files; for pictures and tests too.
+  /// Shows the answer of a child process about the files; public for pictures and tests.
   void show_look(FileLook look);
   const std::vector<std::filesystem::path>& files() const { return files_; }
   MeshForm* meshes() const { return mesh_form_; }
   VolumeForm* volume() const { return volume_form_; }
-  /// What was made, until it is kept or anything that it depends on changes.
+  /// The imported specimen, until it is kept or a setting of the import changes.
   ImportPreview* preview() const { return preview_; }
   bool busy() const { return work_ != nullptr; }
 
  Q_SIGNALS:
   void back_wanted();
-  /// The volume is kept; a new exercise on it is ready to be edited.
+  /// The volume is stored; `start` is a new exercise on it.
   void edit_wanted(const EditorStart& start);
 
  protected:
@@ -90,7 +88,7 @@ class ImportPage : public QWidget {
   Busy* busy_;
 };
 
-/// A new exercise on a volume, the volume written beside its draft: a channel in the middle of its upper face.
+/// A new exercise on a volume: a channel in the middle of its upper face. Writes the volume beside the draft.
 Result<EditorStart, ImportFailure> exercise_on(const VoxelVolume& volume, const std::string& name,
                                                const std::filesystem::path& database);
 

@@ -27,12 +27,12 @@
 namespace cusp::ui {
 namespace {
 
-constexpr double kPitch = 0.45;        // radians: the front is seen, and enough of the chewing surface
+constexpr double kPitch = 0.45;        // radians: shows the front and the occlusal surface
 constexpr double kArrowShare = 0.16;   // of the specimen's longest side
 constexpr double kRoom = 0.3;          // of the specimen's height, about it
 constexpr int kViewWidth = 420, kViewHeight = 340;
 
-/// An arrow above the specimen: this way is up.
+/// An arrow above the specimen that points up.
 std::vector<OverlayLine> up_arrow(Vec3 low, Vec3 high) {
   const double length = kArrowShare * std::max({high.x - low.x, high.y - low.y, high.z - low.z});
   const Vec3 foot(0.5 * (low.x + high.x), 0.5 * (low.y + high.y), high.z + 0.3 * length);
@@ -121,7 +121,7 @@ void ImportPreview::show_specimen(ImportedSpecimen made, const std::vector<Impor
   std::vector<ImportRemark> notes;
   QStringList warnings;
   for (const ImportRemark& remark : remarks) {
-    if (remark.code == RemarkCode::size_odd) continue;  // asked beside the size
+    if (remark.code == RemarkCode::size_odd) continue;  // ImportSize asks about it
     if (warns(remark.code)) warnings << describe(remark);
     else notes.push_back(remark);
   }
@@ -146,7 +146,7 @@ void ImportPreview::show_made() {
       parts << QStringLiteral("%1 %2").arg(tissue_name(static_cast<Tissue>(code)),
                                            format_value({.value = made_.mm3[code], .unit = QStringLiteral("mm³"), .decimals = 1}));
   facts_->setText(size_text(size_mm(), u"mm"_qs) + u'\n' + parts.join(QStringLiteral(" · ")));
-  // With room above for the arrow.
+  // Room above for the arrow.
   const Vec3 size = size_mm(), middle = 0.5 * (made_.low_mm + made_.high_mm) + Vec3(0, 0, kRoom * 0.25 * size.z);
   Camera camera = Camera::about(middle, (0.5 + kRoom / 4) * std::max(std::hypot(size.x, size.y), (1.0 + kRoom) * size.z));
   camera.set_angles(0.0, kPitch);
@@ -168,7 +168,7 @@ void ImportPreview::turn(int axis, int quarters) {
         [self, made, from] {
           if (!self) return;
           self->turning_ = false;
-          if (self->made_.volume == from) {  // else another import came meanwhile
+          if (self->made_.volume == from) {  // else another specimen replaced it
             self->made_ = std::move(*made);
             self->show_made();
           }

@@ -1,6 +1,5 @@
-/// An imported specimen before it is kept: in 3D, with quarter turns that are its own and not the camera's, its tissues'
-/// volumes, and what the import did to the file. Where windows have no OpenGL all but the picture is there. Thread: GUI;
-/// turns and meshes are made on others.
+/// Preview of an imported specimen: 3D view, quarter turns of the specimen, volumes of its tissues, remarks of the import. Without
+/// OpenGL only the view is missing. Thread: GUI; Qt's pool makes turns and meshes.
 #pragma once
 
 #include <QWidget>
@@ -20,12 +19,12 @@ namespace cusp::ui {
 class PatchFeed;
 class ToothView;
 
-/// What the preview shows of a specimen. Made on any thread: seconds for a jaw.
+/// Data of the preview. Thread: any; takes seconds for a jaw.
 struct ImportedSpecimen {
   std::shared_ptr<const VoxelVolume> volume;
   std::shared_ptr<PatchFeed> patches;
   std::array<double, kTissueCodes> mm3{};
-  Vec3 low_mm{0.0}, high_mm{0.0};  // of what is solid
+  Vec3 low_mm{0.0}, high_mm{0.0};  // bounds of the solid voxels
 };
 ImportedSpecimen imported_specimen(VoxelVolume volume);
 
@@ -37,10 +36,10 @@ class ImportPreview : public QWidget {
   void show_specimen(ImportedSpecimen made, const std::vector<ImportRemark>& remarks);
   void clear();
 
-  /// As it stands after the turns; null: nothing is shown.
+  /// The volume after all turns; null without a specimen.
   const std::shared_ptr<const VoxelVolume>& volume() const { return made_.volume; }
   Vec3 size_mm() const { return made_.high_mm - made_.low_mm; }
-  /// About x, y or z (0, 1, 2), by the right hand. Nothing happens while another turn is being made.
+  /// Turns about x, y or z (0, 1, 2) by the right-hand rule. A call during another turn does nothing.
   void turn(int axis, int quarters);
   bool turning() const { return turning_; }
 

@@ -21,13 +21,18 @@ namespace {
 
 constexpr double kDefaultVoxelMm = 0.1;
 
-NumberField* millimetre_box(double least, double most, double value, int decimals) {
+struct Millimetres {
+  double least, most, value;
+  int decimals;
+};
+
+NumberField* millimetre_box(const Millimetres& mm) {
   auto* box = new NumberField;
   box->setLocale(QLocale());
-  box->setDecimals(decimals);
-  box->setRange(least, most);
-  box->setValue(value);
-  box->setSingleStep(value / 10);
+  box->setDecimals(mm.decimals);
+  box->setRange(mm.least, mm.most);
+  box->setValue(mm.value);
+  box->setSingleStep(mm.value / 10);
   box->setSuffix(QChar(0x00A0) + QStringLiteral("mm"));
   box->setFixedWidth(px(140));
   return box;
@@ -49,8 +54,8 @@ ImportSize::ImportSize(QWidget* parent) : QWidget(parent) {
   const QStringList names = {tr("Millimetre"), tr("Centimetre"), tr("Metre"), tr("Inch"), tr("Micrometre")};
   for (std::size_t i = 0; i < kUsualUnitsMm.size(); ++i) unit_->addItem(names[static_cast<qsizetype>(i)], kUsualUnitsMm[i]);
   unit_->addItem(tr("Another"), 0.0);
-  other_unit_ = millimetre_box(0.0001, 1000, 1, 4);
-  voxel_ = millimetre_box(0.02, 5, kDefaultVoxelMm, 3);
+  other_unit_ = millimetre_box({.least = 0.0001, .most = 1000, .value = 1, .decimals = 4});
+  voxel_ = millimetre_box({.least = 0.02, .most = 5, .value = kDefaultVoxelMm, .decimals = 3});
   up_ = new QComboBox;
   for (const std::string_view key : kUpAxisKeys) up_->addItem(QString::fromLatin1(key.data(), static_cast<int>(key.size())));
   up_->setMinimumWidth(px(80));
@@ -85,12 +90,12 @@ ImportSize::ImportSize(QWidget* parent) : QWidget(parent) {
   connect(up_, &QComboBox::currentIndexChanged, this, &ImportSize::changed);
 }
 
-void ImportSize::begin(bool asks_unit, double unit_mm, std::optional<double> voxel_mm) {
+void ImportSize::begin(const FileSize& file) {
   const QSignalBlocker quiet(this);
-  asks_unit_ = asks_unit;
-  own_voxels_ = voxel_mm.has_value();
-  unit_->setCurrentIndex(std::max(0, unit_->findData(unit_mm)));
-  if (voxel_mm) voxel_->setValue(std::clamp(*voxel_mm, voxel_->minimum(), voxel_->maximum()));
+  unit_unknown_ = file.unit == FileSize::Unit::unknown;
+  own_voxels_ = file.voxel_mm.has_value();
+  unit_->setCurrentIndex(std::max(0, unit_->findData(file.unit_mm)));
+  if (file.voxel_mm) voxel_->setValue(std::clamp(*file.voxel_mm, voxel_->minimum(), voxel_->maximum()));
   forget_answers();
 }
 
@@ -101,15 +106,15 @@ void ImportSize::set_changeable(bool on) {
 
 double ImportSize::unit_mm() const {
   const double usual = unit_->currentData().toDouble();
-  return scale_ * (!asks_unit_ ? 1.0 : usual > 0.0 ? usual : other_unit_->value());
+  return scale_ * (!unit_unknown_ ? 1.0 : usual > 0.0 ? usual : other_unit_->value());
 }
 
 double ImportSize::voxel_mm() const { return voxel_->value(); }
 UpAxis ImportSize::up() const { return static_cast<UpAxis>(up_->currentIndex()); }
 
 void ImportSize::show_size(const QString& sentence, std::optional<double> longest_mm) {
-  unit_field_->setVisible(asks_unit_);
-  other_field_->setVisible(asks_unit_ && unit_->currentData().toDouble() == 0.0);
+  unit_field_->setVisible(unit_unknown_);
+  other_field_->setVisible(unit_unknown_ && unit_->currentData().toDouble() == 0.0);
   size_->setText(sentence);
   const bool odd = longest_mm && !believed(*longest_mm) && !believed_;
   if (odd) ask(*longest_mm);
@@ -142,7 +147,7 @@ void ImportSize::forget_answers() {
   believed_ = false;
 }
 
-/// Queued, for the buttons that call it go with the question.
+/// Called through a queued connection: it deletes the button that was clicked.
 void ImportSize::answer(double factor) {
   if (factor == 1.0) {
     believed_ = true;

@@ -1,5 +1,5 @@
-/// How large an imported specimen becomes: the length of the file's unit, the edge of a voxel, which way is up; and the
-/// question that a length which is no tooth's raises, with the answers beside it. Thread: GUI.
+/// Size of an imported specimen: unit of the file, voxel size, up axis. If the length is not a tooth's, asks whether the unit is
+/// right, with the likely answers as buttons. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -21,24 +21,30 @@ class ImportSize : public QWidget {
 
  public:
   explicit ImportSize(QWidget* parent = nullptr);
-  /// For a new file: whether it says nothing of its unit, the unit to begin with, and its own voxels where it has any.
-  void begin(bool asks_unit, double unit_mm, std::optional<double> voxel_mm);
+  /// Settings of a new file.
+  struct FileSize {
+    enum class Unit { unknown, stated } unit = Unit::unknown;  // an unknown one is asked for
+    double unit_mm = 1.0;                                      // first choice
+    std::optional<double> voxel_mm{};                          // nullopt for meshes
+  };
+  void begin(const FileSize& file);
+  /// Enables voxel size and up axis.
   void set_changeable(bool on);
 
-  /// With the factor that was chosen as an answer.
+  /// Millimetres in one unit of the file, times the factor of the answer.
   double unit_mm() const;
   double voxel_mm() const;
   UpAxis up() const;
 
-  /// What is known of the size. A longest side that is no tooth's is questioned, until it was answered.
+  /// Shows `sentence`, and asks about a longest side that is not a tooth's until it is answered.
   void show_size(const QString& sentence, std::optional<double> longest_mm);
-  /// A question waits for its answer.
+  /// True while a question waits for its answer.
   bool questioned() const { return questioned_; }
 
  Q_SIGNALS:
-  /// The specimen would become another one.
+  /// A setting changed: the import would make another specimen.
   void changed();
-  /// The length was confirmed: nothing else changed.
+  /// The length was confirmed; no setting changed.
   void confirmed();
 
  private:
@@ -46,7 +52,7 @@ class ImportSize : public QWidget {
   void forget_answers();
   void answer(double factor);
 
-  bool asks_unit_ = false, own_voxels_ = false, questioned_ = false, believed_ = false;
+  bool unit_unknown_ = false, own_voxels_ = false, questioned_ = false, believed_ = false;
   double scale_ = 1.0;
   QComboBox *unit_, *up_;
   NumberField *other_unit_, *voxel_;

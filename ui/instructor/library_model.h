@@ -1,5 +1,4 @@
-/// Rows of the instructor's library: exercises that come with the program, published ones, and one's own drafts. No
-/// window.
+/// Rows of the instructor's library: built-in exercises, published ones, and the actor's drafts. No widget.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -14,9 +13,9 @@ namespace cusp::ui {
 
 struct LibraryRow {
   std::optional<Exercise> exercise;  // nullopt: a draft that was never published
-  std::optional<Scenario> draft;     // the actor's
+  std::optional<Scenario> draft;     // of the actor
   std::int64_t saved_utc_us = 0;     // of the draft; 0 without one
-  std::string draft_json = {};       // as the records hold it
+  std::string draft_json = {};       // in the records
   const Scenario& shown() const { return draft ? *draft : exercise->scenario; }
 };
 

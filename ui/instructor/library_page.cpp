@@ -5,7 +5,7 @@
 
 #include "scenarios/library/library.h"
 #include "ui/editor/editor_records.h"
-#include "ui/editor/words_form.h"
+#include "ui/editor/texts_form.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 #include "ui/text/names.h"
@@ -15,7 +15,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr const char* kBlankExercise = "channel-1";  // a new exercise begins on the plain block
+constexpr const char* kBlankExercise = "channel-1";  // pattern of a new exercise: the plain block
 
 }  // namespace
 
@@ -95,7 +95,7 @@ void LibraryPage::discard_draft() {
                  band_->show_message(Band::Kind::look, tr("The draft was changed in another window meanwhile."),
                                      tr("It was not discarded. The list shows it as it is now."));
                } else if (!published) {
-                 std::error_code ignored;  // a volume that stays behind costs room and nothing else
+                 std::error_code ignored;  // a volume that stays wastes disk space only
                  std::filesystem::remove_all(drafts_folder(database_, id), ignored);
                }
                read();
@@ -135,7 +135,7 @@ void LibraryPage::copy_chosen() {
 void LibraryPage::begin_new() {
   const auto pattern = load_builtin(kBlankExercise);
   if (!pattern) return;
-  // Content, not the screen's words: every language that the pattern has a briefing in.
+  // Content of the exercise, in each language of the pattern's briefing; tr() translates the screen only.
   begin_as_copy({*pattern, {}, 1, {}}, {{"en", "New exercise"}, {"de", "Neue Übung"}});
 }
 

@@ -1,4 +1,4 @@
-/// The instructor's exercises: open one in the editor, begin a new one or a copy, import a specimen.
+/// The instructor's exercises: opens one in the editor, begins a new one or a copy, imports a specimen. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -19,7 +19,7 @@ class LibraryPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// Drafts' volumes lie beside `database`; `cache`: where those of published versions are unpacked.
+  /// Volumes of drafts lie beside `database`, those of published versions in `cache`.
   LibraryPage(Store& store, const Actor& actor, const Ports& ports, std::filesystem::path database,
               std::filesystem::path cache, QWidget* parent = nullptr);
   Table* table() const { return table_; }
@@ -29,7 +29,7 @@ class LibraryPage : public QWidget {
   void open_chosen();
   void copy_chosen();
   void begin_new();
-  /// Asks; what is published stays.
+  /// Asks first; the published version stays.
   void discard_draft();
 
  Q_SIGNALS:

@@ -16,10 +16,10 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kPictureEdge = 260;
-constexpr double kTint = 0.62;       // share of the tissue's colour: what lies under it is still seen
-constexpr double kOutliers = 0.005;  // share of the values that may be plain black or white
+constexpr double kTint = 0.62;       // share of the tissue's colour; the rest shows the grey below
+constexpr double kOutliers = 0.005;  // share of the values beyond black and beyond white
 
-/// The volume's axes that run to the right and upward on a slice across `axis`.
+/// Axes of the volume that run to the right and upward on a slice.
 struct Plane {
   int right, up;
 };

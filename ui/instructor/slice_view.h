@@ -1,4 +1,4 @@
-/// One slice of a volume, grey, with the colours of the tissues that its values would become; live.
+/// One slice of a volume in grey, tinted with the tissues of its values. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -22,14 +22,14 @@ class SliceView : public QWidget {
 
  public:
   explicit SliceView(QWidget* parent = nullptr);
-  /// Begins in the middle, seen from above. Colours stand for themselves, other values are grey.
+  /// Shows the middle slice from above. Values of ImageKind::colours are drawn as colours, others as grey.
   void show_preview(std::shared_ptr<const ImagePreview> preview, ImageKind kind);
-  /// Which tissue a value becomes; called for every pixel that is drawn.
+  /// `tissue_of` gives the tissue of a value; redraw() calls it for every pixel.
   void set_tissues(std::function<Tissue(float)> tissue_of);
-  /// 0: along x, 1: along y, 2: along z.
+  /// Direction of view: 0 along x, 1 along y, 2 along z.
   int axis() const;
   int slice() const;
-  /// The slice as it is drawn, one pixel a voxel, its upper row first.
+  /// The slice as drawn, one pixel a voxel, upper row first.
   QImage picture() const;
 
  private:
@@ -40,7 +40,7 @@ class SliceView : public QWidget {
   std::shared_ptr<const ImagePreview> preview_;
   ImageKind kind_ = ImageKind::grey;
   std::function<Tissue(float)> tissue_of_;
-  float low_ = 0.0f, high_ = 1.0f;  // black and white
+  float low_ = 0.0f, high_ = 1.0f;  // values drawn black and white
   Pane* pane_;
   Segments* axes_;
   QSlider* slider_;

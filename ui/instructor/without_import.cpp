@@ -1,4 +1,4 @@
-// A build without the importers (CUSP_IMPORT off) has the page, and says of every file that it cannot be read here.
+// Stubs for CUSP_IMPORT=OFF: the page reports of every file that this build cannot read it.
 #include "scenarios/import/worker.h"
 #include "ui/modules.h"
 

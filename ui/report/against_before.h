@@ -1,4 +1,5 @@
-/// Each criterion's share of its points, before and now, on one line each: ring before, dot now, difference at the right.
+/// Compares two grades, one line a criterion: ring for the old share of points, dot for the new one, difference at the right.
+/// Thread: GUI.
 #pragma once
 
 #include <QVector>
@@ -16,7 +17,7 @@ class AgainstBefore : public QWidget {
   AgainstBefore(const Grade& now, const Grade& before, QWidget* parent = nullptr);
   struct Row {
     QString name;
-    double before = 0, now = 0;  // shares of the full points
+    double before = 0, now = 0;  // shares of the full points, 0 to 1
     double points = 0;           // gained
   };
   const QVector<Row>& rows() const { return rows_; }
@@ -28,7 +29,7 @@ class AgainstBefore : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  /// Width of the names: what the longest needs, up to the share that the lines can spare.
+  /// Width of the longest name, limited to a share of the widget.
   double names_width() const;
 
   QVector<Row> rows_;

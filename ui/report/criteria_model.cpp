@@ -13,10 +13,10 @@ int CriteriaModel::rowCount(const QModelIndex& parent) const {
 }
 int CriteriaModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
-void CriteriaModel::set_compact(bool compact) {
-  if (compact == compact_) return;
+void CriteriaModel::set_detail(Detail detail) {
+  if (detail == detail_) return;
   Q_EMIT layoutAboutToBeChanged();
-  compact_ = compact;
+  detail_ = detail;
   Q_EMIT layoutChanged();  // the columns' widths change
 }
 
@@ -54,13 +54,13 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
                               : bar_role(index.row()) == Bar::Role::bad ? Ink::bad
                                                                         : Ink::look);
     case SecondRole:
-      if (index.column() == kYours && m.measured && !compact_) {
+      if (index.column() == kYours && m.measured && detail_ == Detail::whole) {
         return format_uncertainty({m.value, m.uncertainty, QString::fromStdString(m.unit)});
       }
       if (index.column() == kPoints && marked) return u"/ "_qs + format_points(points(index.row()).points_max);
       return {};
     case ShareRole:
-      return index.column() == kPoints && marked && !compact_ ? QVariant(c.points / c.points_max) : QVariant();
+      return index.column() == kPoints && marked && detail_ == Detail::whole ? QVariant(c.points / c.points_max) : QVariant();
     case BarRole: return static_cast<int>(bar_role(index.row()));
     case BoldRole: return index.column() == kPoints && marked;
     case QuietRole: return !marked && index.column() == kPoints;
@@ -77,9 +77,15 @@ QVariant CriteriaModel::data(const QModelIndex& index, int role) const {
         return format({m.value, m.uncertainty, QString::fromStdString(m.unit)});
       }
       return {};
-    case Qt::DisplayRole: break;
+    case Qt::DisplayRole: return text_of(index);
     default: return {};
   }
+}
+
+QString CriteriaModel::text_of(const QModelIndex& index) const {
+  const CriterionGrade& c = criterion(index.row());
+  const Measure& m = c.measure;
+  const bool marked = m.measured && c.points_max > 0;
   switch (index.column()) {
     case kName: return metric_name(c.id);
     case kYours:

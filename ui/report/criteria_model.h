@@ -1,4 +1,4 @@
-/// The report's table: each criterion with its value, what earns full points, and its points.
+/// The criteria of a report as a table: value, band of full points, points. No widget.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -21,20 +21,22 @@ class CriteriaModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-  /// Without bars and without ±: for a narrow table. The chosen row's card still gives the ±.
-  void set_compact(bool compact);
+  /// A narrow table has neither bars nor ±. The card of the chosen row still gives the ±.
+  enum class Detail { whole, narrow };
+  void set_detail(Detail detail);
   const CriterionGrade& criterion(int row) const { return grade_.criteria[static_cast<std::size_t>(row)]; }
   Bar::Role bar_role(int row) const;
-  /// As they are shown: their maxima sum to the grade's.
+  /// Scaled for the screen: their maxima sum to the grade's.
   const ScaledPoints& points(int row) const { return points_[static_cast<std::size_t>(row)]; }
 
  private:
-  /// Nothing went wrong here, or nothing could be lost: a dash stands for it.
+  /// No points were lost here, or none could be: the table shows a dash.
   bool neutral(int row) const;
+  QString text_of(const QModelIndex& index) const;
   Grade grade_;
   std::vector<ScaledPoints> points_;
   Rubric rubric_;
-  bool compact_ = false;
+  Detail detail_ = Detail::whole;
 };
 
 }  // namespace cusp::ui

@@ -44,7 +44,7 @@ constexpr int kHead = 64;   // px at 100 %: below the buttons at the view's head
 
 }  // namespace
 
-/// Line from the ring to its card; shaped, as the ring is.
+/// Line from the ring to its card; a mask shapes it, as the ring.
 class PinLeader : public QWidget {
  public:
   explicit PinLeader(QWidget* parent) : QWidget(parent) {
@@ -107,7 +107,7 @@ PinnedTooth::PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& s
   connect(view_, &ToothView::camera_changed, this, &PinnedTooth::place_pin);
 }
 
-void PinnedTooth::show_difference(bool on) { view_->set_colouring(on ? Colouring::deviation : Colouring::tissue); }
+void PinnedTooth::set_colouring(Colouring colouring) { view_->set_colouring(colouring); }
 
 void PinnedTooth::set_scenery(std::shared_ptr<const SceneryLook> scenery) {
   for (const BakedPatch& patch : scenery->patches()) beside_.put(patch);
@@ -127,7 +127,7 @@ bool PinnedTooth::ring_shown() const { return ring_->isVisibleTo(this); }
 void PinnedTooth::turn_back() {
   Camera camera = view_->camera();
   if (const auto box = view_->store().bounds()) {
-    // The crown fills the view, whatever stands below it.
+    // The crown fills the view.
     const Vec3 middle = 0.5 * (box->low + box->high);
     camera = Camera::about({middle.x, middle.y, box->high.z}, 0.5 * std::hypot(box->high.x - box->low.x, box->high.y - box->low.y));
   }
@@ -165,7 +165,7 @@ void PinnedTooth::place_pin() {
     return;
   }
   ring_->move(at->toPoint() - ring_->rect().center());
-  // At the foot of the view, or at its head if the place is low: the card covers no cavity.
+  // At the head of the view if the place lies low, else at its foot: the card covers no cavity.
   const double foot = height() - px(8) - card_->height();
   const bool below = at->y() + px(kClear) <= foot;
   const double x = std::clamp(at->x() - card_->width() / 2.0, px(8.0), std::max(px(8.0), width() - card_->width() - px(8.0)));
@@ -182,7 +182,7 @@ void PinnedTooth::resizeEvent(QResizeEvent*) {
 }
 
 DeviationLegend::DeviationLegend(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(tr("Colours: not removed, on target, over-cut; from -0.5 to +0.5 mm"));
+  setAccessibleName(tr("Colours: uncut remainder, on target, over-cut; from -0.5 to +0.5 mm"));
 }
 QSize DeviationLegend::sizeHint() const { return {px(440), px(66)}; }
 
@@ -194,7 +194,7 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   p.setLayoutDirection(Qt::LeftToRight);
   const double w = std::min<double>(width() - px(56), px(400)), x0 = (width() - w) / 2;
   const QFont bold = font_of(TextRole::caption, true), plain = font_of(TextRole::caption);
-  const QString low = tr("Not removed"), middle = tr("on target"), high = tr("Over-cut");
+  const QString low = tr("Uncut remainder"), middle = tr("on target"), high = tr("Over-cut");
   p.setFont(bold);
   p.setPen(t.text);
   p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignLeft | Qt::AlignVCenter, low);
@@ -203,7 +203,7 @@ void DeviationLegend::paintEvent(QPaintEvent*) {
   p.setPen(t.text2);
   const QFontMetricsF ends(bold);
   const double free = w - 2 * std::max(ends.horizontalAdvance(low), ends.horizontalAdvance(high)) - px(16);
-  // Where the words at the ends leave no room, the 0 says it.
+  // Without room between the two ends the 0 below stands alone.
   if (QFontMetricsF(plain).horizontalAdvance(middle) <= free)
     p.drawText(QRectF(x0, 0, w, px(18)), Qt::AlignCenter, middle);
   const QRectF bar(x0, px(22), w, px(13));

@@ -1,9 +1,10 @@
-/// The report's tooth: the 3D view with a pin on one place and a card that says what was measured there. The card is an
-/// opaque child: no translucency under software OpenGL.
+/// The tooth of the report: the 3D view, a ring on one place, and a card with its measure. Ring and card are opaque children, for
+/// software OpenGL allows no translucency. Thread: GUI.
 #pragma once
 
 #include <QLineF>
 #include <QWidget>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -19,20 +20,21 @@ namespace cusp::ui {
 
 class PinLeader;
 class ToothView;
+enum class Colouring : std::uint8_t;
 
-/// The card stands at the foot of the view, clear of the cavity; a line joins it to the ring.
-/// A place that the tooth, or what stands about it, hides has no ring and no line, and its card says so.
+/// The card stands at the foot of the view, beside the cavity, and a line joins it to the ring. If the tooth or its scenery hides
+/// the place, ring and line are hidden and the card says so.
 class PinnedTooth : public QWidget {
   Q_OBJECT
 
  public:
   PinnedTooth(std::shared_ptr<const Volume> volume, const Scenario& scenario, QWidget* parent = nullptr);
-  void show_difference(bool on);
+  void set_colouring(Colouring colouring);
   void pin(const std::optional<Vec3>& place_mm, const QString& what, const QString& more);
   void turn_back();
-  /// The ring stands on the pinned place; false without a place, and while it is hidden.
+  /// False without a place, and while something hides it.
   bool ring_shown() const;
-  /// From the ring to the card; none without a ring.
+  /// Line from ring to card; nullopt without a ring.
   std::optional<QLineF> leader() const;
   ToothView* view() const { return view_; }
 
@@ -44,17 +46,17 @@ class PinnedTooth : public QWidget {
   Meshes meshes() const;
   void set_scenery(std::shared_ptr<const SceneryLook> scenery);
   std::shared_ptr<const Volume> volume_;
-  PatchStore beside_;  // what stands about the tooth
+  PatchStore beside_;  // the scenery: neighbours and gums
   ToothView* view_;
   PinLeader* leader_;
   QWidget* ring_;
   QLabel* card_;
   std::optional<Vec3> place_;
   bool inside_ = false;  // no view shows the place
-  QString text_;         // of the card, rich
+  QString text_;         // of the card, rich text
 };
 
-/// Colours of the difference map with their figures.
+/// Legend of the difference map.
 class DeviationLegend : public QWidget {
   Q_OBJECT
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kTurns = 16;  // views about the tooth's axis
 constexpr std::array<double, 6> kPitches = {1.45, 1.2, 0.95, 0.7, 0.45, 0.15};  // radians above the horizon
-constexpr double kFromAbove = 1.0;   // what a view from straight above is worth, in cosines of the surface's slant
-constexpr double kAsUsual = 0.3;     // what a view turned as the one from above is worth, likewise: fewer turns to follow
+constexpr double kFromAbove = 1.0;   // weight of a view from above, against the cosine of the surface's slant
+constexpr double kAsUsual = 0.3;     // weight of the usual turn about the axis, likewise
 constexpr double kOnPlaceMm = 0.5;   // a ray that ends farther from the place has missed its surface
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(cusp::ui::Report)
 };
 
-constexpr double kCrownMm = 4.0;  // below the specimen's top: about what of a molar is cut
+constexpr double kCrownMm = 4.0;  // below the specimen's top: the part of a molar that is drilled
 
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC).toLocalTime(); }
 
@@ -27,7 +27,7 @@ QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(ut
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader) {
   ReportData data;
   data.result = result;
-  // The records do not keep the mark.
+  // The records do not hold this flag.
   mark_counted_with_target(data.result.grade, result.scenario.rubric);
   data.critical = critical_events(result.grade, result.measures, store, result.session);
   data.title = local(result.scenario.title);
@@ -136,7 +136,7 @@ DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std
   request.deviation = look.deviation();
   request.leeway_mm = result.scenario.leeway.side_mm;
   request.view = PresetView::occlusal;
-  // From above a root says nothing: the crown fills the picture.
+  // The crown fills the picture; roots show no cut.
   const Grid& grid = result.volume->grid();
   const Vec3 top = grid.centre_mm(grid.size);
   request.look_at = {{grid.origin_mm.x, grid.origin_mm.y, top.z - kCrownMm}, top};

@@ -27,24 +27,24 @@ struct ReportData {
   SessionKind kind = SessionKind::try_it;
   int attempt = 0;                     // 0 = nothing was kept
   std::optional<double> peak_push_n;
-  std::vector<BurSpan> burs;    // what was in the handpiece when; empty when nothing was kept
-  std::vector<CriticalEvent> critical;  // of the grade, the opened pulp first
+  std::vector<BurSpan> burs;    // times of each bur; empty without records
+  std::vector<CriticalEvent> critical;  // an opened pulp first
   std::optional<Grade> before;    // the best attempt before, of the same exercise and device class
   QDateTime before_when;
 };
 
-/// `store` and `reader` may be null: then only the result itself is shown.
+/// With a null `store` or `reader` the data holds the result alone.
 ReportData gather_report(const SessionResult& result, Store* store, const Actor* reader);
 
 /// One entry of "Next time".
 struct Advice {
   QString head;                  // "The pulp was opened after 1:12 min", "Floor depth, deepest: 6 points lost"
-  QString why, what_to_do;       // sentences; may be empty
+  QString why, what_to_do;       // one sentence each, or empty
   std::optional<Vec3> place_mm;  // where on the tooth
-  bool grave = false;            // a critical event, or more than half of a criterion's points
+  bool grave = false;            // a critical event, or a loss of more than half of the points
 };
-/// Critical events first, then the dearest losses. Criteria that count only as far as the target was cut are left out:
-/// counted_text() says them all in one sentence.
+/// Critical events first, then the largest losses. Leaves out criteria that count only with the target; counted_text() names them
+/// in one sentence.
 std::vector<Advice> next_time(const ReportData& data);
 
 /// "Fri 20 Nov, 10:14 · Practice, attempt 7".
@@ -52,16 +52,16 @@ QString occasion_text(const ReportData& data);
 /// "7:38 min · peak push 2.1 N · Mouse and keys".
 QString circumstances_text(const ReportData& data);
 
-/// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", a line for each bur that was used; empty when nothing was kept.
+/// "Bur 2, round, 1.0 mm: 0:00 to 1:12, 3:05 to 4:10", one line for each used bur; empty without records.
 QStringList burs_used_text(const ReportData& data);
 
-/// The tooth coloured by deviation, and where on it the asked places are; none: hidden.
+/// The tooth coloured by deviation, with the pixel of each asked place; nullopt if the tooth hides it.
 struct ToothDrawing {
   QImage image;
   std::vector<std::optional<QPointF>> places_px;
 };
 using DrawnTooth = Result<ToothDrawing, PictureFailure>;
-/// Drawn without a window; takes about a second, and some more for the first of a jaw.
+/// Draws without a window, in about one second; the first of a jaw takes longer.
 DrawnTooth draw_report_tooth(const SessionResult& result, int side_px, const std::vector<Vec3>& places_mm = {});
 /// "The tooth could not be drawn: OpenGL 3.3 did not start (eglMakeCurrent 0x3002)."
 QString picture_failure_text(const PictureFailure& failure);

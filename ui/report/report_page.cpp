@@ -25,7 +25,7 @@ namespace {
 constexpr int kToothWidth = 600;     // px at 100 %, of a window of 1280
 constexpr int kPictureSide = 1200;   // of the tooth on paper: 140 dots a cm
 constexpr int kReasonsShown = 3;
-constexpr int kNarrow = 1200;        // px at 100 %; below it the words take more than their share, and stand in one column
+constexpr int kNarrow = 1200;        // px at 100 %; a narrower page gives the text more width, in one column
 
 }  // namespace
 
@@ -65,7 +65,7 @@ ReportPage::ReportPage(ReportData data, const Ports& ports, bool can_try_again, 
   } else if (data_.result.state == SessionState::interrupted) {
     band_->show_message(Band::Kind::look, tr("This attempt broke off."), tr("It is marked as it stands."));
   }
-  // The dearest loss first: that is what the reader came for. What failed the attempt is pinned before it.
+  // Selects the largest loss of points. A critical event with a place is pinned instead.
   const bool opened_pulp = !data_.critical.empty() && data_.critical.front().key == "pulp_exposure";
   for (const LossReason& reason : loss_reasons(g)) {
     if (!reason.critical.empty()) continue;
@@ -86,8 +86,8 @@ void ReportPage::resizeEvent(QResizeEvent* event) {
   body_->setContentsMargins(side, px(16), side, px(16));
   halves_->setStretch(0, narrow ? 36 : 45);
   halves_->setStretch(1, narrow ? 64 : 55);
-  model_->set_compact(narrow);
-  // The words give way to the day and the attempt's number; the buttons keep name and tooltip.
+  model_->set_detail(narrow ? CriteriaModel::Detail::narrow : CriteriaModel::Detail::whole);
+  // Buttons lose their text to the date and the attempt number, and keep name and tooltip.
   for (const auto& [button, text] : saves_) button->setText(narrow ? QString() : text);
   table_->setColumnHidden(CriteriaModel::kPlace, narrow);
   below_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
@@ -153,7 +153,7 @@ QWidget* ReportPage::make_tooth() {
   difference->setChecked(true);
   QToolButton* turn = make_icon_button(u"refresh"_qs, tr("Turn back to the view from above"));
   row->addWidget(turn);
-  connect(difference, &QPushButton::toggled, tooth_, &PinnedTooth::show_difference);
+  connect(difference, &QPushButton::toggled, tooth_, [this](bool on) { tooth_->set_colouring(on ? Colouring::deviation : Colouring::tissue); });
   connect(turn, &QToolButton::clicked, tooth_, &PinnedTooth::turn_back);
   tools->move(px(12), px(12));
   tools->adjustSize();
@@ -184,7 +184,7 @@ QWidget* ReportPage::make_score() {
   line->addWidget(new Chip(g.passed ? tr("Passed") : tr("Not passed"), g.passed ? Chip::Kind::good : Chip::Kind::bad));
   QLabel* of = make_label(tr("of %1 points, pass mark %2").arg(format_points(g.score_max), format_points(g.pass_mark)),
                           TextRole::body, false, "text2");
-  of->setWordWrap(true);  // a narrow page breaks it rather than scroll sideways
+  of->setWordWrap(true);  // no sideways scrolling on a narrow page
   line->addWidget(of, 1);
   text->addLayout(line);
   QLabel* circumstances = make_label(circumstances_text(data_), TextRole::caption, false, "text2");

@@ -48,7 +48,7 @@ class ReportPage : public QWidget {
   void choose(int row);
   void save_pdf();
   void print();
-  /// For the paper: drawn at the first asking, and kept once it came out.
+  /// The picture for the paper, drawn on the first call; a failure is tried again.
   const DrawnTooth& drawing();
 
   ReportData data_;
@@ -58,9 +58,9 @@ class ReportPage : public QWidget {
   PinnedTooth* tooth_ = nullptr;
   Band* band_ = nullptr;
   std::optional<DrawnTooth> drawing_;
-  std::vector<std::pair<QPushButton*, QString>> saves_;  // print, PDF; with their words
-  QBoxLayout* body_;  // of the words
-  QBoxLayout *halves_, *below_;  // tooth and words; what to do and what was before
+  std::vector<std::pair<QPushButton*, QString>> saves_;  // print and PDF, with their texts
+  QBoxLayout* body_;  // of the text
+  QBoxLayout *halves_, *below_;  // tooth and text; advice and comparison
 };
 
 }  // namespace cusp::ui

@@ -28,9 +28,22 @@ struct Text {
 constexpr double kToothHigh = 250, kToothRatio = 1.35;  // of the picture, and how much wider than high it is
 constexpr double kRing = 8;                             // radius of a number on the picture
 constexpr double kBeside = 22.6;                        // from a place to the middle of its number
-constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time": what one page has room for
+constexpr std::size_t kAdviceShown = 4;                 // entries of "Next time" that fit one page
 
-/// A pen that writes downwards.
+enum class Weight { regular, bold };
+struct Type {
+  double size;  // px at 100 %
+  Weight weight;
+  QColor ink;
+};
+/// Left edge and width, in units of the painter.
+struct Column {
+  double x, width;
+};
+/// Whether the next paragraph stands below this one or beside it.
+enum class Then { advance, stay };
+
+/// Writes paragraphs from the top of the page to its foot.
 class Paper {
  public:
   Paper(QPainter& painter, const QRectF& page, double unit) : p_(painter), page_(page), u_(unit), y_(page.top()) {}
@@ -41,21 +54,21 @@ class Paper {
   QPainter& painter() { return p_; }
   const QRectF& page() const { return page_; }
 
-  QFont font(double size, bool bold = false) const {
-    QFont f = font_of(TextRole::body, bold);
+  QFont font(double size, Weight weight = Weight::regular) const {
+    QFont f = font_of(TextRole::body, weight == Weight::bold);
     f.setPixelSize(std::max(1, static_cast<int>(std::lround(size * u_))));
     return f;
   }
-  /// One paragraph within [x, x + width]; returns its height. Moves on only with `advance`.
-  double write(const QString& text, double x, double width, double size, bool bold, const QColor& ink,
-               Qt::Alignment align = Qt::AlignLeading, bool advance = true) {
-    p_.setFont(font(size, bold));
-    p_.setPen(ink);
-    const QRectF room(x, y_, width, page_.bottom() - y_);
+  /// Writes one paragraph into a column, from y() on; returns its height.
+  double write(const QString& text, const Column& column, const Type& type, Qt::Alignment align = Qt::AlignLeading,
+               Then then = Then::advance) {
+    p_.setFont(font(type.size, type.weight));
+    p_.setPen(type.ink);
+    const QRectF room(column.x, y_, column.width, page_.bottom() - y_);
     const int flags = static_cast<int>(align | Qt::AlignTop) | Qt::TextWordWrap;
     const QRectF used = p_.boundingRect(room, flags, text);
     p_.drawText(room, flags, text);
-    if (advance) y_ += used.height();
+    if (then == Then::advance) y_ += used.height();
     return used.height();
   }
   void rule(const QColor& ink) {
@@ -71,12 +84,12 @@ class Paper {
 
 void write_head(Paper& paper, const ReportData& d, const Tokens& t) {
   const double x = paper.page().left(), w = paper.page().width();
-  paper.write(u"Cusp"_qs, x, w, 12, true, t.accent, Qt::AlignTrailing, false);
-  paper.write(d.title, x, w * 0.8, 22, true, t.text);
+  paper.write(u"Cusp"_qs, {x, w}, {12, Weight::bold, t.accent}, Qt::AlignTrailing, Then::stay);
+  paper.write(d.title, {x, w * 0.8}, {22, Weight::bold, t.text});
   paper.skip(2);
   QString line = occasion_text(d);
   if (!d.student.isEmpty()) line = d.student + u" · "_qs + line;
-  paper.write(line, x, w, 11, false, t.text2);
+  paper.write(line, {x, w}, {11, Weight::regular, t.text2});
   paper.skip(10);
   paper.rule(t.line);
   paper.skip(10);
@@ -86,38 +99,37 @@ void write_score(Paper& paper, const ReportData& d, const Tokens& t) {
   const Grade& g = d.result.grade;
   const double x = paper.page().left(), w = paper.page().width();
   const QString score = format_points(g.score);
-  paper.painter().setFont(paper.font(40, true));
+  paper.painter().setFont(paper.font(40, Weight::bold));
   const double width = paper.painter().fontMetrics().horizontalAdvance(score);
-  paper.write(score, x, w, 40, true, t.text, Qt::AlignLeft, false);
+  paper.write(score, {x, w}, {40, Weight::bold, t.text}, Qt::AlignLeft, Then::stay);
   const double right = x + width + paper.u(14);
   paper.skip(8);
   paper.write((g.passed ? Text::tr("Passed") : Text::tr("Not passed")) + u" · "_qs +
                   Text::tr("%1 of %2 points, pass mark %3")
-                      .arg(score, format_points(g.score_max), format_points(g.pass_mark)),
-              right, w - width, 12, true, g.passed ? t.good : t.bad);
+                      .arg(score, format_points(g.score_max), format_points(g.pass_mark)), {right, w - width}, {12, Weight::bold, g.passed ? t.good : t.bad});
   paper.skip(2);
-  paper.write(circumstances_text(d), right, w - width, 11, false, t.text2);
-  for (const QString& used : burs_used_text(d)) paper.write(used, right, w - width, 11, false, t.text2);
+  paper.write(circumstances_text(d), {right, w - width}, {11, Weight::regular, t.text2});
+  for (const QString& used : burs_used_text(d)) paper.write(used, {right, w - width}, {11, Weight::regular, t.text2});
   paper.skip(14);
   for (const CriticalEvent& event : d.critical) {
-    paper.write(Text::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), x, w, 12, true, t.bad);
+    paper.write(Text::tr("%1: this fails the attempt, whatever its points.").arg(critical_text(event, d.result.scenario.specimen)), {x, w}, {12, Weight::bold, t.bad});
     paper.skip(4);
   }
 }
 
-/// "1" in a ring, as on the picture and before the sentence that it belongs to.
+/// A number in a ring: on the picture, and before its sentence.
 void draw_number(Paper& paper, QPointF middle, int number, const Tokens& t) {
   QPainter& p = paper.painter();
   const double r = paper.u(kRing);
   p.setPen(QPen(t.text, paper.u(1)));
   p.setBrush(t.surface);
   p.drawEllipse(middle, r, r);
-  p.setFont(paper.font(9, true));
+  p.setFont(paper.font(9, Weight::bold));
   p.setPen(t.text);
   p.drawText(QRectF(middle.x() - r, middle.y() - r, 2 * r, 2 * r), Qt::AlignCenter, QLocale().toString(number));
 }
 
-/// One entry of "Next time" on paper; `number` stands on the picture too, 0: its place is not seen there.
+/// One entry of "Next time" on paper, with its number on the picture; 0 if the picture does not show its place.
 struct PaperAdvice {
   Advice advice;
   std::optional<QPointF> at_px;
@@ -185,7 +197,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
   };
   for (int i = 0; i < 4; ++i) {
     const bool at_right = i == 1 || i == 3;
-    paper.painter().setFont(paper.font(10.5, true));
+    paper.painter().setFont(paper.font(10.5, Weight::bold));
     paper.painter().setPen(t.text2);
     paper.painter().drawText(cell(i), (at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
                              model.headerData(columns[i], Qt::Horizontal, Qt::DisplayRole).toString());
@@ -201,7 +213,7 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
       const QString second = model.data(at, SecondRole).toString();
       if (!second.isEmpty()) text += u' ' + second;
       const bool at_right = i == 1 || i == 3;
-      paper.painter().setFont(paper.font(11, i == 3));
+      paper.painter().setFont(paper.font(11, i == 3 ? Weight::bold : Weight::regular));
       paper.painter().setPen(t.text);
       paper.painter().drawText(cell(i), (at_right ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
     }
@@ -218,38 +230,37 @@ void write_criteria(Paper& paper, const ReportData& d, const Tokens& t) {
 
 void write_next_time(Paper& paper, const ReportData& d, const std::vector<PaperAdvice>& shown, const Tokens& t) {
   const double x = paper.page().left(), w = paper.page().width(), indent = paper.u(20);
-  paper.write(Text::tr("Next time"), x, w, 13, true, t.text);
+  paper.write(Text::tr("Next time"), {x, w}, {13, Weight::bold, t.text});
   paper.skip(4);
   for (const auto& [advice, at, number] : shown) {
     if (number > 0) draw_number(paper, {x + paper.u(kRing), paper.y() + paper.u(8)}, number, t);
-    paper.write(advice.head, x + indent, w - indent, 11, true, advice.grave ? t.bad : t.text);
-    paper.write((advice.why + u' ' + advice.what_to_do).trimmed(), x + indent, w - indent, 11, false, t.text);
+    paper.write(advice.head, {x + indent, w - indent}, {11, Weight::bold, advice.grave ? t.bad : t.text});
+    paper.write((advice.why + u' ' + advice.what_to_do).trimmed(), {x + indent, w - indent}, {11, Weight::regular, t.text});
     paper.skip(4);
   }
   const QString counted = counted_text(d.result.grade, d.result.scenario.rubric);
-  if (!counted.isEmpty()) paper.write(counted, x, w, 11, false, t.text);
-  if (shown.empty() && counted.isEmpty()) paper.write(Text::tr("Every criterion has its full points."), x, w, 11, false, t.text);
+  if (!counted.isEmpty()) paper.write(counted, {x, w}, {11, Weight::regular, t.text});
+  if (shown.empty() && counted.isEmpty()) paper.write(Text::tr("Every criterion has its full points."), {x, w}, {11, Weight::regular, t.text});
   if (d.before) {
     paper.skip(8);
     const double apart = d.result.grade.score - d.before->score;
     paper.write(Text::tr("Best before: %1 point(s) on %2; today %3.", nullptr, point_forms(d.before->score))
                     .arg(format_points(d.before->score), format_day(d.before_when),
-                         (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)),
-                x, w, 11, false, t.text2);
+                         (apart >= 0 ? u"+"_qs : QString()) + format_points(apart)), {x, w}, {11, Weight::regular, t.text2});
   }
 }
 
-/// What the colours of the map mean, at the right of the tooth.
+/// Legend of the difference map, at the right of the tooth.
 void write_legend(Paper& paper, const Tokens& t) {
   QPainter& painter = paper.painter();
   const QRectF page = paper.page();
   const double x = page.left() + paper.u(kToothHigh * kToothRatio + 20), w = page.right() - x;
   const ToothColours& c = ToothColours::get();
-  const std::pair<QString, QColor> lines[] = {{Text::tr("0.5 mm and more not removed"), c.map[0]},
-                                              {Text::tr("0.3 mm not removed"), c.map[1]},
+  const std::pair<QString, QColor> lines[] = {{Text::tr("uncut remainder, 0.5 mm and more"), c.map[0]},
+                                              {Text::tr("uncut remainder, 0.3 mm"), c.map[1]},
                                               {Text::tr("on target, within 0.1 mm"), c.map[2]},
-                                              {Text::tr("0.3 mm over-cut"), c.map[3]},
-                                              {Text::tr("0.5 mm and more over-cut"), c.map[4]}};
+                                              {Text::tr("over-cut, 0.3 mm"), c.map[3]},
+                                              {Text::tr("over-cut, 0.5 mm and more"), c.map[4]}};
   double y = paper.y();
   for (const auto& [text, colour] : lines) {
     painter.setPen(QPen(t.border, paper.u(0.7)));
@@ -328,11 +339,11 @@ Result<void, PdfFailure> write_report_pdf(const std::filesystem::path& file, con
     writer.setCreator(u"Cusp"_qs);
     QPainter painter;
     if (!painter.begin(&writer)) return fail(PdfError::cannot_write, file.string());
-    // A screen's pixel at 96 a inch would print small; 84 fills the page's width as the screen's column.
+    // 84 screen pixels an inch, not 96: the text fills the width of the page.
     paint_report(painter, QRectF(QPointF(0, 0), QSizeF(writer.width(), writer.height())), 300.0 / 84.0, data, tooth);
     if (!painter.end()) return fail(PdfError::cannot_write, file.string());
   }
-  // QPdfWriter tells nothing of a full disk: a whole PDF ends in its mark.
+  // QPdfWriter reports no full disk; a whole PDF ends in %%EOF.
   QFile written(part);
   if (!written.open(QIODevice::ReadOnly) || written.size() < 16) return fail(PdfError::cannot_write, file.string());
   written.seek(written.size() - 16);

@@ -19,7 +19,7 @@ using PdfFailure = Failure<PdfError>;
 /// whose middles are `taken`. `middle`: of the picture; `unit`: of the paper to a pixel of the screen at 100 %.
 QPointF number_spot(QPointF at, QPointF middle, double unit, const std::vector<QPointF>& taken);
 
-/// Places that the paper marks on its tooth: those of the first entries of next_time(), in their order.
+/// Places marked on the paper's tooth: those of the first entries of next_time(), in the same order.
 std::vector<Vec3> places_on_paper(const ReportData& data);
 
 /// `tooth` is of places_on_paper(). Where it failed, its place on the page says why. Written beside the name and renamed, so that no half file is left.

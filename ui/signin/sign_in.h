@@ -1,5 +1,5 @@
-/// Sign-in: number and PIN first, staff second, Try it apart; on the first start it makes the administrator instead.
-/// It asks storage and says what came; who is signed in is the desktop's to know.
+/// The sign-in page: tabs for students (number, PIN) and staff (user name, password), and "Try it" without an account. Without
+/// an administrator in the records the page makes one. The desktop keeps who is signed in. Thread: GUI.
 #pragma once
 
 #include <QImage>
@@ -9,31 +9,34 @@
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QTabBar;
 
 namespace cusp::ui {
 
 class Band;
-class PinBoxes;
-class Segments;
+class PinField;
 
 class SignIn : public QWidget {
   Q_OBJECT
 
  public:
+  /// Who types: students give number and PIN, staff user name and password. In the order of the tabs.
+  enum class Who { student, staff };
   explicit SignIn(Store& store, QWidget* parent = nullptr);
 
-  /// Shown at the right, from 1100 px of width on.
+  /// Shown at the right of windows of 1100 px and more.
   void set_picture(const QImage& picture);
-  /// What was typed survives a change of language or scale.
+  /// Number or user name as typed: the desktop keeps it over a change of language or scale.
   QString typed_number() const;
-  void set_typed_number(const QString& number, bool staff);
-  bool staff() const;
-  /// What opening the records met: shown to staff alone. Where there is no administrator yet, to whoever makes one.
+  void set_typed_number(const QString& number, Who who);
+  Who who() const;
+  /// A fault met while the records were opened: shown to staff, and to whoever makes the first administrator.
   void show_incident(const Message& message);
-  /// Nothing can be written: shown to everybody, with a way to try again.
+  /// The records cannot be written: shown to everybody, with "Try again".
   void show_reading_only(const Message& why);
   bool first_start() const { return first_start_; }
   QString message() const;
@@ -50,21 +53,27 @@ class SignIn : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  static constexpr int kFormWidth = 320;  // px at 100 %
+
   QWidget* make_head();
   QWidget* make_notices();
+  QWidget* make_station();
   QWidget* make_sign_in_form();
+  QWidget* make_student_fields();
+  QWidget* make_staff_fields();
   QWidget* make_first_start_form();
+  void add_try_it(QBoxLayout& column);
   void submit();
   void create_administrator();
   void refuse(const Message& message);
-  void show_segment(int index);
+  void show_fields(int tab);
 
   Store& store_;
   bool first_start_ = false;
-  Segments* who_ = nullptr;
+  QTabBar* who_ = nullptr;
   QWidget *student_fields_ = nullptr, *staff_fields_ = nullptr;
   QLineEdit *number_ = nullptr, *staff_number_ = nullptr, *password_ = nullptr, *repeat_ = nullptr, *name_ = nullptr;
-  PinBoxes* pin_ = nullptr;
+  PinField* pin_ = nullptr;
   QPushButton *enter_ = nullptr, *try_again_ = nullptr;
   Band *band_ = nullptr, *incident_ = nullptr, *reading_only_ = nullptr;
   QLabel* picture_ = nullptr;

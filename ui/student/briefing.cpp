@@ -1,6 +1,7 @@
 #include "ui/student/briefing.h"
 
 #include <QBoxLayout>
+#include <QFormLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
@@ -35,7 +36,7 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
   if (room.isEmpty()) return;
   QImage scaled = image.scaled(room, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
   if (scaled.isNull()) {
-    // Not drawn yet: the ground on which the tooth will stand.
+    // The picture is not drawn yet: the colour behind the tooth.
     scaled = QImage(room, QImage::Format_RGB32);
     scaled.fill(tokens().view_middle);
   }
@@ -54,13 +55,34 @@ void show_covering(QLabel* label, const QImage& image, double radius) {
 
 Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std::filesystem::path& folder, QWidget* parent)
     : QWidget(parent), exercise_(exercise), pictures_(pictures), folder_(folder) {
-  const Scenario& s = exercise_.scenario;
   setProperty("kind", u"page"_qs);
   setAttribute(Qt::WA_StyledBackground);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  column->addWidget(make_bar());
+  QVBoxLayout* body = nullptr;
+  column->addWidget(make_scroll_page(&body), 1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(px(24));
+  body->addLayout(row);
+  picture_ = new QLabel;
+  picture_->setFixedSize(px(400), px(330));
+  picture_->setAccessibleName(tr("The tooth with its target"));
+  row->addWidget(picture_, 0, Qt::AlignTop);
+  auto* text = new QVBoxLayout;
+  text->setSpacing(px(8));
+  row->addLayout(text, 1);
+  fill_text(*text);
+  body->addWidget(make_points());
+  body->addWidget(make_keys());
+  body->addStretch();
+  setFocusProxy(start_);
+  connect(&pictures_, &PictureShelf::ready, this, &Briefing::show_picture);
+  show_picture();
+}
 
+QWidget* Briefing::make_bar() {
   auto* bar = new QFrame;
   bar->setProperty("kind", u"bar_top"_qs);
   bar->setFixedHeight(px(48));
@@ -72,37 +94,41 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
   QFrame* rule = make_rule(Qt::Vertical);
   rule->setFixedHeight(px(24));
   bar_row->addWidget(rule);
-  bar_row->addWidget(make_label(local(s.title), TextRole::section, true));
+  bar_row->addWidget(make_label(local(exercise_.scenario.title), TextRole::section, true));
   bar_row->addStretch();
-  column->addWidget(bar);
+  return bar;
+}
 
-  QVBoxLayout* body = nullptr;
-  column->addWidget(make_scroll_page(&body), 1);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(px(24));
-  body->addLayout(row);
-
-  picture_ = new QLabel;
-  picture_->setFixedSize(px(400), px(330));
-  picture_->setAccessibleName(tr("The tooth with its target"));
-  row->addWidget(picture_, 0, Qt::AlignTop);
-  auto* text = new QVBoxLayout;
-  text->setSpacing(px(8));
-  row->addLayout(text, 1);
-  text->addWidget(make_label(local(s.title), TextRole::page_title, true));
+void Briefing::fill_text(QVBoxLayout& text) {
+  const Scenario& s = exercise_.scenario;
+  text.addWidget(make_label(local(s.title), TextRole::page_title, true));
   QLabel* what = make_label(local(s.briefing));
   what->setWordWrap(true);
-  text->addWidget(what);
-  text->addSpacing(px(8));
-  auto* facts = new QGridLayout;
+  text.addWidget(what);
+  text.addSpacing(px(8));
+  add_facts(text);
+  text.addSpacing(px(16));
+  auto* acts = new QHBoxLayout;
+  start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
+  start_->setDefault(true);
+  acts->addWidget(start_);
+  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, false, "text3"));
+  acts->addStretch();
+  text.addLayout(acts);
+  text.addStretch();
+  connect(start_, &QPushButton::clicked, this, [this] { Q_EMIT start_wanted(exercise_); });
+}
+
+void Briefing::add_facts(QVBoxLayout& text) {
+  const Scenario& s = exercise_.scenario;
+  auto* facts = new QFormLayout;
   facts->setHorizontalSpacing(px(24));
   facts->setVerticalSpacing(px(4));
-  int line = 0;
+  facts->setLabelAlignment(Qt::AlignLeading | Qt::AlignTop);
   const auto fact = [&](const QString& name, const QString& value) {
-    facts->addWidget(make_label(name, TextRole::body, false, "text2"), line, 0, Qt::AlignTop);
     QLabel* label = make_label(value);
     label->setWordWrap(true);
-    facts->addWidget(label, line++, 1);
+    facts->addRow(make_label(name, TextRole::body, false, "text2"), label);
   };
   fact(tr("Burs"), burs_text(s));
   fact(tr("Wanted depth"), format({s.target.depth_mm, std::nullopt, u"mm"_qs, 1}));
@@ -113,19 +139,11 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
                                       : tr("as much as you need; time earns no points"));
   fact(tr("Pass mark"), tr("%1 of 100").arg(format_points(s.rubric.pass)));
   for (const std::string& critical : s.rubric.critical) fact(tr("Fails the attempt"), critical_name(critical));
-  facts->setColumnStretch(1, 1);
-  text->addLayout(facts);
-  text->addSpacing(px(16));
-  auto* acts = new QHBoxLayout;
-  start_ = make_large_button(tr("Start"), ButtonKind::primary, u"play"_qs);
-  start_->setDefault(true);
-  acts->addWidget(start_);
-  acts->addWidget(make_label(tr("Enter starts"), TextRole::caption, false, "text3"));
-  acts->addStretch();
-  text->addLayout(acts);
-  text->addStretch();
-  connect(start_, &QPushButton::clicked, this, [this] { Q_EMIT start_wanted(exercise_); });
+  text.addLayout(facts);
+}
 
+QWidget* Briefing::make_points() {
+  const Scenario& s = exercise_.scenario;
   auto* points = new Card(tr("What earns points"), tr("Full points"));
   auto* table = new Table;
   auto* model = new QStandardItemModel(this);
@@ -144,19 +162,17 @@ Briefing::Briefing(const Exercise& exercise, ThumbnailCache& pictures, const std
   table->set_rows_shown(12);
   points->set_aside({});
   points->body()->addWidget(table);
-  body->addWidget(points);
+  return points;
+}
 
+QWidget* Briefing::make_keys() {
   auto* keys = new Card(tr("With mouse and keys"));
   QLabel* how = make_label(tr("Move the mouse, or the arrow keys, to slide the bur over the tooth. Push with the wheel "
                               "or with Page Down, let up with Page Up. Hold Space, or the left button, to cut."),
                            TextRole::body, false, "text2");
   how->setWordWrap(true);
   keys->body()->addWidget(how);
-  body->addWidget(keys);
-  body->addStretch();
-  setFocusProxy(start_);
-  connect(&pictures_, &ThumbnailCache::ready, this, &Briefing::show_picture);
-  show_picture();
+  return keys;
 }
 
 void Briefing::show_picture() {

@@ -1,4 +1,4 @@
-/// Briefing of one exercise: what to do, with what, what earns points, and Start.
+/// Briefing of one exercise: task, burs, criteria and Start. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -8,6 +8,7 @@
 
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace cusp::ui {
 
@@ -24,6 +25,11 @@ class Briefing : public QWidget {
   void back_wanted();
 
  private:
+  QWidget* make_bar();
+  void fill_text(QVBoxLayout& text);
+  void add_facts(QVBoxLayout& text);
+  QWidget* make_points();
+  QWidget* make_keys();
   void show_picture();
   Exercise exercise_;
   ThumbnailCache& pictures_;
@@ -32,10 +38,10 @@ class Briefing : public QWidget {
   QPushButton* start_;
 };
 
-/// "2 (1.0 mm), 330 (0.8 mm)": the burs that an exercise lends.
+/// "2 (1.0 mm), 330 (0.8 mm)": the burs of an exercise.
 QString burs_text(const Scenario& scenario);
 
-/// A label that shows a picture with round corners, filling its size.
+/// Fills the label with the picture, with round corners; without a picture, with the colour behind the tooth.
 void show_covering(QLabel* label, const QImage& image, double radius);
 
 }  // namespace cusp::ui

@@ -13,7 +13,7 @@ namespace {
 
 QDateTime from_utc_us(std::int64_t us) { return QDateTime::fromMSecsSinceEpoch(us / 1000, Qt::UTC); }
 
-/// What one works on: the exercises of a kind stand together when they are sorted by it.
+/// Kind of specimen, a column to sort by.
 QString kind_of(const SpecimenSource& specimen) {
   if (specimen.generator.empty()) return CourseModel::tr("From a file");
   if (specimen.generator != "tooth") return CourseModel::tr("Block");

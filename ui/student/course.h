@@ -24,10 +24,10 @@ struct Course {
   std::vector<HistoryRow> attempts;         // all of this student, newest first
   std::vector<StorageFailure> unreadable;
 
-  /// First by due date, then the first not passed yet, then the one with the lowest best score; -1 without exercises.
+  /// Index of the next exercise: not passed before passed, then by due date, then by the lowest best score; -1 without exercises.
   int next() const;
   const HistoryRow* last_graded() const;
-  /// The newest attempt that broke off and has no grade yet; nullptr without one.
+  /// The newest interrupted attempt without a grade; nullptr without one.
   const HistoryRow* interrupted() const;
 };
 
@@ -68,7 +68,7 @@ class AttemptsModel : public QAbstractTableModel {
   std::vector<HistoryRow> rows_;
 };
 
-/// "Passed", "Not passed", "Interrupted", "Not graded" as a chip of a table.
+/// "Passed", "Not passed", "Interrupted" or "Not graded"; and int(Chip::Kind) for the table.
 QString result_text(const HistoryRow& row);
 int result_chip(const HistoryRow& row);
 

@@ -11,13 +11,13 @@
 namespace cusp::ui {
 namespace {
 
-/// The cause of a write that failed, by errno.
+/// Cause of a failed write, from errno.
 StorageFailure write_failure(int error, const std::filesystem::path& file) {
   const StorageError code = error == ENOSPC || error == EDQUOT ? StorageError::disk_full : StorageError::io;
   return {code, file.string(), error == 0 ? std::string() : std::generic_category().message(error)};
 }
 
-/// Written beside and renamed: a half file would be taken for the whole one next time.
+/// Writes beside the name and renames, so that no half file bears the name.
 Stored<void> write_beside(const std::filesystem::path& file, const std::vector<std::byte>& bytes) {
   const std::filesystem::path part = file.string() + ".part";
   errno = 0;
@@ -62,7 +62,7 @@ Stored<ExerciseList> load_exercises(Store& store) {
     bool replaced = false;
     for (Exercise& e : list.exercises) {
       if (e.scenario.id != version.scenario) continue;
-      // The program's own may be newer than what was last played here: then it is published when it is played.
+      // The built-in version may be newer than the stored one; playing it publishes it.
       if (e.scenario.version <= version.number) e = fresh;
       replaced = true;
     }

@@ -1,5 +1,4 @@
-/// Which exercises there are: those that come with the program, and those published on this station; of each the
-/// newest version. No window, no words.
+/// The exercises of this station: built-in and published ones, each in its newest version. No widget, no text.
 #pragma once
 
 #include <filesystem>
@@ -14,21 +13,20 @@ namespace cusp::ui {
 
 struct Exercise {
   Scenario scenario;
-  VersionId version;   // nil: not played here yet, comes with the program
+  VersionId version;   // nil for a built-in exercise that was never played here
   int version_number = 1;
-  std::map<std::string, Hash256> files;  // volumes beside it, in Blobs
+  std::map<std::string, Hash256> files;  // its volumes, in Blobs
 };
 
 struct ExerciseList {
-  std::vector<Exercise> exercises;           // built-in ones first, in the order in which a newcomer meets them
-  std::vector<StorageFailure> unreadable;    // stored versions that could not be read; `where` names them
+  std::vector<Exercise> exercises;           // built-in ones first, in the order of the course
+  std::vector<StorageFailure> unreadable;    // stored versions that cannot be read
   const Exercise* find(ScenarioId id) const;
 };
 
 Stored<ExerciseList> load_exercises(Store& store);
 
-/// Folder in which the exercise's volume lies: its files are written there from the records when they are not yet.
-/// Empty for an exercise without files.
+/// Folder with the exercise's files, written from the records on first use. Empty for an exercise without files.
 Stored<std::filesystem::path> exercise_folder(Store& store, const Exercise& exercise,
                                               const std::filesystem::path& cache);
 

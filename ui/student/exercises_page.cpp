@@ -16,7 +16,7 @@
 namespace cusp::ui {
 namespace {
 
-/// Numbers as numbers, names as the language orders them with the figures in them counted: level 2 before level 10.
+/// Sorts numbers by value and names by the language; numbers inside names count ("level 2" before "level 10").
 class Sorted : public QSortFilterProxyModel {
  public:
   explicit Sorted(QObject* parent) : QSortFilterProxyModel(parent) {
@@ -65,7 +65,7 @@ ExercisesPage::ExercisesPage(Store& store, const Actor& actor, QWidget* parent) 
   auto* sorted = new Sorted(this);
   sorted->setSourceModel(model);
   table_->setModel(sorted);
-  // In the order of the course until a head is clicked; its third click brings that order back.
+  // Without a chosen column the order is that of the course; the third click on a head restores it.
   table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
   table_->horizontalHeader()->setSortIndicatorClearable(true);
   table_->setSortingEnabled(true);

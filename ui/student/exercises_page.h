@@ -1,4 +1,4 @@
-/// All exercises with one's own standing: found by a word, sorted by a column's head; Enter opens the briefing.
+/// All exercises with the student's results: search, sorting by column, Enter opens the briefing. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -1,4 +1,4 @@
-/// The start page's word about an attempt that broke off: what, when, how far, and the one way on.
+/// Card of an interrupted attempt: exercise, time, progress, and how to continue. Thread: GUI.
 #pragma once
 
 #include "storage/store.h"
@@ -9,10 +9,10 @@ namespace cusp::ui {
 
 /// What may be done with an interrupted attempt.
 enum class InterruptedWay : std::uint8_t {
-  go_on,         // by the same student, engine version and class of device
-  other_device,  // only graded as it stands: this station drills with another class of device
-  scripted,      // only graded as it stands: a scripted operator cut it
-  other_engine,  // neither: its inputs cannot be run again
+  go_on,         // same student, engine version and device class
+  other_device,  // can only be graded: this station has another device class
+  scripted,      // can only be graded: a scripted operator cut it
+  other_engine,  // neither: this engine cannot replay its inputs
 };
 Stored<InterruptedWay> way_of(Store& store, const HistoryRow& row, const std::string& device_class);
 
@@ -20,7 +20,7 @@ class InterruptedCard : public Card {
   Q_OBJECT
 
  public:
-  /// `way` is not other_engine.
+  /// Pre: `way` is not other_engine.
   InterruptedCard(Store& store, const HistoryRow& row, InterruptedWay way, const std::string& device_class,
                   QWidget* parent = nullptr);
   QPushButton* primary() const { return primary_; }

@@ -85,7 +85,7 @@ void OwnHistory::show_attempts() {
   for (const HistoryRow& attempt : all_) {
     if (chosen.isEmpty() || QString::fromStdString(attempt.scenario.text()) == chosen) rows.push_back(attempt);
   }
-  // A chart is of one exercise: of the chosen one, or of the one drilled last.
+  // A chart shows one exercise: the chosen one, or that of the newest row.
   std::vector<HistoryRow> drawn;
   for (const HistoryRow& attempt : rows) {
     if (attempt.scenario == rows.front().scenario && attempt.device_class == rows.front().device_class) drawn.push_back(attempt);

@@ -26,21 +26,23 @@ namespace cusp::ui {
 namespace {
 
 constexpr int kSideWidth = 356, kPictureWidth = 281, kStackBelow = 1000;  // px at 100 %, of the page
-constexpr int kSmallPictureWidth = 200, kSmallPictureBelow = 760;  // likewise; the words beside it need the rest
+constexpr int kSmallPictureWidth = 200, kSmallPictureBelow = 760;  // likewise; the text beside it needs the rest
 constexpr int kAdviceShown = 2;
-constexpr int kShortText = 120;  // letters: about two lines beside the picture
+constexpr int kShortText = 120;  // characters: about two lines beside the picture
 
 QDateTime moment(std::int64_t utc_us) { return QDateTime::fromMSecsSinceEpoch(utc_us / 1000, Qt::UTC); }
 
-/// `wraps`: its value may be long, takes what is left of the line and goes on below.
-QWidget* fact(const QString& name, const QString& value, bool wraps = false) {
+/// A wrapping value takes the rest of the line and goes on below.
+enum class Value { one_line, wraps };
+
+QWidget* fact(const QString& name, const QString& value, Value length = Value::one_line) {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(make_label(name, TextRole::caption, false, "text2"));
   QLabel* text = make_label(value);
-  text->setWordWrap(wraps);
+  text->setWordWrap(length == Value::wraps);
   column->addWidget(text);
   column->addStretch();
   return box;
@@ -54,7 +56,7 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   auto course = load_course(store, account.actor());
-  // A program that died while this one ran has left its attempt as running.
+  // A process that died leaves its attempt in the state running.
   if (course && std::ranges::any_of(course->attempts, [](const HistoryRow& attempt) { return attempt.state == SessionState::running; })) {
     if (const auto marked = store.sessions.mark_interrupted(); marked && !marked->empty()) course = load_course(store, account.actor());
   }
@@ -77,6 +79,14 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   body->addLayout(columns_);
   body->addStretch();
 
+  columns_->addWidget(make_main(account), 1);
+  side_ = make_side(account);
+  columns_->addWidget(side_);
+  connect(&pictures_, &PictureShelf::ready, this, &StartPage::show_picture);
+  if (QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_) setFocusProxy(first);
+}
+
+QWidget* StartPage::make_main(const Account& account) {
   auto* main = new QWidget;
   auto* column = new QVBoxLayout(main);
   column->setContentsMargins(0, 0, 0, 0);
@@ -91,7 +101,7 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
     column->addWidget(card);
   }
   if (!course_.rows.empty()) column->addWidget(make_list());
-  if (QWidget* word = make_word(account)) column->addWidget(word);
+  if (QWidget* comment = make_comment()) column->addWidget(comment);
   auto* note = new QHBoxLayout;
   note->setSpacing(px(8));
   auto* sign = new QLabel;
@@ -100,18 +110,18 @@ StartPage::StartPage(Store& store, const Account& account, ThumbnailCache& pictu
   note->addWidget(make_label(tr("Every attempt is kept, also one that broke off."), TextRole::caption, false, "text2"), 1);
   column->addLayout(note);
   column->addStretch();
-  columns_->addWidget(main, 1);
+  return main;
+}
 
-  side_ = new QWidget;
-  auto* side = new QVBoxLayout(side_);
+QWidget* StartPage::make_side(const Account& account) {
+  auto* panel = new QWidget;
+  auto* side = new QVBoxLayout(panel);
   side->setContentsMargins(0, 0, 0, 0);
   side->setSpacing(px(16));
   side->addWidget(make_last(account));
   side->addWidget(make_chart());
   side->addStretch();
-  columns_->addWidget(side_);
-  connect(&pictures_, &ThumbnailCache::ready, this, &StartPage::show_picture);
-  if (QPushButton* first = interrupted_ != nullptr ? interrupted_->primary() : start_) setFocusProxy(first);
+  return panel;
 }
 
 void StartPage::make_interrupted(QBoxLayout& column) {
@@ -143,7 +153,7 @@ QWidget* StartPage::make_next(const CourseRow& row) {
   line->addLayout(text, 1);
   text->addWidget(make_label(tr("Next"), TextRole::caption, false, "text2"));
   text->addWidget(make_label(local(s.title), TextRole::live, true));
-  // The whole of it stands in the briefing.
+  // The first sentence; the briefing has the whole text.
   QString first = local(s.briefing);
   if (const auto end = first.indexOf(u". "_qs); end > 0 && first.size() > kShortText) first.truncate(end + 1);
   QLabel* what = make_label(first, TextRole::body, false, "text2");
@@ -157,18 +167,18 @@ QWidget* StartPage::make_next(const CourseRow& row) {
                                                      : format_number(row.attempts, 0)));
   facts->addWidget(fact(tr("Best so far"), row.best && row.best->score ? tr("%1 of 100").arg(format_points(*row.best->score))
                                                                        : tr("none yet")));
-  facts->addWidget(fact(tr("Burs"), burs_text(s), true), 1);
+  facts->addWidget(fact(tr("Burs"), burs_text(s), Value::wraps), 1);
   text->addLayout(facts);
   text->addStretch();
   auto* acts = new QHBoxLayout;
   acts->setSpacing(px(12));
-  // One primary button a screen: what broke off comes first.
+  // One primary button a page: that of an interrupted attempt comes first.
   start_ = make_large_button(tr("Start"), interrupted_ != nullptr ? ButtonKind::standard : ButtonKind::primary, u"play"_qs);
   start_->setMinimumWidth(px(106));
   QPushButton* briefing = make_large_button(tr("Briefing"), ButtonKind::standard);
   acts->addWidget(start_);
   acts->addWidget(briefing);
-  // Gives way where the words are long. Enter continues what broke off, where there is such.
+  // The hint gives way to long buttons. With an interrupted attempt Enter continues that.
   QLabel* hint = make_label(interrupted_ == nullptr ? tr("Enter starts") : QString(), TextRole::caption, false, "text3");
   hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   hint->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
@@ -313,7 +323,7 @@ QWidget* StartPage::make_chart() {
   return card;
 }
 
-QWidget* StartPage::make_word(const Account& account) {
+QWidget* StartPage::make_comment() {
   for (const HistoryRow& attempt : course_.attempts) {
     const auto comments = store_.comments.of(attempt.session);
     if (!comments || comments->empty()) continue;
@@ -326,7 +336,6 @@ QWidget* StartPage::make_word(const Account& account) {
     card->body()->addWidget(text);
     return card;
   }
-  Q_UNUSED(account);
   return nullptr;
 }
 

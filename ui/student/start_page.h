@@ -1,5 +1,5 @@
-/// What a student sees first: an attempt that broke off, the next exercise, the list, the last result with what to do next time, and time against
-/// score. Everything from the records; where nothing is yet it says so.
+/// The student's start page: interrupted attempt, next exercise, list of exercises, last result with advice, time against score.
+/// All from the records; empty parts say why. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -22,11 +22,11 @@ class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `device_class`: of the device that this station drills with.
+  /// `device_class`: of this station's device.
   StartPage(Store& store, const Account& account, ThumbnailCache& pictures, const QDateTime& now,
             std::string device_class = "pointer", QWidget* parent = nullptr);
   QPushButton* start_button() const { return start_; }
-  /// nullptr without an attempt that broke off.
+  /// nullptr without an interrupted attempt.
   InterruptedCard* interrupted() const { return interrupted_; }
   Table* table() const { return table_; }
 
@@ -42,14 +42,17 @@ class StartPage : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  QWidget* make_main(const Account& account);
+  QWidget* make_side(const Account& account);
   void make_interrupted(QBoxLayout& column);
   QWidget* make_next(const CourseRow& row);
   QWidget* make_list();
   QWidget* make_last(const Account& account);
-  /// Returns false where there is nothing to do better.
+  /// False if no criterion lost points.
   bool add_advice(Card& card, const HistoryRow& last, const Account& account);
   QWidget* make_chart();
-  QWidget* make_word(const Account& account);
+  /// The newest comment of an instructor; nullptr without one.
+  QWidget* make_comment();
   void show_picture();
 
   Store& store_;

@@ -1,4 +1,4 @@
-/// A bur's outline as seen from the side, to scale: tip down, its axis upright at x = 0, the pivot at y = 0; y downwards.
+/// Side view of a bur as a path: tip down, axis at x = 0, pivot at y = 0, y downwards. Pure functions.
 #pragma once
 
 #include <QPainterPath>
@@ -11,7 +11,7 @@ namespace cusp::ui {
 /// The cutting head alone, `scale` pixels a millimetre.
 QPainterPath bur_head_path(const Bur& bur, double scale);
 
-/// From the pivot, mm along the axis: where the head ends.
+/// End of the head, mm along the axis from the pivot.
 double bur_head_top_mm(const Bur& bur);
 
 }  // namespace cusp::ui

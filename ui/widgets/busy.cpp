@@ -12,7 +12,7 @@ namespace cusp::ui {
 Busy::Busy(QWidget* parent) : QWidget(parent), timer_(new QTimer(this)) {
   auto* column = new QVBoxLayout(this);
   column->setSpacing(px(8));
-  setMinimumWidth(px(280));  // a title comes later and must not be cut
+  setMinimumWidth(px(280));  // start() sets the title, which must not be clipped
   column->addStretch();
   title_ = make_label({}, TextRole::section, true);
   title_->setAlignment(Qt::AlignCenter);
@@ -34,12 +34,12 @@ Busy::Busy(QWidget* parent) : QWidget(parent), timer_(new QTimer(this)) {
   connect(cancel_, &QPushButton::clicked, this, &Busy::cancelled);
 }
 
-void Busy::start(const QString& title, bool can_cancel) {
+void Busy::start(const QString& title, Cancel cancel) {
   running_ = true;
   title_->setText(title);
   setAccessibleName(title);
   set_progress(0, {});
-  cancel_->setVisible(can_cancel);
+  cancel_->setVisible(cancel == Cancel::offered);
   timer_->start();
 }
 

@@ -1,4 +1,4 @@
-/// Work that takes a while: shows after 300 ms, counts something real, can be cancelled.
+/// Progress of a long task: shown after 300 ms, with a count, and with a way to cancel. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -16,13 +16,14 @@ class Busy : public QWidget {
 
  public:
   explicit Busy(QWidget* parent = nullptr);
-  /// Begins; becomes visible 300 ms later unless finish() came before.
-  void start(const QString& title, bool can_cancel);
+  enum class Cancel { offered, none };
+  /// Becomes visible kDelayMs later unless finish() comes first.
+  void start(const QString& title, Cancel cancel);
   void set_progress(double share, const QString& counted);
   void finish();
   bool running() const { return running_; }
 
-  static constexpr int kDelayMs = 300;  // shorter waits are not worth a change of the screen
+  static constexpr int kDelayMs = 300;  // a shorter wait needs no change of the screen
 
  Q_SIGNALS:
   void cancelled();

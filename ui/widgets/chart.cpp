@@ -19,7 +19,7 @@
 namespace cusp::ui {
 namespace {
 
-/// Where the plot lies and how values map onto it. Charts' x does not mirror.
+/// Maps values onto the plot's area. The x axis runs to the right in every language.
 struct Plot {
   QRectF area;
   const ChartData& data;
@@ -40,7 +40,7 @@ Plot plot_of(const QRectF& rect, const ChartData& data, double unit) {
   for (double v = data.y.least; v <= data.y.most + 1e-9; v += data.y.step) {
     labels = std::max(labels, metrics.horizontalAdvance(format_number(v, data.y.decimals)));
   }
-  // Room at the right: half of the last label below, or the names at the lines' ends.
+  // The right margin holds half of the last label, or the names at the lines' ends.
   double names = metrics.horizontalAdvance(format_number(data.x.most, data.x.decimals)) / 2 + 2 * unit;
   for (const auto& s : data.series) {
     if (s.draw == ChartSeries::Draw::line && !s.points.isEmpty()) {
@@ -84,7 +84,7 @@ void paint_diamond(QPainter& p, QPointF at, double r) {
 }
 
 void paint_bars(QPainter& p, const Plot& plot, const ChartSeries& s, const Tokens& t, double unit) {
-  // From one bar to the next, which may be less than from one figure of the axis to the next.
+  // Bars may stand closer than the figures of the axis.
   const double width = s.points.size() > 1 ? s.points[1].x - s.points[0].x : plot.data.x.step;
   for (const ChartPoint& b : s.points) {
     const QRectF bar(QPointF(plot.x(b.x) + 1.5 * unit, plot.y(b.y)),
@@ -100,76 +100,103 @@ void paint_bars(QPainter& p, const Plot& plot, const ChartSeries& s, const Token
   }
 }
 
+/// The pass mark: upright over bars, level over dots and lines.
+void paint_mark(QPainter& p, const Plot& plot, const Tokens& t, double unit) {
+  const ChartData& d = plot.data;
+  const bool has_bars = !d.series.isEmpty() && d.series.first().draw == ChartSeries::Draw::bars;
+  p.setFont(caption(unit));
+  QPen pen(t.text, 1.4 * unit, Qt::CustomDashLine);
+  pen.setDashPattern({3, 2});
+  p.setPen(pen);
+  if (has_bars) {
+    const double x = plot.x(*d.mark);
+    p.drawLine(QPointF(x, plot.area.top() - 4 * unit), QPointF(x, plot.area.bottom()));
+    p.setPen(t.text);
+    p.drawText(QRectF(x - 126 * unit, plot.area.top() - 6 * unit, 120 * unit, 16 * unit),
+               Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
+  } else {
+    const double y = plot.y(*d.mark);
+    p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
+    p.setPen(t.text2);
+    p.drawText(QRectF(plot.area.right() - 120 * unit, y - 17 * unit, 120 * unit, 16 * unit),
+               Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
+  }
+}
+
+void paint_line(QPainter& p, const Plot& plot, const ChartSeries& s, const Tokens& t, double unit) {
+  QPainterPath path(plot.at(s.points.first()));
+  for (const ChartPoint& point : s.points) path.lineTo(plot.at(point));
+  p.setPen(QPen(s.quiet ? t.text3 : t.accent, (s.quiet ? 1.4 : 1.8) * unit, s.quiet ? Qt::DashLine : Qt::SolidLine,
+                Qt::RoundCap, Qt::RoundJoin));
+  p.setBrush(Qt::NoBrush);
+  p.drawPath(path);
+}
+
+/// `lit_point`: the one of the series under the pointer; -1 for none.
+void paint_points(QPainter& p, const Plot& plot, const ChartSeries& s, const Tokens& t, double unit, int lit_point) {
+  const QColor ink = s.quiet ? t.text3 : t.accent;
+  for (int j = 0; j < s.points.size(); ++j) {
+    const ChartPoint& point = s.points[j];
+    const QPointF at = plot.at(point);
+    const bool lit = j == lit_point;
+    if (s.draw == ChartSeries::Draw::diamonds) {
+      p.setPen(QPen(t.text2, 1.6 * unit));
+      p.setBrush(lit ? t.text2 : t.surface);
+      paint_diamond(p, at, 5 * unit);
+    } else if (s.draw == ChartSeries::Draw::dots) {
+      QColor soft = ink;
+      soft.setAlphaF(s.quiet ? 0.7 : 1.0);
+      p.setPen(Qt::NoPen);
+      p.setBrush(soft);
+      p.drawEllipse(at, (lit ? 4.0 : 2.6) * unit, (lit ? 4.0 : 2.6) * unit);
+    } else {
+      p.setPen(QPen(ink, 1.8 * unit));
+      p.setBrush(point.strong || lit ? ink : t.surface);
+      const double r = (point.strong || lit ? 4.6 : 3.2) * unit;
+      p.drawEllipse(at, r, r);
+    }
+  }
+}
+
+/// The value of a strong point, beside its dot.
+void paint_value(QPainter& p, const Plot& plot, const QRectF& rect, const ChartPoint& point, const Tokens& t, double unit) {
+  QFont bold = caption(unit);
+  bold.setBold(true);
+  p.setFont(bold);
+  p.setPen(t.text);
+  const QPointF at = plot.at(point);
+  const QString text = format_points(point.y);
+  const QFontMetricsF metrics(bold);
+  const double width = metrics.horizontalAdvance(text);
+  const bool fits = at.x() + 10 * unit + width < rect.right();
+  // Full points lie at the chart's upper edge: the figure then stands below them.
+  const bool above = at.y() - 6 * unit - metrics.ascent() >= rect.top();
+  p.drawText(QPointF(fits ? at.x() + 8 * unit : at.x() - 8 * unit - width,
+                     above ? at.y() - 6 * unit : at.y() + 6 * unit + metrics.ascent()),
+             text);
+}
+
 }  // namespace
 
-void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Tokens& t, double unit,
-                 int highlighted_series, int highlighted_point) {
+void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Tokens& t, double unit, ChartPick lit) {
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
   p.setLayoutDirection(Qt::LeftToRight);
   const Plot plot = plot_of(rect, d, unit);
   paint_axes(p, plot, t, unit);
-  const bool has_bars = !d.series.isEmpty() && d.series.first().draw == ChartSeries::Draw::bars;
   for (const ChartSeries& s : d.series) {
     if (s.draw == ChartSeries::Draw::bars) paint_bars(p, plot, s, t, unit);
   }
-  if (d.mark) {
-    p.setFont(caption(unit));
-    QPen pen(t.text, 1.4 * unit, Qt::CustomDashLine);
-    pen.setDashPattern({3, 2});
-    p.setPen(pen);
-    if (has_bars) {
-      const double x = plot.x(*d.mark);
-      p.drawLine(QPointF(x, plot.area.top() - 4 * unit), QPointF(x, plot.area.bottom()));
-      p.setPen(t.text);
-      p.drawText(QRectF(x - 126 * unit, plot.area.top() - 6 * unit, 120 * unit, 16 * unit),
-                 Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
-    } else {
-      const double y = plot.y(*d.mark);
-      p.drawLine(QPointF(plot.area.left(), y), QPointF(plot.area.right(), y));
-      p.setPen(t.text2);
-      p.drawText(QRectF(plot.area.right() - 120 * unit, y - 17 * unit, 120 * unit, 16 * unit),
-                 Qt::AlignRight | Qt::AlignVCenter, d.mark_text);
-    }
-  }
+  if (d.mark) paint_mark(p, plot, t, unit);
   p.setClipRect(plot.area.adjusted(-8 * unit, -8 * unit, 8 * unit, 8 * unit));
   for (int i = 0; i < d.series.size(); ++i) {
     const ChartSeries& s = d.series[i];
-    const QColor ink = s.quiet ? t.text3 : t.accent;
     const bool lined = s.draw == ChartSeries::Draw::line || s.draw == ChartSeries::Draw::line_dots;
-    if (lined && s.points.size() > 1) {
-      QPainterPath path(plot.at(s.points.first()));
-      for (const ChartPoint& point : s.points) path.lineTo(plot.at(point));
-      p.setPen(QPen(ink, (s.quiet ? 1.4 : 1.8) * unit, s.quiet ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap,
-                    Qt::RoundJoin));
-      p.setBrush(Qt::NoBrush);
-      p.drawPath(path);
-    }
-    if (s.draw == ChartSeries::Draw::bars || s.draw == ChartSeries::Draw::line) continue;
-    for (int j = 0; j < s.points.size(); ++j) {
-      const ChartPoint& point = s.points[j];
-      const QPointF at = plot.at(point);
-      const bool lit = i == highlighted_series && j == highlighted_point;
-      if (s.draw == ChartSeries::Draw::diamonds) {
-        p.setPen(QPen(t.text2, 1.6 * unit));
-        p.setBrush(lit ? t.text2 : t.surface);
-        paint_diamond(p, at, 5 * unit);
-      } else if (s.draw == ChartSeries::Draw::dots) {
-        QColor soft = ink;
-        soft.setAlphaF(s.quiet ? 0.7 : 1.0);
-        p.setPen(Qt::NoPen);
-        p.setBrush(soft);
-        p.drawEllipse(at, (lit ? 4.0 : 2.6) * unit, (lit ? 4.0 : 2.6) * unit);
-      } else {
-        p.setPen(QPen(ink, 1.8 * unit));
-        p.setBrush(point.strong || lit ? ink : t.surface);
-        const double r = (point.strong || lit ? 4.6 : 3.2) * unit;
-        p.drawEllipse(at, r, r);
-      }
-    }
+    if (lined && s.points.size() > 1) paint_line(p, plot, s, t, unit);
+    const bool dotted = s.draw != ChartSeries::Draw::bars && s.draw != ChartSeries::Draw::line;
+    if (dotted) paint_points(p, plot, s, t, unit, i == lit.series ? lit.point : -1);
   }
   p.setClipping(false);
-  // Names at the line's end, and the newest value beside its dot.
   for (const ChartSeries& s : d.series) {
     if (s.points.isEmpty()) continue;
     if (s.draw == ChartSeries::Draw::line) {
@@ -180,27 +207,13 @@ void paint_chart(QPainter& p, const QRectF& rect, const ChartData& d, const Toke
                  s.name);
     }
     for (const ChartPoint& point : s.points) {
-      if (!point.strong) continue;
-      QFont bold = caption(unit);
-      bold.setBold(true);
-      p.setFont(bold);
-      p.setPen(t.text);
-      const QPointF at = plot.at(point);
-      const QString text = format_points(point.y);
-      const QFontMetricsF metrics(bold);
-      const double width = metrics.horizontalAdvance(text);
-      const bool fits = at.x() + 10 * unit + width < rect.right();
-      // Full points lie at the chart's upper edge: the figure then stands below them.
-      const bool above = at.y() - 6 * unit - metrics.ascent() >= rect.top();
-      p.drawText(QPointF(fits ? at.x() + 8 * unit : at.x() - 8 * unit - width,
-                         above ? at.y() - 6 * unit : at.y() + 6 * unit + metrics.ascent()),
-                 text);
+      if (point.strong) paint_value(p, plot, rect, point, t, unit);
     }
   }
   p.restore();
 }
 
-/// Paints the chart, names the point under the pointer, and lets arrow keys walk over the points.
+/// Paints the chart. The pointer or the arrow keys pick a point, and a tooltip names it.
 class ChartCanvas : public QWidget {
   Q_OBJECT
 
@@ -212,7 +225,7 @@ class ChartCanvas : public QWidget {
   }
   void set_data(const ChartData& fresh) {
     data_ = fresh;
-    series_ = point_ = -1;
+    lit_ = {};
     setAccessibleName(data_.title);
     setAccessibleDescription(data_.summary);
     update();
@@ -224,54 +237,52 @@ class ChartCanvas : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
-    paint_chart(painter, rect(), data_, tokens(), scale_percent() / 100.0, series_, point_);
+    paint_chart(painter, rect(), data_, tokens(), scale_percent() / 100.0, lit_);
   }
   void mouseMoveEvent(QMouseEvent* event) override {
     const Plot plot = plot_of(rect(), data_, scale_percent() / 100.0);
-    int best_series = -1, best_point = -1;
-    double best = px(12.0);
+    ChartPick nearest;
+    double best = px(12.0);  // farther away no point is meant
     for (int i = 0; i < data_.series.size(); ++i) {
       if (data_.series[i].draw == ChartSeries::Draw::bars) continue;
       for (int j = 0; j < data_.series[i].points.size(); ++j) {
         const double distance = QLineF(plot.at(data_.series[i].points[j]), event->position()).length();
         if (distance >= best) continue;
         best = distance;
-        best_series = i;
-        best_point = j;
+        nearest = {i, j};
       }
     }
-    light(best_series, best_point, event->globalPosition().toPoint());
+    light(nearest, event->globalPosition().toPoint());
   }
-  void leaveEvent(QEvent*) override { light(-1, -1, {}); }
+  void leaveEvent(QEvent*) override { light({}, {}); }
   void mousePressEvent(QMouseEvent*) override {
-    if (series_ >= 0) Q_EMIT opened(series_, point_);
+    if (lit_.series >= 0) Q_EMIT opened(lit_.series, lit_.point);
   }
   void keyPressEvent(QKeyEvent* event) override {
     const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
     if (step != 0 && !data_.series.isEmpty()) {
-      const int series = std::max(series_, 0);
+      const int series = std::max(lit_.series, 0);
       const auto count = static_cast<int>(data_.series[series].points.size());
       if (count == 0) return;
-      const int point = point_ < 0 ? (step > 0 ? 0 : count - 1) : std::clamp(point_ + step, 0, count - 1);
+      const int point = lit_.point < 0 ? (step > 0 ? 0 : count - 1) : std::clamp(lit_.point + step, 0, count - 1);
       const Plot plot = plot_of(rect(), data_, scale_percent() / 100.0);
-      light(series, point, mapToGlobal(plot.at(data_.series[series].points[point]).toPoint()));
+      light({series, point}, mapToGlobal(plot.at(data_.series[series].points[point]).toPoint()));
       return;
     }
-    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && series_ >= 0) {
-      Q_EMIT opened(series_, point_);
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && lit_.series >= 0) {
+      Q_EMIT opened(lit_.series, lit_.point);
       return;
     }
     QWidget::keyPressEvent(event);
   }
 
  private:
-  void light(int series, int point, QPoint at) {
-    if (series == series_ && point == point_) return;
-    series_ = series;
-    point_ = point;
-    if (series >= 0) {
-      const ChartPoint& p = data_.series[series].points[point];
-      QString text = p.label.isEmpty() ? data_.series[series].name : p.label;
+  void light(ChartPick pick, QPoint at) {
+    if (pick == lit_) return;
+    lit_ = pick;
+    if (lit_.series >= 0) {
+      const ChartPoint& p = data_.series[lit_.series].points[lit_.point];
+      QString text = p.label.isEmpty() ? data_.series[lit_.series].name : p.label;
       text += u'\n' + format_number(p.y, p.y == std::floor(p.y) ? 0 : 1) + u' ' + data_.y.title;
       QToolTip::showText(at, text, this);
       setAccessibleDescription(text);
@@ -282,7 +293,7 @@ class ChartCanvas : public QWidget {
   }
 
   ChartData data_;
-  int series_ = -1, point_ = -1;
+  ChartPick lit_;
 };
 
 Chart::Chart(QWidget* parent) : QWidget(parent), stack_(new QStackedWidget), canvas_(new ChartCanvas(this)) {
@@ -299,7 +310,7 @@ Chart::Chart(QWidget* parent) : QWidget(parent), stack_(new QStackedWidget), can
   toggle->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
   toggle->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   addAction(toggle);
-  connect(toggle, &QAction::triggered, this, [this] { show_table(!shows_table()); });
+  connect(toggle, &QAction::triggered, this, [this] { set_view(view() == View::plot ? View::table : View::plot); });
 }
 
 void Chart::set_data(const ChartData& data) {
@@ -309,10 +320,10 @@ void Chart::set_data(const ChartData& data) {
   fill_table();
 }
 
-bool Chart::shows_table() const { return stack_->currentWidget() == table_; }
+Chart::View Chart::view() const { return stack_->currentWidget() == table_ ? View::table : View::plot; }
 
-void Chart::show_table(bool on) {
-  stack_->setCurrentWidget(on ? static_cast<QWidget*>(table_) : canvas_);
+void Chart::set_view(View view) {
+  stack_->setCurrentWidget(view == View::table ? static_cast<QWidget*>(table_) : canvas_);
   stack_->currentWidget()->setFocus();
 }
 

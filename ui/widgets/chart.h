@@ -1,5 +1,5 @@
-/// Charts as Cusp draws them: y starts where stated, grid in line colour, names at the line's end, n printed, pass mark
-/// dashed. Each chart is its table too (Ctrl+T), and a screen reader gets the summary.
+/// Charts: y starts where stated, names stand at the lines' ends, the pass mark is dashed. Each chart has its table (Ctrl+T)
+/// and a summary for screen readers. Thread: GUI; paint_chart() any thread with a painter.
 #pragma once
 
 #include <QColor>
@@ -32,7 +32,7 @@ struct ChartSeries {
   QString name;
   Draw draw = Draw::line_dots;
   QVector<ChartPoint> points;   // bars: x is the left edge of the bar, width one x step
-  bool quiet = false;           // drawn in text3, for those who are not meant
+  bool quiet = false;           // drawn in text3, as a background to the others
 };
 
 struct ChartData {
@@ -41,12 +41,18 @@ struct ChartData {
   QVector<ChartSeries> series;
   std::optional<double> mark;   // dashed: horizontal for lines and dots, upright for bars
   QString mark_text;
-  QString summary;              // one sentence for screen readers
+  QString summary;              // one sentence for a screen reader
 };
 
-/// Paints into any device; the PDF uses the same code with the light tokens.
+/// One point of one series; -1 and -1 for none.
+struct ChartPick {
+  int series = -1, point = -1;
+  bool operator==(const ChartPick&) const = default;
+};
+
+/// Paints into any device. `unit`: of the device to a pixel of the screen at 100 %; `lit`: drawn larger.
 void paint_chart(QPainter& painter, const QRectF& rect, const ChartData& data, const Tokens& tokens, double unit,
-                 int highlighted_series = -1, int highlighted_point = -1);
+                 ChartPick lit = {});
 
 class ChartCanvas;
 
@@ -57,10 +63,10 @@ class Chart : public QWidget {
   explicit Chart(QWidget* parent = nullptr);
   void set_data(const ChartData& data);
   const ChartData& data() const { return data_; }
-  bool shows_table() const;
-
- public Q_SLOTS:
-  void show_table(bool on);
+  /// Ctrl+T changes between the plot and the same numbers as a table.
+  enum class View { plot, table };
+  View view() const;
+  void set_view(View view);
 
  Q_SIGNALS:
   /// A point was opened with a click or Enter.

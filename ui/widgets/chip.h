@@ -1,4 +1,4 @@
-/// A chip: a sign and one to three words; colour never alone.
+/// A chip: an icon and one to three words, so that no meaning lies in the colour alone. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -27,7 +27,7 @@ class Chip : public QWidget {
   Kind kind_;
 };
 
-/// Name of the icon and ink of a kind ("" for plain).
+/// Name of a kind's icon, "" for plain; and its ink.
 QString chip_icon(Chip::Kind kind);
 Ink chip_ink(Chip::Kind kind);
 QColor chip_fill(Chip::Kind kind, const Tokens& tokens = ui::tokens());

@@ -1,4 +1,4 @@
-/// Where nothing is yet: says why, and offers the next act.
+/// Stands where a list is still empty: gives the reason and offers the next action. Thread: GUI.
 #pragma once
 
 #include <QWidget>

@@ -1,5 +1,5 @@
-/// Values as people read them: locale's digits, no-break space before the unit, ±, two digits of uncertainty at most,
-/// wrapped in U+2066 … U+2069 so that right-to-left text never turns them round. No word is made here.
+/// Values as text: the locale's digits, a no-break space before the unit, ± with at most two digits. U+2066 … U+2069 keep the
+/// order of the parts in right-to-left text. Pure functions.
 #pragma once
 
 #include <QDateTime>

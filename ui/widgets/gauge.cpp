@@ -13,6 +13,26 @@
 namespace cusp::ui {
 namespace {
 
+constexpr int kDecimals = 2;   // of a gauge's number
+constexpr int kWhole = 10000;  // steps of a Bar: finer than a pixel of any screen
+
+/// What theme.qss calls the role.
+const char* kind_of(Bar::Role role) {
+  switch (role) {
+    case Bar::Role::accent: return "bar_accent";
+    case Bar::Role::target: return "bar_target";
+    case Bar::Role::good: return "bar_good";
+    case Bar::Role::look: return "bar_look";
+    case Bar::Role::bad: return "bar_bad";
+    case Bar::Role::enamel: return "bar_enamel";
+    case Bar::Role::dentine: return "bar_dentine";
+    case Bar::Role::carious: return "bar_carious";
+    case Bar::Role::pulp: return "bar_pulp";
+    case Bar::Role::plain: return "bar_plain";
+  }
+  return "bar_accent";
+}
+
 /// Name, value, least and most for a screen reader.
 class AccessibleGauge : public QAccessibleWidget, public QAccessibleValueInterface {
  public:
@@ -36,6 +56,7 @@ class AccessibleGauge : public QAccessibleWidget, public QAccessibleValueInterfa
   Gauge* gauge_;
 };
 
+/// Qt's own says the bare number; this one says it with its unit.
 class AccessibleBar : public QAccessibleWidget, public QAccessibleValueInterface {
  public:
   explicit AccessibleBar(Bar* bar) : QAccessibleWidget(bar, QAccessible::ProgressBar), bar_(bar) {}
@@ -44,7 +65,7 @@ class AccessibleBar : public QAccessibleWidget, public QAccessibleValueInterface
     return QAccessibleWidget::interface_cast(type);
   }
   QString text(QAccessible::Text which) const override {
-    if (which == QAccessible::Value) return bar_->spoken();
+    if (which == QAccessible::Value) return bar_->format();
     return QAccessibleWidget::text(which);
   }
   QVariant currentValue() const override { return bar_->share(); }
@@ -80,15 +101,11 @@ Gauge::Gauge(const QString& title, const QString& unit, Grows grows, QWidget* pa
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
 }
 
-void Gauge::set_range(double least, double most, double major_step, int minor_per_major) {
-  least_ = least;
-  most_ = std::max(most, least + 1e-6);
-  major_ = std::max(major_step, 1e-6);
-  minor_ = std::max(minor_per_major, 1);
-  update();
-}
-void Gauge::set_decimals(int decimals) {
-  decimals_ = decimals;
+void Gauge::set_scale(const Scale& scale) {
+  scale_ = scale;
+  scale_.most = std::max(scale.most, scale.least + 1e-6);
+  scale_.major_step = std::max(scale.major_step, 1e-6);
+  scale_.minor_per_major = std::max(scale.minor_per_major, 1);
   update();
 }
 void Gauge::set_scale_side(ScaleSide side) {
@@ -106,8 +123,8 @@ void Gauge::set_limit(std::optional<double> limit) {
 }
 void Gauge::set_value(std::optional<double> value) {
   if (value && !std::isfinite(*value)) value = std::nullopt;
-  // Only what would be seen costs a repaint.
-  if (value && value_ && std::abs(*value - *value_) < 0.2 * std::pow(10.0, -decimals_)) return;
+  // A change below a fifth of the last digit costs no repaint.
+  if (value && value_ && std::abs(*value - *value_) < 0.2 * std::pow(10.0, -kDecimals)) return;
   if (value == value_) return;
   value_ = value;
   update();
@@ -115,14 +132,14 @@ void Gauge::set_value(std::optional<double> value) {
 
 QString Gauge::value_text() const {
   if (!value_) return QStringLiteral("–");
-  return format({*value_, std::nullopt, unit_, decimals_});
+  return format({*value_, std::nullopt, unit_, kDecimals});
 }
 
 QSize Gauge::sizeHint() const { return {px(104), px(420)}; }
 QSize Gauge::minimumSizeHint() const { return {px(96), px(180)}; }
 
 double Gauge::y_of(double value, const QRectF& bar) const {
-  const double share = std::clamp((value - least_) / (most_ - least_), 0.0, 1.0);
+  const double share = std::clamp((value - scale_.least) / (scale_.most - scale_.least), 0.0, 1.0);
   return grows_ == Grows::down ? bar.top() + share * bar.height() : bar.bottom() - share * bar.height();
 }
 
@@ -134,29 +151,38 @@ void Gauge::paintEvent(QPaintEvent*) {
   p.setPen(QPen(t.line, 1));
   p.setBrush(t.surface);
   p.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), px(8), px(8));
+  paint_head(p, t);
+  const double bar_width = px(15);
+  const double bar_x = side_ == ScaleSide::left ? width() - px(38) - bar_width + px(1) : px(36);
+  const QRectF bar(bar_x, px(64), bar_width, height() - px(64) - px(22));
+  paint_track(p, bar, t);
+  paint_scale(p, bar, t);
+  if (value_) paint_value(p, bar, t);
+}
 
+/// Title, number and unit.
+void Gauge::paint_head(QPainter& p, const Tokens& t) const {
   const double margin = px(12);
   p.setPen(t.text2);
   p.setFont(font_of(TextRole::caption));
   p.drawText(QRectF(margin, px(8), width() - 2 * margin, px(16)), Qt::AlignLeft | Qt::AlignVCenter, title_);
   p.setPen(t.text);
   p.setFont(font_of(TextRole::live, true));
-  const QString number = value_ ? format_number(*value_, decimals_) : QStringLiteral("–");
+  const QString number = value_ ? format_number(*value_, kDecimals) : QStringLiteral("–");
   const QRectF line(margin, px(24), width() - 2 * margin, px(26));
   const QFontMetricsF live(p.font());
   p.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, number);
   // The number keeps its width: the unit stands where the widest number would end.
-  const QString widest = format_number(std::max(std::abs(least_), std::abs(most_)), decimals_);
+  const QString widest = format_number(std::max(std::abs(scale_.least), std::abs(scale_.most)), kDecimals);
   const double unit_x = margin + std::max(live.horizontalAdvance(widest), live.horizontalAdvance(number)) + px(5);
   p.setFont(font_of(TextRole::body));
   p.setPen(t.text2);
   p.drawText(QRectF(unit_x, line.top() + px(2), width() - unit_x, line.height()), Qt::AlignLeft | Qt::AlignVCenter,
              unit_text(unit_));
+}
 
-  const double bar_width = px(15);
-  const double bar_x = side_ == ScaleSide::left ? width() - px(38) - bar_width + px(1) : px(36);
-  const QRectF bar(bar_x, px(64), bar_width, height() - px(64) - px(22));
-  // Track, wanted band, limit.
+/// The empty bar, the wanted band and the limit.
+void Gauge::paint_track(QPainter& p, const QRectF& bar, const Tokens& t) const {
   p.setPen(QPen(t.border, 1));
   p.setBrush(t.sunken);
   p.drawRoundedRect(bar, px(2), px(2));
@@ -168,20 +194,22 @@ void Gauge::paintEvent(QPaintEvent*) {
     p.setPen(QPen(t.line_target, px(2)));
     for (const double y : {y0, y1}) p.drawLine(QPointF(bar.left(), y), QPointF(bar.right(), y));
   }
-  if (limit_ && *limit_ > least_ && *limit_ <= most_) {
+  if (limit_ && *limit_ > scale_.least && *limit_ <= scale_.most) {
     const double y = y_of(*limit_, bar);
-    p.setPen(QPen(t.line_leeway, px(2), Qt::CustomDashLine));
-    QPen dashed = p.pen();
+    QPen dashed(t.line_leeway, px(2), Qt::CustomDashLine);
     dashed.setDashPattern({2, 1});
     p.setPen(dashed);
     p.drawLine(QPointF(bar.left(), y), QPointF(bar.right(), y));
   }
-  // Scale.
+}
+
+/// Ticks and their figures, beside the bar.
+void Gauge::paint_scale(QPainter& p, const QRectF& bar, const Tokens& t) const {
   p.setFont(font_of(TextRole::caption));
-  const int majors = static_cast<int>(std::floor((most_ - least_) / major_ + 1e-9));
-  const int label_decimals = major_ < 0.1 ? 2 : major_ < 1 ? 1 : (most_ - least_) <= 5 ? 1 : 0;
+  const int majors = static_cast<int>(std::floor((scale_.most - scale_.least) / scale_.major_step + 1e-9));
+  const int label_decimals = scale_.major_step < 0.1 ? 2 : scale_.major_step < 1 ? 1 : (scale_.most - scale_.least) <= 5 ? 1 : 0;
   for (int i = 0; i <= majors; ++i) {
-    const double value = least_ + i * major_;
+    const double value = scale_.least + i * scale_.major_step;
     const double y = y_of(value, bar);
     p.setPen(QPen(t.border, 1));
     const double long_tick = px(14), short_tick = px(8), gap = px(2);
@@ -201,15 +229,17 @@ void Gauge::paintEvent(QPaintEvent*) {
     }
     if (i == majors || side_ == ScaleSide::right) continue;
     p.setPen(QPen(t.border, 1));
-    for (int j = 1; j < minor_; ++j) {
-      const double ym = y_of(value + j * major_ / minor_, bar);
+    for (int j = 1; j < scale_.minor_per_major; ++j) {
+      const double ym = y_of(value + j * scale_.major_step / scale_.minor_per_major, bar);
       p.drawLine(QPointF(bar.left() - gap - short_tick, ym), QPointF(bar.left() - gap, ym));
     }
   }
-  if (!value_) return;
-  // Fill from zero, and the marker beside.
+}
+
+/// The bar filled from zero to the value, and the marker beside it.
+void Gauge::paint_value(QPainter& p, const QRectF& bar, const Tokens& t) const {
   const double y = y_of(*value_, bar);
-  const double zero = y_of(std::clamp(0.0, least_, most_), bar);
+  const double zero = y_of(std::clamp(0.0, scale_.least, scale_.most), bar);
   const double inset = grows_ == Grows::down ? 1.0 : px(4);
   QColor fill = grows_ == Grows::down ? t.text3 : t.text;
   if (grows_ == Grows::down) fill.setAlphaF(0.35);
@@ -246,7 +276,7 @@ QColor colour_of(Bar::Role role) {
     case Bar::Role::bad: return t.bad;
     case Bar::Role::enamel: return t.bar_enamel;
     case Bar::Role::dentine: return t.bar_dentine;
-    case Bar::Role::caries: return t.bar_caries;
+    case Bar::Role::carious: return t.bar_carious;
     case Bar::Role::pulp: return t.bar_pulp;
     case Bar::Role::plain: return t.text2;
   }
@@ -271,25 +301,25 @@ void paint_bar(QPainter& painter, const QRectF& rect, double share, const QColor
   painter.restore();
 }
 
-Bar::Bar(Role role, QWidget* parent) : QWidget(parent), role_(role) {
+Bar::Bar(Role role, QWidget* parent) : QProgressBar(parent), role_(role) {
   install_accessibility();
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setTextVisible(false);
+  setRange(0, kWhole);
+  setValue(0);
+  setFormat({});
+  setProperty("kind", QString::fromLatin1(kind_of(role)));
 }
 void Bar::set_role(Role role) {
+  if (role == role_) return;
   role_ = role;
-  update();
+  set_kind(this, kind_of(role));
 }
 void Bar::set_share(double share, const QString& spoken) {
-  if (share_ == share && spoken_ == spoken) return;
-  share_ = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;
-  spoken_ = spoken;
-  update();
+  setValue(std::isfinite(share) ? static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kWhole)) : 0);
+  setFormat(spoken);
 }
+double Bar::share() const { return static_cast<double>(value()) / kWhole; }
 QSize Bar::sizeHint() const { return {px(80), px(6)}; }
-void Bar::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  const double h = px(6);
-  paint_bar(painter, QRectF(0, (height() - h) / 2, width(), h), share_, colour_of(role_), tokens().sunken);
-}
 
 }  // namespace cusp::ui

@@ -1,35 +1,42 @@
-/// Painted bar gauges: a scale, a wanted band, a marker and the number. Round dials never. A screen reader gets name,
-/// value, least and most.
+/// Painted bar gauges: scale, required band, marker and number. A screen reader gets name, value, least and most.
+/// Thread: GUI.
 #pragma once
 
 #include <QColor>
+#include <QProgressBar>
 #include <QWidget>
 #include <optional>
 
 namespace cusp::ui {
 
-/// Upright gauge with its scale, as the depth and push of the drilling screen. The number keeps its width.
+struct Tokens;
+
+/// Upright gauge of a live value: depth and force of the drilling screen. The number keeps its width.
 class Gauge : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Grows { down, up };          // where the scale's zero lies: top or bottom
+  enum class Grows { down, up };  // from the top or from the bottom of the bar
   enum class ScaleSide { left, right };
 
   explicit Gauge(const QString& title, const QString& unit, Grows grows, QWidget* parent = nullptr);
 
-  void set_range(double least, double most, double major_step, int minor_per_major = 5);
-  void set_decimals(int decimals);
+  struct Scale {
+    double least = 0, most = 3;
+    double major_step = 0.5;  // between two figures
+    int minor_per_major = 5;  // ticks without figure
+  };
+  void set_scale(const Scale& scale);
   void set_scale_side(ScaleSide side);
-  /// Wanted band, and a limit line beyond it; nullopt for none.
+  /// The required band, and a limit line beyond it; nullopt for none.
   void set_band(std::optional<double> lo, std::optional<double> hi);
   void set_limit(std::optional<double> limit);
-  /// nullopt: not measured now; shows a dash.
+  /// nullopt shows a dash: nothing is measured now. A value that is not finite is taken for nullopt.
   void set_value(std::optional<double> value);
 
   QString title() const { return title_; }
-  double least() const { return least_; }
-  double most() const { return most_; }
+  double least() const { return scale_.least; }
+  double most() const { return scale_.most; }
   std::optional<double> value() const { return value_; }
   QString value_text() const;
 
@@ -42,42 +49,39 @@ class Gauge : public QWidget {
 
  private:
   double y_of(double value, const QRectF& bar) const;
+  void paint_head(QPainter& p, const Tokens& t) const;
+  void paint_track(QPainter& p, const QRectF& bar, const Tokens& t) const;
+  void paint_scale(QPainter& p, const QRectF& bar, const Tokens& t) const;
+  void paint_value(QPainter& p, const QRectF& bar, const Tokens& t) const;
 
   QString title_, unit_;
   Grows grows_;
   ScaleSide side_ = ScaleSide::left;
-  double least_ = 0, most_ = 3, major_ = 0.5;
-  int minor_ = 5, decimals_ = 2;
+  Scale scale_;
   std::optional<double> band_lo_, band_hi_, limit_, value_;
 };
 
-/// Flat bar: a share of something, in one role's colour. Used in panels, tables and progress.
-class Bar : public QWidget {
+/// Flat progress bar: a share of something, in the colour of one role (theme.qss, `QProgressBar[kind]`).
+class Bar : public QProgressBar {
   Q_OBJECT
 
  public:
-  enum class Role { accent, target, good, look, bad, enamel, dentine, caries, pulp, plain };
+  enum class Role { accent, target, good, look, bad, enamel, dentine, carious, pulp, plain };
   explicit Bar(Role role = Role::accent, QWidget* parent = nullptr);
   void set_role(Role role);
-  /// Clamped to [0, 1]; `spoken` is what a screen reader says ("6.82 mm³").
+  /// Clamped to [0, 1]; a screen reader says `spoken` ("6.82 mm³").
   void set_share(double share, const QString& spoken = {});
-  double share() const { return share_; }
-  QString spoken() const { return spoken_; }
+  double share() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
  private:
   Role role_;
-  double share_ = 0;
-  QString spoken_;
 };
 
 QColor colour_of(Bar::Role role);
 
-/// Paints a Bar's drawing anywhere (table cells, paper).
+/// Paints a Bar into table cells and on paper. `share` is clamped to [0, 1].
 void paint_bar(QPainter& painter, const QRectF& rect, double share, const QColor& fill, const QColor& track);
 
 }  // namespace cusp::ui

@@ -1,7 +1,6 @@
 #include "ui/widgets/icon.h"
 
 #include <QApplication>
-#include <QDir>
 #include <QFile>
 #include <QIconEngine>
 #include <QPainter>
@@ -12,7 +11,7 @@
 namespace cusp::ui {
 namespace {
 
-/// Drawings that point along the reading direction.
+/// Icons that point along the reading direction.
 bool is_directional(const QString& name) {
   static const QSet<QString> names = {u"chevron_left"_qs, u"chevron_right"_qs, u"list"_qs, u"undo"_qs,
                                       u"redo"_qs,         u"sign_out"_qs};
@@ -103,14 +102,6 @@ QIcon icon(const QString& name, Ink ink) {
 
 QPixmap icon_pixmap(const QString& name, Ink ink, int size, double device_pixel_ratio) {
   return render(name, colour_of(ink), px(size), device_pixel_ratio);
-}
-
-QStringList icon_names() {
-  QStringList names;
-  for (const QString& file : QDir(u":/cusp/icons"_qs).entryList({u"*.svg"_qs}, QDir::Files, QDir::Name)) {
-    names += file.chopped(4);
-  }
-  return names;
 }
 
 }  // namespace cusp::ui

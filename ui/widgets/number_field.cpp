@@ -51,7 +51,7 @@ std::optional<double> read_number(const QString& text) {
 
 NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent), note_(new QWidget(this)) {
   setLocale(QLocale());  // the language may be another than when the window was made
-  // A half-typed number is not one yet; arrows and wheel tell every step.
+  // A half-typed number must not reach the model; arrows and wheel report each step.
   setKeyboardTracking(false);
   setFocusPolicy(Qt::StrongFocus);
   auto* line = new QHBoxLayout(note_);
@@ -64,31 +64,31 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent), note_(new QW
   line->addWidget(sign, 0, Qt::AlignTop);
   line->addWidget(note_text_, 1);
   note_->hide();
-  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { clear_note(); });
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { clear_message(); });
   connect(this, &QDoubleSpinBox::valueChanged, this, [this] {
-    clear_note();
-    show_rounding();
+    clear_message();
+    report_rounding();
   });
-  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { show_rounding(); });  // to the value before, perhaps
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] { report_rounding(); });  // to the value before, perhaps
 }
 
-QString NumberField::said() const { return saying_ ? note_text_->text() : QString(); }
+QString NumberField::message() const { return has_message_ ? note_text_->text() : QString(); }
 
-void NumberField::show_note(const QString& sentence) {
-  if (said() == sentence) return;
-  if (!std::exchange(saying_, true)) description_ = accessibleDescription();
-  note_text_->setText(sentence);
+void NumberField::show_message(const QString& text) {
+  if (message() == text) return;
+  if (!std::exchange(has_message_, true)) description_ = accessibleDescription();
+  note_text_->setText(text);
   if (note_->parentWidget() != this) {
     note_->show();
   } else {
-    QToolTip::showText(mapToGlobal(rect().bottomLeft()), sentence, this);
+    QToolTip::showText(mapToGlobal(rect().bottomLeft()), text, this);
   }
   set_kind(this, "refused");
-  announce(this, sentence);
+  announce(this, text);
 }
 
-void NumberField::clear_note() {
-  if (!std::exchange(saying_, false)) return;
+void NumberField::clear_message() {
+  if (!std::exchange(has_message_, false)) return;
   note_->hide();
   set_kind(this, "");
   setAccessibleDescription(description_);
@@ -113,11 +113,11 @@ QString NumberField::shown(double value) const { return isolate(textFromValue(va
 
 QValidator::State NumberField::validate(QString& text, int&) const {
   const auto number = number_in(text);
-  // Nothing that is typed is swallowed: what cannot be taken is refused as a whole, when the field is left.
+  // Intermediate: the field keeps every typed character and refuses the text when it is left.
   if (!number) return QValidator::Intermediate;
-  // A hair of the last decimal: 0.30000000000000004 is 0.3.
-  const double hair = 1e-6 * std::pow(10.0, -decimals());
-  return *number >= minimum() - hair && *number <= maximum() + hair ? QValidator::Acceptable : QValidator::Intermediate;
+  // Rounding: 0.30000000000000004 is 0.3.
+  const double slack = 1e-6 * std::pow(10.0, -decimals());
+  return *number >= minimum() - slack && *number <= maximum() + slack ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 double NumberField::valueFromText(const QString& text) const {
@@ -129,7 +129,7 @@ double NumberField::valueFromText(const QString& text) const {
 }
 
 void NumberField::fixup(QString& text) const {
-  // The base class asks this of a constant object, at the moment when it puts the text aside for the value before.
+  // QAbstractSpinBox calls this const function when it drops the text for the last value.
   const_cast<NumberField*>(this)->refuse(bare(text));
 }
 
@@ -141,10 +141,10 @@ QString NumberField::refusal(const QString& typed) const {
   return tr("%1 is outside %2. It stays at %3.").arg(isolate(typed + suffix()), range, stays);
 }
 
-void NumberField::refuse(const QString& typed) { show_note(refusal(typed)); }
+void NumberField::refuse(const QString& typed) { show_message(refusal(typed)); }
 
-void NumberField::show_rounding() {
-  if (std::exchange(rounded_, false)) show_note(tr("Rounded to %1.").arg(shown(value())));
+void NumberField::report_rounding() {
+  if (std::exchange(rounded_, false)) show_message(tr("Rounded to %1.").arg(shown(value())));
 }
 
 void NumberField::show_value(double value) {
@@ -156,19 +156,19 @@ void NumberField::show_value(double value) {
   }
   const double step = std::pow(10.0, -decimals());
   if (value < minimum() - step || value > maximum() + step) {
-    show_note(tr("%1 stands in the exercise, outside %2.")
+    show_message(tr("%1 stands in the exercise, outside %2.")
             .arg(isolate(format_number(value, decimals(), locale()) + suffix()),
                  tr("%1 to %2").arg(shown(minimum()), shown(maximum()))));
   } else if (this->value() != before) {
-    clear_note();
+    clear_message();
   }
 }
 
 void NumberField::stepBy(int steps) {
   const double before = value();
-  clear_note();
+  clear_message();
   QDoubleSpinBox::stepBy(steps);  // from what was typed; where that is refused there is no step
-  if (value() != before) clear_note();
+  if (value() != before) clear_message();
 }
 
 void NumberField::wheelEvent(QWheelEvent* event) {

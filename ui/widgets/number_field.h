@@ -1,6 +1,5 @@
-/// A number that is typed. In every language a comma and a full stop are decimal signs; group separators are no part of a
-/// number. What cannot be taken leaves the value as it is, and a note at the field gives the reason and the range.
-/// Thread: GUI.
+/// A field for a number. Comma and full stop are decimal signs in every language; group separators are refused. A refused text
+/// leaves the value, and a note below the field gives reason and range. Thread: GUI.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -16,21 +15,21 @@ class NumberField : public QDoubleSpinBox {
  public:
   explicit NumberField(QWidget* parent = nullptr);
 
-  /// Hidden until there is something to say. Whoever lays out the field puts it below; labelled() and add_row() do. A note
-  /// that was put nowhere is a tool tip.
+  /// Widget of the message, hidden without one. add_field() and add_row() lay it out below the field; without a layout the
+  /// message is a tool tip.
   QWidget* note() const { return note_; }
-  /// The note's sentence; empty while there is none.
-  QString said() const;
-  /// Shows a value without a signal. The note goes when the value is another one. A value outside the range is shown as
-  /// the nearest in it, and the note names it.
+  /// Empty while none is shown.
+  QString message() const;
+  /// Sets the value without a signal; another value clears the message. A value outside the range becomes the nearest in it,
+  /// and the message names it.
   void show_value(double value);
-  /// Puts a sentence into the note: why a value was not taken, or which was taken instead.
-  void show_note(const QString& sentence);
-  void clear_note();
+  /// Says why a value was refused, or which was taken instead.
+  void show_message(const QString& message);
+  void clear_message();
 
   QValidator::State validate(QString& text, int& cursor) const override;
   double valueFromText(const QString& text) const override;
-  /// Called by the base class when the typed text is none that can be taken: it stays refused.
+  /// The base class calls this for a text that it cannot take; the text stays refused.
   void fixup(QString& text) const override;
   void stepBy(int steps) override;
 
@@ -38,23 +37,23 @@ class NumberField : public QDoubleSpinBox {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  /// The number that stands in `text`; nullopt where it is none.
+  /// nullopt if `text` is no number.
   std::optional<double> number_in(const QString& text) const;
   QString bare(const QString& text) const;
   QString shown(double value) const;
   QString refusal(const QString& typed) const;
   void refuse(const QString& typed);
-  void show_rounding();
+  void report_rounding();
 
   QWidget* note_;
   QLabel* note_text_;
-  QString description_;  // what the screen reader was told before the note
-  bool saying_ = false;
-  mutable bool rounded_ = false;  // of the text that was read last: it has more decimals than the field
+  QString description_;  // accessible description before the message
+  bool has_message_ = false;
+  mutable bool rounded_ = false;  // the text that was read last has more decimals than the field
 };
 
-/// One number with at most one decimal sign, comma, full stop or the Arabic one, in any script's digits, with a sign before
-/// it; nullopt for everything else: exponents, group separators, two signs.
+/// Reads one number in any script's digits, with at most one decimal sign (comma, full stop, Arabic) and one sign before it.
+/// nullopt for everything else: exponents, group separators.
 std::optional<double> read_number(const QString& text);
 
 }  // namespace cusp::ui

@@ -4,11 +4,13 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QButtonGroup>
+#include <QFormLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
+#include <QTabBar>
 #include <QToolButton>
 
 #include "ui/widgets/number_field.h"
@@ -23,9 +25,9 @@ QString with_key(const QString& text, const QKeySequence& key) {
 }  // namespace
 
 QPushButton* make_button(const QString& text, ButtonKind kind, const QString& icon_name, const QKeySequence& key) {
-  // The style leaves no room between icon and words.
+  // The style leaves no gap between icon and text.
   auto* button = new QPushButton(icon_name.isEmpty() || text.isEmpty() ? text : u' ' + text);
-  button->setAutoDefault(true);  // Enter presses it too
+  button->setAutoDefault(true);  // Enter presses it
   button->setAccessibleName(text);
   switch (kind) {
     case ButtonKind::standard: break;
@@ -96,7 +98,7 @@ Segments::Segments(const QStringList& names, QWidget* parent) : QWidget(parent),
   for (int i = 0; i < names.size(); ++i) {
     auto* button = new QPushButton(names[i]);
     button->setCheckable(true);
-    button->setAutoDefault(true);  // Enter presses it too
+    button->setAutoDefault(true);  // Enter presses it
     button->setAccessibleName(names[i]);
     button->setProperty("kind", names.size() == 1         ? u"segment_only"_qs
                                 : i == 0                  ? u"segment_first"_qs
@@ -149,19 +151,42 @@ void Band::show_message(Kind kind, const QString& what, const QString& more) {
 void Band::clear() { hide(); }
 QString Band::text() const { return accessibleName(); }
 
-QWidget* labelled(const QString& label, QWidget* field, QLabel** out_label) {
-  auto* box = new QWidget;
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(px(4));
+QFormLayout* make_form() {
+  auto* form = new QFormLayout;
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setVerticalSpacing(px(4));
+  form->setRowWrapPolicy(QFormLayout::WrapAllRows);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->setFormAlignment(Qt::AlignLeading | Qt::AlignTop);
+  return form;
+}
+
+QLabel* add_field(QFormLayout& form, const QString& label, QWidget* field, int gap) {
   QLabel* text = make_label(label, TextRole::caption);
+  text->setContentsMargins(0, px(gap), 0, 0);
   text->setBuddy(field);
   field->setAccessibleName(label);
-  column->addWidget(text);
-  column->addWidget(field);
-  if (auto* number = qobject_cast<NumberField*>(field)) column->addWidget(number->note());
-  if (out_label) *out_label = text;
+  form.addRow(text, field);
+  if (auto* number = qobject_cast<NumberField*>(field)) form.addRow(number->note());
+  return text;
+}
+
+QWidget* labelled(const QString& label, QWidget* field) {
+  auto* box = new QWidget;
+  QFormLayout* form = make_form();
+  box->setLayout(form);
+  add_field(*form, label, field);
   return box;
+}
+
+QTabBar* make_tabs(const QStringList& names) {
+  auto* tabs = new QTabBar;
+  tabs->setProperty("kind", u"segments"_qs);
+  tabs->setDrawBase(false);
+  tabs->setExpanding(true);
+  tabs->setUsesScrollButtons(false);
+  for (const QString& name : names) tabs->addTab(name);
+  return tabs;
 }
 
 QWidget* make_fact_row(const QString& icon_name, const QString& name, QLabel** value) {
@@ -197,9 +222,9 @@ QLabel* make_key_cap(const QString& key) {
   return label;
 }
 
-void announce(QWidget* from, const QString& sentence) {
-  // Qt 6.4 has no announcement event: an alert with the sentence as the widget's description is what readers speak.
-  from->setAccessibleDescription(sentence);
+void announce(QWidget* from, const QString& message) {
+  // Qt 6.4 has no announcement event; screen readers speak the description of a widget with an alert.
+  from->setAccessibleDescription(message);
   QAccessibleEvent event(from, QAccessible::Alert);
   QAccessible::updateAccessibility(&event);
 }

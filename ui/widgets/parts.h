@@ -1,4 +1,4 @@
-/// Small parts that every screen uses: buttons by kind, cards, key caps, a choice of segments, a band over the page.
+/// Parts of every page: buttons by kind, cards, forms, segments, the message band. Thread: GUI.
 #pragma once
 
 #include <QAbstractButton>
@@ -10,9 +10,11 @@
 
 class QBoxLayout;
 class QButtonGroup;
+class QFormLayout;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QTabBar;
 class QToolButton;
 class QVBoxLayout;
 
@@ -20,12 +22,12 @@ namespace cusp::ui {
 
 enum class ButtonKind { standard, primary, quiet, erase };
 
-/// `icon_name` may be empty; `key` is shown as a key cap text in the tooltip ("P", "Ctrl+Return") and set as shortcut.
+/// `icon_name` may be empty. `key` becomes the shortcut and stands in the tooltip ("Finish (Ctrl+Return)").
 QPushButton* make_button(const QString& text, ButtonKind kind = ButtonKind::standard, const QString& icon_name = {},
                          const QKeySequence& key = {});
-/// 40 high, for a page's main act.
+/// 40 px high, for the main action of a page.
 QPushButton* make_large_button(const QString& text, ButtonKind kind, const QString& icon_name = {});
-/// Icon alone, with name and tooltip.
+/// Icon without text; `name` is the accessible name and the tooltip.
 QToolButton* make_icon_button(const QString& icon_name, const QString& name, const QKeySequence& key = {});
 
 /// A card: surface, one line around, radius 8.
@@ -48,7 +50,7 @@ class Card : public QFrame {
   QLabel* aside_ = nullptr;
 };
 
-/// One of a few, side by side ("Student | Staff"). Arrow keys move.
+/// Choice of one among a few, side by side. Arrow keys move. Pages of a form have make_tabs() instead.
 class Segments : public QWidget {
   Q_OBJECT
 
@@ -65,7 +67,7 @@ class Segments : public QWidget {
   QButtonGroup* group_;
 };
 
-/// A band at the head of a page: sign, bold sentence, plain sentence, ways out. Announced when it appears.
+/// Message at the head of a page: sign, bold sentence, plain sentence, buttons. A screen reader announces it.
 class Band : public QFrame {
   Q_OBJECT
 
@@ -83,19 +85,27 @@ class Band : public QFrame {
   QHBoxLayout* ways_out_;
 };
 
-/// A field under its label, 12 px; the label is the field's buddy and its name.
-QWidget* labelled(const QString& label, QWidget* field, QLabel** out_label = nullptr);
+/// A form with each label above its field, 4 px apart.
+QFormLayout* make_form();
+/// Adds a field `gap` px (at 100 %) below the one before, and a number's note below it. The label is the field's buddy and
+/// its accessible name.
+QLabel* add_field(QFormLayout& form, const QString& label, QWidget* field, int gap = 0);
+/// A form of one field, to stand beside others.
+QWidget* labelled(const QString& label, QWidget* field);
 
-/// A line of a panel: sign, name, and at the right the value, which is said under that name. Without a parent.
+/// Two or more pages of a form, side by side ("Student | Staff"), in the look of Segments.
+QTabBar* make_tabs(const QStringList& names);
+
+/// A line of a panel: icon, name, and the value at the right, whose accessible description is the name. Without a parent.
 QWidget* make_fact_row(const QString& icon_name, const QString& name, QLabel** value);
 
 QFrame* make_rule(Qt::Orientation orientation = Qt::Horizontal);
 QLabel* make_key_cap(const QString& key);
 
-/// Tells a screen reader, without moving the focus.
-void announce(QWidget* from, const QString& sentence);
+/// Makes a screen reader speak `message`; the focus stays.
+void announce(QWidget* from, const QString& message);
 
-/// A page's head: bold 24 title, quiet text beside it, room for buttons at the right.
+/// Head of a page: title of 24 px, quiet text beside it, buttons at the right.
 class PageHead : public QWidget {
   Q_OBJECT
 
@@ -107,7 +117,7 @@ class PageHead : public QWidget {
   QHBoxLayout* buttons_;
 };
 
-/// A page that scrolls when it is too tall: returns the body's layout through `body`.
+/// A page that scrolls if it is too tall; `body` receives its layout.
 QWidget* make_scroll_page(QVBoxLayout** body, QWidget* parent = nullptr);
 
 }  // namespace cusp::ui

@@ -1,5 +1,5 @@
-/// What the desktop asks of the world outside, so that tests can answer: the clock, the file picker, message boxes.
-/// Nothing here waits: answers come back through a function, and may never come (the window closed).
+/// Clock, file picker and message box, injected so that tests answer them. No function waits: the answer comes through `then`,
+/// or never if the window is closed. Thread: GUI.
 #pragma once
 
 #include <QDateTime>
@@ -10,7 +10,7 @@ class QWidget;
 
 namespace cusp::ui {
 
-/// One question before something that cannot be undone, naming it.
+/// A question before an act that cannot be undone.
 struct Question {
   QString what;            // bold: "Remove the PIN of Lena Brandt?"
   QString more;            // what follows from it

@@ -11,7 +11,7 @@
 namespace cusp::ui {
 namespace {
 
-constexpr int kLeastName = 140;  // px at 100 %: two short words
+constexpr int kLeastName = 140;  // px at 100 %: about two short words
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const int first_width = metrics.horizontalAdvance(shown);
   const bool at_right = right != rtl;
   int x = at_right ? cell.right() + 1 - first_width - gap - second_width : cell.left();
-  painter->setLayoutDirection(Qt::LeftToRight);  // places are reckoned here; the words turn by themselves
+  painter->setLayoutDirection(Qt::LeftToRight);  // this function mirrors by itself
   const auto draw = [&](const QString& part, const QFont& f, const QColor& colour, int width) {
     painter->setFont(f);
     painter->setPen(colour);
@@ -81,7 +81,7 @@ void TableDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                       part);
     x += width + gap;
   };
-  // A number and what belongs to it ("7.5 mm ± 0.3", "3 / 10") read from the left in every language.
+  // "7.5 mm ± 0.3" and "3 / 10" run from the left in every language.
   draw(shown, font, ink, first_width);
   if (!second.isEmpty()) draw(second, font_of(TextRole::body), t.text2, second_width);
   painter->restore();
@@ -116,7 +116,7 @@ Table::Table(QWidget* parent) : QTableView(parent) {
   verticalHeader()->setDefaultSectionSize(px(36));
   verticalHeader()->setMinimumSectionSize(px(36));
   horizontalHeader()->setHighlightSections(false);
-  horizontalHeader()->setResizeContentsPrecision(50);  // rows looked at for a column's width: a long history stays quick
+  horizontalHeader()->setResizeContentsPrecision(50);  // rows measured for a column's width: bounds the time for a long history
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeading | Qt::AlignVCenter);
   horizontalHeader()->setMinimumSectionSize(px(32));
   horizontalHeader()->setMinimumHeight(px(34));

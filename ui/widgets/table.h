@@ -1,4 +1,4 @@
-/// Tables: head 12 bold, rows 36, numbers right, ± in text2, whole row opens with Enter, sorting by head.
+/// Tables: rows of 36 px, numbers at the right, ± in text2. Enter or a double click opens a row. Thread: GUI.
 #pragma once
 
 #include <QStyledItemDelegate>
@@ -8,7 +8,7 @@
 
 namespace cusp::ui {
 
-/// What a cell may say to the delegate besides Qt's roles.
+/// Roles of a cell beyond Qt's own; TableDelegate draws them.
 enum TableRole {
   SortRole = Qt::UserRole + 1,  // value to sort by
   SecondRole,                   // QString: drawn after the text, in text2 ("± 0.03")
@@ -35,12 +35,12 @@ class Table : public QTableView {
 
  public:
   explicit Table(QWidget* parent = nullptr);
-  /// Column that takes what is left; where too little is left to be read, the table scrolls across.
+  /// Column that takes the rest of the width. If the rest is below 140 px, the table scrolls sideways.
   void set_stretch_column(int column);
-  /// Chooses a row also in right-to-left.
+  /// Selects a row; selectRow() may fail in right-to-left. A row that does not exist changes nothing.
   void choose_row(int row);
   int chosen_row() const;
-  /// Height follows the rows, up to `rows` of them; then it scrolls.
+  /// The height follows the rows up to `rows`; more of them scroll.
   void set_rows_shown(int rows);
   void setModel(QAbstractItemModel* model) override;
   QSize sizeHint() const override;

@@ -45,7 +45,7 @@ Tokens make_light() {
   t.bad = QColor(u"#B3261E"_qs), t.bad_soft = QColor(u"#FBE3E0"_qs);
   t.view_middle = QColor(u"#CDD4DC"_qs), t.view_edge = QColor(u"#AFB8C3"_qs);
   t.bar_enamel = QColor(u"#8C7B52"_qs), t.bar_dentine = QColor(u"#A06A17"_qs);
-  t.bar_caries = QColor(u"#6A3D1E"_qs), t.bar_pulp = QColor(u"#B01E55"_qs);
+  t.bar_carious = QColor(u"#6A3D1E"_qs), t.bar_pulp = QColor(u"#B01E55"_qs);
   t.line_target = QColor(u"#007A68"_qs), t.line_leeway = QColor(u"#2F68C4"_qs);
   t.line_over = QColor(u"#B54708"_qs), t.line_under = QColor(u"#5B3DA8"_qs);
   t.shadow = QColor(u"#33000000"_qs);
@@ -65,7 +65,7 @@ Tokens make_dark() {
   t.bad = QColor(u"#FF8B80"_qs), t.bad_soft = QColor(u"#431B18"_qs);
   t.view_middle = QColor(u"#262B32"_qs), t.view_edge = QColor(u"#0E1114"_qs);
   t.bar_enamel = QColor(u"#F1EBDD"_qs), t.bar_dentine = QColor(u"#DFB26B"_qs);
-  t.bar_caries = QColor(u"#B98158"_qs), t.bar_pulp = QColor(u"#F0679A"_qs);
+  t.bar_carious = QColor(u"#B98158"_qs), t.bar_pulp = QColor(u"#F0679A"_qs);
   t.line_target = QColor(u"#2FC7AF"_qs), t.line_leeway = QColor(u"#7FAEF5"_qs);
   t.line_over = QColor(u"#F2913D"_qs), t.line_under = QColor(u"#A98BF0"_qs);
   t.shadow = QColor(u"#80000000"_qs);
@@ -100,7 +100,7 @@ QPalette palette_of(const Tokens& t) {
   return p;
 }
 
-/// Longest names first, so that @text never eats the head of @text2.
+/// Longest names first: @text is the beginning of @text2.
 std::vector<std::pair<QString, QColor>> named_colours(const Tokens& t) {
   std::vector<std::pair<QString, QColor>> named = {
       {u"@window"_qs, t.window},           {u"@surface"_qs, t.surface},       {u"@sunken"_qs, t.sunken},
@@ -109,13 +109,15 @@ std::vector<std::pair<QString, QColor>> named_colours(const Tokens& t) {
       {u"@accent"_qs, t.accent},           {u"@on_accent"_qs, t.on_accent},   {u"@accent_soft"_qs, t.accent_soft},
       {u"@good"_qs, t.good},               {u"@good_soft"_qs, t.good_soft},   {u"@look"_qs, t.look},
       {u"@look_soft"_qs, t.look_soft},     {u"@bad"_qs, t.bad},               {u"@bad_soft"_qs, t.bad_soft},
+      {u"@bar_enamel"_qs, t.bar_enamel},   {u"@bar_dentine"_qs, t.bar_dentine}, {u"@bar_carious"_qs, t.bar_carious},
+      {u"@bar_pulp"_qs, t.bar_pulp},       {u"@line_target"_qs, t.line_target},
   };
   std::sort(named.begin(), named.end(),
             [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
   return named;
 }
 
-/// A style sheet takes pictures from files only, and the chevron has to be in the theme's ink.
+/// A PNG of the chevron in the theme's ink: a style sheet takes pictures from files only.
 QString chevron_file(const Tokens& t) {
   static const QTemporaryDir folder;
   const QString file = folder.filePath(u"chevron-%1-%2.png"_qs.arg(t.dark ? u"dark"_qs : u"light"_qs).arg(scale_percent()));
@@ -141,7 +143,7 @@ QString style_sheet(const Tokens& t) {
   return out.replace(u"%chevron_down%"_qs, chevron_file(t));
 }
 
-/// Fusion's own takes its frame from the window's colour, which in the dark is hardly seen.
+/// Fusion derives the frame from the window's colour, which has too little contrast in the dark theme.
 void draw_check_box(QPainter& painter, const QStyleOption& option) {
   const Tokens& t = tokens();
   const bool enabled = option.state & QStyle::State_Enabled;
@@ -181,7 +183,7 @@ void draw_radio_button(QPainter& painter, const QStyleOption& option) {
   painter.restore();
 }
 
-/// Moves one QFocusFrame to whatever has the focus.
+/// Moves one QFocusFrame to the widget with the focus.
 class FocusRing : public QObject {
  public:
   explicit FocusRing(QApplication* app) : QObject(app) {
@@ -189,7 +191,7 @@ class FocusRing : public QObject {
     connect(app, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
   }
   void follow(QWidget* now) {
-    // A ring belongs to what answers keys; a page or a scroll area that merely took the focus gets none.
+    // Pages and scroll areas answer no keys, so they get no ring.
     const bool wanted = now && now->isVisible() && now->parentWidget() && !now->isWindow() &&
                         !now->property("no_focus_ring").toBool() && now->focusPolicy() != Qt::NoFocus &&
                         !now->inherits("QMenu") && !now->inherits("QOpenGLWidget");
@@ -207,7 +209,7 @@ class FocusRing : public QObject {
   QPointer<QFocusFrame> frame_;
 };
 
-/// The wheel scrolls the page; it changes a number, a choice or a slider only where that has the focus.
+/// The wheel scrolls the page unless a spin box, a combo box or a slider has the focus.
 class PageStyle : public CuspStyle {
  public:
   using CuspStyle::polish;
@@ -219,7 +221,7 @@ class PageStyle : public CuspStyle {
   }
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus()) return CuspStyle::eventFilter(watched, event);
-    event->ignore();  // whoever it stands in scrolls
+    event->ignore();  // the parent scrolls
     return true;
   }
 };
@@ -321,7 +323,7 @@ int CuspStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
   switch (metric) {
     case PM_FocusFrameHMargin:
     case PM_FocusFrameVMargin: {
-      // Tabs fill their panel to the window's edge: their ring lies within.
+      // Tabs reach the edge of the window, so their ring lies inside them.
       const auto* ring = qobject_cast<const QFocusFrame*>(option ? option->styleObject : nullptr);
       return ring && qobject_cast<const QTabBar*>(ring->widget()) ? 0 : px(4);
     }
@@ -369,7 +371,7 @@ void CuspStyle::drawControl(ControlElement element, const QStyleOption* option, 
 
 void CuspStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                               const QWidget* widget) const {
-  if (element == PE_FrameFocusRect) return;  // the ring says it
+  if (element == PE_FrameFocusRect) return;  // FocusRing draws instead
   if (element == PE_IndicatorCheckBox) {
     draw_check_box(*painter, *option);
     return;

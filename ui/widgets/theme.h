@@ -1,5 +1,5 @@
-/// How Cusp looks: every colour, size and font of the desktop, in one place. Painted widgets read tokens(); nothing
-/// else in ui holds a colour. Light and dark, 100 to 200 %. GUI thread.
+/// Every colour, size and font of the desktop, light and dark, at 100 to 200 %. Painted widgets read tokens(); no other file
+/// of ui holds a colour. Thread: GUI.
 #pragma once
 
 #include <QColor>
@@ -14,7 +14,7 @@ class QWidget;
 
 namespace cusp::ui {
 
-/// Roles, not hues: see ui/README.md for what each one means. Contrast is held by tests/ui/widgets.
+/// Colours by role (ui/README.md). tests/ui/widgets holds their contrast.
 struct Tokens {
   bool dark = false;
   QColor window, surface, sunken, hover;
@@ -24,7 +24,7 @@ struct Tokens {
   QColor accent, on_accent, accent_soft;  // accent is also the focus
   QColor good, good_soft, look, look_soft, bad, bad_soft;
   QColor view_middle, view_edge;  // behind the tooth
-  QColor bar_enamel, bar_dentine, bar_caries, bar_pulp;
+  QColor bar_enamel, bar_dentine, bar_carious, bar_pulp;
   QColor line_target, line_leeway, line_over, line_under;
   QColor shadow;
 
@@ -34,21 +34,21 @@ struct Tokens {
 
 /// Colours on the tooth itself: the same in both themes.
 struct ToothColours {
-  QColor enamel, dentine, caries, pulp, target, casing, leeway, over, under, water;
-  /// Difference map from far left standing to far cut too far, at -0.5, -0.3, 0, +0.3, +0.5 mm.
+  QColor enamel, dentine, carious, pulp, target, casing, leeway, over, under, water;
+  /// Difference map at -0.5 (uncut remainder), -0.3, 0, +0.3 and +0.5 mm (over-cut).
   QColor map[5];
   static const ToothColours& get();
 };
 
 enum class ColourScheme { system, light, dark };
 
-/// Sets palette, style sheet, style and fonts of the whole program; may be called again at any time.
+/// Sets palette, style sheet, style and fonts of the program, at the start and at every change of theme or scale.
 void apply_theme(QApplication& app, ColourScheme scheme, int scale_percent);
 
-/// Tokens of the theme that the application's palette shows now.
+/// Tokens of the present theme.
 const Tokens& tokens();
 
-/// A length given at 100 %, at the present scale.
+/// Length at the present scale of a length at 100 %.
 int px(int at_100);
 double px(double at_100);
 int scale_percent();
@@ -61,10 +61,10 @@ QFont font_of(TextRole role, bool bold = false);
 QLabel* make_label(const QString& text, TextRole role = TextRole::body, bool bold = false, const char* ink = "");
 void set_ink(QWidget* widget, const char* ink);
 
-/// Buttons' and frames' variants: "primary", "quiet", "erase", "checked", "link", "card", "band"... Re-polishes.
+/// Sets the variant that theme.qss styles ("primary", "erase", "card", "bar_good"), and polishes the widget again.
 void set_kind(QWidget* widget, const char* kind);
 
-/// Fusion with Cusp's metrics and its focus ring: 2 px accent, 2 px off, on whatever has the focus.
+/// Fusion with the theme's metrics and a focus ring: 2 px of accent, 2 px off the widget.
 class CuspStyle : public QProxyStyle {
   Q_OBJECT
 

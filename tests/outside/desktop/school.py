@@ -38,15 +38,15 @@ def add_person(program, name, number, secret, role, secret_label):
 
 
 def sign_in_student(program, number=STUDENT[1], pin=STUDENT[2]):
-    program.press("Student", CHOICE)
+    program.press("Student", "page tab")
     program.find("text", "Student number").type(number)
-    program.find("password text", "PIN, digit 1 of 6").focus()
+    program.find("password text", "PIN, six digits").focus()
     program.screen.x("type", "--delay", 8, pin)
     program.press("Sign in")
 
 
 def sign_in_staff(program, number, password):
-    program.press("Staff", CHOICE)
+    program.press("Staff", "page tab")
     program.find("text", "User name").type(number)
     program.find("password text", "Password").type(password)
     program.press("Sign in")

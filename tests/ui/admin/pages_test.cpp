@@ -65,7 +65,7 @@ TEST_F(AdminPages, a_student_is_added_and_signs_in_with_the_pin) {
   EXPECT_TRUE(records.store().people.sign_in_with_pin("20267314", "271828").has_value());
 }
 
-TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_in_words) {
+TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_with_a_message) {
   records.student("20267314", "Lena Brandt");
   PeoplePage page(records.store(), records.administrator().actor(), ports);
   page.show();

@@ -44,7 +44,7 @@ TEST(DrillLayout, a_gauge_looks_the_same_in_every_language) {
   for (const Qt::LayoutDirection way : {Qt::LeftToRight, Qt::RightToLeft}) {
     Gauge gauge(QStringLiteral("Push"), QStringLiteral("N"), Gauge::Grows::up);
     gauge.setLayoutDirection(way);
-    gauge.set_range(0, 3, 0.5);
+    gauge.set_scale({.least = 0, .most = 3, .major_step = 0.5});
     gauge.set_scale_side(Gauge::ScaleSide::right);
     gauge.set_value(1.2);
     gauge.resize(gauge.sizeHint());

@@ -123,7 +123,7 @@ TEST(AuditPage, a_run_that_is_stopped_leaves_the_page_as_it_was) {
   EXPECT_FALSE(page.use_button()->isVisible());
 }
 
-TEST(AuditPage, an_exercise_that_cannot_be_played_is_said) {
+TEST(AuditPage, an_exercise_that_cannot_be_played_is_reported) {
   EditorModel model(draft());
   AuditPage page(model, [](const std::string&) -> AuditRunner {
     return [](const AuditRun&, const AuditWatch&) -> Result<std::vector<std::optional<ModelResult>>, AuditFailure> {

@@ -12,7 +12,7 @@
 #include "scenarios/tissues/tissue_facts.h"
 #include "tests/modules.h"
 #include "tests/ui/editor/class_one.h"
-#include "ui/editor/check_sentences.h"
+#include "ui/editor/check_messages.h"
 #include "ui/editor/editor_model.h"
 #include "ui/editor/points_form.h"
 #include "ui/editor/specimen_grower.h"
@@ -43,7 +43,7 @@ const std::vector<Edit>& every_edit() {
          s.voxel_mm = 0.1;
          return m.set_specimen(s, load_builtin("channel-1")->tissues);
        }},
-      {"lesion",
+      {"carious lesion",
        [](EditorModel& m) {
          SpecimenSource s = m.scenario().specimen;
          s.lesions.push_back({"proximal", "mesial", 1.0, 1.2, 0.6});
@@ -221,7 +221,7 @@ TEST(editor_model, a_shape_made_from_another_keeps_place_and_depth) {
     EXPECT_DOUBLE_EQ(t.depth_mm, before.depth_mm);
     EXPECT_DOUBLE_EQ(t.top_mm, before.top_mm);
     model.set_facts(facts_of_36());
-    EXPECT_FALSE(has_error(model.findings())) << shape << ": " << check_sentence(model.findings().front()).toStdString();
+    EXPECT_FALSE(has_error(model.findings())) << shape << ": " << check_message(model.findings().front()).toStdString();
   }
 }
 
@@ -246,20 +246,20 @@ TEST(editor_model, publishing_waits_for_a_change_the_tooth_and_every_check) {
 TEST(editor_model, another_tooth_is_grown_anew_and_the_old_facts_are_forgotten) {
   EditorModel model(class_one());
   model.set_facts(facts_of_36());
-  int signals_seen = 0;
-  QObject::connect(&model, &EditorModel::specimen_changed, [&signals_seen] { ++signals_seen; });
+  int changes = 0;
+  QObject::connect(&model, &EditorModel::specimen_changed, [&changes] { ++changes; });
   model.set_width_mm(1.4);
-  EXPECT_EQ(signals_seen, 0);
+  EXPECT_EQ(changes, 0);
   SpecimenSource other = model.scenario().specimen;
   other.fdi = 46;
   ASSERT_TRUE(model.set_specimen(other, model.scenario().tissues));
-  EXPECT_EQ(signals_seen, 1);
+  EXPECT_EQ(changes, 1);
   EXPECT_FALSE(model.facts().has_value());
   model.stack().undo();
-  EXPECT_EQ(signals_seen, 2);
+  EXPECT_EQ(changes, 2);
 }
 
-TEST(editor_model, lesions_and_neighbours_bring_their_tissues_and_leave_the_figures_of_the_others) {
+TEST(editor_model, carious_lesions_and_neighbours_bring_their_tissues_and_leave_the_figures_of_the_others) {
   EditorModel model(class_one());
   ASSERT_TRUE(model.set_tissue_figures(0, 2.5, 0.6));
   SpecimenSource tooth = model.scenario().specimen;
@@ -317,7 +317,7 @@ TEST(editor_model, a_target_that_opens_a_pulp_that_must_stay_closed_is_never_pub
   const Vec3 on_line = model.scenario().target.paths[0][4];  // (0.2, -0.15), floor at 2.4
   model.set_facts(facts_of_36(), {{on_line.x, on_line.y, 1.5}});
   EXPECT_TRUE(model.findings().empty());
-  // The briefing still names the depth of before: other findings, of the words.
+  // The briefing still names the depth of before: these are other findings.
   const auto of_the_pulp = [&model] {
     std::vector<Finding> out;
     for (const Finding& finding : model.findings())

@@ -94,7 +94,7 @@ TEST_F(EditorPages, a_number_changes_the_target_and_undo_takes_it_back) {
   EXPECT_FALSE(publish->isEnabled());
 }
 
-TEST_F(EditorPages, a_number_that_cannot_be_taken_leaves_the_target_and_says_why_at_the_field) {
+TEST_F(EditorPages, a_number_that_cannot_be_taken_leaves_the_target_and_shows_why_at_the_field) {
   const auto page = open();
   auto* depth = named<NumberField>(*page, "Depth");
   ASSERT_NE(depth, nullptr);
@@ -108,9 +108,9 @@ TEST_F(EditorPages, a_number_that_cannot_be_taken_leaves_the_target_and_says_why
   EXPECT_DOUBLE_EQ(type(QStringLiteral("-3")), 1.5);
   EXPECT_TRUE(depth->note()->isVisibleTo(page.get())) << "below its row";
   EXPECT_DOUBLE_EQ(type(QStringLiteral("1e9")), 1.5);
-  EXPECT_TRUE(depth->said().contains(QStringLiteral("1e9")));
+  EXPECT_TRUE(depth->message().contains(QStringLiteral("1e9")));
   page->model().stack().undo();
-  EXPECT_TRUE(depth->said().isEmpty()) << "another value stands there now";
+  EXPECT_TRUE(depth->message().isEmpty()) << "another value stands there now";
 }
 
 TEST_F(EditorPages, a_shape_chosen_in_the_library_is_taken_however_it_was_pressed) {
@@ -187,14 +187,14 @@ TEST_F(EditorPages, a_reader_meets_a_handle_as_something_that_slides_and_has_a_v
   EXPECT_TRUE(depth->text(QAccessible::Value).contains(QStringLiteral("2.00")));
 }
 
-TEST_F(EditorPages, publish_and_try_out_are_off_while_a_check_fails_and_the_reason_is_said) {
+TEST_F(EditorPages, publish_and_try_out_are_off_while_a_check_fails_and_the_reason_is_shown) {
   const auto page = open();
   named<QDoubleSpinBox>(*page, "Measured from height")->setValue(5);
   EXPECT_FALSE(named<QPushButton>(*page, "Publish version 2")->isEnabled());
   EXPECT_FALSE(named<QPushButton>(*page, "Try out")->isEnabled());
-  bool said = false;
-  for (QLabel* label : page->findChildren<QLabel*>()) said = said || label->text().startsWith(QStringLiteral("The target reaches out"));
-  EXPECT_TRUE(said);
+  bool shown = false;
+  for (QLabel* label : page->findChildren<QLabel*>()) shown = shown || label->text().startsWith(QStringLiteral("The target reaches out"));
+  EXPECT_TRUE(shown);
 }
 
 TEST_F(EditorPages, a_try_out_is_of_the_draft_is_kept_nowhere_and_leaves_everything_as_it_was) {
@@ -257,7 +257,7 @@ TEST_F(EditorPages, a_bur_of_another_shape_comes_from_the_catalogue_and_keeps_it
   EXPECT_FALSE(page->model().set_bur_radius_mm(page->model().scenario().instruments.size() - 1, 0.6));
 }
 
-TEST_F(EditorPages, lesions_neighbours_and_gums_are_set_at_the_tooth_seen_at_once_and_undone) {
+TEST_F(EditorPages, carious_lesions_neighbours_and_gums_are_set_at_the_tooth_seen_at_once_and_undone) {
   EditorStart start = coarse();
   start.published = *load_builtin("class-1-36");
   start.published->specimen.voxel_mm = 0.4;
@@ -269,7 +269,7 @@ TEST_F(EditorPages, lesions_neighbours_and_gums_are_set_at_the_tooth_seen_at_onc
   page.show();
   ASSERT_TRUE(page.grown() || ready.wait(kGrowsWithinMs));
   const auto source = [&]() -> const SpecimenSource& { return page.model().scenario().specimen; };
-  named<QPushButton>(page, "Add carious lesion")->click();
+  named<QPushButton>(page, "Add a carious lesion")->click();
   ASSERT_EQ(source().lesions.size(), 1u);
   EXPECT_EQ(source().lesions[0].site, "central");
   auto* width = named<QDoubleSpinBox>(page, "Width of carious lesion 1");
@@ -319,7 +319,7 @@ TEST_F(EditorPages, every_control_has_a_name) {
   }
 }
 
-TEST_F(EditorPages, a_file_that_is_no_volume_is_refused_in_words) {
+TEST_F(EditorPages, a_file_that_is_no_volume_is_refused_with_a_message) {
   const auto page = open();
   file = folder.filePath(QStringLiteral("broken.nrrd"));
   QFile broken(file);
@@ -332,9 +332,9 @@ TEST_F(EditorPages, a_file_that_is_no_volume_is_refused_in_words) {
     if (b->accessibleName() == QStringLiteral("Choose a volume…")) b->click();
   }
   EXPECT_TRUE(page->model().scenario() == before);
-  bool said = false;
-  for (QLabel* label : page->findChildren<QLabel*>()) said = said || label->text().contains(QStringLiteral("This file cannot be read"));
-  EXPECT_TRUE(said);
+  bool shown = false;
+  for (QLabel* label : page->findChildren<QLabel*>()) shown = shown || label->text().contains(QStringLiteral("This file cannot be read"));
+  EXPECT_TRUE(shown);
 }
 
 TEST_F(EditorPages, a_draft_is_discarded_only_after_asking_and_what_is_published_stays) {

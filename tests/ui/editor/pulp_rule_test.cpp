@@ -1,4 +1,4 @@
-// When the editor itself switches the rule on or off that opening the pulp fails the attempt.
+// The rule that opening the pulp fails the attempt, when the editor switches it on or off.
 
 #include <gtest/gtest.h>
 

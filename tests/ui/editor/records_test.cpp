@@ -1,4 +1,4 @@
-// The editor and what is kept: drafts, publishing, versions that never change, volumes beside a draft.
+// The editor's records: drafts, publishing, versions that never change, volumes beside a draft.
 
 #include <gtest/gtest.h>
 
@@ -52,9 +52,9 @@ TEST_F(EditorRecords, a_changed_builtin_is_published_as_its_next_version_and_ope
   ASSERT_TRUE(model.set_depth_mm(2.4));
   model.set_facts(facts_of_block());
   const Scenario draft = model.scenario();
+  const int builtin = load_builtin("channel-1")->version;
   const auto version = publish(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
-  const int builtin = load_builtin("channel-1")->version;
   EXPECT_EQ(version->number, builtin + 1);
   EXPECT_EQ(version->author, instructor.id);
   EXPECT_TRUE(model.unchanged());
@@ -132,6 +132,7 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   ASSERT_TRUE(back.has_value());
   model.set_facts(facts_of(*back));
   ASSERT_TRUE(model.publishable()) << (model.findings().empty() ? "" : model.findings().front().code);
+  const int builtin = load_builtin("channel-1")->version;
   const auto version = publish(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, 1);
@@ -147,7 +148,7 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   EXPECT_EQ(unpacked->tissue, volume->tissue);
 }
 
-TEST_F(EditorRecords, a_volume_that_is_gone_is_told_and_nothing_is_published) {
+TEST_F(EditorRecords, a_missing_volume_is_reported_and_nothing_is_published) {
   SpecimenSource block;
   block.generator = "block";
   block.voxel_mm = 0.4;

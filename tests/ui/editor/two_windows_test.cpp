@@ -1,4 +1,4 @@
-// One draft in two windows, each with a store of its own as two processes have: the second to save is told and chooses.
+// One draft in two windows, each with a store of its own as two processes have: the second one to save gets the choice.
 #include <gtest/gtest.h>
 
 #include <QPushButton>
@@ -64,7 +64,7 @@ struct TwoWindows : ::testing::Test {
     page.leave();
     return left.count() == 1;
   }
-  static Band* message(EditorPage& page) {
+  static Band* warning(EditorPage& page) {
     for (Band* band : page.findChildren<Band*>())
       if (!band->isHidden() && band->text().contains(QStringLiteral("nother window"))) return band;
     return nullptr;
@@ -82,9 +82,9 @@ struct TwoWindows : ::testing::Test {
   }
 };
 
-TEST_F(TwoWindows, the_second_to_save_is_told_and_nothing_is_written) {
+TEST_F(TwoWindows, the_second_to_save_is_warned_and_nothing_is_written) {
   EXPECT_FALSE(save(*second));
-  ASSERT_NE(message(*second), nullptr);
+  ASSERT_NE(warning(*second), nullptr);
   ASSERT_EQ(drafts().size(), 1u);
   EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.4);
   EXPECT_DOUBLE_EQ(second->model().scenario().target.width_mm, 1.9) << "what was done here stands";
@@ -132,7 +132,7 @@ TEST_F(TwoWindows, theirs_is_replaced_only_after_asking) {
   EXPECT_EQ(asked, QStringList({QStringLiteral("Replace theirs"), QStringLiteral("Replace theirs")}));
   EXPECT_DOUBLE_EQ(drafts()[0].target.width_mm, 1.9);
   EXPECT_DOUBLE_EQ(drafts()[0].target.depth_mm, 2.0);
-  EXPECT_EQ(message(*second), nullptr);
+  EXPECT_EQ(warning(*second), nullptr);
   EXPECT_TRUE(save(*second));
 }
 

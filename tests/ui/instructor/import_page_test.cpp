@@ -1,132 +1,25 @@
-// The import page over real files and a real child. With CUSP_PICTURES=FOLDER it leaves pictures of itself there.
+// The import page over real files and a real child process. With CUSP_PICTURES=FOLDER it leaves pictures of itself there.
 
-#include <gtest/gtest.h>
-
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QDropEvent>
-#include <QLabel>
 #include <QMimeData>
-#include <QPushButton>
-#include <QRegularExpression>
-#include <QSignalSpy>
-#include <QSlider>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QUrl>
 
-#include "scenarios/import/nrrd.h"
 #include "scenarios/import/quarter_turn.h"
 #include "scenarios/import/worker.h"
-#include "tests/modules.h"
-#include "tests/scenarios/import/image_files.h"
+#include "tests/ui/instructor/import_page_fixture.h"
 #include "ui/text/language.h"
-#include "ui/instructor/import_forms.h"
-#include "ui/instructor/import_page.h"
-#include "ui/instructor/import_preview.h"
-#include "ui/instructor/slice_view.h"
-#include "ui/widgets/busy.h"
-#include "ui/widgets/parts.h"
 
 namespace cusp::test {
 namespace {
 
-
-constexpr int kPatienceMs = 60'000;  // for a child on a busy machine; what is waited for comes in a second
-
-/// A tooth as a scanner sees it: enamel over dentine about a hollow, in CT numbers, with a speck beside it.
-int tooth_at(IVec3 v) {
-  const double x = (v.x - 20.0) / 13.0, y = (v.y - 20.0) / 11.0, z = (v.z - 14.0) / 12.0;
-  const double r = x * x + y * y + z * z;
-  if (v.x > 36 && v.y > 36) return 900;
-  if (r > 1.0) return -1000 + (v.x * 7 + v.y * 13 + v.z * 5) % 60;
-  if (r < 0.06) return 40;
-  return r > 0.6 && z > 0.1 ? 2600 : 1300;
-}
-
-struct Page : ::testing::Test {
-  TempFolder folder;
-  Ports ports = Ports::of_the_system();
-  std::unique_ptr<ImportPage> page = std::make_unique<ImportPage>(ports, folder / "cusp.db");
-  std::optional<EditorStart> started;
-
-  Page() {
-    page->resize(1080, 900);
-    page->show();
-    QObject::connect(page.get(), &ImportPage::edit_wanted, [this](const EditorStart& s) { started = s; });
-  }
-  void open(const QStringList& files) {
-    page->open_files(files);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
-  }
-  QString file(const std::string& name) const { return QString::fromStdString((folder / name).string()); }
-  QString texts() const {
-    QString all;
-    for (const QLabel* label : page->findChildren<QLabel*>())
-      if (label->isVisibleTo(page.get())) all += label->text() + u'\n';
-    return all;
-  }
-  QPushButton* button(const QString& text) const {
-    for (QPushButton* b : page->findChildren<QPushButton*>())
-      if (b->text() == text) return b;
-    return nullptr;
-  }
-  QComboBox* box(const QString& name) const {
-    for (QComboBox* b : page->findChildren<QComboBox*>())
-      if (b->accessibleName() == name) return b;
-    return nullptr;
-  }
-  /// By the beginning of its text.
-  QPushButton* button_from(const QString& text) const {
-    for (QPushButton* b : page->findChildren<QPushButton*>())
-      if (b->text().startsWith(text) && b->isVisibleTo(page.get())) return b;
-    return nullptr;
-  }
-  void make() {
-    button(QStringLiteral("Make a specimen"))->click();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->busy(); }, kPatienceMs));
-    ASSERT_NE(page->preview()->volume(), nullptr) << page->findChild<Band*>()->text().toStdString();
-  }
-  void turn(const QString& text) {
-    button(text)->click();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !page->preview()->turning(); }, kPatienceMs));
-  }
-  QPushButton* keep() const { return button(QStringLiteral("Keep it and make an exercise")); }
-  void choose(const QString& name, Tissue tissue) const {
-    QComboBox* b = box(name);
-    ASSERT_NE(b, nullptr) << name.toStdString();
-    b->setCurrentIndex(b->findData(static_cast<int>(tissue)));
-  }
-  void write_ct() const {
-    std::filesystem::create_directory(folder / "ct");
-    for (int n = 0; n < 28; ++n) {
-      DicomWish w;
-      w.columns = w.rows = 40;
-      w.position = {0, 0, 0.5 * n};
-      w.across_mm = w.down_mm = 0.3;
-      w.thickness_mm = 0.5;
-      w.number = n + 1;
-      w.values = values_of({40, 40, 1}, [&](IVec3 v) { return tooth_at({v.x, v.y, n}); });
-      write_text(folder / ("ct/" + std::to_string(28 - n)), dicom_file(w));
-    }
-  }
-  void picture(const std::string& name) const {
-    const QByteArray to = qgetenv("CUSP_PICTURES");
-    if (to.isEmpty()) return;
-    QTest::qWait(50);
-    EXPECT_TRUE(page->grab().save(QString::fromUtf8(to) + u'/' + QString::fromStdString(name) + QStringLiteral(".png")));
-  }
-};
-
-TEST_F(Page, says_what_it_takes_and_makes_nothing_of_nothing) {
+TEST_F(ImportPageTest, lists_what_it_takes_and_imports_nothing_without_files) {
   EXPECT_TRUE(texts().contains(QStringLiteral("Drop files here")));
   EXPECT_FALSE(button(QStringLiteral("Make a specimen"))->isVisibleTo(page.get()));
   EXPECT_EQ(page->meshes(), nullptr);
 }
 
-TEST_F(Page, nested_meshes_of_several_files_become_an_exercise_on_their_tissues) {
+TEST_F(ImportPageTest, nested_meshes_of_several_files_become_an_exercise_on_their_tissues) {
   write_text(folder / "crown.stl", binary_stl(sphere("solid", {0, 0, 0}, 0.4, 3)));
   write_text(folder / "pulp.stl", binary_stl(sphere("solid", {0, 0, 0}, 0.15, 3)));
   open({file("crown.stl")});
@@ -154,7 +47,7 @@ TEST_F(Page, nested_meshes_of_several_files_become_an_exercise_on_their_tissues)
   EXPECT_DOUBLE_EQ(volume->grid.voxel_mm, 0.1);
 }
 
-TEST_F(Page, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_when_asked) {
+TEST_F(ImportPageTest, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_when_asked) {
   Mesh open_ball = sphere("crown", {10, 0, 0}, 4.0, 3);
   open_ball.triangles.erase(open_ball.triangles.begin() + 5);
   write_obj(folder / "m.obj", {open_ball, sphere("core", {10, 0, 0}, 1.0, 2)});
@@ -172,13 +65,13 @@ TEST_F(Page, an_open_mesh_shows_its_gaps_in_millimetres_and_is_mended_when_asked
   mend[0]->setChecked(true);
   choose(QStringLiteral("What crown is made of"), Tissue::enamel);
   make();
-  EXPECT_FALSE(started.has_value()) << "first it is said what was done";
+  EXPECT_FALSE(started.has_value()) << "the page reports first what was done";
   EXPECT_TRUE(texts().contains(QStringLiteral("hole of "))) << texts().toStdString();
   keep()->click();
   EXPECT_TRUE(started.has_value());
 }
 
-TEST_F(Page, a_unit_that_makes_no_tooth_is_asked_again) {
+TEST_F(ImportPageTest, a_unit_that_makes_no_tooth_is_asked_again) {
   write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 5.0, 2)));
   open({file("a.stl")});
   EXPECT_FALSE(texts().contains(QStringLiteral("Is the unit right?")));
@@ -187,7 +80,7 @@ TEST_F(Page, a_unit_that_makes_no_tooth_is_asked_again) {
   EXPECT_TRUE(texts().contains(QStringLiteral("longer than any tooth"))) << texts().toStdString();
 }
 
-TEST_F(Page, a_tooth_of_155_mm_is_questioned_and_the_answer_is_a_button) {
+TEST_F(ImportPageTest, a_tooth_of_155_mm_is_questioned_and_the_answer_is_a_button) {
   write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 77.5, 3)));
   open({file("a.stl")});
   choose(QStringLiteral("What a is made of"), Tissue::dentine);
@@ -207,7 +100,7 @@ TEST_F(Page, a_tooth_of_155_mm_is_questioned_and_the_answer_is_a_button) {
   EXPECT_TRUE(keep()->isEnabled());
 }
 
-TEST_F(Page, a_tooth_of_1_3_mm_is_questioned_and_may_be_one_all_the_same) {
+TEST_F(ImportPageTest, a_tooth_of_1_3_mm_is_questioned_and_may_be_one_all_the_same) {
   write_text(folder / "a.stl", binary_stl(sphere("a", {0, 0, 0}, 0.65, 3)));
   open({file("a.stl")});
   choose(QStringLiteral("What a is made of"), Tissue::dentine);
@@ -225,40 +118,7 @@ TEST_F(Page, a_tooth_of_1_3_mm_is_questioned_and_may_be_one_all_the_same) {
   EXPECT_TRUE(keep()->isEnabled()) << "it is not asked twice";
 }
 
-TEST_F(Page, a_label_map_of_a_wrong_unit_is_questioned_once_it_is_made) {
-  // 16 voxels that say 10 mm each: a tooth of 120 mm.
-  std::string data(16 * 16 * 16, '\0');
-  for (int z = 2; z < 14; ++z)
-    for (int y = 5; y < 11; ++y)
-      for (int x = 5; x < 11; ++x) data[static_cast<std::size_t>(x + 16 * (y + 16 * z))] = 2;
-  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 16 16 16\nspacings: 5 5 10\nencoding: raw\n\n" + data);
-  open({file("map.nrrd")});
-  make();
-  EXPECT_TRUE(texts().contains(QStringLiteral("longer than any tooth"))) << texts().toStdString();
-  EXPECT_FALSE(keep()->isEnabled());
-  QPushButton* tenth = nullptr;
-  for (QPushButton* b : page->findChildren<QPushButton*>())
-    if (b->text().contains(QStringLiteral("0.1")) && b->text().contains(QStringLiteral("12.0"))) tenth = b;
-  ASSERT_NE(tenth, nullptr);
-  tenth->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page->preview()->volume() == nullptr; }, kPatienceMs)) << "it would be another specimen";
-  make();
-  EXPECT_NEAR(page->preview()->size_mm().z, 12.0, 0.01);
-  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9) << "its own voxels, a tenth as long";
-  EXPECT_TRUE(keep()->isEnabled());
-}
-
-TEST_F(Page, a_large_volume_may_be_as_large_as_it_says) {
-  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 30 8 8\nspacings: 5 5 5\nencoding: raw\n\n" + std::string(1920, '\2'));
-  open({file("map.nrrd")});
-  make();
-  EXPECT_FALSE(keep()->isEnabled());
-  button_from(QStringLiteral("It is "))->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return keep()->isEnabled(); }, kPatienceMs));
-  EXPECT_NE(page->preview()->volume(), nullptr) << "what was made stays";
-}
-
-TEST_F(Page, what_was_made_is_turned_before_it_is_kept) {
+TEST_F(ImportPageTest, what_was_made_is_turned_before_it_is_kept) {
   write_obj(folder / "a.obj", {lopsided("body")});
   open({file("a.obj")});
   choose(QStringLiteral("What body is made of"), Tissue::dentine);
@@ -281,7 +141,7 @@ TEST_F(Page, what_was_made_is_turned_before_it_is_kept) {
   EXPECT_TRUE(kept->grid.size == wanted.grid.size && kept->s == wanted.s && kept->tissue == wanted.tissue);
 }
 
-TEST_F(Page, what_was_made_is_forgotten_when_anything_that_it_depends_on_changes) {
+TEST_F(ImportPageTest, what_was_made_is_forgotten_when_anything_that_it_depends_on_changes) {
   write_obj(folder / "a.obj", {lopsided("body")});
   open({file("a.obj")});
   choose(QStringLiteral("What body is made of"), Tissue::dentine);
@@ -293,7 +153,7 @@ TEST_F(Page, what_was_made_is_forgotten_when_anything_that_it_depends_on_changes
   EXPECT_TRUE(button(QStringLiteral("Make a specimen"))->isEnabled());
 }
 
-TEST_F(Page, a_shell_and_an_overlap_are_told_before_anything_is_kept) {
+TEST_F(ImportPageTest, a_shell_and_an_overlap_are_reported_before_anything_is_kept) {
   write_obj(folder / "incisor.obj", {prism("Enamel", {4.0, 0.0, 6.0, true}), prism("Dentine", {3.0, -10.0, 5.0}), prism("Pulp", {1.0, -9.0, 3.0})});
   open({file("incisor.obj")});
   for (QDoubleSpinBox* b : page->findChildren<QDoubleSpinBox*>())
@@ -307,50 +167,7 @@ TEST_F(Page, a_shell_and_an_overlap_are_told_before_anything_is_kept) {
   picture("shell");
 }
 
-TEST_F(Page, a_ct_shows_its_tissues_live_and_keeps_no_name) {
-  write_ct();
-  open({file("ct")});
-  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
-  EXPECT_TRUE(texts().contains(QStringLiteral("28 slices"))) << texts().toStdString();
-  EXPECT_TRUE(texts().contains(QStringLiteral("are resampled to cubes of")));
-  SliceView* view = page->volume()->view();
-  const auto coloured = [&] {
-    const QImage picture = view->picture();
-    int n = 0;
-    for (int y = 0; y < picture.height(); ++y)
-      for (int x = 0; x < picture.width(); ++x) {
-        const QColor c = picture.pixelColor(x, y);
-        n += c.red() != c.green() || c.green() != c.blue();
-      }
-    return n;
-  };
-  const int before = coloured();
-  EXPECT_GT(before, 200);
-  EXPECT_LT(before, 40 * 40);
-  QDoubleSpinBox* first = nullptr;
-  for (QDoubleSpinBox* b : page->findChildren<QDoubleSpinBox*>())
-    if (b->accessibleName() == QStringLiteral("Least value of range 1")) first = b;
-  ASSERT_NE(first, nullptr);
-  EXPECT_GT(first->value(), -900.0);
-  EXPECT_LT(first->value(), 1300.0);
-  first->setValue(2700.0);
-  EXPECT_LT(coloured(), before);
-  first->setValue(500.0);
-  EXPECT_EQ(coloured(), before);
-  picture("ct");
-  auto* slider = view->findChild<QSlider*>();
-  slider->setValue(0);
-  EXPECT_LT(coloured(), before);
-  for (QCheckBox* b : page->findChildren<QCheckBox*>()) b->setChecked(true);
-  make();
-  EXPECT_TRUE(texts().contains(QStringLiteral("Nothing about the patient was read."))) << texts().toStdString();
-  keep()->click();
-  ASSERT_TRUE(started.has_value());
-  EXPECT_EQ(started->draft.title.at("en"), "CT");
-  EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp}) << "the hollow";
-}
-
-TEST_F(Page, a_file_that_cannot_be_read_says_so_and_leaves_the_page_as_it_was) {
+TEST_F(ImportPageTest, a_file_that_cannot_be_read_is_reported_and_leaves_the_page_as_it_was) {
   write_text(folder / "bad.stl", "solid nothing");
   open({file("bad.stl")});
   EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("cannot be read"))) << page->findChild<Band*>()->text().toStdString();
@@ -359,21 +176,7 @@ TEST_F(Page, a_file_that_cannot_be_read_says_so_and_leaves_the_page_as_it_was) {
   EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("gone.nrrd")));
 }
 
-TEST_F(Page, reading_can_be_stopped_and_leaves_nothing) {
-  write_ct();
-  page->open_files({file("ct")});
-  ASSERT_TRUE(page->busy());
-  EXPECT_FALSE(button(QStringLiteral("Choose a file…"))->isEnabled());
-  Q_EMIT page->findChild<Busy*>()->cancelled();
-  EXPECT_FALSE(page->busy());
-  EXPECT_TRUE(page->files().empty());
-  EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("stopped")));
-  EXPECT_TRUE(button(QStringLiteral("Choose a file…"))->isEnabled());
-  open({file("ct")});  // and it can be begun again
-  EXPECT_NE(page->volume(), nullptr);
-}
-
-TEST_F(Page, files_can_be_dropped) {
+TEST_F(ImportPageTest, files_can_be_dropped) {
   write_text(folder / "a.ply", ply_file(sphere("a", {0, 0, 0}, 5.0, 2), true));
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(file("a.ply"))});
@@ -392,19 +195,7 @@ TEST_F(Page, files_can_be_dropped) {
   EXPECT_FALSE(words.isAccepted());
 }
 
-TEST_F(Page, a_label_map_offers_its_numbers_with_the_tissues_they_most_likely_mean) {
-  std::string data(512, '\1');
-  data[0] = 2;
-  data[1] = 77;
-  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nspacings: 1 1 1\nencoding: raw\n\n" + data);
-  open({file("map.nrrd")});
-  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
-  const ImageTissues t = page->volume()->tissues();
-  EXPECT_EQ(t.labels, (std::vector<std::pair<std::uint32_t, Tissue>>{{1, Tissue::enamel}, {2, Tissue::dentine}}));
-  EXPECT_TRUE(texts().contains(QStringLiteral("510 voxels")));
-}
-
-TEST_F(Page, it_has_room_for_german_in_light_and_dark) {
+TEST_F(ImportPageTest, it_has_room_for_german_in_light_and_dark) {
   Mesh open_ball = sphere("Schmelzkappe", {10, 0, 0}, 4.0, 3);
   open_ball.triangles.erase(open_ball.triangles.begin() + 5);
   Mesh twisted = sphere("Wurzelzement und Desmodont der distobukkalen Wurzel", {10, 0, 0}, 2.0, 3);

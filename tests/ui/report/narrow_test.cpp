@@ -1,4 +1,4 @@
-// The report in a narrow window: what gives way, and what never does.
+// The report in a narrow window.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 TEST(CriteriaModel, gives_up_bars_and_uncertainty_in_a_narrow_table_and_never_points) {
   CriteriaModel model(test::sample_grade(81), {});
-  model.set_compact(true);
+  model.set_detail(CriteriaModel::Detail::narrow);
   const auto at = [&](int column, int role = Qt::DisplayRole) { return model.index(1, column).data(role); };
   EXPECT_TRUE(at(CriteriaModel::kYours).toString().contains(QStringLiteral("2.41")));
   EXPECT_FALSE(at(CriteriaModel::kYours, SecondRole).isValid());

@@ -1,4 +1,4 @@
-// A pinned place on the tooth: seen where nothing hides it, and said where something does.
+// A pinned place on the tooth: the ring shows it, or the card says what hides it.
 
 #include <gtest/gtest.h>
 

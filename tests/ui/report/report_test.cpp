@@ -106,9 +106,9 @@ TEST(ReportData, losses_come_dearest_first) {
   ReportData data = sample(70);
   data.result.grade.criteria[0].points = 12;  // 8 lost against 6
   data.result.grade.criteria[0].reason_code = "too_little";
-  const auto said = next_time(data);
-  ASSERT_EQ(said.size(), 2u);
-  EXPECT_EQ(said[0].head.toStdString(), "Target removed: 26.7 points lost");  // 8 of 30
+  const auto shown = next_time(data);
+  ASSERT_EQ(shown.size(), 2u);
+  EXPECT_EQ(shown[0].head.toStdString(), "Target removed: 26.7 points lost");  // 8 of 30
 }
 
 TEST(ReportData, an_opened_pulp_comes_first_with_when_and_where) {
@@ -157,7 +157,7 @@ TEST(ReportData, the_side_of_a_tooth_follows_its_quadrant) {
   EXPECT_EQ(side(36, {3, 0, 0}), "");
 }
 
-TEST(ReportData, says_which_bur_was_used_when) {
+TEST(ReportData, names_the_burs_and_their_times) {
   ReportData data = sample();
   data.result.scenario.instruments = {catalogue_bur("2")->bur, catalogue_bur("8")->bur, catalogue_bur("57")->bur};
   EXPECT_TRUE(burs_used_text(data).isEmpty()) << "of an attempt that was not kept nothing is said";
@@ -195,10 +195,10 @@ TEST(ReportData, what_counts_only_with_the_target_is_one_sentence_and_nothings_a
   nothing.id = "depth_mean";
   nothing.points = 9.99;  // prints as full
   grade.criteria.push_back(nothing);
-  const auto said = next_time(data);
-  ASSERT_EQ(said.size(), 2u);
-  EXPECT_TRUE(said[0].head.startsWith(QStringLiteral("Target removed")));
-  EXPECT_TRUE(said[1].head.startsWith(QStringLiteral("Floor depth, deepest")));
+  const auto shown = next_time(data);
+  ASSERT_EQ(shown.size(), 2u);
+  EXPECT_TRUE(shown[0].head.startsWith(QStringLiteral("Target removed")));
+  EXPECT_TRUE(shown[1].head.startsWith(QStringLiteral("Floor depth, deepest")));
   data.result.scenario.rubric.criteria = {{"target_removed", 20, {50, 80, 87, 100, 100, 100}}};
   EXPECT_EQ(plain(counted_text(grade, data.result.scenario.rubric)),
             "What stayed intact counts only as far as the target was cut: 50 %.");
@@ -255,7 +255,7 @@ TEST(ReportPage, shows_the_score_the_reasons_and_what_to_do) {
   EXPECT_EQ(again.count(), 1);
 }
 
-TEST(ReportPage, an_opened_pulp_is_told_above_everything_else) {
+TEST(ReportPage, an_opened_pulp_is_shown_above_everything_else) {
   ReportData data = sample();
   data.result.grade.critical = {"pulp_exposure"};
   data.result.grade.passed = false;
@@ -268,7 +268,7 @@ TEST(ReportPage, an_opened_pulp_is_told_above_everything_else) {
   EXPECT_TRUE(all.contains(QStringLiteral("The pulp was opened.")));
 }
 
-TEST(ReportPage, saves_its_paper_where_the_picker_says_and_tells_when_it_cannot) {
+TEST(ReportPage, saves_its_paper_where_the_picker_says_and_reports_a_failure) {
   QTemporaryDir folder;
   Ports ports = Ports::of_the_system();
   QString answer = folder.filePath(QStringLiteral("report.pdf"));
@@ -316,8 +316,8 @@ QStringList images_in(const std::filesystem::path& file) {
   return QString::fromUtf8(list.readAllStandardOutput()).split(u'\n', Qt::SkipEmptyParts).mid(2);
 }
 
-/// The words on its pages, in order.
-std::string words_in(const std::filesystem::path& file) {
+/// The text of its pages, in order.
+std::string text_in(const std::filesystem::path& file) {
   QProcess text;
   text.start(QStringLiteral("pdftotext"), {QString::fromStdString(file.string()), QStringLiteral("-")});
   if (!text.waitForFinished(60'000)) return {};
@@ -343,15 +343,15 @@ TEST(ReportPdf, holds_the_picture_of_the_tooth) {
   EXPECT_NE(tooth->image.pixel(150, 150), tooth->image.pixel(2, 2));
   ASSERT_TRUE(write_report_pdf(file, data, tooth));
   EXPECT_GE(images_in(file).size(), 1) << "no image in the PDF";
-  EXPECT_EQ(words_in(file).find("could not be drawn"), std::string::npos);
+  EXPECT_EQ(text_in(file).find("could not be drawn"), std::string::npos);
 }
 
-TEST(ReportPdf, says_why_there_is_no_picture) {
+TEST(ReportPdf, gives_the_cause_of_a_missing_picture) {
   const QTemporaryDir folder;
   const std::filesystem::path file = folder.filePath(QStringLiteral("r.pdf")).toStdString();
   ASSERT_TRUE(write_report_pdf(file, sample(), no_picture()));
   EXPECT_TRUE(images_in(file).isEmpty());
-  EXPECT_NE(words_in(file).find("The tooth could not be drawn: OpenGL 3.3 did not start"), std::string::npos) << words_in(file);
+  EXPECT_NE(text_in(file).find("The tooth could not be drawn: OpenGL 3.3 did not start"), std::string::npos) << text_in(file);
 }
 
 TEST(ReportPdf, puts_an_opened_pulp_before_every_other_advice) {
@@ -361,13 +361,13 @@ TEST(ReportPdf, puts_an_opened_pulp_before_every_other_advice) {
   data.result.grade.critical = {"pulp_exposure"};
   data.critical = critical_events(data.result.grade, {}, nullptr, {});
   ASSERT_TRUE(write_report_pdf(file, data, no_picture()));
-  const std::string words = words_in(file);
-  const auto advice = words.find("Next time"), pulp = words.find("The pulp was opened", advice);
-  ASSERT_NE(pulp, std::string::npos) << words;
-  EXPECT_LT(pulp, words.find("points lost", advice));
+  const std::string text = text_in(file);
+  const auto advice = text.find("Next time"), pulp = text.find("The pulp was opened", advice);
+  ASSERT_NE(pulp, std::string::npos) << text;
+  EXPECT_LT(pulp, text.find("points lost", advice));
 }
 
-TEST(AgainstBefore, compares_shares_and_says_what_was_gained) {
+TEST(AgainstBefore, compares_shares_and_gives_the_points_gained) {
   Grade before = test::sample_grade(70);
   before.criteria[1].points = 1;
   const AgainstBefore view(test::sample_grade(81), before);

@@ -1,16 +1,20 @@
-// Sign-in, as a person meets it.
+// Sign-in, as its users meet it.
 
 #include <gtest/gtest.h>
 
+#include <QAccessible>
+#include <QClipboard>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 
 #include "tests/modules.h"
 #include "tests/ui/desk_records.h"
-#include "ui/signin/pin_boxes.h"
+#include "ui/signin/pin_field.h"
 #include "ui/signin/sign_in.h"
+#include "ui/widgets/theme.h"
 
 namespace cusp::test {
 namespace {
@@ -46,30 +50,30 @@ TEST_F(SignInTest, a_student_signs_in_with_number_and_pin) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
   QTest::keyClicks(field(*page, "Student number"), QStringLiteral("20267314"));
-  auto* pin = page->findChild<PinBoxes*>();
-  for (int i = 0; i < 6; ++i) QTest::keyClicks(pin->box(i), QStringLiteral("271828").mid(i, 1));
-  EXPECT_EQ(pin->pin().toStdString(), "271828");
+  auto* pin = page->findChild<PinField*>();
+  QTest::keyClicks(pin, QStringLiteral("271828"));
+  EXPECT_EQ(pin->text().toStdString(), "271828");
   QTest::mouseClick(button(*page, "Sign in"), Qt::LeftButton);
   ASSERT_TRUE(who.has_value());
   EXPECT_EQ(who->name, "Lena Brandt");
 }
 
-TEST_F(SignInTest, a_wrong_pin_is_told_in_one_sentence_and_nobody_is_signed_in) {
+TEST_F(SignInTest, a_wrong_pin_gets_one_sentence_and_nobody_is_signed_in) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
   QTest::keyClicks(field(*page, "Student number"), QStringLiteral("20267314"));
-  auto* pin = page->findChild<PinBoxes*>();
-  for (int i = 0; i < 6; ++i) QTest::keyClicks(pin->box(i), QStringLiteral("1"));
-  QTest::keyClick(pin->box(5), Qt::Key_Return);
+  auto* pin = page->findChild<PinField*>();
+  QTest::keyClicks(pin, QStringLiteral("111111"));
+  QTest::keyClick(pin, Qt::Key_Return);
   EXPECT_FALSE(who.has_value());
   EXPECT_EQ(page->message().toStdString(), "Number and PIN do not match. Check both and try again.");
-  EXPECT_TRUE(pin->pin().isEmpty());
+  EXPECT_TRUE(pin->text().isEmpty());
 }
 
 TEST_F(SignInTest, staff_sign_in_with_user_name_and_password) {
   records.administrator();
   open();
-  page->set_typed_number(QStringLiteral("anna"), true);
+  page->set_typed_number(QStringLiteral("anna"), SignIn::Who::staff);
   QTest::keyClicks(field(*page, "Password"), QStringLiteral("wrong horse"));
   QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
   EXPECT_EQ(page->message().toStdString(), "Number and password do not match. Check both and try again.");
@@ -80,17 +84,17 @@ TEST_F(SignInTest, staff_sign_in_with_user_name_and_password) {
   EXPECT_EQ(who->role, Role::administrator);
 }
 
-TEST_F(SignInTest, five_wrong_tries_close_it_until_a_time_that_is_told) {
+TEST_F(SignInTest, five_wrong_tries_close_it_until_a_time_that_is_shown) {
   records.administrator();
   open();
-  page->set_typed_number(QStringLiteral("anna"), true);
+  page->set_typed_number(QStringLiteral("anna"), SignIn::Who::staff);
   for (int i = 0; i < 6; ++i) {
     field(*page, "Password")->setText(QStringLiteral("wrong horse"));
     QTest::keyClick(field(*page, "Password"), Qt::Key_Return);
   }
-  QString message = page->message();
-  for (const char16_t c : {u'\x2066', u'\x2069'}) message.remove(QChar(c));
-  EXPECT_TRUE(message.startsWith(QStringLiteral("Too many wrong tries for anna. Signing in is open again at "))) << message.toStdString();
+  QString shown = page->message();
+  for (const char16_t c : {u'\x2066', u'\x2069'}) shown.remove(QChar(c));
+  EXPECT_TRUE(shown.startsWith(QStringLiteral("Too many wrong tries for anna. Signing in is open again at "))) << shown.toStdString();
   EXPECT_FALSE(who.has_value());
 }
 
@@ -107,24 +111,24 @@ TEST_F(SignInTest, a_student_who_is_locked_out_reads_the_number_and_the_time) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
   QTest::keyClicks(field(*page, "Student number"), QStringLiteral("20267314"));
-  auto* pin = page->findChild<PinBoxes*>();
+  auto* pin = page->findChild<PinField*>();
   for (int i = 0; i < 6; ++i) {
-    for (int digit = 0; digit < 6; ++digit) QTest::keyClicks(pin->box(digit), QStringLiteral("1"));
-    QTest::keyClick(pin->box(5), Qt::Key_Return);
+    QTest::keyClicks(pin, QStringLiteral("111111"));
+    QTest::keyClick(pin, Qt::Key_Return);
   }
-  QString message = page->message();
-  for (const char16_t c : {u'\x2066', u'\x2069'}) message.remove(QChar(c));
-  EXPECT_TRUE(message.startsWith(QStringLiteral("Too many wrong tries for 20267314. Signing in is open again at "))) << message.toStdString();
-  EXPECT_FALSE(message.contains(QStringLiteral("cusp.db")));
+  QString shown = page->message();
+  for (const char16_t c : {u'\x2066', u'\x2069'}) shown.remove(QChar(c));
+  EXPECT_TRUE(shown.startsWith(QStringLiteral("Too many wrong tries for 20267314. Signing in is open again at "))) << shown.toStdString();
+  EXPECT_FALSE(shown.contains(QStringLiteral("cusp.db")));
 }
 
-TEST_F(SignInTest, an_empty_number_or_half_a_pin_is_told_before_the_records_are_asked) {
+TEST_F(SignInTest, an_empty_number_or_half_a_pin_is_reported_before_the_records_are_asked) {
   records.student("20267314", "Lena Brandt", "271828");
   open();
   button(*page, "Sign in")->click();
   EXPECT_EQ(page->message().toStdString(), "The student number is missing.");
   field(*page, "Student number")->setText(QStringLiteral("20267314"));
-  page->findChild<PinBoxes*>()->box(0)->setText(QStringLiteral("2"));
+  page->findChild<PinField*>()->setText(QStringLiteral("2"));
   button(*page, "Sign in")->click();
   EXPECT_EQ(page->message().toStdString(), "The PIN has six digits.");
 }
@@ -157,18 +161,65 @@ TEST_F(SignInTest, try_it_takes_one_click_and_no_account) {
   EXPECT_EQ(tried.count(), 1);
 }
 
-TEST(PinBoxesTest, backspace_goes_back_and_a_pasted_pin_spreads) {
-  PinBoxes pin;
+TEST_F(SignInTest, the_tabs_change_between_student_and_staff_and_a_screen_reader_knows_them) {
+  records.administrator();
+  open();
+  auto* tabs = page->findChild<QTabBar*>();
+  ASSERT_NE(tabs, nullptr);
+  EXPECT_EQ(page->who(), SignIn::Who::student);
+  EXPECT_TRUE(field(*page, "Student number")->isVisible());
+  tabs->setFocus();
+  QTest::keyClick(tabs, Qt::Key_Right);
+  EXPECT_EQ(page->who(), SignIn::Who::staff);
+  EXPECT_TRUE(field(*page, "Password")->isVisible());
+  EXPECT_FALSE(field(*page, "Student number")->isVisible());
+  QAccessibleInterface* face = QAccessible::queryAccessibleInterface(tabs);
+  ASSERT_NE(face, nullptr);
+  EXPECT_EQ(face->role(), QAccessible::PageTabList);
+  EXPECT_EQ(face->child(1)->text(QAccessible::Name).toStdString(), "Staff");
+}
+
+TEST(PinFieldTest, backspace_goes_back_and_a_pasted_pin_loses_its_spaces) {
+  PinField pin;
+  QSignalSpy completed(&pin, &PinField::completed);
   pin.show();
-  QTest::keyClicks(pin.box(0), QStringLiteral("1"));
-  QTest::keyClicks(pin.box(1), QStringLiteral("2"));
-  QTest::keyClick(pin.box(2), Qt::Key_Backspace);
-  EXPECT_EQ(pin.pin().toStdString(), "1");
+  QTest::keyClicks(&pin, QStringLiteral("12"));
+  QTest::keyClick(&pin, Qt::Key_Backspace);
+  EXPECT_EQ(pin.text().toStdString(), "1");
+  EXPECT_EQ(completed.count(), 0);
+  pin.clear();
   QGuiApplication::clipboard()->setText(QStringLiteral(" 271 828 "));
-  QTest::keySequence(pin.box(0), QKeySequence::Paste);
-  EXPECT_EQ(pin.pin().toStdString(), "271828");
-  QTest::keyClicks(pin.box(0), QStringLiteral("x"));
-  EXPECT_EQ(pin.pin().toStdString(), "271828");
+  QTest::keySequence(&pin, QKeySequence::Paste);
+  EXPECT_EQ(pin.text().toStdString(), "271828");
+  EXPECT_EQ(completed.count(), 1);
+  QTest::keyClicks(&pin, QStringLiteral("x3"));
+  EXPECT_EQ(pin.text().toStdString(), "271828");
+}
+
+TEST(PinFieldTest, a_screen_reader_hears_how_much_is_typed_and_not_what) {
+  PinField pin;
+  pin.setText(QStringLiteral("2718"));
+  QAccessibleInterface* face = QAccessible::queryAccessibleInterface(&pin);
+  ASSERT_NE(face, nullptr);
+  EXPECT_TRUE(face->state().passwordEdit);
+  const QString shown = face->text(QAccessible::Value);
+  EXPECT_EQ(shown.size(), 4);
+  EXPECT_FALSE(shown.contains(u'2'));
+}
+
+TEST(PinFieldTest, the_box_of_the_next_digit_is_marked_and_a_refused_pin_is_shown_as_an_error) {
+  PinField pin;
+  pin.resize(pin.sizeHint());
+  pin.setText(QStringLiteral("27"));
+  const auto seen = [&](int box) { return pin.grab().toImage().pixelColor(box * px(56) + px(20), px(22)); };
+  EXPECT_EQ(seen(1), tokens().text);     // a sign for the digit
+  EXPECT_EQ(seen(2), tokens().surface);  // none yet
+  const auto frame = [&] { return pin.grab().toImage().pixelColor(px(20), 0); };
+  const QColor before = frame();
+  pin.show_refused();
+  EXPECT_NE(frame(), before);
+  QTest::keyClicks(&pin, QStringLiteral("1"));
+  EXPECT_EQ(frame(), before);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(Course, a_student_sees_no_one_elses_attempts) {
   EXPECT_TRUE(course->attempts.empty());
 }
 
-TEST(CourseModel, shows_what_is_not_yet_as_words_not_as_zero) {
+TEST(CourseModel, shows_what_is_missing_as_text_not_as_zero) {
   DeskRecords records;
   const Account lena = records.student("1", "Lena Brandt");
   records.attempt(lena, "channel-1", 78, 300);

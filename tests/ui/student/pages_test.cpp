@@ -53,7 +53,7 @@ TEST_F(Pages, closing_gives_up_the_picture_that_is_being_drawn) {
   EXPECT_TRUE(QDir(folder.path()).isEmpty()) << "it was drawn to its end";
 }
 
-TEST_F(Pages, the_start_page_of_a_new_student_says_what_is_not_there_yet_and_offers_the_first_exercise) {
+TEST_F(Pages, the_start_page_of_a_new_student_shows_what_is_missing_and_offers_the_first_exercise) {
   const Account lena = records.student("1", "Lena Brandt");
   StartPage page(records.store(), lena, pictures, now);
   page.resize(1080, 752);
@@ -79,7 +79,7 @@ TEST_F(Pages, the_start_page_shows_the_last_result_and_how_to_do_better) {
   EXPECT_TRUE(all.contains(QStringLiteral("Mouse and keys only, 2 attempts.")));
 }
 
-TEST_F(Pages, the_start_page_tells_of_an_attempt_that_broke_off_and_offers_one_way_on) {
+TEST_F(Pages, the_start_page_shows_an_interrupted_attempt_and_offers_one_way_on) {
   const Account lena = records.student("1", "Lena Brandt");
   EXPECT_EQ(StartPage(records.store(), lena, pictures, now).interrupted(), nullptr);
   const SessionId broken = records.broken_attempt(lena, "channel-1");
@@ -224,7 +224,7 @@ TEST_F(Pages, the_start_page_fits_a_window_of_1280) {
   }
 }
 
-TEST_F(Pages, the_briefing_says_what_earns_points_and_starts) {
+TEST_F(Pages, the_briefing_shows_what_earns_points_and_starts) {
   const auto list = load_exercises(records.store());
   Briefing page(list->exercises.front(), pictures, {});
   page.show();

@@ -1,4 +1,4 @@
-// Values as people read them.
+// format(): values as text.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Numbers as they are typed, pasted and stepped: what is taken, what is refused, and what the field then says.
+// NumberField: typing, pasting, stepping, refusals and messages.
 #include "tests/modules.h"
 #include "ui/widgets/number_field.h"
 
@@ -49,7 +49,7 @@ TEST(NumberField, reads_comma_and_full_stop_as_decimal_signs_in_every_language) 
     Typed at{QLocale(language)};
     EXPECT_DOUBLE_EQ(at.type(QStringLiteral("1,5")), 1.5) << language;
     EXPECT_DOUBLE_EQ(at.type(QStringLiteral("2.5")), 2.5) << language;
-    EXPECT_TRUE(at.field->said().isEmpty()) << at.field->said().toStdString();
+    EXPECT_TRUE(at.field->message().isEmpty()) << at.field->message().toStdString();
   }
 }
 
@@ -63,30 +63,30 @@ TEST(NumberField, reads_no_exponent_no_group_and_no_second_sign) {
   EXPECT_EQ(read_number(QStringLiteral("٣٫٥")), 3.5);  // Arabic digits and decimal sign
 }
 
-TEST(NumberField, a_number_outside_the_range_is_refused_as_a_whole_and_the_range_is_said) {
+TEST(NumberField, a_number_outside_the_range_is_refused_as_a_whole_and_the_message_names_the_range) {
   Typed at;
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("-3")), 2.0);
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("-3")));
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("0.05")));
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("20.00")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("-3")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("0.05")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("20.00")));
   EXPECT_TRUE(at.field->note()->isVisible());
-  EXPECT_EQ(at.field->accessibleDescription(), at.field->said());
+  EXPECT_EQ(at.field->accessibleDescription(), at.field->message());
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("20.01")), 2.0);
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("20.01")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("20.01")));
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("20")), 20.0);
 }
 
 TEST(NumberField, what_is_no_number_is_refused_and_quoted) {
   Typed at;
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("1e9")), 2.0);
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("1e9")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("1e9")));
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("two")), 2.0);
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("two")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("two")));
   at.field->selectAll();
   QTest::keyClick(at.field, Qt::Key_Delete);
   QTest::keyClick(at.field, Qt::Key_Return);
   EXPECT_DOUBLE_EQ(at.field->value(), 2.0);
-  EXPECT_FALSE(at.field->said().isEmpty());
+  EXPECT_FALSE(at.field->message().isEmpty());
 }
 
 TEST(NumberField, what_is_pasted_is_read_as_if_it_were_typed) {
@@ -100,17 +100,17 @@ TEST(NumberField, what_is_pasted_is_read_as_if_it_were_typed) {
   };
   EXPECT_DOUBLE_EQ(paste(QStringLiteral("1,5 mm")), 1.5);
   EXPECT_DOUBLE_EQ(paste(QStringLiteral("1.234,5")), 1.5);
-  EXPECT_FALSE(at.field->said().isEmpty());
+  EXPECT_FALSE(at.field->message().isEmpty());
 }
 
-TEST(NumberField, more_decimals_than_it_has_are_rounded_and_that_is_said) {
+TEST(NumberField, more_decimals_than_it_has_are_rounded_with_a_message) {
   Typed at;
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("1.234")), 1.23);
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("1.23")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("1.23")));
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("1.231")), 1.23);  // the value that stands already
-  EXPECT_FALSE(at.field->said().isEmpty());
+  EXPECT_FALSE(at.field->message().isEmpty());
   EXPECT_DOUBLE_EQ(at.type(QStringLiteral("1.2300")), 1.23);
-  EXPECT_TRUE(at.field->said().isEmpty());
+  EXPECT_TRUE(at.field->message().isEmpty());
 }
 
 TEST(NumberField, the_note_goes_with_the_next_key_and_the_description_is_what_it_was) {
@@ -120,7 +120,7 @@ TEST(NumberField, the_note_goes_with_the_next_key_and_the_description_is_what_it
   EXPECT_NE(at.field->accessibleDescription().toStdString(), "usual 2");
   at.field->selectAll();
   QTest::keyClick(at.field, Qt::Key_3);
-  EXPECT_TRUE(at.field->said().isEmpty());
+  EXPECT_TRUE(at.field->message().isEmpty());
   EXPECT_FALSE(at.field->note()->isVisible());
   EXPECT_EQ(at.field->accessibleDescription().toStdString(), "usual 2");
 }
@@ -130,14 +130,14 @@ TEST(NumberField, a_value_shown_by_the_form_takes_an_old_note_away_and_keeps_wha
   QSignalSpy changed(at.field, &QDoubleSpinBox::valueChanged);
   at.type(QStringLiteral("99"));
   at.field->show_value(3);
-  EXPECT_TRUE(at.field->said().isEmpty());
+  EXPECT_TRUE(at.field->message().isEmpty());
   at.field->selectAll();
   QTest::keyClicks(at.field, QStringLiteral("1,"));
   at.field->show_value(3);
   EXPECT_TRUE(at.field->text().startsWith(QStringLiteral("1,")) && !at.field->text().contains(u'3'));
   EXPECT_EQ(changed.count(), 0);
   at.field->show_value(50);  // as a file may hold it
-  EXPECT_TRUE(at.field->said().contains(QStringLiteral("50")));
+  EXPECT_TRUE(at.field->message().contains(QStringLiteral("50")));
 }
 
 TEST(NumberField, steps_begin_with_what_was_typed_and_stop_at_what_is_refused) {
@@ -146,12 +146,12 @@ TEST(NumberField, steps_begin_with_what_was_typed_and_stop_at_what_is_refused) {
   QTest::keyClicks(at.field, QStringLiteral("1,5"));
   QTest::keyClick(at.field, Qt::Key_Up);
   EXPECT_DOUBLE_EQ(at.field->value(), 1.6);
-  EXPECT_TRUE(at.field->said().isEmpty());
+  EXPECT_TRUE(at.field->message().isEmpty());
   at.field->selectAll();
   QTest::keyClicks(at.field, QStringLiteral("99"));
   QTest::keyClick(at.field, Qt::Key_Up);
   EXPECT_DOUBLE_EQ(at.field->value(), 1.6);
-  EXPECT_FALSE(at.field->said().isEmpty());
+  EXPECT_FALSE(at.field->message().isEmpty());
 }
 
 TEST(NumberField, the_wheel_turns_only_a_field_that_has_the_focus) {

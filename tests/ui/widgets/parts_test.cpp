@@ -1,9 +1,12 @@
-// Gauges, charts, tables and small parts.
+// Gauges, charts, tables and parts.
 
 #include <gtest/gtest.h>
 
 #include <QAccessible>
 #include <QApplication>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardItemModel>
@@ -20,9 +23,9 @@
 namespace cusp::test {
 namespace {
 
-TEST(Gauge, tells_a_screen_reader_its_name_value_and_range) {
+TEST(Gauge, describes_itself_to_a_screen_reader_with_its_name_value_and_range) {
   Gauge gauge(QStringLiteral("Depth"), QStringLiteral("mm"), Gauge::Grows::down);
-  gauge.set_range(0, 3, 0.5);
+  gauge.set_scale({.least = 0, .most = 3, .major_step = 0.5});
   gauge.set_value(1.52);
   QAccessibleInterface* face = QAccessible::queryAccessibleInterface(&gauge);
   ASSERT_NE(face, nullptr);
@@ -48,6 +51,47 @@ TEST(Bar, keeps_its_share_between_nothing_and_all) {
   EXPECT_DOUBLE_EQ(bar.share(), 1.0);
   bar.set_share(-1);
   EXPECT_DOUBLE_EQ(bar.share(), 0.0);
+  bar.set_share(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_DOUBLE_EQ(bar.share(), 0.0);
+}
+
+TEST(Bar, describes_itself_to_a_screen_reader_with_its_value_with_the_unit) {
+  Bar bar;
+  bar.set_share(0.34, QStringLiteral("6.82 mm³"));
+  QAccessibleInterface* face = QAccessible::queryAccessibleInterface(&bar);
+  ASSERT_NE(face, nullptr);
+  EXPECT_EQ(face->role(), QAccessible::ProgressBar);
+  EXPECT_EQ(face->text(QAccessible::Value).toStdString(), "6.82 mm³");
+  ASSERT_NE(face->valueInterface(), nullptr);
+  EXPECT_DOUBLE_EQ(face->valueInterface()->currentValue().toDouble(), 0.34);
+}
+
+TEST(Bar, is_filled_in_its_roles_colour_in_light_and_dark) {
+  for (const ColourScheme scheme : {ColourScheme::light, ColourScheme::dark}) {
+    apply_theme(*qApp, scheme, 100);
+    Bar bar(Bar::Role::carious);
+    bar.set_share(0.5);
+    bar.resize(100, 6);
+    const QImage seen = bar.grab().toImage();
+    EXPECT_EQ(seen.pixelColor(25, 3).name().toStdString(), tokens().bar_carious.name().toStdString());
+    EXPECT_EQ(seen.pixelColor(75, 3).name().toStdString(), tokens().sunken.name().toStdString());
+    bar.set_role(Bar::Role::pulp);
+    EXPECT_EQ(bar.grab().toImage().pixelColor(25, 3).name().toStdString(), tokens().bar_pulp.name().toStdString());
+  }
+  apply_theme(*qApp, ColourScheme::light, 100);
+}
+
+TEST(Parts, a_form_gives_each_field_its_label_as_buddy_and_name) {
+  QWidget page;
+  QFormLayout* form = make_form();
+  page.setLayout(form);
+  auto* name = new QLineEdit;
+  QLabel* label = add_field(*form, QStringLiteral("Name"), name);
+  EXPECT_EQ(label->buddy(), name);
+  EXPECT_EQ(name->accessibleName().toStdString(), "Name");
+  page.resize(300, 100);
+  page.show();
+  EXPECT_GT(name->y(), label->y());  // the label stands above
 }
 
 ChartData two_attempts() {
@@ -69,10 +113,10 @@ TEST(Chart, is_its_table_too) {
   chart.resize(320, 220);
   chart.set_data(two_attempts());
   chart.show();
-  EXPECT_FALSE(chart.shows_table());
+  EXPECT_EQ(chart.view(), Chart::View::plot);
   QTest::keyClick(chart.focusWidget() ? chart.focusWidget() : &chart, Qt::Key_T, Qt::ControlModifier);
-  chart.show_table(true);
-  EXPECT_TRUE(chart.shows_table());
+  chart.set_view(Chart::View::table);
+  EXPECT_EQ(chart.view(), Chart::View::table);
   const auto* table = chart.findChild<QTableView*>();
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->model()->rowCount(), 2);
@@ -143,12 +187,12 @@ TEST(Busy, stays_hidden_for_work_that_is_over_at_once) {
   QWidget page;
   Busy busy(&page);
   page.show();
-  busy.start(QStringLiteral("Reading the tooth"), true);
+  busy.start(QStringLiteral("Reading the tooth"), Busy::Cancel::offered);
   EXPECT_FALSE(busy.isVisible());
   busy.finish();
   QTest::qWait(Busy::kDelayMs + 50);
   EXPECT_FALSE(busy.isVisible());
-  busy.start(QStringLiteral("Reading the tooth"), true);
+  busy.start(QStringLiteral("Reading the tooth"), Busy::Cancel::offered);
   ASSERT_TRUE(QTest::qWaitFor([&] { return busy.isVisible(); }));
 }
 
@@ -160,7 +204,7 @@ TEST(Parts, buttons_and_icon_buttons_have_names) {
   EXPECT_EQ(alone->toolTip().toStdString(), "Language (F9)");
 }
 
-TEST(Parts, a_band_tells_what_happened_and_goes_away) {
+TEST(Parts, a_band_reports_what_happened_and_goes_away) {
   QWidget page;
   Band band(&page);
   page.show();
@@ -172,7 +216,7 @@ TEST(Parts, a_band_tells_what_happened_and_goes_away) {
   EXPECT_FALSE(band.isVisible());
 }
 
-TEST(Parts, segments_have_one_chosen_and_say_when_it_changes) {
+TEST(Parts, segments_have_one_chosen_and_report_a_change) {
   Segments who({QStringLiteral("Student"), QStringLiteral("Staff")});
   QSignalSpy changed(&who, &Segments::changed);
   EXPECT_EQ(who.chosen(), 0);

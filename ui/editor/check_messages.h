@@ -1,4 +1,5 @@
-/// What stands against an exercise, in a instructor's words: one sentence, and where in the editor it is mended.
+/// The findings of the checks as messages for the instructor, and the form of the editor that corrects each of them.
+/// Pure functions.
 #pragma once
 
 #include <QString>
@@ -11,7 +12,7 @@ namespace cusp::ui {
 enum class EditorPlace { title, tooth, shape, points, burs, tissues };
 
 /// "The target reaches out of the tooth: its edge lies at 12.3 mm, the tooth ends at 11.0 mm."
-QString check_sentence(const Finding& finding);
+QString check_message(const Finding& finding);
 EditorPlace place_of(const Finding& finding);
 
 }  // namespace cusp::ui

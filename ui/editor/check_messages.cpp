@@ -1,4 +1,4 @@
-#include "ui/editor/check_sentences.h"
+#include "ui/editor/check_messages.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -30,7 +30,7 @@ QString language_of(const Finding& f) {
   return locale.nativeLanguageName().isEmpty() ? QString::fromStdString(f.detail) : locale.nativeLanguageName();
 }
 
-/// What a number is of, where it has a name of its own; else empty.
+/// Name of the number at `path`; empty if it has none.
 QString figure_name(const std::string& path) {
   const auto ends = [&](const char* with) { return path.ends_with(with); };
   if (ends("/stiffness_n_per_mm")) return Text::tr("The stiffness of a tissue");
@@ -48,7 +48,7 @@ QString figure_name(const std::string& path) {
   return {};
 }
 
-QString range_sentence(const Finding& f, double value, double least, double most) {
+QString range_message(const Finding& f, double value, double least, double most) {
   const QString name = figure_name(f.path);
   const NumberRange* range = range_of(f.path);
   const QString unit = range ? QString::fromUtf8(range->unit.data(), static_cast<qsizetype>(range->unit.size())) : QString();
@@ -59,8 +59,8 @@ QString range_sentence(const Finding& f, double value, double least, double most
       .arg(name.isEmpty() ? isolate(QString::fromStdString(f.path)) : name, shown(value), shown(least), shown(most));
 }
 
-/// What scenarios/checks finds; empty for anything else.
-QString exercise_sentence(const Finding& f, double value, double limit) {
+/// Message of a finding of scenarios/checks; empty for any other.
+QString exercise_message(const Finding& f, double value, double limit) {
   const QString& c = QString::fromStdString(f.code);
   const bool title = f.path.starts_with("/title");
   if (c == u"target_holds_pulp") {
@@ -97,7 +97,7 @@ QString exercise_sentence(const Finding& f, double value, double limit) {
 
 }  // namespace
 
-QString check_sentence(const Finding& f) {
+QString check_message(const Finding& f) {
   const auto arg = [&](const char* key) {
     const auto it = f.args.find(key);
     return it == f.args.end() ? 0.0 : it->second;
@@ -105,8 +105,8 @@ QString check_sentence(const Finding& f) {
   const double value = arg("value"), limit = arg("limit");
   const QString name = QString::fromStdString(f.detail);
   const QString& c = QString::fromStdString(f.code);
-  if (c == u"out_of_range" && f.args.contains("least")) return range_sentence(f, value, arg("least"), arg("most"));
-  if (const QString found = exercise_sentence(f, value, limit); !found.isEmpty()) return found;
+  if (c == u"out_of_range" && f.args.contains("least")) return range_message(f, value, arg("least"), arg("most"));
+  if (const QString found = exercise_message(f, value, limit); !found.isEmpty()) return found;
   if (c == u"no_instrument") return Text::tr("There is no bur to work with. Add one.");
   if (c == u"no_target" || c == u"empty_target") return Text::tr("There is no target to cut.");
   if (c == u"path_count" || c == u"point_count") return Text::tr("The target’s points do not fit its shape.");

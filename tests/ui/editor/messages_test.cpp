@@ -1,22 +1,22 @@
-// What the editor says of figures and of checks.
+// The editor's messages about figures and checks.
 
 #include <gtest/gtest.h>
 
 #include "tests/modules.h"
-#include "ui/editor/check_sentences.h"
+#include "ui/editor/check_messages.h"
 #include "ui/editor/tissues_form.h"
 
 namespace cusp::test {
 namespace {
 
-TEST(tissues_form, a_figure_that_nobody_verified_says_so_and_one_that_was_set_says_that) {
+TEST(tissues_form, a_figure_that_is_not_verified_or_was_set_here_shows_it) {
   EXPECT_EQ(figure_note(3, 3, "M", false), QStringLiteral("usual, not verified"));
   EXPECT_EQ(figure_note(0.5, 0.5, "paper", true), QStringLiteral("usual, from the published method"));
   EXPECT_TRUE(figure_note(2.1, 2.1, "chun-2014", true).contains(QStringLiteral("Chun 2014")));
   EXPECT_EQ(figure_note(2.2, 2.1, "chun-2014", true), QStringLiteral("set for this exercise"));
 }
 
-TEST(check_sentences, every_code_of_the_checks_has_words) {
+TEST(check_messages, every_code_of_the_checks_has_a_message) {
   for (const char* code :
        {"no_instrument", "no_target", "path_count", "point_count", "empty_target", "no_criteria", "weight_zero",
         "bands_not_ordered", "pass_unreachable", "protected_missing", "tissue_missing", "target_outside",
@@ -24,11 +24,11 @@ TEST(check_sentences, every_code_of_the_checks_has_words) {
         "corner_below_bur", "leeway_below_voxel", "point_off_floor", "target_scores_less", "language_missing",
         "nothing_can_be_cut", "tissue_unused", "target_opens_pulp", "leeway_opens_pulp", "two_spindles",
         "spindle_missing", "heat_missing"}) {
-    const QString said = check_sentence({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
-    EXPECT_TRUE(said.endsWith(u'.')) << code;
-    EXPECT_FALSE(said.contains(QLatin1String(code))) << code;
-    EXPECT_FALSE(said.startsWith(QStringLiteral("Something is wrong"))) << code;
-    EXPECT_FALSE(said.contains(u'%')) << said.toStdString();
+    const QString shown = check_message({Severity::error, "/target", code, {{"value", 1}, {"limit", 2}}, "pulp"});
+    EXPECT_TRUE(shown.endsWith(u'.')) << code;
+    EXPECT_FALSE(shown.contains(QLatin1String(code))) << code;
+    EXPECT_FALSE(shown.startsWith(QStringLiteral("Something is wrong"))) << code;
+    EXPECT_FALSE(shown.contains(u'%')) << shown.toStdString();
   }
 }
 

@@ -1,4 +1,4 @@
-/// Title and briefing of an exercise in each language. GUI thread.
+/// Title and briefing of an exercise in each language. Thread: GUI.
 #pragma once
 
 #include <QWidget>
@@ -10,11 +10,11 @@ class QPlainTextEdit;
 
 namespace cusp::ui {
 
-class WordsForm : public QWidget {
+class TextsForm : public QWidget {
   Q_OBJECT
 
  public:
-  explicit WordsForm(EditorModel& model, QWidget* parent = nullptr);
+  explicit TextsForm(EditorModel& model, QWidget* parent = nullptr);
 
  private:
   void follow_model();
@@ -24,10 +24,10 @@ class WordsForm : public QWidget {
   QPlainTextEdit* briefings_[2] = {};
 };
 
-/// The text of a language, unless it stands there but for a space that is just being typed.
-/// "Fissure (copy)", in each language that the title is in.
+/// "Fissure (copy)", in each language of the title.
 LocalText title_of_copy(const LocalText& title);
 
+/// Shows the text of a language. Spaces at the end of the typed text stay.
 void show_text(QLineEdit& edit, const LocalText& texts, const std::string& language);
 
 }  // namespace cusp::ui

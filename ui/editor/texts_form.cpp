@@ -1,4 +1,4 @@
-#include "ui/editor/words_form.h"
+#include "ui/editor/texts_form.h"
 
 #include <QBoxLayout>
 #include <QLineEdit>
@@ -19,7 +19,7 @@ LocalText title_of_copy(const LocalText& title) {
   LocalText out;
   for (const auto& [language, text] : title) {
     const QString name = QString::fromStdString(text);
-    // Content, not the screen's words: each language has its own.
+    // Content of the exercise, which is not translated by tr().
     out[language] = (language == "de" ? u"%1 (Kopie)"_qs : u"%1 (copy)"_qs).arg(name).toStdString();
   }
   return out;
@@ -28,11 +28,11 @@ LocalText title_of_copy(const LocalText& title) {
 void show_text(QLineEdit& edit, const LocalText& texts, const std::string& language) {
   const auto it = texts.find(language);
   const QString text = it == texts.end() ? QString() : QString::fromStdString(it->second);
-  // A space just typed at the end is not taken away from under the cursor.
+  // A typed space at the end stays.
   if (edit.text().trimmed() != text) edit.setText(text);
 }
 
-WordsForm::WordsForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+TextsForm::TextsForm(EditorModel& model, QWidget* parent) : QWidget(parent), model_(model) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(px(16), px(12), px(16), px(16));
   column->setSpacing(px(8));
@@ -57,11 +57,11 @@ WordsForm::WordsForm(EditorModel& model, QWidget* parent) : QWidget(parent), mod
     });
   }
   column->addStretch();
-  connect(&model_, &EditorModel::changed, this, &WordsForm::follow_model);
+  connect(&model_, &EditorModel::changed, this, &TextsForm::follow_model);
   follow_model();
 }
 
-void WordsForm::follow_model() {
+void TextsForm::follow_model() {
   const Scenario& s = model_.scenario();
   for (int i = 0; i < 2; ++i) {
     show_text(*titles_[i], s.title, kLanguages[i]);

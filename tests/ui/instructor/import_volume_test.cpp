@@ -1,0 +1,115 @@
+// CTs and label maps on the import page.
+
+#include <QSlider>
+
+#include "tests/ui/instructor/import_page_fixture.h"
+#include "ui/instructor/slice_view.h"
+#include "ui/widgets/busy.h"
+
+namespace cusp::test {
+namespace {
+
+TEST_F(ImportPageTest, a_label_map_of_a_wrong_unit_is_questioned_once_it_is_made) {
+  // 16 voxels that say 10 mm each: a tooth of 120 mm.
+  std::string data(16 * 16 * 16, '\0');
+  for (int z = 2; z < 14; ++z)
+    for (int y = 5; y < 11; ++y)
+      for (int x = 5; x < 11; ++x) data[static_cast<std::size_t>(x + 16 * (y + 16 * z))] = 2;
+  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 16 16 16\nspacings: 5 5 10\nencoding: raw\n\n" + data);
+  open({file("map.nrrd")});
+  make();
+  EXPECT_TRUE(texts().contains(QStringLiteral("longer than any tooth"))) << texts().toStdString();
+  EXPECT_FALSE(keep()->isEnabled());
+  QPushButton* tenth = nullptr;
+  for (QPushButton* b : page->findChildren<QPushButton*>())
+    if (b->text().contains(QStringLiteral("0.1")) && b->text().contains(QStringLiteral("12.0"))) tenth = b;
+  ASSERT_NE(tenth, nullptr);
+  tenth->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page->preview()->volume() == nullptr; }, kPatienceMs)) << "it would be another specimen";
+  make();
+  EXPECT_NEAR(page->preview()->size_mm().z, 12.0, 0.01);
+  EXPECT_NEAR(page->preview()->volume()->grid.voxel_mm, 0.5, 1e-9) << "its own voxels, a tenth as long";
+  EXPECT_TRUE(keep()->isEnabled());
+}
+
+TEST_F(ImportPageTest, the_size_of_a_large_volume_can_be_confirmed) {
+  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 30 8 8\nspacings: 5 5 5\nencoding: raw\n\n" + std::string(1920, '\2'));
+  open({file("map.nrrd")});
+  make();
+  EXPECT_FALSE(keep()->isEnabled());
+  button_from(QStringLiteral("It is "))->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return keep()->isEnabled(); }, kPatienceMs));
+  EXPECT_NE(page->preview()->volume(), nullptr) << "what was made stays";
+}
+
+TEST_F(ImportPageTest, a_ct_shows_its_tissues_live_and_keeps_no_name) {
+  write_ct();
+  open({file("ct")});
+  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QStringLiteral("28 slices"))) << texts().toStdString();
+  EXPECT_TRUE(texts().contains(QStringLiteral("are resampled to cubes of")));
+  SliceView* view = page->volume()->view();
+  const auto coloured = [&] {
+    const QImage picture = view->picture();
+    int n = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor c = picture.pixelColor(x, y);
+        n += c.red() != c.green() || c.green() != c.blue();
+      }
+    return n;
+  };
+  const int before = coloured();
+  EXPECT_GT(before, 200);
+  EXPECT_LT(before, 40 * 40);
+  QDoubleSpinBox* first = nullptr;
+  for (QDoubleSpinBox* b : page->findChildren<QDoubleSpinBox*>())
+    if (b->accessibleName() == QStringLiteral("Least value of range 1")) first = b;
+  ASSERT_NE(first, nullptr);
+  EXPECT_GT(first->value(), -900.0);
+  EXPECT_LT(first->value(), 1300.0);
+  first->setValue(2700.0);
+  EXPECT_LT(coloured(), before);
+  first->setValue(500.0);
+  EXPECT_EQ(coloured(), before);
+  picture("ct");
+  auto* slider = view->findChild<QSlider*>();
+  slider->setValue(0);
+  EXPECT_LT(coloured(), before);
+  for (QCheckBox* b : page->findChildren<QCheckBox*>()) b->setChecked(true);
+  make();
+  EXPECT_TRUE(texts().contains(QStringLiteral("Nothing about the patient was read."))) << texts().toStdString();
+  keep()->click();
+  ASSERT_TRUE(started.has_value());
+  EXPECT_EQ(started->draft.title.at("en"), "CT");
+  EXPECT_EQ(started->draft.protected_tissues, std::vector{Tissue::pulp}) << "the hollow";
+}
+
+TEST_F(ImportPageTest, reading_can_be_stopped_and_leaves_nothing) {
+  write_ct();
+  page->open_files({file("ct")});
+  ASSERT_TRUE(page->busy());
+  EXPECT_FALSE(button(QStringLiteral("Choose a file…"))->isEnabled());
+  Q_EMIT page->findChild<Busy*>()->cancelled();
+  EXPECT_FALSE(page->busy());
+  EXPECT_TRUE(page->files().empty());
+  EXPECT_TRUE(page->findChild<Band*>()->text().contains(QStringLiteral("stopped")));
+  EXPECT_TRUE(button(QStringLiteral("Choose a file…"))->isEnabled());
+  open({file("ct")});  // and it can be begun again
+  EXPECT_NE(page->volume(), nullptr);
+}
+
+TEST_F(ImportPageTest, a_label_map_offers_its_numbers_with_the_tissues_they_most_likely_mean) {
+  std::string data(512, '\1');
+  data[0] = 2;
+  data[1] = 77;
+  write_text(folder / "map.nrrd", "NRRD0005\ntype: uint8\ndimension: 3\nsizes: 8 8 8\nspacings: 1 1 1\nencoding: raw\n\n" + data);
+  open({file("map.nrrd")});
+  ASSERT_NE(page->volume(), nullptr) << texts().toStdString();
+  const ImageTissues t = page->volume()->tissues();
+  EXPECT_EQ(t.labels, (std::vector<std::pair<std::uint32_t, Tissue>>{{1, Tissue::enamel}, {2, Tissue::dentine}}));
+  EXPECT_TRUE(texts().contains(QStringLiteral("510 voxels")));
+}
+
+}  // namespace
+}  // namespace cusp::test
