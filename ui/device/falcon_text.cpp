@@ -76,7 +76,7 @@ QString end_text(TrialEnd end) {
     case TrialEnd::stopped: return FalconWords::tr("Stopped. Nothing was changed.");
     case TrialEnd::device_lost: return FalconWords::tr("The Falcon stopped answering. Nothing was changed.");
     case TrialEnd::too_fast: return FalconWords::tr("The grip moved too fast, so the force was switched off. Nothing was changed.");
-    case TrialEnd::out_of_room: return FalconWords::tr("The grip was held, or came to the end of its travel. Nothing was changed.");
+    case TrialEnd::out_of_range: return FalconWords::tr("The grip was held, or came to the end of its travel. Nothing was changed.");
   }
   return {};
 }

@@ -1,4 +1,4 @@
-#include "device/hid/pedal_teacher.h"
+#include "device/hid/pedal_finder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,33 +13,33 @@ struct Lesson {
   explicit Lesson(const Bytes& descriptor) : state(*parse_report_descriptor(descriptor)) {}
   void rest(const Bytes& report) {
     state.take(report);
-    teacher.rest(state.controls());
+    finder.rest(state.controls());
   }
   void press(const Bytes& report) {
     state.take(report);
-    teacher.press(state.controls());
+    finder.press(state.controls());
   }
   PedalState state;
-  PedalTeacher teacher;
+  PedalFinder finder;
 };
 
-TEST(PedalTeacher, learns_the_switch_that_was_pressed) {
+TEST(PedalFinder, learns_the_switch_that_was_pressed) {
   Lesson lesson(test::vec_descriptor());
   lesson.rest({0x00, 0x00});
-  EXPECT_FALSE(lesson.teacher.found());
+  EXPECT_FALSE(lesson.finder.found());
   lesson.press({0x04, 0x00});
-  const auto found = lesson.teacher.found();
+  const auto found = lesson.finder.found();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, (ControlId{usage::kButtonPage, 3, 0}));
   EXPECT_EQ(found->calibration, PedalCalibration::of_switch());
 }
 
-TEST(PedalTeacher, learns_a_key_that_nobody_knew_before) {
+TEST(PedalFinder, learns_a_key_that_nobody_knew_before) {
   Lesson lesson(test::keyboard_descriptor());
   lesson.rest({0, 0, 0, 0, 0, 0, 0, 0});
   lesson.press({0, 0, 0x68, 0, 0, 0, 0, 0});
-  lesson.press({0, 0, 0, 0, 0, 0, 0, 0});  // let go again before the teacher was told
-  const auto found = lesson.teacher.found();
+  lesson.press({0, 0, 0, 0, 0, 0, 0, 0});  // let go again before the finder was told
+  const auto found = lesson.finder.found();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, (ControlId{usage::kKeyPage, 0x68, 0}));
   EXPECT_EQ(found->kind, ControlKind::key);
@@ -47,7 +47,7 @@ TEST(PedalTeacher, learns_a_key_that_nobody_knew_before) {
   EXPECT_EQ(found->calibration.pressed(0), 0);
 }
 
-TEST(PedalTeacher, learns_the_axis_that_went_furthest_and_its_two_ends) {
+TEST(PedalFinder, learns_the_axis_that_went_furthest_and_its_two_ends) {
   Lesson lesson(test::rudder_descriptor());
   const auto report = [](std::uint32_t rudder, std::uint32_t x, std::uint32_t y) {
     const std::uint32_t bits = rudder | x << 9 | y << 16;
@@ -57,25 +57,25 @@ TEST(PedalTeacher, learns_the_axis_that_went_furthest_and_its_two_ends) {
   lesson.press(report(300, 127, 60));   // the rudder gives a little: 44 of 511
   lesson.press(report(250, 127, 10));
   lesson.press(report(256, 127, 90));   // the furthest place counts, not the last
-  const auto found = lesson.teacher.found(0.05);
+  const auto found = lesson.finder.found(0.05);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, (ControlId{usage::kDesktopPage, 0x31, 0}));
   EXPECT_EQ(found->calibration, *PedalCalibration::from(120, 10, 0.05));
 }
 
-TEST(PedalTeacher, an_axis_that_hardly_moved_was_not_meant) {
+TEST(PedalFinder, an_axis_that_hardly_moved_was_not_meant) {
   Lesson lesson(test::rudder_descriptor());
   lesson.rest({0, 1, 64});
   lesson.press({10, 1, 70});
-  EXPECT_FALSE(lesson.teacher.found());
+  EXPECT_FALSE(lesson.finder.found());
 }
 
-TEST(PedalTeacher, an_axis_that_had_not_spoken_begins_where_it_is_first_heard_of) {
+TEST(PedalFinder, an_axis_that_had_not_spoken_begins_where_it_is_first_heard_of) {
   Lesson lesson(test::rudder_descriptor());
-  lesson.teacher.rest(lesson.state.controls());
+  lesson.finder.rest(lesson.state.controls());
   lesson.press({0, 0xFE, 127});  // all three speak for the first time, the brakes at their most
   lesson.press({0, 0xFE, 5});
-  const auto found = lesson.teacher.found();
+  const auto found = lesson.finder.found();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->calibration.released_raw(), 127);
   EXPECT_EQ(found->calibration.pressed_raw(), 5);

@@ -1,4 +1,4 @@
-#include "device/hid/pedal_teacher.h"
+#include "device/hid/pedal_finder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,28 +13,28 @@ double way(std::int32_t from, std::int32_t to) noexcept {
 
 }  // namespace
 
-void PedalTeacher::rest(const std::vector<Control>& controls) {
+void PedalFinder::rest(const std::vector<Control>& controls) {
   ways_.clear();
   for (const Control& control : controls) ways_.push_back({control, control.value});
 }
 
-void PedalTeacher::press(const std::vector<Control>& controls) {
+void PedalFinder::press(const std::vector<Control>& controls) {
   for (const Control& control : controls) {
     auto at = std::find_if(ways_.begin(), ways_.end(), [&](const Way& w) { return w.rest.id == control.id; });
-    if (at == ways_.end()) {  // a key that was not down is not among the controls at rest
+    if (at == ways_.end()) {  // the controls at rest omit keys that were up
       Control up = control;
       if (control.kind != ControlKind::axis) up.value = 0;
       at = ways_.insert(ways_.end(), {up, up.value});
     }
-    if (!at->rest.spoken && control.spoken && control.kind == ControlKind::axis) {
-      at->rest = control;  // where it was first heard of is as near to its rest as is known
+    if (!at->rest.reported && control.reported && control.kind == ControlKind::axis) {
+      at->rest = control;  // the first known value is the best estimate of its rest
       at->furthest = control.value;
     }
     if (way(at->rest.value, control.value) > way(at->rest.value, at->furthest)) at->furthest = control.value;
   }
 }
 
-std::optional<Taught> PedalTeacher::found(double dead_zone) const {
+std::optional<FoundControl> PedalFinder::found(double dead_zone) const {
   const Way* best = nullptr;
   double best_share = 0;
   for (const Way& w : ways_) {
@@ -52,7 +52,7 @@ std::optional<Taught> PedalTeacher::found(double dead_zone) const {
   const bool axis = best->rest.kind == ControlKind::axis;
   const auto calibration = PedalCalibration::from(best->rest.value, best->furthest, axis ? dead_zone : 0.0);
   if (!calibration) return std::nullopt;
-  return Taught{best->rest.id, best->rest.kind, *calibration};
+  return FoundControl{best->rest.id, best->rest.kind, *calibration};
 }
 
 }  // namespace cusp::device::hid
