@@ -264,7 +264,7 @@ void Performance::show_figures() {
   learning.title = tr("Learning");
   const std::vector<LearningPoint> points = learning_of(model_->rows());
   int last_go = 4;
-  for (const HistoryRow& r : model_->rows()) last_go = std::max(last_go, r.go);
+  for (const HistoryRow& r : model_->rows()) last_go = std::max(last_go, r.attempt);
   learning.x = {tr("go"), 1, static_cast<double>(last_go), std::max(1.0, std::ceil(last_go / 10.0)), 0};
   learning.y = {tr("points"), 0, 100, 20, 0};
   if (points.empty()) {
@@ -273,7 +273,7 @@ void Performance::show_figures() {
     dots.name = tr("Goes");
     dots.draw = ChartSeries::Draw::dots;
     for (const HistoryRow& r : model_->rows()) {
-      if (r.score) dots.points += {static_cast<double>(r.go), *r.score, QString::fromStdString(r.student_name), false};
+      if (r.score) dots.points += {static_cast<double>(r.attempt), *r.score, QString::fromStdString(r.student_name), false};
     }
     learning.series += dots;
     learning.summary = tr("Each dot is one go: medians need three students.");

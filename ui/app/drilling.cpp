@@ -44,7 +44,7 @@ void Desktop::drill(const Exercise& exercise) {
   if (account_) {
     plan.database = database_;
     plan.student = account_->actor();
-    const auto goes = store_->history.goes(account_->actor(), account_->id, exercise.scenario.id);
+    const auto goes = store_->history.attempts(account_->actor(), account_->id, exercise.scenario.id);
     aside = tr("Practice, go %1").arg(goes.value_or(0) + 1);
   } else {
     plan.kind = SessionKind::try_it;
@@ -65,7 +65,7 @@ void Desktop::go_on(const SessionId& session) {
   plan.student = account_->actor();
   plan.go_on = session;
   const Exercise exercise{std::move(*scenario), version->id, version->number, version->files};
-  show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.go));
+  show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.attempt));
 }
 
 void Desktop::show_drilling(const Exercise& exercise, RunPlan plan, const QString& aside) {

@@ -41,7 +41,7 @@ ReportData gather_report(const RunResult& result, Store* store, const Actor* rea
     data.student = QString::fromStdString(details->row.student_name);
     data.when = moment(details->row.started_utc_us);
     data.kind = details->row.kind;
-    data.go = details->row.go;
+    data.go = details->row.attempt;
   }
   if (const auto chunks = store->traces.chunks(result.session)) {
     BurUse use;

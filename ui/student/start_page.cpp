@@ -316,7 +316,7 @@ QWidget* StartPage::make_word(const Account& account) {
     const auto comments = store_.comments.of(go.session);
     if (!comments || comments->empty()) continue;
     const Comment& c = comments->back();
-    const auto author = store_.people.find(c.author);
+    const auto author = store_.accounts.find(c.author);
     auto* card = new Card(tr("From your teacher"), tr("on your go of %1").arg(format_day(moment(go.started_utc_us))));
     const QString who = author ? QString::fromStdString(author->name) : tr("Teacher");
     QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));

@@ -45,6 +45,9 @@ std::optional<Told> tell_file(const StorageFailure& f) {
                   Words::tr("Nothing of the last step was written to %1; all before it is kept. Free some space and try "
                             "again.")
                       .arg(where)};
+    case StorageError::quota_exceeded:
+    case StorageError::file_too_large:
+    case StorageError::out_of_memory:
     case StorageError::io:
       if (f.where == "memory") {
         return Told{Words::tr("This computer has too little free memory to check a password."),
@@ -56,6 +59,7 @@ std::optional<Told> tell_file(const StorageFailure& f) {
       return Told{Words::tr("Another program holds the database."),
                   Words::tr("%1 stayed as it was. Close the other program and try again.").arg(where)};
     case StorageError::corrupt:
+    case StorageError::bad_statement:
       return Told{Words::tr("The database is damaged."),
                   Words::tr("%1 cannot be read whole. Nothing was changed; restore it from a backup.").arg(with_reason(f))};
     default: return std::nullopt;

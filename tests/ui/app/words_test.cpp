@@ -192,7 +192,7 @@ TEST(Sentences, a_full_disk_is_said_only_where_the_disk_is_full) {
   const QString failed = tell(StorageFailure{StorageError::io, "/cache/tooth.nrrd", "Permission denied"}).line();
   EXPECT_FALSE(failed.contains(QStringLiteral("full"))) << failed.toStdString();
   EXPECT_TRUE(failed.contains(QStringLiteral("Permission denied"))) << failed.toStdString();
-  const QString memory = tell(StorageFailure{StorageError::io, "memory"}).line();
+  const QString memory = tell(StorageFailure{StorageError::out_of_memory, "memory"}).line();
   EXPECT_TRUE(memory.contains(QStringLiteral("memory to check a password"))) << memory.toStdString();
 }
 

@@ -25,7 +25,7 @@ struct EditorRecords : ::testing::Test {
   Account teacher;
   std::optional<std::string> kept_json;  // of the one window that a test is about
   void SetUp() override {
-    const auto made = records.store().people.create(records.administrator().actor(),
+    const auto made = records.store().accounts.create(records.administrator().actor(),
                                                     {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
     ASSERT_TRUE(made.has_value());
     teacher = *made;
