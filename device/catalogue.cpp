@@ -24,7 +24,7 @@ const DeviceKind* device_kind(std::string_view key) noexcept {
   return nullptr;
 }
 
-std::vector<FoundDevice> with_those_of_no_hardware(std::vector<FoundDevice> hardware) {
+std::vector<FoundDevice> with_software_devices(std::vector<FoundDevice> hardware) {
   hardware.push_back({.kind = "emulated-falcon"});
   hardware.push_back({.kind = "pointer"});
   return hardware;

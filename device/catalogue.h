@@ -1,4 +1,4 @@
-/// The devices that can be chosen, by key, and those that are plugged in now. Words are ui's.
+/// The kinds of device that a user can choose, by key, and the devices that are connected now. ui has their names.
 #pragma once
 
 #include <memory>
@@ -7,44 +7,42 @@
 #include <string_view>
 #include <vector>
 
-
 namespace cusp::device {
 
 struct DeviceKind {
   std::string_view key;           // "pointer", "falcon", "emulated-falcon", "scripted": of settings and command line
   std::string_view device_class;  // of statistics; never mixed
-  bool needs_file = false;        // must be told what to play
-  bool offered = true;            // in the list that a student sees
+  bool needs_file = false;        // plays a file that the caller names
+  bool offered = true;            // in the list for students
 };
 
 /// The first is the default.
 std::span<const DeviceKind> device_kinds() noexcept;
-/// nullptr when there is none of that key.
+/// nullptr if no kind has that key.
 const DeviceKind* device_kind(std::string_view key) noexcept;
 
-/// One that could be drilled with now.
+/// A device that can be used now.
 struct FoundDevice {
   std::string kind;     // DeviceKind::key
-  std::string name{};   // which of several: a serial number, else the socket; empty where there is one alone
-  std::string port{};   // the socket that it hangs on, "1-4.2"; empty for what is no hardware
-  bool denied = false;  // there, and this user may not open it
+  std::string name{};   // serial number, else the USB port; empty if the kind has one device only
+  std::string port{};   // USB port, "1-4.2"; empty for a software device
+  bool denied = false;  // connected, but this user may not open it
   friend bool operator==(const FoundDevice&, const FoundDevice&) = default;
 };
 
-/// What is plugged in. One thread, not the haptic one.
+/// Lists the connected devices. One thread, not the haptic one.
 class DeviceWatch {
  public:
   virtual ~DeviceWatch() = default;
-  /// Falcons in order of their sockets, an Inverse3 where its service listens, then the emulated Falcon, then mouse and
-  /// keys.
+  /// Falcons in order of their USB ports, an Inverse3 if its service listens, the emulated Falcon, then mouse and keys.
   virtual std::vector<FoundDevice> list() = 0;
-  /// Whether one came or went since the last call (true the first time). Does not wait.
+  /// Whether a device came or went since the last call; true at the first call. Does not wait.
   virtual bool changed() noexcept = 0;
 };
-/// Over libusb. Where that does not start, what is no hardware is listed all the same.
+/// Uses libusb. If libusb does not start, list() still has the software devices.
 std::unique_ptr<DeviceWatch> watch_devices();
 
-/// What the catalogue adds to every list of hardware, in order.
-std::vector<FoundDevice> with_those_of_no_hardware(std::vector<FoundDevice> hardware);
+/// Appends the software devices, the emulated Falcon and the pointer, to a list of hardware.
+std::vector<FoundDevice> with_software_devices(std::vector<FoundDevice> hardware);
 
 }  // namespace cusp::device

@@ -22,7 +22,7 @@ class Watch final : public DeviceWatch {
     }
     listed_service_ = service();
     if (listed_service_) out.push_back({.kind = "inverse3"});
-    return with_those_of_no_hardware(std::move(out));
+    return with_software_devices(std::move(out));
   }
   bool changed() noexcept override {
     const bool other = service() != listed_service_;
@@ -31,7 +31,7 @@ class Watch final : public DeviceWatch {
   }
 
  private:
-  /// Whether the Inverse3's service listens, asked every few seconds: on loopback the answer is there at once.
+  /// Whether the Inverse3's service listens. Probes every 3 s: on loopback the system answers at once.
   bool service() noexcept {
     const auto now = std::chrono::steady_clock::now();
     if (!probed_ || now - probed_at_ > std::chrono::seconds(3)) {

@@ -2,22 +2,23 @@
 
 #include <algorithm>
 
-#include "storage/files.h"
-#include "storage/rollback_counter.h"
-#include "storage/sealing.h"
+#include "storage/base/files.h"
+#include "storage/records/audit_writer.h"
+#include "storage/records/rollback_counter.h"
+#include "storage/records/sealing.h"
 
 namespace cusp::storage {
 namespace {
 
-/// The secret half and, within it, the public one, as 64 raw bytes.
+/// The file holds the secret key as 64 raw bytes; its second half is the public key.
 Stored<StationKey> key_from(const std::string& bytes, const std::filesystem::path& file) {
   StationKey key;
   if (bytes.size() != key.secret_key.size()) return fail(StorageError::corrupt, file.string());
   std::ranges::transform(bytes, key.secret_key.begin(), [](char c) { return static_cast<std::uint8_t>(c); });
   std::copy_n(key.secret_key.begin() + 32, 32, key.public_key.begin());
-  // A key whose halves do not belong together would sign what nobody can check.
+  // If the halves do not match, nobody could check what the key signs.
   const Hash256 probe = blake2b_256(std::string_view{"probe"});
-  if (!head_signature_holds(key.public_key, Uuid{}, 0, probe, key.sign_head(Uuid{}, 0, probe))) {
+  if (!signature_holds(key.public_key, probe, key.sign(probe))) {
     return fail(StorageError::corrupt, file.string());
   }
   return key;
@@ -37,11 +38,10 @@ Stored<StationKey> read_or_make_key(const std::filesystem::path& file) {
   return key_from(content->value_or(""), file);
 }
 
-/// Station row and key, under the file's write lock: two programs that start together agree on both.
+/// Station row and key, under the database's write lock: processes that start together agree on both.
 Stored<void> ready_station(StorageContext& context, const std::filesystem::path& key_file) {
   Transaction transaction(context.db);
-  const auto id = [](Row row) { return row.uuid(0); };
-  auto station = transaction.first("SELECT id FROM station", id);
+  auto station = transaction.first("SELECT id FROM station", [](Row row) { return row.uuid(0); });
   if (!station) {
     station = Uuid::v7();
     transaction.run("INSERT INTO station (one, id, next_sequence) VALUES (1, ?1, 1)", *station);
@@ -56,11 +56,12 @@ Stored<void> ready_station(StorageContext& context, const std::filesystem::path&
     }
   }
   if (transaction.ok()) {
-    const Hash256 name = context.key->id();
-    transaction.run("INSERT OR IGNORE INTO station_keys (id, public_key, added_at) VALUES (?1, ?2, ?3)", name,
+    const Hash256 id = context.key->id();
+    transaction.run("INSERT OR IGNORE INTO station_keys (id, public_key, added_at) VALUES (?1, ?2, ?3)", id,
                     context.key->public_key, context.clock());
     if (transaction.ok() && context.db.changes() > 0) {
-      AuditLog::add(context, transaction, UserId{}, "station_key_added", context.station, hex(name));
+      log_event(context, transaction,
+                {.action = "station_key_added", .subject = context.station, .detail = hex(id)});
     }
   }
   return transaction.commit();
@@ -72,7 +73,7 @@ Store::Store(StorageContext context)
     : context_{std::move(context)},
       audit{context_},
       blobs{context_},
-      people{context_},
+      accounts{context_},
       cohorts{context_},
       scenarios{context_},
       assignments{context_},
@@ -96,7 +97,7 @@ Stored<std::unique_ptr<Store>> Store::open(const std::filesystem::path& file, St
     const auto station = context.db.first("SELECT id FROM station", [](Row row) { return row.uuid(0); });
     if (!station) return std::unexpected(station.error());
     context.station = station->value_or(Uuid{});
-    look_at_counter(context);
+    note_counter_incident(context);
     return store;
   }
   if (auto ready = ready_station(context, key_file); !ready) return std::unexpected(ready.error());

@@ -1,24 +1,24 @@
-/// Everything kept on this station, opened in one call. Start here.
-/// Thread: one Store per thread; open another on the same file for another thread.
+/// All repositories of one database, opened in one call. Start here.
+/// Thread: one Store per thread; several threads open several stores on the same file.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
-#include "storage/context.h"
-#include "storage/key_state_cache.h"
+#include "storage/cache/key_state_cache.h"
+#include "storage/records/context.h"
+#include "storage/repositories/accounts.h"
 #include "storage/repositories/assignments.h"
 #include "storage/repositories/audit_log.h"
 #include "storage/repositories/blobs.h"
 #include "storage/repositories/cohorts.h"
 #include "storage/repositories/comments.h"
 #include "storage/repositories/grades.h"
-#include "storage/repositories/history.h"
 #include "storage/repositories/metrics.h"
-#include "storage/repositories/people.h"
 #include "storage/repositories/scenarios.h"
 #include "storage/repositories/sessions.h"
 #include "storage/repositories/traces.h"
+#include "storage/summary/history.h"
 
 namespace cusp::storage {
 
@@ -27,7 +27,7 @@ struct StoreOptions {
   UtcClock clock = system_utc_us;
   PasswordCost cost = PasswordCost::interactive();
   std::filesystem::path key_file{};  // of the station's secret key; empty = the database's name with ".key" added
-  bool mark_interrupted = true;      // sessions whose process is gone get their event on opening
+  bool mark_interrupted = true;      // opening adds the event "interrupted" to sessions whose process has ended
 };
 
 class Store {
@@ -35,9 +35,9 @@ class Store {
   StorageContext context_;
 
  public:
-  /// Opens or makes the file and the station's key. Where the key's file is gone a new key is made; old signatures are
-  /// still checked against the key that they name. A damaged one fails with corrupt, where = its name.
-  /// What the rollback counter shows refuses nothing: it stands in context().incident, and for good in the log.
+  /// Opens or makes the database and the station's key. If the key file is gone, the store makes a new key; old signatures
+  /// are still checked against the keys that they name. corrupt (where = key file) if the key file is damaged.
+  /// An incident that the rollback counter shows does not fail: context().incident and the audit log keep it.
   static Stored<std::unique_ptr<Store>> open(const std::filesystem::path& file, StoreOptions options = {});
   explicit Store(StorageContext context);
   Store(const Store&) = delete;
@@ -48,7 +48,7 @@ class Store {
 
   AuditLog audit;
   Blobs blobs;
-  People people;
+  Accounts accounts;
   Cohorts cohorts;
   Scenarios scenarios;
   Assignments assignments;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr LinkTime kStep = std::chrono::microseconds(50);
 constexpr double kStepS = 50e-6;
-constexpr int kMostSteps = 400;  // after a stall it goes on, it does not make up for it
+constexpr int kMostSteps = 400;  // of one call: a longer stall is skipped
 constexpr double kInM = 0.080, kOutM = 0.170;
 
 }  // namespace
@@ -26,7 +26,7 @@ void EmulatedBody::home(double dt_s) noexcept {
   speed_ = Vec3(0.0);
 }
 
-void EmulatedBody::live(LinkTime now) noexcept {
+void EmulatedBody::advance(LinkTime now) noexcept {
   if (!before_) before_ = now;
   if (now - *before_ > kMostSteps * kStep) before_ = now - kMostSteps * kStep;
   const auto delay = std::min<std::size_t>(kPast - 1, static_cast<std::size_t>(settings_.motor_delay / kStep));
@@ -43,14 +43,14 @@ void EmulatedBody::live(LinkTime now) noexcept {
     if (!rows) return;
     const Vec3 weight = device::falcon::force_n(*rows, gravity_torque_nm({}, {at, *legs, *rows}, settings_.weight));
     const Vec3 push = past_[(past_at_ + kPast - delay) % kPast] + hand_n_ - weight - speed_ * settings_.damping_ns_per_m;
-    // Friction first brakes what moves, then holds what stands.
+    // Friction first brakes the motion, then holds the grip at rest.
     Vec3 next = speed_ + push * (kStepS / settings_.moving_kg);
     const double brake = settings_.friction_n * kStepS / settings_.moving_kg;
     const double after = glm::length(next);
     next = after > brake ? next - (next / after) * brake : Vec3(0.0);
     const Vec3 to = at + next * kStepS;
     falcon_.set_grip(to);
-    // At an end of its travel it stands.
+    // The grip stops at an end of its travel.
     speed_ = glm::length(falcon_.grip_m() - to) < 1e-12 ? next : Vec3(0.0);
   }
 }

@@ -1,5 +1,5 @@
-/// What hangs on the emulated grip: a mass with damping, friction and weight, which the motors move when no hand does.
-/// For trials, whose measurements can be held against what was set here.
+/// The emulated grip's mass, damping, friction and weight, moved by the motors. Trials measure them, and tests compare the
+/// results with the settings.
 #pragma once
 
 #include <optional>
@@ -21,12 +21,11 @@ class EmulatedBody {
  public:
   EmulatedBody(Emulator& falcon, const EmulatedBodySettings& settings) noexcept;
 
-  /// Moves on to `now`: give it to EmulatedLink::on_time. While the arms are not homed a hand pulls the grip out and
-  /// pushes it in, as slowly as a person. No allocation.
-  void live(LinkTime now) noexcept;
-  /// Of a hand, besides the motors'.
+  /// Simulates up to `now`; called by EmulatedLink::on_time. Until the arms are homed, the grip moves out and in at 0.06 m/s.
+  /// No allocation.
+  void advance(LinkTime now) noexcept;
+  /// Force of a hand, added to the motors'.
   void set_hand_n(Vec3 force_n) noexcept { hand_n_ = force_n; }
-  Vec3 speed_m_s() const noexcept { return speed_; }
 
  private:
   void home(double dt_s) noexcept;

@@ -10,9 +10,8 @@ using falcon::LinkTime;
 
 constexpr double kLeadMPerTick = 0.0015;  // 1.5 m/s at 1 kHz
 
-/// The smallest image that the check lets pass: one block of zeros. It is nobody's firmware; the emulated processor
-/// counts words and runs none.
-falcon::FirmwareImage made_up_image() {
+/// The smallest image that passes the check: one block of zeros. The emulated processor counts its words and runs none.
+falcon::FirmwareImage dummy_image() {
   constexpr std::size_t kWords = 2048;
   std::vector<std::uint8_t> bytes{0xAA, 0x08};
   bytes.resize(2 + 2 * 8);
@@ -59,12 +58,12 @@ EmulatedFalconPort::EmulatedFalconPort(EmulatedHand hand, const EmulatedFalconSe
       falcon_(device_of(settings)),
       link_(new falcon::EmulatedLink(falcon_, falcon::EmulatedLinkSettings{.time = settings.time})),
       port_(std::unique_ptr<falcon::FalconLink>(link_), driver_of(settings)) {
-  if (settings.cold) port_.give_image(made_up_image());
+  if (settings.cold) port_.give_image(dummy_image());
 }
 
 Result<void, PortFailure> EmulatedFalconPort::open() {
   if (auto opened = port_.open(); !opened) return opened;
-  // A hand that homes it: out to 0.170 m and in to 0.080 m, once a second, until the place is known.
+  // Homing: out to 0.170 m and in to 0.080 m, once a second, until a sample is fresh.
   constexpr int kMostTicks = 5000;
   constexpr double kIn = 0.080, kOut = 0.170, kStep = 0.00018;
   double z = falcon_.grip_m().z, step = kStep;
@@ -80,7 +79,7 @@ Result<void, PortFailure> EmulatedFalconPort::open() {
     port_.close();
     return fail(PortError::io, link_->name(), "not_homed");
   }
-  // To where the hand begins, no faster than a hand: the driver believes no leap.
+  // Then to the start of the hand, no faster than a hand: the driver rejects jumps.
   hand_mm_ = hand_(felt_, 0.0).position_mm;
   for (int tick = 0; tick < kMostTicks && !lead(kLeadMPerTick); ++tick) {
     sample = port_.wait(std::chrono::steady_clock::time_point(link_->now() + std::chrono::milliseconds(1)));

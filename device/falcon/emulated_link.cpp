@@ -16,7 +16,7 @@ LinkTime EmulatedLink::now() const noexcept {
 }
 
 void EmulatedLink::push(LinkEvent::Kind kind) noexcept {
-  if (event_count_ == kEvents) return;  // the driver waits for each answer: two lie here at most
+  if (event_count_ == kEvents) return;  // the driver waits for each answer: at most two are queued
   events_[(event_at_ + event_count_) % kEvents] = kind;
   ++event_count_;
 }
@@ -103,9 +103,9 @@ LinkEvent EmulatedLink::wait(LinkTime until) noexcept {
     return {.kind = kind};
   }
   const LinkTime packet = next_packet();
-  if (packet > std::max(until, now_)) {  // what is there already is told, however late somebody asks
+  if (packet > std::max(until, now_)) {  // a waiting packet is delivered, however late the call
     move_to(until);
-    if (event_count_ > 0) return wait(until);  // the hand pulled the plug
+    if (event_count_ > 0) return wait(until);  // unplugged meanwhile
     return {};
   }
   move_to(packet);

@@ -1,5 +1,5 @@
-/// The emulated Falcon behind the driver's seam: with a clock of its own that stands still until somebody waits (tests,
-/// runs without a window), or with the real one. One thread, but for grip and buttons, which another may set.
+/// The emulated Falcon as a FalconLink. Its clock advances only while the driver waits (tests, sessions without a window),
+/// or is the real one. One thread; another may set grip and buttons.
 #pragma once
 
 #include <array>
@@ -15,20 +15,20 @@ namespace cusp::device::falcon {
 enum class Presence : std::uint8_t { here, absent, denied, busy };
 
 enum class EmulatedTime : std::uint8_t {
-  stands,  // moves on by waiting alone
+  stands,  // advances by waiting alone
   runs,    // steady_clock
 };
 
 struct EmulatedLinkSettings {
   EmulatedTime time = EmulatedTime::stands;
-  LinkTime start = std::chrono::hours(-1);  // of a standing clock: what opening takes lies before a run's zero
-  LinkTime transfer = std::chrono::microseconds(130);  // a packet's way to the driver, about a microframe
-  LinkTime jitter{0};                                  // at most so much more, by chance
+  LinkTime start = std::chrono::hours(-1);  // of a standing clock: opening happens before time 0
+  LinkTime transfer = std::chrono::microseconds(130);  // of a packet to the driver, about a microframe
+  LinkTime jitter{0};                                  // random addition, at most this
   std::uint64_t seed = 1;
   std::string name = "emulated";
 };
 
-/// What a hand does to the emulated grip, written by another thread.
+/// Grip and buttons, written by another thread.
 struct EmulatedGrip {
   Vec3 grip_m{0.0};
   std::uint8_t buttons = 0;
@@ -37,7 +37,7 @@ struct EmulatedGrip {
 
 class EmulatedLink final : public FalconLink {
  public:
-  /// `falcon` outlives the link, so that it can be unplugged from one and found by the next.
+  /// Pre: `falcon` outlives the link; another link can open it afterwards.
   EmulatedLink(Emulator& falcon, const EmulatedLinkSettings& settings = {}) noexcept;
 
   LinkTime now() const noexcept override;
@@ -47,19 +47,19 @@ class EmulatedLink final : public FalconLink {
 
   Emulator& falcon() noexcept { return falcon_; }
 
-  // The other end of the cable; the link's own thread.
+  // The device's end of the cable; the link's own thread.
   void set_presence(Presence presence) noexcept;
   Presence presence() const noexcept { return presence_; }
-  /// Unplugs by itself when so many more asks have been started.
+  /// Unplugs after so many more asks.
   void unplug_after(int asks) noexcept { unplug_after_ = asks; }
   int asks() const noexcept { return asks_; }
-  /// The host's own sends fail, the device is there.
+  /// Makes sends of the host fail while the device stays connected.
   void fail_sends(bool fail) noexcept { fail_sends_ = fail; }
 
   /// Any one other thread.
   void set_grip(const EmulatedGrip& grip) noexcept { grip_.write(grip); }
 
-  /// Called whenever a standing clock has moved on, with the time: for a hand that lives in the same time.
+  /// Called with the time whenever the clock has advanced, for a hand that shares it.
   void on_time(std::function<void(LinkTime)> tick) { tick_ = std::move(tick); }
 
  private:

@@ -148,10 +148,6 @@ void Emulator::put(std::uint8_t byte, LinkTime earliest, double baud) noexcept {
   ++line_count_;
 }
 
-void Emulator::send_garbage(std::span<const std::uint8_t> bytes, LinkTime now) noexcept {
-  for (const std::uint8_t byte : bytes) put(byte, now, baud_);
-}
-
 void Emulator::take(std::uint8_t byte, LinkTime at) noexcept {
   switch (stage_) {
     case Stage::armed:
@@ -283,8 +279,7 @@ LinkTime Emulator::next_read() const noexcept {
 std::size_t Emulator::read(std::span<std::uint8_t, kPacketBytes> out, LinkTime now) noexcept {
   const LinkTime ready = next_read();
   if (ready > now) return 0;
-  // The chip closed the packet when it was ready; the host's way to it takes its own time. One that nobody fetched
-  // goes on filling.
+  // The chip closed the packet when it was ready. If the host did not fetch it within kFetched, it kept filling.
   const LinkTime closed = std::max(ready, now - kFetched);
   out[0] = kModemIdle;
   out[1] = kLineIdle;

@@ -1,7 +1,7 @@
-/// A Falcon made of bytes: the bridge with its speeds, buffer and latency timer, the loader with its handshake and
-/// echo, firmware that answers frames, arms that know their zero only after a hand has moved them past their marks, and
-/// motors whose torque dies when nobody writes. Time is an argument. One thread; no allocation after construction. It
-/// shows what the driver makes of a device that behaves as facts/falcon.md says; it is no evidence that one does.
+/// Emulates a Falcon at the level of bytes: the bridge (speeds, buffer, latency timer), the loader (handshake, echo), the
+/// firmware (frames), arms that find zero when they pass their marks, and motors whose torque ends without new packets.
+/// Time is an argument. One thread; no allocation after construction. It behaves as facts/falcon.md describes, and is no
+/// evidence that a real Falcon does.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ class Emulator {
   std::uint8_t homed() const noexcept { return homed_; }
   bool firmware_running() const noexcept { return stage_ == Stage::running; }
   std::uint64_t frames() const noexcept { return frames_; }
-  /// Words of blocks that the loader took, and how many blocks.
+  /// Words that the loader received in blocks, and the number of blocks.
   std::uint32_t loaded_words() const noexcept { return loaded_words_; }
   int loaded_blocks() const noexcept { return loaded_blocks_; }
 
@@ -71,7 +71,6 @@ class Emulator {
   void hang_after_load(bool hang) noexcept { hang_after_load_ = hang; }
   void stick_speed(bool stick) noexcept { stick_speed_ = stick; }    // the bridge takes divisors and ignores them
   void refuse(std::uint8_t request) noexcept { refuse_ = request; }  // stalls this request until 0xFF is set
-  void send_garbage(std::span<const std::uint8_t> bytes, LinkTime now) noexcept;
 
  private:
   enum class Stage : std::uint8_t { off, waiting, armed, greeted, loader, loading, running, hung };

@@ -13,15 +13,14 @@ using falcon::Phase;
 using falcon::Trouble;
 
 constexpr LinkTime kPeriod = std::chrono::milliseconds(1);
-// Tried over ways of 50 to 1000 us with up to 500 us of jitter: 982 samples a second on average, 928 with a pace that
-// never begins anew and repeats at once.
-constexpr LinkTime kRephase = std::chrono::microseconds(200);  // an answer later than this begins the pace anew
-constexpr LinkTime kRepeat = std::chrono::microseconds(100);   // a packet waits so long for an answer to go before it
+// kRephase and kRepeat keep 982 samples a second on emulated lines of 50 to 1000 us with up to 500 us of jitter.
+constexpr LinkTime kRephase = std::chrono::microseconds(200);  // a later answer restarts the pace
+constexpr LinkTime kRepeat = std::chrono::microseconds(100);   // a packet waits so long for an answer to come first
 constexpr LinkTime kLongestWait = std::chrono::milliseconds(20);
-constexpr LinkTime kGlance = std::chrono::milliseconds(100);  // of open(), at cancel()
-constexpr int kMostWaiting = 64;                              // events that are read at once after a stall
-constexpr int kLastWords = 5;                                 // packets of zero torque before the device is let go
-constexpr std::uint8_t kPressTicks = 20;  // a button counts when it was down so long: switches bounce
+constexpr LinkTime kCancelPoll = std::chrono::milliseconds(100);  // open() checks cancelled_ so often
+constexpr int kMostWaiting = 64;                              // events read at once after a stall
+constexpr int kClosingPackets = 5;                            // of zero torque, before the device is closed
+constexpr std::uint8_t kPressTicks = 20;  // a press counts after so many ticks: switches bounce
 
 falcon::Workspace workspace_of(const falcon::WorkspaceSettings& settings) {
   if (const auto wanted = falcon::Workspace::from(settings)) return *wanted;
@@ -72,7 +71,7 @@ falcon::LinkEvent::Kind FalconPort::once(LinkTime until) noexcept {
   return event.kind;
 }
 
-/// What came while the host did something else is read before anything is sent: after a stall it is old.
+/// Reads all waiting events before anything is sent: after a stall they are old.
 void FalconPort::catch_up() noexcept {
   for (int i = 0; i < kMostWaiting; ++i) {
     if (once(link_->now()) == falcon::LinkEvent::Kind::time) return;
@@ -95,7 +94,7 @@ Result<void, PortFailure> FalconPort::open() {
   open_ = true;
   for (;;) {
     const bool homing = session_.phase() == Phase::homing;
-    once(link_->now() + (homing ? kPeriod : kGlance));
+    once(link_->now() + (homing ? kPeriod : kCancelPoll));
     if (homing && link_->now() >= due_) {
       session_.exchange(link_->now());
       hand_over();
@@ -158,13 +157,13 @@ Sample FalconPort::fresh() noexcept {
   Sample doubtful = last_;
   doubtful.status = Sample::Status::late;
   if (!pose) {
-    // No place of the grip has these angles: a broken encoder, a wrong offset. No force on such a reading.
+    // No position has these angles: a broken encoder, or a wrong offset. Such a reading gives no force.
     ++unsolved_;
     pose_.reset();
     session_.command({});
     return doubtful;
   }
-  if (!reach_.believes(pose->grip_m, session_.asked())) {
+  if (!reach_.accepts(pose->grip_m, session_.asked())) {
     ++unreached_;
     return doubtful;
   }
@@ -172,7 +171,7 @@ Sample FalconPort::fresh() noexcept {
   pose_asked_ = session_.asked();
   last_grip_m_ = pose_->grip_m;
   const bool clutch = (state.buttons & settings_.buttons.clutch) != 0;
-  // Two answers in a row have to tell it: one spoilt bit would shift the workspace for good.
+  // Two answers in a row must agree: one corrupt bit would shift the workspace for good.
   const bool certain = std::exchange(clutch_, clutch) == clutch;
   if (certain && clutch) {
     workspace_.hold(pose_->grip_m);
@@ -189,7 +188,7 @@ Sample FalconPort::fresh() noexcept {
 Sample FalconPort::wait(std::chrono::steady_clock::time_point deadline) noexcept {
   Sample lost = last_;
   lost.status = Sample::Status::gone;
-  lost.buttons = 0;  // whatever stops telling has let go
+  lost.buttons = 0;  // a silent device counts as released
   lost.pedal = 0;
   if (!open_) return lost;
   session_.set_leds(leds_.load(std::memory_order_relaxed));
@@ -201,15 +200,15 @@ Sample FalconPort::wait(std::chrono::steady_clock::time_point deadline) noexcept
     const bool ready = session_.phase() == Phase::ready;
     if (now >= due_) {
       if (answered(now)) {
-        // What was missed is not made up for by a burst: the pace begins anew where an answer came late.
+        // A late answer restarts the pace: missed periods are not made up for by a burst.
         due_ = now - due_ < kRephase ? due_ + kPeriod : now + kPeriod;
         repeated_ = false;
         const Sample sample = fresh();
         publish();
         return sample;
       }
-      // Nothing came in time: a packet goes out all the same, so that two are under way where an answer takes longer
-      // than a millisecond. Before `ready` this alone keeps the exchange going.
+      // No answer in time: a packet leaves nevertheless, so that two are under way if an answer takes over a millisecond.
+      // Before `ready` this alone keeps the exchange running.
       if (!ready || (!repeated_ && now >= due_ + kRepeat)) {
         session_.exchange(now);
         repeated_ = true;
@@ -257,7 +256,7 @@ void FalconPort::close() noexcept {
   if (!open_) return;
   session_.command({});
   session_.set_leds(0);
-  for (int i = 0; i < kLastWords && session_.phase() == Phase::ready; ++i) {
+  for (int i = 0; i < kClosingPackets && session_.phase() == Phase::ready; ++i) {
     const LinkTime until = link_->now() + kPeriod;
     session_.exchange(link_->now());
     while (link_->now() < until) once(until);

@@ -13,10 +13,10 @@ constexpr std::uint32_t kKey = 0x08AA;
 constexpr std::size_t kReservedWords = 8;
 constexpr std::uint32_t kMemoryWords = 0x400000;  // 22 address lines: 0x000000 to 0x3FFFFF
 
-/// Words of the stream, little-endian. Reading past the end gives nothing and says so.
-class Words {
+/// Reads 16-bit words, little-endian. Pre: left() before each read.
+class WordReader {
  public:
-  explicit Words(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  explicit WordReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
   bool left(std::size_t words) const noexcept { return (bytes_.size() - at_) / 2 >= words; }
   std::size_t index() const noexcept { return at_ / 2; }
   std::uint32_t word() noexcept {
@@ -78,7 +78,7 @@ Result<FirmwareImage, ImageFailure> FirmwareImage::from_bytes(std::vector<std::u
   if (bytes.size() > kMaxBytes) return refuse(ImageError::too_large, 0);
   if (bytes.size() % 2 != 0) return refuse(ImageError::odd_size, 0);
   FirmwareImage image;
-  Words words(bytes);
+  WordReader words(bytes);
   if (words.word() != kKey) return refuse(ImageError::not_a_boot_image, 0);
   for (std::size_t i = 0; i < kReservedWords; ++i) {
     if (words.word() != 0) return refuse(ImageError::not_a_boot_image, words.index() - 1);
@@ -120,7 +120,7 @@ std::string_view FirmwareImage::known_as() const noexcept {
   struct Known {
     std::string_view hash, name;
   };
-  // The first 16 digits of the SHA-256 of the files that are known to go about.
+  // The first 16 digits of the SHA-256 of images that are known to circulate.
   constexpr std::array<Known, 4> kKnown = {{{"1119e39c39fab1f3", "nvent"},
                                             {"b2700d5cd5ca217e", "test"},
                                             {"ae838730af34b582", "novint-t0"},

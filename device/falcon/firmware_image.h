@@ -1,5 +1,5 @@
-/// The Falcon's firmware file: checked before it is sent. Cusp ships none: the user names a file that the maker's
-/// software brought, and the licence of that software holds. Source: facts 1.6 and 1.7.
+/// The Falcon's firmware file, checked before upload. Cusp ships none: the user names a file of the maker's software, under
+/// that software's licence. Source: facts 1.6 and 1.7.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ enum class ImageError : std::uint8_t {
 using ImageFailure = Failure<ImageError>;
 std::string_view key_of(ImageError error) noexcept;  // "truncated": for logs and --json
 
-/// A file that has been checked, once, here. Immutable.
+/// A checked image. Immutable.
 class FirmwareImage {
  public:
   static constexpr std::size_t kMinBytes = 4 * 1024, kMaxBytes = 36 * 1024;
@@ -39,9 +39,9 @@ class FirmwareImage {
   std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
   int blocks() const noexcept { return blocks_; }
   std::uint32_t entry() const noexcept { return entry_; }
-  /// SHA-256 as 64 lower-case digits: to remember a file by, and to show.
+  /// SHA-256 as 64 lower-case digits: identifies the file in settings and on screen.
   const std::string& sha256() const noexcept { return sha256_; }
-  /// "nvent", "test", "novint-t0", "novint-t2" when it is one of the images that are known to go about; else empty.
+  /// "nvent", "test", "novint-t0", "novint-t2" for an image that is known to circulate; else empty.
   std::string_view known_as() const noexcept;
 
  private:

@@ -1,5 +1,5 @@
-/// Lets a hand feel that every direction pushes as it should: six pushes one after the other, each rising over two
-/// seconds, held for one, and gone again. The hand holds the grip; one that is let go ends it.
+/// Shows a hand that every direction pushes correctly: six pushes in turn, each rising over 2 s, held for 1 s, then falling.
+/// The hand holds the grip; a released grip ends the test.
 #pragma once
 
 #include "device/falcon/trial.h"
@@ -15,7 +15,7 @@ class ForceTest final : public Trial {
   /// Newtons, cut to [0, kMostN].
   explicit ForceTest(double newtons) noexcept;
   double share() const noexcept override;
-  /// Which way it pushes now; what `share` says of the six.
+  /// Direction of the present push.
   ForceWay way() const noexcept;
   int step() const noexcept override { return static_cast<int>(way()); }
 

@@ -13,7 +13,7 @@ inline constexpr std::uint8_t kInEndpoint = 0x81, kOutEndpoint = 0x02;
 inline constexpr std::size_t kPacketBytes = 64;
 inline constexpr std::size_t kStatusBytes = 2;
 inline constexpr std::size_t kPayloadBytes = kPacketBytes - kStatusBytes;
-/// Never ask for the exact count expected: larger packets come, and a transfer that is too small is lost.
+/// Larger than any expected count: a transfer that is too small for a packet loses it.
 inline constexpr std::size_t kReadBytes = 512;
 
 /// bmRequestType 0x40, wIndex 0, wLength 0.
@@ -36,15 +36,15 @@ inline constexpr FtdiRequest kEventOnFrameEnd{0x06, 0x013E};
 inline constexpr FtdiRequest kLatency16ms{0x09, 16}, kLatency1ms{0x09, 1};
 }  // namespace ftdi
 
-/// What a transfer from the bridge said of the line besides its payload.
+/// Line errors that the bridge reported besides the payload.
 struct LineErrors {
   std::uint32_t overrun = 0, parity = 0, framing = 0, broken = 0, short_packets = 0;
-  /// Packets' errors that spoil bytes.
+  /// Errors that corrupt bytes.
   std::uint32_t spoilt() const noexcept { return overrun + parity + framing + broken; }
 };
 
-/// Calls `take(payload)` for each 64-byte packet of a transfer with its two status bytes taken off, empty ones left
-/// out, and counts the line's errors. Status bytes come again every 64 bytes, not once a transfer.
+/// Calls `take(payload)` for each 64-byte packet with a payload, without its two status bytes, and counts the line's
+/// errors. Every 64-byte packet of a transfer begins with status bytes.
 template <class Take>
 void strip_status(std::span<const std::uint8_t> transfer, LineErrors& errors, Take&& take) noexcept {
   while (!transfer.empty()) {

@@ -1,6 +1,5 @@
-/// Packets under way, and which of them an answer belongs to. The protocol numbers nothing, so an answer belongs to the
-/// oldest packet that has none: a lost answer makes later ones look older than they are, never younger. Pure; no
-/// allocation.
+/// Queue of unanswered packets. The protocol has no sequence numbers, so an answer belongs to the oldest unanswered packet:
+/// a lost answer makes later ones look older than they are, never younger. Pure; no allocation.
 #pragma once
 
 #include <array>
@@ -22,7 +21,7 @@ class InFlight {
     if (count_ == kMost) return;
     times_[(at_ + count_++) % kMost] = now;
   }
-  /// When the packet left that this answer belongs to, so that the answer is no older; nothing if no packet waits.
+  /// Departure time of the packet that this answer belongs to; nullopt if no packet waits.
   std::optional<LinkTime> answered() noexcept {
     if (count_ == 0) return std::nullopt;
     const LinkTime out = times_[at_];
@@ -32,9 +31,9 @@ class InFlight {
   }
   std::size_t count() const noexcept { return count_; }
   bool empty() const noexcept { return count_ == 0; }
-  /// When the packet left that has so many older ones under way. Pre: more are under way than that.
+  /// Departure time of the packet after `older` older ones. Pre: older < count().
   LinkTime sent_at(std::size_t older) const noexcept { return times_[(at_ + older) % kMost]; }
-  /// None of them will be answered any more; how many there were.
+  /// Empties the queue; returns the number of packets.
   std::size_t forget() noexcept {
     const std::size_t out = count_;
     count_ = 0;

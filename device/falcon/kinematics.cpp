@@ -9,7 +9,7 @@ namespace cusp::device::falcon {
 
 namespace {
 
-constexpr double kLongestStepM = 0.030;  // without a limit 1.7 % of cold starts were lost
+constexpr double kLongestStepM = 0.030;  // longer steps diverge from some cold starts
 constexpr double kSolvedRad = 1e-12;
 constexpr double kGoodEnoughRad = 1e-9;  // under a tenth of a micrometre everywhere; reached where rounding ends Newton
 constexpr int kWarmSteps = 16;           // a warm start 1 mm away takes 4
@@ -24,7 +24,7 @@ LegFrame frame_of(const Geometry& g, int leg) noexcept {
   return {std::cos(phi), std::sin(phi)};
 }
 
-/// Solves M x = b for M with these rows; nothing when M is next to singular.
+/// Solves M x = b for M with these rows; nullopt if M is nearly singular.
 std::optional<Vec3> solve(const Jacobian& rows, Vec3 b) noexcept {
   const Vec3 c0 = glm::cross(rows[1], rows[2]);
   const double det = glm::dot(rows[0], c0);
@@ -45,7 +45,7 @@ std::optional<Pose> pose_at(const Geometry& geometry, Vec3 grip_m) noexcept {
   return Pose{grip_m, *legs, *rows};
 }
 
-/// Newton with a limited step; a step that leaves the reach, or makes it worse, is halved.
+/// Newton with a limited step. Halves a step that leaves the reach or increases the error.
 std::optional<Pose> newton(const Geometry& geometry, Vec3 arm_rad, Vec3 start_m, int steps) noexcept {
   auto pose = pose_at(geometry, start_m);
   if (!pose) return std::nullopt;

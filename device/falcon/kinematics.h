@@ -24,10 +24,10 @@ struct Geometry {
   std::array<double, 3> leg_rad = {1.8325957145940461, -0.26179938779914943,
                                    -2.3561944901923448};  // 105, -15, -135 deg
   double rad_per_tick = 6.359047629780476e-4;             // 360 deg / (1280 counts * 110 mm / 14.25 mm)
-  double zero_rad = 0.6108652381980153;  // 35 deg at tick 0, said to be approximate: see Calibration::trim_rad
+  double zero_rad = 0.6108652381980153;  // about 35 deg at tick 0; Calibration::trim_rad corrects it
 };
 
-/// Across the axis at z 0.150, the coarsest place: published figures, tests hold them. mm at the grip for one count.
+/// mm at the grip for one count, across the axis at z 0.150 m, where it is coarsest. From published figures; tests hold it.
 inline constexpr double kCoarsestMmPerTick = 0.057;
 
 using Jacobian = std::array<Vec3, 3>;  // rows: d(arm i)/d(x, y, z), rad/m
@@ -39,24 +39,24 @@ struct Legs {
   Vec3 side_rad{0.0};  // theta 3: lean of the parallelogram
 };
 
-/// Joint angles for a place of the grip; nothing where a leg does not reach.
+/// Joint angles for a position of the grip; nullopt if a leg does not reach it.
 std::optional<Legs> inverse(const Geometry& geometry, Vec3 grip_m) noexcept;
 
-/// Exact; nothing at a place where a leg is stretched or folded (no force can be commanded there).
+/// Exact. nullopt if a leg is stretched or folded: no force can be commanded there.
 std::optional<Jacobian> jacobian(const Geometry& geometry, const Legs& legs) noexcept;
 
-/// Where the grip is, with what holds there.
+/// A position of the grip with its joint angles and Jacobian.
 struct Pose {
   Vec3 grip_m{0.0};
   Legs legs;
   Jacobian rows{};
 };
 
-/// The place that has these arm angles, by Newton from `start_m`; starts again from the middle if that leads nowhere.
-/// At most kForwardSteps iterations altogether, each with one inverse a halving of the step, of which there are few.
+/// The position with these arm angles, by Newton from `start_m`, then from kMiddleM if that fails. At most kForwardSteps
+/// iterations altogether; each calls inverse() once per halving of the step, at most 8 times.
 std::optional<Pose> forward(const Geometry& geometry, Vec3 arm_rad, Vec3 start_m) noexcept;
 
-/// Middle of the workspace, where Newton starts when it knows nothing better.
+/// Middle of the workspace.
 inline constexpr Vec3 kMiddleM{0.0, 0.0, 0.125};
 inline constexpr int kForwardSteps = 40;
 
@@ -68,7 +68,7 @@ Vec3 force_n(const Jacobian& rows, Vec3 torque_nm) noexcept;
 Vec3 arm_rad_s(const Jacobian& rows, Vec3 grip_m_s) noexcept;
 Vec3 grip_m_s(const Jacobian& rows, Vec3 arm_rad_s) noexcept;
 
-/// What differs from one Falcon to the next; measured once (README, "First contact").
+/// Calibration of one Falcon; measured once (README, "First contact").
 struct Calibration {
   Vec3 trim_rad{0.0};          // added to each arm's angle
   double counts_per_nm = 1e4;  // of the torque words
@@ -78,11 +78,11 @@ struct Calibration {
 
 Vec3 arm_rad_of_ticks(const Geometry& geometry, const Calibration& calibration,
                       std::array<std::int16_t, 3> ticks) noexcept;
-/// Not rounded; outside 16 bits nothing keeps it in range.
+/// Not rounded, and not limited to 16 bits.
 Vec3 ticks_of_arm_rad(const Geometry& geometry, const Calibration& calibration, Vec3 arm_rad) noexcept;
 
-/// Torque words. A positive word turns an arm inward, so the sign turns. If one goes beyond the limit all three shrink
-/// alike: the direction of the force stays. Anything that is not finite gives no torque at all.
+/// Torque words. A positive word turns an arm inward, so the sign changes. If one exceeds the limit, all three shrink by
+/// the same factor, which keeps the force's direction. A value that is not finite gives zero torque.
 std::array<std::int16_t, 3> counts_of_torque(const Calibration& calibration, Vec3 torque_nm) noexcept;
 Vec3 torque_of_counts(const Calibration& calibration, std::array<std::int16_t, 3> counts) noexcept;
 

@@ -1,5 +1,5 @@
-/// The seam between what the driver decides and what carries its bytes: libusb, or the emulated Falcon. A link knows
-/// nothing of firmware, frames or forces. One thread uses a link at a time.
+/// The seam between the driver's decisions and the transport of its bytes: libusb, or the emulated Falcon. A link knows no
+/// firmware, frames or forces. One thread uses a link at a time.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace cusp::device::falcon {
 /// Time since a zero of the link's own; only differences count. steady_clock's in a real link.
 using LinkTime = std::chrono::nanoseconds;
 
-/// What the driver asks of its link.
+/// A request of the driver to its link.
 struct LinkAsk {
   enum class Kind : std::uint8_t {
     open,     // find, open and claim: answered by opened, absent, denied or busy
     close,    // give the device back: no answer
     control,  // a vendor request: answered by control_done or failed
-    send,     // bytes to the device: answered only when that fails
+    send,     // bytes to the device: answered only on failure
   };
   Kind kind = Kind::close;
   FtdiRequest request{};
@@ -38,13 +38,13 @@ struct LinkAsk {
   }
 };
 
-/// What the link tells.
+/// An event of the link.
 struct LinkEvent {
   enum class Kind : std::uint8_t {
-    time,  // nothing, until the time asked for
+    time,  // nothing happened until the requested time
     opened,
-    absent,  // no such device is there
-    denied,  // it is there, and this user may not open it
+    absent,  // no such device
+    denied,  // this user may not open the device
     busy,    // another program holds it
     control_done,
     failed,    // a request or a transfer failed; the device is still there
@@ -59,12 +59,12 @@ class FalconLink {
  public:
   virtual ~FalconLink() = default;
   virtual LinkTime now() const noexcept = 0;
-  /// Begins it and returns. Closing takes some milliseconds on a real link (half a second where a device does not give
-  /// back what is under way); everything else is at once.
+  /// Begins the ask and returns at once. Closing blocks for some milliseconds on a real link, for half a second if the
+  /// device does not return its transfers.
   virtual void start(const LinkAsk& ask) noexcept = 0;
-  /// The next event in order, or `time` when `until` has come (at once when it lies in the past and nothing waits).
+  /// The next event in order, or `time` at `until`. Does not block if `until` is past.
   virtual LinkEvent wait(LinkTime until) noexcept = 0;
-  /// Which device this is: its serial number, else the port that it hangs on ("1-4.2"). Empty before it was opened.
+  /// The device's serial number, else its USB port ("1-4.2"). Empty before the first open.
   virtual std::string name() const = 0;
 };
 

@@ -59,7 +59,7 @@ std::optional<Window> window_at(std::span<const MotionSample> record, std::size_
     const double way = speed > 0 ? 1.0 : -1.0;
     if (std::abs(speed) < kSlowestMS || (sign != 0 && way != sign)) return std::nullopt;
     sign = way;
-    // The place goes straight between two samples, the window is taken at the middle of the piece.
+    // The position is linear between two samples; the window is evaluated at the middle of the interval.
     const double tm = t + 0.5 * dt;
     const Bump phi = bump((tm - t0) / kWindowS);
     const double x = 0.5 * (record[i].x_m + place_at(record, i, t + dt)) - middle;
@@ -94,7 +94,7 @@ struct Solved {
 };
 
 std::optional<Solved> solve(const std::vector<Window>& windows, const std::vector<double>& right) {
-  // Columns are scaled to one, so that what cannot be told apart shows.
+  // Columns are scaled to one, so that a singular matrix has a small pivot.
   Row scale{};
   for (const Window& w : windows)
     for (std::size_t k = 0; k < kUnknowns; ++k) scale[k] += w.row[k] * w.row[k];

@@ -1,9 +1,8 @@
-/// From a record of how something moved under known forces to its mass, damping, friction, weight and delay. Pure; not
-/// of the haptic thread.
+/// Mass, damping, friction, weight and delay from a record of motion under known forces. Pure; not for the haptic thread.
 ///
-/// Along one axis: m x'' = F(t - delay) - b x' - c sign(x') - w. Multiplied by smooth windows that vanish at both ends
-/// and integrated by parts, so that only places are needed and never a derivative of what an encoder counted; then least
-/// squares over all windows, at the delay that leaves the least. Modulating functions: M. Shinbrot, "On the analysis of
+/// Along one axis: m x'' = F(t - delay) - b x' - c sign(x') - w. Smooth windows that vanish at both ends, and integration
+/// by parts, leave positions only: no encoder count is differentiated. Least squares over all windows, at the delay with
+/// the smallest residual. Modulating functions: M. Shinbrot, "On the analysis of
 /// linear and nonlinear systems", Trans. ASME 79 (1957).
 #pragma once
 
@@ -28,7 +27,7 @@ struct MotionFit {
   int windows = 0;
 };
 
-/// Nothing where there are too few windows in motion, the numbers cannot be told apart, or the mass is not positive.
+/// nullopt for too few windows in motion, a singular fit, or a mass that is not positive.
 std::optional<MotionFit> fit_motion(std::span<const MotionSample> record);
 
 }  // namespace cusp::device::falcon

@@ -12,7 +12,7 @@ constexpr std::size_t kBitsAt = 13, kUnknownAt = 14, kEndAt = 15;
 
 bool nibble(std::uint8_t byte) noexcept { return byte >= kZero && byte <= kZero + 15; }
 
-/// Whether this byte may stand at that place of a frame.
+/// Whether the byte is valid at that position of a frame.
 bool fits(std::size_t at, std::uint8_t byte) noexcept {
   if (at == 0) return byte == kStart;
   if (at == kEndAt) return byte == kEnd;
@@ -52,7 +52,7 @@ std::optional<Frame> decode(std::span<const std::uint8_t, kFrameBytes> bytes) no
 }
 
 void FrameParser::drop_to_next_start() noexcept {
-  // The buffer holds no frame from its first byte on: the next that could begin one, and whose bytes so far all fit.
+  // The buffer's first byte begins no frame: continues at the next byte whose followers all fit.
   std::size_t from = 1;
   for (; from < size_; ++from) {
     bool good = true;

@@ -1,5 +1,5 @@
-/// The Falcon's run-time frames, both ways the same shape: '<', three 16-bit words as nibbles, a byte of bits, a byte
-/// that nobody explained, '>'. Pure: bytes in, frames out. No allocation, no clock. Source: facts 1.8.
+/// The Falcon's run-time frames, the same format both ways: '<', three 16-bit words as nibbles, a byte of bits, a byte of
+/// unknown meaning, '>'. Pure: bytes in, frames out. No allocation, no clock. Source: facts 1.8.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ inline constexpr std::uint8_t kHoming = 0x01, kGreen = 0x02, kBlue = 0x04, kRed 
 inline constexpr std::uint8_t kLeds = kGreen | kBlue | kRed;
 }  // namespace control
 
-/// Bits that the device sends. The homed bits are reported only while homing mode is on.
+/// Bits that the device sends. It reports the homed bits only in homing mode.
 namespace status {
 inline constexpr std::uint8_t kPlus = 0x01, kForward = 0x02, kCentre = 0x04, kMinus = 0x08;
 inline constexpr std::uint8_t kButtons = kPlus | kForward | kCentre | kMinus;
@@ -34,29 +34,29 @@ inline constexpr std::uint8_t kHomed1 = 0x10, kHomed2 = 0x20, kHomed3 = 0x40;
 inline constexpr std::uint8_t kHomed = kHomed1 | kHomed2 | kHomed3;
 }  // namespace status
 
-/// The largest torque command that the maker's own software was seen to send, in counts.
+/// Largest torque command observed from the maker's software, in counts.
 inline constexpr std::int16_t kMaxTorqueCounts = 4095;
 
-/// Pre: bits <= 127 (higher ones are cut off).
+/// Cuts `bits` to 7 bits.
 std::array<std::uint8_t, kFrameBytes> encode(const Frame& frame) noexcept;
 
-/// Exactly one frame, or nothing: '<' and '>' at their places, nibbles within 'A'..'P', bits within 0..127.
+/// Exactly one frame, or nullopt: '<' and '>' at their places, nibbles within 'A'..'P', bits within 0..127.
 std::optional<Frame> decode(std::span<const std::uint8_t, kFrameBytes> bytes) noexcept;
 
-/// What the bridge reports of the line that bytes came over.
+/// Line status of the bridge for received bytes.
 enum class Line : std::uint8_t { clean, flawed };
 
-/// Finds frames in a stream that arrives in pieces. What is no frame is dropped byte by byte and counted, so that a
-/// fragment is never taken for a frame and never hides the one after it.
+/// Finds frames in a stream. It drops and counts bytes that belong to no frame, one by one: a fragment never counts as a
+/// frame, and never hides the next one.
 class FrameParser {
  public:
   /// The next byte; the frame that it completes, if it does.
   std::optional<Frame> push(std::uint8_t byte, Line line = Line::clean) noexcept;
-  /// The line reports an error after the bytes so far: a frame that is begun is flawed.
+  /// Marks an unfinished frame as flawed: the line reported an error after its bytes.
   void flaw() noexcept { flawed_ = size_ > 0; }
-  /// Whether the frame that push() returned last has a byte of a flawed line, however well it is formed.
+  /// Whether the last frame from push() holds a byte of a flawed line.
   bool flawed() const noexcept { return last_flawed_; }
-  /// Forgets what is begun: after a purge, a silence, a change of speed.
+  /// Drops an unfinished frame: after a purge, a silence, or a change of speed.
   void reset() noexcept {
     size_ = 0;
     flawed_ = false;

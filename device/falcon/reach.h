@@ -1,6 +1,6 @@
-/// Which places of the grip are believed. A believed place lies within kMostMPerS times the time since, and kStepM, of the
-/// one believed before it; after a gap of more than kRemembered two in a row have to agree, so that nothing locks out for
-/// ever. A bit that flips unreported within that bound cannot be known. Pure; no allocation.
+/// Rejects positions of the grip that a hand cannot have reached. An accepted position lies within kMostMPerS times the
+/// elapsed time, plus kStepM, of the last accepted one. After a gap of more than kRemembered two in a row must agree, so
+/// that no error locks the filter. It cannot detect a flipped bit within that bound. Pure; no allocation.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,25 @@ namespace cusp::device::falcon {
 
 class Reach {
  public:
-  /// Faster than a hand drives a handpiece.
+  /// m/s; a hand moves a handpiece slower.
   static constexpr double kMostMPerS = 2.0;
-  /// A count of all three arms at once: kCoarsestMmPerTick * sqrt(3).
+  /// m; one count of all three arms at once: kCoarsestMmPerTick * sqrt(3).
   static constexpr double kStepM = 1e-4;
-  /// A place that old tells nothing of the next: two that agree begin anew.
+  /// After a longer gap the last position is not used; two that agree start anew.
   static constexpr LinkTime kRemembered = std::chrono::milliseconds(20);
 
-  /// `asked`: when the packet left that told of this place; never earlier than the one before.
-  bool believes(Vec3 grip_m, LinkTime asked) noexcept {
+  /// `asked`: departure of the packet that this position answers. Pre: never earlier than the last one.
+  bool accepts(Vec3 grip_m, LinkTime asked) noexcept {
     const bool begun = last_ && asked - last_->asked <= kRemembered;
     const bool within = begun && reaches(*last_, grip_m, asked);
-    if (begun && believed_ && !within) return false;
-    // The first place after a gap is not believed by itself; the next one is held against it.
+    if (begun && accepted_ && !within) return false;
+    // The first position after a gap is rejected; the next one is compared with it.
     last_ = Place{grip_m, asked};
-    return believed_ = within;
+    return accepted_ = within;
   }
   void forget() noexcept {
     last_.reset();
-    believed_ = false;
+    accepted_ = false;
   }
 
  private:
@@ -44,7 +44,7 @@ class Reach {
   }
 
   std::optional<Place> last_;
-  bool believed_ = false;  // last_ was; else it is the first after a gap
+  bool accepted_ = false;  // false: last_ is the first after a gap
 };
 
 }  // namespace cusp::device::falcon

@@ -15,8 +15,8 @@ constexpr double kSpringNPerM = 200.0, kDamperNsPerM = 5.0, kCarryPerS = 2.0, kM
 constexpr double kTravelS = 1.6, kSweepS = 7.0, kReachM = 0.012;
 constexpr std::array<double, 4> kSpeedsMS = {0.05, 0.10, 0.16, 0.22};
 constexpr double kShakeN = 0.8, kChipS = 0.013;
-constexpr double kLeadM = 0.030;  // the spring never runs further ahead: something holds the grip
-constexpr std::size_t kRoom = 12'000;
+constexpr double kLeadM = 0.030;  // a spring stretched further means that something holds the grip
+constexpr std::size_t kMostSamples = 12'000;
 constexpr Vec3 kMiddle = kMiddleM;
 
 double smooth(double s) noexcept {
@@ -57,8 +57,8 @@ std::optional<double> SelfTestResult::encoder_mm() const noexcept {
   return coarsest * kCoarsestMmPerTick;
 }
 
-SelfTest::SelfTest() : Trial(TrialBounds{.room_from_s = kTravelS}) {
-  for (auto& record : records_) record.reserve(kRoom);
+SelfTest::SelfTest() : Trial(TrialBounds{.range_from_s = kTravelS}) {
+  for (auto& record : records_) record.reserve(kMostSamples);
 }
 
 double SelfTest::share() const noexcept {
@@ -92,60 +92,68 @@ Vec3 SelfTest::wanted(const TrialReading& reading, double dt_s) noexcept {
     from_m_ = reading.grip_m;
   }
   stage_s_ += dt_s;
-  Vec3 target = kMiddle, led(0.0);
-  double shake = 0;
-  if (stage_ == Stage::travel) {
-    target = from_m_ + (kMiddle - from_m_) * smooth(stage_s_ / (0.8 * kTravelS));
-    if (stage_s_ >= kTravelS) {
-      stage_ = Stage::sweep;
-      stage_s_ = way_m_ = chip_s_ = 0;
-      direction_ = 1;
-    }
-  } else {
-    // To and fro, each turn at the next speed.
-    const auto turn = std::min(kSpeedsMS.size() - 1, static_cast<std::size_t>(stage_s_ / kSweepS * kSpeedsMS.size()));
-    way_m_ += direction_ * kSpeedsMS[turn] * dt_s;
-    if (std::abs(way_m_) > kReachM) direction_ = way_m_ > 0 ? -1.0 : 1.0;
-    target[axis_] += way_m_;
-    led[axis_] = direction_ * kSpeedsMS[turn];
-    chip_s_ += dt_s;
-    if (chip_s_ >= kChipS) {
-      chip_s_ = 0;
-      // Each push by chance is followed by its opposite: on the whole they move the grip nowhere.
-      second_half_ = !second_half_;
-      if (!second_half_) {
-        const std::uint32_t bit = ((bits_ >> 0) ^ (bits_ >> 2) ^ (bits_ >> 3) ^ (bits_ >> 5)) & 1u;
-        bits_ = (bits_ >> 1) | (bit << 15);
-      }
-    }
-    shake = ((bits_ & 1u) != 0) != second_half_ ? kShakeN : -kShakeN;
-  }
-  const Vec3 off = target - reading.grip_m;
-  if (glm::length(off) > kLeadM && stage_ == Stage::sweep) give_up(TrialEnd::out_of_room);
-  // What the spring alone cannot carry: weight that no calibration tells of yet.
+  const Target target = stage_ == Stage::travel ? travel_target() : sweep_target(dt_s);
+  const Vec3 off = target.position_m - reading.grip_m;
+  if (glm::length(off) > kLeadM && stage_ == Stage::sweep) give_up(TrialEnd::out_of_range);
+  // An integral part carries what the spring alone cannot: weight before its calibration.
   carried_n_ += off * (kSpringNPerM * kCarryPerS * dt_s);
   const double carried = glm::length(carried_n_);
   if (carried > kMostCarryN) carried_n_ *= kMostCarryN / carried;
-  Vec3 push = off * kSpringNPerM + (led - speed()) * kDamperNsPerM + carried_n_;
-  push[axis_] += shake;
+  Vec3 push = off * kSpringNPerM + (target.velocity_m_s - speed()) * kDamperNsPerM + carried_n_;
+  push[axis_] += target.shake_n;
+  if (stage_ == Stage::sweep) record_sweep(reading);
+  return push;
+}
 
-  if (stage_ == Stage::sweep) {
-    auto& record = records_[static_cast<std::size_t>(axis_)];
-    if (stage_s_ >= kSweepS) {
-      stage_ = Stage::travel;
-      stage_s_ = 0;
-      from_m_ = reading.grip_m;
-      if (++axis_ == 3) {
-        axis_ = 2;
-        finish();
-      }
-    } else if (reading.fresh && record.size() < kRoom) {
-      // The force of this reading is known only after the bounds: written with the next.
-      if (!record.empty()) record.back().force_n = force_n()[axis_];
-      record.push_back({reading.t_s, reading.grip_m[axis_], 0.0});
+SelfTest::Target SelfTest::travel_target() noexcept {
+  Target out;
+  out.position_m = from_m_ + (kMiddle - from_m_) * smooth(stage_s_ / (0.8 * kTravelS));
+  if (stage_s_ >= kTravelS) {
+    stage_ = Stage::sweep;
+    stage_s_ = way_m_ = chip_s_ = 0;
+    direction_ = 1;
+  }
+  return out;
+}
+
+/// To and fro along the axis, each quarter of the sweep at the next speed, with small pushes by chance.
+SelfTest::Target SelfTest::sweep_target(double dt_s) noexcept {
+  Target out;
+  const auto turn = std::min(kSpeedsMS.size() - 1, static_cast<std::size_t>(stage_s_ / kSweepS * kSpeedsMS.size()));
+  way_m_ += direction_ * kSpeedsMS[turn] * dt_s;
+  if (std::abs(way_m_) > kReachM) direction_ = way_m_ > 0 ? -1.0 : 1.0;
+  out.position_m = kMiddle;
+  out.position_m[axis_] += way_m_;
+  out.velocity_m_s[axis_] = direction_ * kSpeedsMS[turn];
+  chip_s_ += dt_s;
+  if (chip_s_ >= kChipS) {
+    chip_s_ = 0;
+    // The opposite push follows each random one: together they do not move the grip.
+    second_half_ = !second_half_;
+    if (!second_half_) {
+      const std::uint32_t bit = ((bits_ >> 0) ^ (bits_ >> 2) ^ (bits_ >> 3) ^ (bits_ >> 5)) & 1u;
+      bits_ = (bits_ >> 1) | (bit << 15);
     }
   }
-  return push;
+  out.shake_n = ((bits_ & 1u) != 0) != second_half_ ? kShakeN : -kShakeN;
+  return out;
+}
+
+void SelfTest::record_sweep(const TrialReading& reading) noexcept {
+  auto& record = records_[static_cast<std::size_t>(axis_)];
+  if (stage_s_ >= kSweepS) {
+    stage_ = Stage::travel;
+    stage_s_ = 0;
+    from_m_ = reading.grip_m;
+    if (++axis_ == 3) {
+      axis_ = 2;
+      finish();
+    }
+  } else if (reading.fresh && record.size() < kMostSamples) {
+    // The bounds decide the force after this call: the next reading writes it.
+    if (!record.empty()) record.back().force_n = force_n()[axis_];
+    record.push_back({reading.t_s, reading.grip_m[axis_], 0.0});
+  }
 }
 
 SelfTestResult SelfTest::result() const {

@@ -1,6 +1,5 @@
-/// Measures what a Falcon is: nobody holds the grip, a soft spring leads it to and fro along each axis at several speeds
-/// while small pushes shake it, and what it does under them tells mass, damping, friction, delay and whether each count
-/// of its encoders comes through. Some 25 s.
+/// Measures mass, damping, friction, delay and encoder steps of a Falcon whose grip nobody holds. A soft spring sweeps the
+/// grip along each axis at several speeds while small pushes shake it. Takes about 25 s.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@ struct SelfTestResult {
   std::array<int, 3> most_counts{};              // largest in one reading; far more than 20 at these speeds is a lost count
   std::uint64_t readings = 0, missing = 0;
 
-  /// What scenes may be told: the least damping and the longest delay of the axes. Nothing unless all three were fitted.
+  /// For DeviceLimits: the least damping and the longest delay of the axes. nullopt unless all three were fitted.
   std::optional<double> damping_ns_per_m() const noexcept;
   std::optional<double> delay_ms() const noexcept;
   std::optional<double> friction_n() const noexcept;   // the most
@@ -39,7 +38,15 @@ class SelfTest final : public Trial {
 
  private:
   enum class Stage { travel, sweep };
+  /// Where the spring leads, with what speed, and the push that shakes the axis.
+  struct Target {
+    Vec3 position_m{0.0}, velocity_m_s{0.0};
+    double shake_n = 0;
+  };
   Vec3 wanted(const TrialReading& reading, double dt_s) noexcept override;
+  Target travel_target() noexcept;
+  Target sweep_target(double dt_s) noexcept;
+  void record_sweep(const TrialReading& reading) noexcept;
   void count(const TrialReading& reading) noexcept;
 
   Stage stage_ = Stage::travel;

@@ -1,4 +1,4 @@
-// The phases, the exchanges and what time means for them. How a Falcon comes to answer is in session_start.cpp.
+// Phases, exchanges and timeouts. session_start.cpp has the way from plugged in to answering.
 #include "device/falcon/session.h"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ std::string_view key_of(Trouble trouble) noexcept {
 }
 
 void Session::ask(const LinkAsk& wanted) noexcept {
-  // Asks wait for their answers, so that the outbox holds a handful at most. One that does not fit would be lost, and
-  // whoever waits for it runs into its time-out: the attempt fails, torque is zero.
+  // Asks wait for their answers, so that the outbox holds few. A dropped ask runs into its time-out: the attempt fails,
+  // and the torque is zero.
   if (outbox_count_ == kOutbox) return;
   outbox_[(outbox_at_ + outbox_count_) % kOutbox] = wanted;
   ++outbox_count_;
@@ -72,19 +72,19 @@ LinkTime Session::due() const noexcept {
 
 void Session::retry() noexcept {
   if (state_.phase != Phase::failed) return;
-  state_.attempt = 0;  // what went wrong last stays to be read until something goes right
+  state_.attempt = 0;  // `trouble` stays until an attempt succeeds
   state_.phase = Phase::unplugged;
   due_ = LinkTime::min();
 }
 
 void Session::unplugged(LinkTime now) noexcept {
   not_opened(Trouble::absent, now);
-  state_.attempt = 0;  // whatever comes back is a new device
+  state_.attempt = 0;  // the next device counts as new
   ask({.kind = LinkAsk::Kind::close});
 }
 
 void Session::send_frame(std::array<std::int16_t, 3> torque, std::uint8_t leds, LinkTime now) noexcept {
-  // The homing bit stays on all the time: without it the homed bits are not reported.
+  // The homing bit stays set: without it the device does not report the homed bits.
   ask(LinkAsk::of_bytes(encode({torque, static_cast<std::uint8_t>(control::kHoming | leds)})));
   sent_torque_ = torque;
   ++state_.sent;
@@ -102,7 +102,7 @@ void Session::forget_packets() noexcept {
 bool Session::exchange(LinkTime now) noexcept {
   if (!exchanging() || in_flight_.count() >= std::min(kWindow + late_, kMostUnanswered)) return false;
   if (took_ >= settings_.times.slow && (in_flight_.count() > late_ || quiet_ < settings_.times.fresh)) return false;
-  // Whether answers are missing shows when nothing is sent meanwhile.
+  // A pause shows whether answers are missing.
   if (in_flight_.count() > late_ && now - busy_since_ >= settings_.times.check) return false;
   if (state_.phase == Phase::homing) {
     send_frame(kNoTorque, control::kRed, now);
@@ -124,7 +124,7 @@ bool Session::exchange(LinkTime now) noexcept {
 }
 
 void Session::answered(const Frame& frame, LinkTime now) noexcept {
-  // What is late was probably lost: the line's pace is told by those after it, freshness by the oldest.
+  // A late packet was probably lost: the round trip is measured on the packets after it, freshness on the oldest.
   if (in_flight_.count() > late_) took_ = now - in_flight_.sent_at(late_);
   const std::optional<LinkTime> asked = in_flight_.answered();
   late_ = std::min(late_, in_flight_.count());
@@ -137,28 +137,28 @@ void Session::answered(const Frame& frame, LinkTime now) noexcept {
   state_.flawed += flawed;
   state_.unasked += !asked;
   state_.stale += asked && !in_time;
-  if (state_.phase == Phase::probing && !flawed) return answered_probe(in_time, now);
-  if (state_.phase == Phase::silent) return answered_silence(usable);
+  if (state_.phase == Phase::probing && !flawed) return answered_probe(in_time ? Answer::usable : Answer::unusable, now);
+  if (state_.phase == Phase::silent) return answered_silence(usable ? Answer::usable : Answer::unusable);
   if (!exchanging()) return;
-  if (!asked) return fall_silent(now);  // one came twice, and since then they may have seemed younger than they were
+  if (!asked) return fall_silent(now);  // a duplicate: later answers may have looked too young
   if (usable) use(frame, *asked, now);
 }
 
-void Session::answered_probe(bool usable, LinkTime now) noexcept {
+void Session::answered_probe(Answer answer, LinkTime now) noexcept {
   state_.trouble = Trouble::none;
   state_.attempt = 0;
-  const bool first = usable && in_flight_.empty() && tries_ == 1;
+  const bool first = answer == Answer::usable && in_flight_.empty() && tries_ == 1;
   enter(Phase::homing);
   due_ = kNever;
   if (!first) fall_silent(now);
 }
 
-void Session::answered_silence(bool usable) noexcept {
+void Session::answered_silence(Answer answer) noexcept {
   if (!drained_) return;
-  drained_ = usable;
-  steady_ = usable ? steady_ + 1 : 0;
+  drained_ = answer == Answer::usable;
+  steady_ = drained_ ? steady_ + 1 : 0;
   if (steady_ < settings_.times.steady) return;
-  // Answers again; whether the arms are still homed is asked anew.
+  // The device answers again; homing checks the homed bits anew.
   enter(Phase::homing);
   due_ = kNever;
 }
@@ -180,7 +180,7 @@ void Session::use(const Frame& frame, LinkTime asked, LinkTime now) noexcept {
   } else if (homed != status::kHomed) {
     enter(Phase::homing);
     wanted_ = kNoTorque;
-    send_frame(kNoTorque, control::kRed, now);  // at once, not with the next tick
+    send_frame(kNoTorque, control::kRed, now);  // without waiting for the next tick
   }
 }
 
@@ -210,7 +210,7 @@ void Session::ask_in_silence(LinkTime now) noexcept {
     send_frame(kNoTorque, control::kRed, now);
     return;
   }
-  // One at a time, and the next only when no other answer to it came meanwhile.
+  // One packet at a time; the next leaves after `fresh` without a second answer.
   const bool answered = drained_ && in_flight_.empty();
   if (quiet_ < (answered ? settings_.times.fresh : settings_.times.drain)) return;
   if (!answered) steady_ = 0;
@@ -224,7 +224,7 @@ void Session::take_transfer(std::span<const std::uint8_t> transfer, LinkTime now
   strip_status(transfer, state_.line, [&](std::span<const std::uint8_t> payload) {
     received(payload, reported() ? Line::flawed : Line::clean, now);
   });
-  if (reported()) parser_.flaw();  // in a packet that has nothing but its status
+  if (reported()) parser_.flaw();  // an error in a packet without payload
 }
 
 void Session::received(std::span<const std::uint8_t> payload, Line line, LinkTime now) noexcept {
@@ -243,7 +243,7 @@ void Session::received(std::span<const std::uint8_t> payload, Line line, LinkTim
         if (const auto frame = parser_.push(byte, line)) answered(*frame, now);
         break;
       default:
-        break;  // left over from before: the line is being set up
+        break;  // leftover bytes while the line is set up
     }
   }
   state_.dropped_bytes = parser_.dropped_bytes();
@@ -278,7 +278,7 @@ void Session::time_passed(LinkTime now) noexcept {
       }
       break;
     case Phase::greeting:
-      say_hello(now);
+      send_hello(now);
       break;
     case Phase::locking:
       attempt_failed(lock_sent_ ? Trouble::no_lock : Trouble::link_failed, now);

@@ -1,5 +1,5 @@
-// From plugged in to answering: the line set up request by request, the loader greeted, the firmware sent and its echo
-// compared. What an exchange means is in session.cpp.
+// Session from plugged in to answering: line set-up request by request, hello to the loader, firmware upload and its echo.
+// session.cpp has the exchanges.
 #include <algorithm>
 #include <span>
 
@@ -27,16 +27,16 @@ constexpr FtdiRequest kSettleEvent[] = {ftdi::kPurge1, ftdi::kPurge2, ftdi::kLat
 constexpr FtdiRequest kSwitchEvent[] = {ftdi::kLatency1ms, ftdi::kBaudRun, ftdi::kPurge1, ftdi::kPurge2,
                                         ftdi::kEventOnFrameEnd};
 
-std::span<const FtdiRequest> script_of(Phase phase, bool event_character) noexcept {
+std::span<const FtdiRequest> script_of(Phase phase, const SessionSettings& settings) noexcept {
   switch (phase) {
     case Phase::settling:
-      return event_character ? std::span<const FtdiRequest>(kSettleEvent) : kSettle;
+      return settings.event_character ? std::span<const FtdiRequest>(kSettleEvent) : kSettle;
     case Phase::arming:
       return kArm;
     case Phase::locking:
       return kLockSpeed;
     case Phase::switching:
-      return event_character ? std::span<const FtdiRequest>(kSwitchEvent) : kSwitch;
+      return settings.event_character ? std::span<const FtdiRequest>(kSwitchEvent) : kSwitch;
     default:
       return {};
   }
@@ -88,7 +88,7 @@ void Session::begin_script(Phase phase, LinkTime now) noexcept {
 }
 
 void Session::next_request(LinkTime now) noexcept {
-  const auto script = script_of(state_.phase, settings_.event_character);
+  const auto script = script_of(state_.phase, settings_);
   if (script_at_ < script.size()) {
     ask({.kind = LinkAsk::Kind::control, .request = script[script_at_++]});
     due_ = now + settings_.times.request;
@@ -98,7 +98,7 @@ void Session::next_request(LinkTime now) noexcept {
 }
 
 void Session::request_done(LinkTime now) noexcept {
-  if (!script_of(state_.phase, settings_.event_character).empty() && !lock_sent_) next_request(now);
+  if (!script_of(state_.phase, settings_).empty() && !lock_sent_) next_request(now);
 }
 
 void Session::script_done(LinkTime now) noexcept {
@@ -115,7 +115,7 @@ void Session::script_done(LinkTime now) noexcept {
     case Phase::arming:
       enter(Phase::greeting);
       tries_ = 0;
-      say_hello(now);
+      send_hello(now);
       break;
     case Phase::locking:
       ask(LinkAsk::of_bytes(std::span(&kLock, 1)));
@@ -141,11 +141,11 @@ void Session::probe_failed(LinkTime now) noexcept {
     begin_script(Phase::arming, now);
   } else {
     enter(Phase::needs_image);
-    due_ = now + settings_.times.reopen;  // looks for the image
+    due_ = now + settings_.times.reopen;  // then checks for an image
   }
 }
 
-void Session::say_hello(LinkTime now) noexcept {
+void Session::send_hello(LinkTime now) noexcept {
   if (tries_ == settings_.times.hellos) return attempt_failed(Trouble::no_hello, now);
   ++tries_;
   ask(LinkAsk::of_bytes(kHello));
@@ -154,7 +154,7 @@ void Session::say_hello(LinkTime now) noexcept {
 
 void Session::send_chunk(LinkTime now) noexcept {
   const auto left = image_->bytes().subspan(chunk_end_);
-  if (left.empty()) return begin_script(Phase::switching, now);  // the last echo is there: now the speed may change
+  if (left.empty()) return begin_script(Phase::switching, now);  // after the last echo the speed may change
   const auto chunk = left.first(std::min(left.size(), kPayloadBytes));
   chunk_end_ += chunk.size();
   ask(LinkAsk::of_bytes(chunk));
@@ -162,7 +162,7 @@ void Session::send_chunk(LinkTime now) noexcept {
 }
 
 void Session::echoed(std::uint8_t byte, LinkTime now) noexcept {
-  // More than was sent is as wrong as something else than was sent.
+  // More bytes than were sent are as wrong as different ones.
   if (state_.uploaded >= chunk_end_ || byte != image_->bytes()[state_.uploaded]) {
     return attempt_failed(Trouble::wrong_echo, now);
   }

@@ -1,5 +1,5 @@
-/// What the link and the watch both ask of libusb: a context, the devices of the bus, and how one is told from another.
-/// Only for transport_*.cpp.
+/// What link and watch share of libusb: a context, the devices on the bus, and their identification. Only for
+/// transport_*.cpp.
 #pragma once
 
 #include <libusb-1.0/libusb.h>
@@ -39,11 +39,11 @@ class DeviceList {
   ssize_t count_;
 };
 
-/// Whether its numbers are a Falcon's; `descriptor` is filled in.
+/// Whether vendor and product are a Falcon's. Fills in `descriptor`.
 bool is_falcon(libusb_device* device, libusb_device_descriptor& descriptor) noexcept;
-/// "1-4.2": the socket that it hangs on.
+/// The USB port, "1-4.2".
 std::string port_of(libusb_device* device);
-/// Empty when it has none. Up to a second where the device does not answer.
+/// Empty if it has none. Blocks up to a second if the device does not answer.
 std::string serial_of(libusb_device_handle* handle, const libusb_device_descriptor& descriptor);
 
 }  // namespace cusp::device::falcon

@@ -69,31 +69,31 @@ class UsbLink final : public FalconLink {
     bool under_way = false;
     std::array<unsigned char, kReadBytes> buffer{};
   };
-  struct Told {
+  struct Queued {
     LinkEvent::Kind kind = LinkEvent::Kind::time;
     Slot* read = nullptr;  // of `received`
   };
 
-  void tell(LinkEvent::Kind kind, Slot* read = nullptr) noexcept {
-    if (told_count_ == kEvents) return;  // each read is told once and each ask answered once: 3 + 8 + 1 at most
-    told_[(told_at_ + told_count_) % kEvents] = {kind, read};
-    ++told_count_;
+  void queue(LinkEvent::Kind kind, Slot* read = nullptr) noexcept {
+    if (queued_count_ == kEvents) return;  // one event per read and per ask: 3 + 8 + 1 at most
+    queued_[(queued_at_ + queued_count_) % kEvents] = {kind, read};
+    ++queued_count_;
   }
 
   std::optional<LinkEvent> next_event() noexcept {
-    if (told_count_ == 0) return std::nullopt;
-    const Told told = told_[told_at_];
-    told_at_ = (told_at_ + 1) % kEvents;
-    --told_count_;
-    LinkEvent event{.kind = told.kind};
-    if (told.kind == LinkEvent::Kind::received) {
-      given_ = told.read;
-      event.bytes = std::span(told.read->buffer).first(static_cast<std::size_t>(told.read->transfer->actual_length));
+    if (queued_count_ == 0) return std::nullopt;
+    const Queued next = queued_[queued_at_];
+    queued_at_ = (queued_at_ + 1) % kEvents;
+    --queued_count_;
+    LinkEvent event{.kind = next.kind};
+    if (next.kind == LinkEvent::Kind::received) {
+      given_ = next.read;
+      event.bytes = std::span(next.read->buffer).first(static_cast<std::size_t>(next.read->transfer->actual_length));
     }
     return event;
   }
 
-  /// The read whose bytes the driver has seen goes out again.
+  /// Submits the read again whose bytes the driver has taken.
   void give_back() noexcept {
     Slot* slot = given_;
     given_ = nullptr;
@@ -106,12 +106,12 @@ class UsbLink final : public FalconLink {
     if (error == LIBUSB_ERROR_NO_DEVICE) {
       lose();
     } else if (error != 0) {
-      tell(LinkEvent::Kind::failed);
+      queue(LinkEvent::Kind::failed);
     }
   }
 
   void lose() noexcept {
-    if (!lost_) tell(LinkEvent::Kind::gone);
+    if (!lost_) queue(LinkEvent::Kind::gone);
     lost_ = true;
   }
 
@@ -126,9 +126,9 @@ class UsbLink final : public FalconLink {
     switch (slot.transfer->status) {
       case LIBUSB_TRANSFER_COMPLETED:
         if (is_read(slot)) {
-          tell(LinkEvent::Kind::received, &slot);
+          queue(LinkEvent::Kind::received, &slot);
         } else if (&slot == &control_) {
-          tell(LinkEvent::Kind::control_done);
+          queue(LinkEvent::Kind::control_done);
         }
         break;
       case LIBUSB_TRANSFER_CANCELLED:
@@ -140,7 +140,7 @@ class UsbLink final : public FalconLink {
       case LIBUSB_TRANSFER_TIMED_OUT:
       case LIBUSB_TRANSFER_STALL:
       case LIBUSB_TRANSFER_OVERFLOW:
-        tell(LinkEvent::Kind::failed);
+        queue(LinkEvent::Kind::failed);
         break;
     }
   }
@@ -158,7 +158,7 @@ class UsbLink final : public FalconLink {
       libusb_device_handle* handle = nullptr;
       const int error = libusb_open(device, &handle);
       if (error != 0) {
-        // Which one it is cannot be told without opening it: it may be the one that is wanted.
+        // Its serial number is unknown without opening it: it may be the wanted one.
         if (error == LIBUSB_ERROR_ACCESS) outcome = LinkEvent::Kind::denied;
         continue;
       }
@@ -190,7 +190,7 @@ class UsbLink final : public FalconLink {
     try {
       opener_ = std::thread([this] { found_.store(find(), std::memory_order_release); });
     } catch (const std::system_error&) {
-      tell(LinkEvent::Kind::absent);  // no thread to be had: the driver asks again
+      queue(LinkEvent::Kind::absent);  // no thread available: the driver asks again
     }
   }
 
@@ -199,21 +199,21 @@ class UsbLink final : public FalconLink {
     const LinkEvent::Kind outcome = found_.load(std::memory_order_acquire);
     if (outcome == LinkEvent::Kind::time) return;
     opener_.join();
-    if (outcome != LinkEvent::Kind::opened) return tell(outcome);
+    if (outcome != LinkEvent::Kind::opened) return queue(outcome);
     lost_ = false;
     bool made = make(control_);
     for (Slot& slot : reads_) made = made && make(slot);
     for (Slot& slot : writes_) made = made && make(slot);
     if (!made) {
       close();
-      return tell(LinkEvent::Kind::absent);
+      return queue(LinkEvent::Kind::absent);
     }
     watch_files();
     for (Slot& slot : reads_) {
       libusb_fill_bulk_transfer(slot.transfer, handle_, kInEndpoint, slot.buffer.data(),
                                 static_cast<int>(slot.buffer.size()), &UsbLink::done, &slot, 0);
     }
-    tell(LinkEvent::Kind::opened);
+    queue(LinkEvent::Kind::opened);
     for (Slot& slot : reads_) submit(slot);
   }
 
@@ -226,7 +226,7 @@ class UsbLink final : public FalconLink {
 
   void request(FtdiRequest request) noexcept {
     if (handle_ == nullptr) return;
-    if (control_.under_way) return tell(LinkEvent::Kind::failed);
+    if (control_.under_way) return queue(LinkEvent::Kind::failed);
     constexpr std::uint8_t kVendorOut = 0x40;
     libusb_fill_control_setup(control_.buffer.data(), kVendorOut, request.request, request.value, 0, 0);
     libusb_fill_control_transfer(control_.transfer, handle_, control_.buffer.data(), &UsbLink::done, &control_,
@@ -243,7 +243,7 @@ class UsbLink final : public FalconLink {
                                 static_cast<int>(bytes.size()), &UsbLink::done, &slot, kRequestMs);
       return submit(slot);
     }
-    tell(LinkEvent::Kind::failed);  // eight writes wait: the bridge takes nothing any more
+    queue(LinkEvent::Kind::failed);  // eight writes wait: the bridge accepts nothing
   }
 
   void sleep(LinkTime left) noexcept {
@@ -277,7 +277,7 @@ class UsbLink final : public FalconLink {
 
   void close() noexcept {
     if (opener_.joinable()) opener_.join();
-    told_count_ = 0;
+    queued_count_ = 0;
     given_ = nullptr;
     if (handle_ != nullptr) {
       closing_ = true;
@@ -315,8 +315,8 @@ class UsbLink final : public FalconLink {
   std::array<Slot, kReads> reads_{};
   std::array<Slot, kWrites> writes_{};
   Slot* given_ = nullptr;
-  std::array<Told, kEvents> told_{};
-  std::size_t told_at_ = 0, told_count_ = 0;
+  std::array<Queued, kEvents> queued_{};
+  std::size_t queued_at_ = 0, queued_count_ = 0;
   std::array<WatchedFile, 16> files_{};
   std::size_t file_count_ = 0;
 };

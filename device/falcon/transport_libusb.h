@@ -1,6 +1,5 @@
-/// The link over libusb 1.0. Asynchronous: three reads are always under way, writes and requests are submitted and
-/// answered by events, all on the thread that calls wait(); no request is sent in the loop. libusb itself allocates and
-/// locks: that lies between two ticks. libusb's header stays in transport_*.
+/// The link over libusb 1.0, asynchronous: three reads are always under way; events answer writes and requests, all on the
+/// thread that calls wait(). The loop sends no request. libusb allocates and locks, between two ticks.
 #pragma once
 
 #include <memory>
@@ -12,9 +11,8 @@
 
 namespace cusp::device::falcon {
 
-/// A link to the Falcon of that name (FalconOnBus::name or ::port), or to the first there is when `name` is empty. It
-/// is found each time the driver asks to open, so that one that was unplugged is found again. Fails with io when libusb
-/// does not start.
+/// A link to the Falcon of that name (FalconOnBus::name or ::port), or to the first one if `name` is empty. Each open
+/// searches again, so that a replugged Falcon is found. Fails with io if libusb does not start.
 Result<std::unique_ptr<FalconLink>, PortFailure> make_usb_link(std::string name);
 
 }  // namespace cusp::device::falcon

@@ -17,7 +17,7 @@ class UsbWatch final : public FalconWatch {
     if (libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) == 0) return;
     hotplug_ = libusb_hotplug_register_callback(
                    context_.get(), LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT, 0, kVendor,
-                   kProduct, LIBUSB_HOTPLUG_MATCH_ANY, &UsbWatch::told, this, nullptr) == LIBUSB_SUCCESS;
+                   kProduct, LIBUSB_HOTPLUG_MATCH_ANY, &UsbWatch::on_hotplug, this, nullptr) == LIBUSB_SUCCESS;
   }
 
   std::vector<FalconOnBus> list() override {
@@ -40,7 +40,7 @@ class UsbWatch final : public FalconWatch {
       const auto same = std::count_if(out.begin(), out.end(), [&falcon](const FalconOnBus& other) {
         return !falcon.serial.empty() && other.serial == falcon.serial;
       });
-      falcon.name = same == 1 ? falcon.serial : falcon.port;  // one number on two devices tells nothing
+      falcon.name = same == 1 ? falcon.serial : falcon.port;  // two devices share the serial number
     }
     return out;
   }
@@ -53,7 +53,7 @@ class UsbWatch final : public FalconWatch {
   }
 
  private:
-  static int LIBUSB_CALL told(libusb_context*, libusb_device*, libusb_hotplug_event, void* self) {
+  static int LIBUSB_CALL on_hotplug(libusb_context*, libusb_device*, libusb_hotplug_event, void* self) {
     static_cast<UsbWatch*>(self)->changed_ = true;
     return 0;
   }

@@ -1,4 +1,4 @@
-/// The Falcons that are plugged in, over libusb 1.0.
+/// Lists the connected Falcons, over libusb 1.0.
 #pragma once
 
 #include <memory>
@@ -10,26 +10,26 @@
 
 namespace cusp::device::falcon {
 
-/// One that is plugged in.
+/// A connected Falcon.
 struct FalconOnBus {
-  std::string name;     // what make_usb_link() takes: the serial number if it has one of its own, else the port
-  std::string port;     // "1-4.2": the socket that it hangs on
-  std::string serial;   // empty when it has none, or when it may not be opened
+  std::string name;     // for make_usb_link(): the serial number if it is unique, else the port
+  std::string port;     // USB port, "1-4.2"
+  std::string serial;   // empty if it has none, or may not be opened
   bool denied = false;  // this user may not open it (falcon/permissions.h)
   friend bool operator==(const FalconOnBus&, const FalconOnBus&) = default;
 };
 
-/// Which Falcons there are. One thread, not the haptic one.
+/// One thread, not the haptic one.
 class FalconWatch {
  public:
   virtual ~FalconWatch() = default;
-  /// In order of their ports. A device is opened once after it came, to read its serial number.
+  /// In order of their ports. Opens a new device once, to read its serial number.
   virtual std::vector<FalconOnBus> list() = 0;
-  /// Whether one came or went since the last call (true the first time). Does not wait.
+  /// Whether a Falcon came or went since the last call; true at the first call. Does not wait.
   virtual bool changed() noexcept = 0;
 };
 
-/// Fails with io when libusb does not start.
+/// Fails with io if libusb does not start.
 Result<std::unique_ptr<FalconWatch>, PortFailure> watch_usb_falcons();
 
 }  // namespace cusp::device::falcon

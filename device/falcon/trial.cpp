@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kSpeedSmoothS = 0.005;
 
-
 Vec3 shortened(Vec3 v, double most) noexcept {
   const double length = glm::length(v);
   return length > most ? v * (most / length) : v;
@@ -34,11 +33,11 @@ Vec3 Trial::advance(const TrialReading& reading) noexcept {
   }
   if (end_ == TrialEnd::none) {
     const double across = std::hypot(reading.grip_m.x, reading.grip_m.y);
-    const bool room = across <= bounds_.room_m && reading.grip_m.z >= bounds_.least_z_m && reading.grip_m.z <= bounds_.most_z_m;
-    const bool drawn = reading.t_s - began_s_ >= bounds_.room_from_s || !std::isfinite(across);
-    // Written so that what is not a number is out of room, or too fast.
-    if (!room && drawn) {
-      end_ = TrialEnd::out_of_room;
+    const bool in_range = across <= bounds_.radius_m && reading.grip_m.z >= bounds_.least_z_m && reading.grip_m.z <= bounds_.most_z_m;
+    const bool checked = reading.t_s - began_s_ >= bounds_.range_from_s || !std::isfinite(across);
+    // A NaN position is out of range, a NaN speed too fast.
+    if (!in_range && checked) {
+      end_ = TrialEnd::out_of_range;
     } else if (!(glm::length(speed_) <= bounds_.max_m_s)) {
       end_ = TrialEnd::too_fast;
     }

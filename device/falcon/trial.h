@@ -1,5 +1,5 @@
-/// A programme that moves a Falcon to measure it or to let a hand feel it: a pure function of its readings and its
-/// state. Every one is held by the same bounds, and gives no force once it is over.
+/// A programme that moves a Falcon, to measure it or for a hand to feel it. Pure: a function of its readings and its state.
+/// All trials share the same bounds, and give no force after their end.
 #pragma once
 
 #include <array>
@@ -16,16 +16,16 @@ struct TrialReading {
   std::array<std::int16_t, 3> encoders{};
   std::array<std::int16_t, 3> torque{};  // words of the last packet
   bool fresh = true;                     // false: the device did not answer this time
-  bool gone = false;                     // its place is not known any more
+  bool gone = false;                     // position unknown
 };
 
 enum class TrialEnd : std::uint8_t {
-  none,         // goes on
+  none,         // still running
   done,
   stopped,      // asked to
   device_lost,  // gone, or without an answer for 20 ms
   too_fast,     // faster than a hand that holds it
-  out_of_room,  // near an end of its travel, or far from where it should be: something holds it
+  out_of_range, // near an end of the travel, or far from the target: something holds the grip
 };
 
 /// What every trial keeps to. [M], all of them: gentle for a hand, and no Falcon was tried.
@@ -33,9 +33,9 @@ struct TrialBounds {
   double max_n = 4.0;
   double max_m_s = 0.8;
   double rise_n_s = 400.0;                   // no force changes faster, up or down
-  double room_m = 0.040;                     // from the middle, across
+  double radius_m = 0.040;                   // from the middle, across
   double least_z_m = 0.080, most_z_m = 0.170;
-  double room_from_s = 0.0;                  // a grip that nobody held lies at its lowest, and is drawn up first
+  double range_from_s = 0.0;                 // range unchecked until then: an idle grip starts at its lowest point
   double silence_s = 0.020;
 };
 

@@ -1,4 +1,4 @@
-/// Waits for files to become ready with the system's own resolution: libusb rounds a wait up to whole milliseconds.
+/// Waits for files to become ready, with the system's resolution: libusb rounds a wait up to whole milliseconds.
 #pragma once
 
 #include <chrono>
@@ -8,10 +8,10 @@ namespace cusp::device::falcon {
 
 struct WatchedFile {
   int descriptor = -1;
-  short events = 0;  // as libusb tells them
+  short events = 0;  // poll() events, from libusb
 };
 
-/// Returns when one is ready or the time is over; at most 16 files are watched.
+/// Returns when a file is ready or the time is over. Watches at most 16 files.
 void wait_for_files(std::span<const WatchedFile> files, std::chrono::nanoseconds at_most) noexcept;
 
 }  // namespace cusp::device::falcon

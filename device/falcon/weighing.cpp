@@ -18,7 +18,7 @@ Vec3 place_of(int index) noexcept {
 }  // namespace
 
 Weighing::Weighing(const Geometry& geometry, const Calibration& calibration) noexcept
-    : Trial(TrialBounds{.max_n = 6.0, .room_m = 0.045, .room_from_s = kDrawS + kSettleS}), geometry_(geometry), calibration_(calibration) {}
+    : Trial(TrialBounds{.max_n = 6.0, .radius_m = 0.045, .range_from_s = kDrawS + kSettleS}), geometry_(geometry), calibration_(calibration) {}
 
 double Weighing::share() const noexcept {
   if (end() == TrialEnd::done) return 1.0;
@@ -43,7 +43,7 @@ Vec3 Weighing::wanted(const TrialReading& reading, double dt_s) noexcept {
     const auto legs = inverse(geometry_, mean);
     const auto rows = legs ? jacobian(geometry_, *legs) : std::nullopt;
     if (!rows) {
-      give_up(TrialEnd::out_of_room);
+      give_up(TrialEnd::out_of_range);
       return Vec3(0.0);
     }
     held_[static_cast<std::size_t>(place_)] = {{mean, *legs, *rows}, sum_nm_ / static_cast<double>(counted_)};

@@ -1,5 +1,5 @@
-/// Finds what the grip and the arms weigh: a soft spring holds the grip at nine places, and what it takes on average to
-/// keep it there is the weight. Nobody touches the grip; the base stands upright. Some 25 s.
+/// Measures the weight of grip and arms: a soft spring holds the grip at nine positions, and its mean torque there is the
+/// weight. Nobody touches the grip; the base stands upright. Takes about 25 s.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@ class Weighing final : public Trial {
  public:
   static constexpr int kPlaces = 9;
 
-  /// `calibration`: of the readings and torque words.
+  /// `calibration`: applies to readings and torque words.
   Weighing(const Geometry& geometry, const Calibration& calibration) noexcept;
   double share() const noexcept override;
-  int step() const noexcept override { return place_; }  // places done
-  /// What was held at each place so far; mean place and torque.
+  int step() const noexcept override { return place_; }  // positions done
+  /// Mean position and torque of each position so far.
   std::span<const HeldPose> held() const noexcept { return {held_.data(), static_cast<std::size_t>(place_)}; }
-  /// Once it is done; nothing where no weight fits.
+  /// nullopt if no weight fits. Pre: done.
   std::optional<GravityCalibration> result() const noexcept;
 
  private:

@@ -1,4 +1,4 @@
-/// From the grip's place to the specimen, and from a force on the bur to the grip. The device's x (right), y (up) and
+/// Maps the grip's position to the specimen, and a force on the bur to the grip. The device's x (right), y (up) and
 /// z (to the user) become the specimen's x, z and -y, turned by `yaw_rad` about the specimen's z, scaled, shifted.
 /// Metres on the device's side, millimetres on the specimen's. Pure but for the clutch. Haptic thread.
 #pragma once
@@ -11,8 +11,8 @@ namespace cusp::device::falcon {
 
 struct WorkspaceSettings {
   Vec3 centre_m{0.0, 0.0,
-                0.125};  // of the device; programs disagree (0.100 to 0.150), the middle of its travel is this
-  Vec3 origin_mm{0.0};   // place in the specimen where the centre comes to lie
+                0.125};  // middle of the device's travel; programs use 0.100 to 0.150
+  Vec3 origin_mm{0.0};   // position of the centre in the specimen
   double scale = 0.5;    // mm in the specimen for a mm of the grip: 80 mm of travel cover a tooth [M]
   double yaw_rad = 0.0;
 };
@@ -20,19 +20,19 @@ struct WorkspaceSettings {
 class Workspace {
  public:
   static constexpr double kMinScale = 0.05;
-  static constexpr double kMaxScale = 1.0;  // beyond it a tissue would feel stiffer to the hand than the scene says
+  static constexpr double kMaxScale = 1.0;  // a larger scale would make tissue feel stiffer than the scene sets
 
-  /// Nothing when a number is not finite or the scale is out of range.
+  /// nullopt if a number is not finite or the scale is out of range.
   static std::optional<Workspace> from(const WorkspaceSettings& settings) noexcept;
 
   Vec3 specimen_mm(Vec3 grip_m) const noexcept;
-  /// Where the grip is to be for that place; of no meaning while the clutch is held.
+  /// The grip position for a position in the specimen; meaningless while the clutch is held.
   Vec3 grip_m(Vec3 specimen_mm) const noexcept;
-  /// Newtons stay newtons: with a scale under 1 a tissue of stiffness K feels K * scale to the hand.
+  /// Keeps newtons: with a scale under 1 a tissue of stiffness K feels like K * scale.
   Vec3 device_n(Vec3 specimen_n) const noexcept;
 
-  /// While the clutch is held the grip moves and the bur does not; afterwards the bur goes on from where it stood.
-  /// Whoever calls it gives no force meanwhile.
+  /// While the clutch is held the grip moves and the bur does not; afterwards the bur continues from its position.
+  /// Pre: the caller sends no force meanwhile.
   void hold(Vec3 grip_m) noexcept;
   void release(Vec3 grip_m) noexcept;
   bool held() const noexcept { return held_; }

@@ -6,11 +6,11 @@ namespace cusp::device::hid {
 
 namespace {
 
-constexpr std::chrono::milliseconds kLook{20};    // of a read
+constexpr std::chrono::milliseconds kRead{20};    // time-out of a read
 constexpr std::chrono::milliseconds kPause{20};   // while nothing is open
-constexpr std::chrono::seconds kLookForDevices{1};
+constexpr std::chrono::seconds kListInterval{1};
 constexpr std::size_t kMostBytes = 4096;
-constexpr std::size_t kAtOnce = 64;               // reports between two looks at the clock and at the stop
+constexpr std::size_t kAtOnce = 64;               // most reports between two checks of clock and stop
 
 bool still_there(const std::vector<HidDevice>& devices, const HidDevice& device) {
   for (const HidDevice& other : devices) {
@@ -52,10 +52,10 @@ void HidFollower::run() {
   while (!stop_.load(std::memory_order_acquire)) {
     HidTime now = Clock::now();
     const bool asked = again_.exchange(false, std::memory_order_acq_rel);
-    if (bus && (asked || now - listed >= kLookForDevices)) {
+    if (bus && (asked || now - listed >= kListInterval)) {
       listed = now;
       const std::vector<HidDevice> devices = bus->list();
-      // Some systems never say that an open device has gone.
+      // Some systems do not report the loss of an open device.
       if (reader && !still_there(devices, open)) let_go();
       const std::optional<HidDevice> chosen = sink_.choose(devices);
       if (reader && (!chosen || chosen->path != open.path)) let_go();
@@ -71,11 +71,11 @@ void HidFollower::run() {
       }
     }
     if (!reader) {
-      sink_.looked(now);
+      sink_.polled(now);
       std::this_thread::sleep_for(kPause);
       continue;
     }
-    HidRead read = reader->read(bytes, kLook);
+    HidRead read = reader->read(bytes, kRead);
     bool came = false;
     for (std::size_t i = 0; read.kind == HidRead::Kind::report && i < kAtOnce; ++i) {
       came = true;
@@ -90,7 +90,7 @@ void HidFollower::run() {
       // A file that is always ready answers "nothing" at once: without this it would take a whole core.
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    sink_.looked(now);
+    sink_.polled(now);
   }
   let_go();
 }

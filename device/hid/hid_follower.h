@@ -1,5 +1,5 @@
-/// Follows one HID device on a thread of its own: finds it, opens it, hands on its reports, and finds it again after it
-/// was unplugged. No other thread ever waits for it.
+/// Follows one HID device on a thread of its own: finds and opens it, passes on its reports, and finds it again after it
+/// was unplugged. No other thread waits for it.
 #pragma once
 
 #include <atomic>
@@ -20,14 +20,14 @@ using HidTime = std::chrono::steady_clock::time_point;
 class HidSink {
  public:
   virtual ~HidSink() = default;
-  /// Which of these to follow; nothing: none of them. Asked about once a second, and after again().
+  /// The device to follow, or nullopt. Called about once a second, and after again().
   virtual std::optional<HidDevice> choose(const std::vector<HidDevice>& devices) = 0;
   virtual void opened(const HidDevice& device) = 0;
-  /// The chosen device could not be opened; it is tried again.
+  /// The chosen device could not be opened. HidFollower tries again.
   virtual void refused(const HidDevice& device, const PortFailure& failure) = 0;
   virtual void report(std::span<const std::uint8_t> report, HidTime now) = 0;
-  /// At least every 30 ms, whether or not anything came.
-  virtual void looked(HidTime now) = 0;
+  /// At least every 30 ms, with or without reports.
+  virtual void polled(HidTime now) = 0;
   virtual void lost() = 0;
 };
 
@@ -41,7 +41,7 @@ class HidFollower {
 
   void start();
   void stop();
-  /// Any thread: choose anew, at once.
+  /// Any thread. Makes the follower call choose() at once.
   void again() noexcept { again_.store(true, std::memory_order_release); }
 
  private:

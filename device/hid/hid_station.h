@@ -1,4 +1,4 @@
-/// Pedal and SpaceMouse of this station, each on a thread of its own from start() on. One for the whole program.
+/// Pedal and SpaceMouse of this station, each on a thread of its own after start(). One per program.
 #pragma once
 
 #include <functional>

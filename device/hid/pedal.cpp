@@ -8,7 +8,7 @@ namespace cusp::device::hid {
 namespace {
 
 constexpr double kFull = 65535.0;
-constexpr std::uint16_t kFirstKey = 0x04;  // below: no key, and what a keyboard says when too many are down
+constexpr std::uint16_t kFirstKey = 0x04;  // lower codes: no key, or too many keys
 
 std::optional<ControlKind> kind_of(const InputField& field) noexcept {
   if (field.relative || field.most <= field.least) return std::nullopt;
@@ -141,7 +141,7 @@ PedalReading reading_of(const PedalState& state, const PedalSettings& settings) 
   }
   if (settings.coolant) {
     out.coolant = state.value(*settings.coolant).value_or(0) != 0;
-    // A pedal whose any switch drills would drill while the coolant's is down.
+    // Without this the coolant's switch would drill, if any switch drills.
     if (!settings.drill && out.coolant) out.pressed = 0;
   }
   return out;

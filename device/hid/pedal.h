@@ -1,4 +1,4 @@
-/// A foot pedal's reports as how far it is down: every HID device with buttons, keys or axes. Pure; time is an argument.
+/// How far a foot pedal is down, from its reports: every HID device with buttons, keys or axes. Pure.
 #pragma once
 
 #include <compare>
@@ -12,7 +12,7 @@
 
 namespace cusp::device::hid {
 
-/// One thing that a foot can move: a button, an axis, or a key of a pedal that plays keyboard.
+/// A control that a foot can move: a button, an axis, or a key of a pedal that acts as a keyboard.
 struct ControlId {
   std::uint16_t page = 0, usage = 0;
   std::uint8_t index = 0;  // which of several with the same usage
@@ -25,17 +25,17 @@ struct Control {
   ControlId id;
   ControlKind kind = ControlKind::button;
   std::int32_t least = 0, most = 1;
-  std::int32_t value = 0;  // newest; the least of one that has not spoken
-  bool spoken = false;     // its value was told: an axis that has not moved yet may stand anywhere
+  std::int32_t value = 0;  // newest; `least` before the first report
+  bool reported = false;   // false: no report yet, and an axis may stand anywhere
   friend bool operator==(const Control&, const Control&) = default;
 };
 
-/// Raw values at rest and fully down; many rheostats rest at their most. What lies between rises evenly from the end of
-/// the dead zone, which is taken off at both ends.
+/// Raw values at rest and fully down; many rheostats rest at their maximum. Linear in between, without a dead zone at both
+/// ends.
 class PedalCalibration {
  public:
   static constexpr double kLeastDeadZone = 0.0, kMostDeadZone = 0.3, kUsualDeadZone = 0.04;
-  /// Nothing when the two are equal or the dead zone (a share of the way) is out of range.
+  /// nullopt if both values are equal or the dead zone (a share of the range) is out of range.
   static std::optional<PedalCalibration> from(std::int32_t released, std::int32_t pressed,
                                               double dead_zone = kUsualDeadZone) noexcept;
   /// A switch: 0 released, 1 pressed.
@@ -55,20 +55,20 @@ class PedalCalibration {
   double dead_zone_;
 };
 
-/// What is known of a device after its reports so far.
+/// State of a device after its reports.
 class PedalState {
  public:
   explicit PedalState(const ReportDescriptor& descriptor);
 
-  /// A report as it was read, its number first where the device uses numbers. False (and nothing changes) when it is
-  /// none of this device's: too short, or of an unknown number. No allocation.
+  /// A report as read, its number first if the device uses numbers. False, and no change, for a report that is too short or
+  /// of an unknown number. No allocation.
   bool take(std::span<const std::uint8_t> report) noexcept;
-  /// Lost: everything is as if it had never spoken.
+  /// Forgets all reports: the device was lost.
   void release() noexcept;
 
   /// Buttons and axes in the descriptor's order, then the keys that are down.
   std::vector<Control> controls() const;
-  /// Newest value; a button or key that has not spoken is up, an axis that has not spoken has none.
+  /// Newest value. Without a report a button or key is up, and an axis has none.
   std::optional<std::int32_t> value(ControlId id) const noexcept;
   /// Any button or key is down.
   bool any_switch() const noexcept;
@@ -98,16 +98,16 @@ struct PedalSettings {
   bool on = true;
   std::uint16_t vendor = 0, product = 0;  // 0: the first pedal that is known to be one (is_known_pedal)
   int interface_number = -1;
-  std::optional<ControlId> drill;         // nothing: any button of a known pedal
+  std::optional<ControlId> drill;         // nullopt: any button of a known pedal
   PedalCalibration calibration = PedalCalibration::of_switch();
   std::optional<ControlId> coolant;       // down: coolant runs
   friend bool operator==(const PedalSettings&, const PedalSettings&) = default;
 };
 
-/// Pedals that are nothing else, so that they may drive without having been chosen: VEC Infinity (05f3:00ff).
+/// Devices that are pedals and nothing else, which drill without being chosen: VEC Infinity (05f3:00ff).
 bool is_known_pedal(std::uint16_t vendor, std::uint16_t product) noexcept;
 
-/// What a state comes to.
+/// The reading that a state gives.
 PedalReading reading_of(const PedalState& state, const PedalSettings& settings) noexcept;
 
 }  // namespace cusp::device::hid

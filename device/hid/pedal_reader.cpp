@@ -35,7 +35,7 @@ PedalReading PedalReader::latest(std::chrono::steady_clock::time_point now) cons
   const std::uint64_t value = latest_.load(std::memory_order_acquire);
   // Wraps after 49 days, as the difference does.
   const std::uint32_t since = milliseconds(now) - static_cast<std::uint32_t>(value >> 32);
-  // The reader may have looked a moment after the tick took its time.
+  // The reader may have polled just after the tick took its time.
   if (since > static_cast<std::uint32_t>(kStale.count()) && since < UINT32_MAX / 2) return {};
   return {static_cast<std::uint16_t>(value), (value & kCoolantBit) != 0};
 }
@@ -98,7 +98,7 @@ void PedalReader::report(std::span<const std::uint8_t> report, HidTime now) {
   view_.controls = state_->controls();
 }
 
-void PedalReader::looked(HidTime now) { publish(now); }
+void PedalReader::polled(HidTime now) { publish(now); }
 
 void PedalReader::lost() {
   state_.reset();

@@ -1,4 +1,4 @@
-/// The station's foot pedal: read on a thread of its own, taken by the haptic tick as one atomic value.
+/// The station's foot pedal, read on a thread of its own. The haptic tick reads it as one atomic value.
 #pragma once
 
 #include <atomic>
@@ -12,14 +12,14 @@
 
 namespace cusp::device::hid {
 
-/// What a screen may want to know; plain values.
+/// Plain values for a screen.
 struct PedalView {
-  std::vector<HidDevice> devices;  // that have something to press
-  std::optional<HidDevice> device; // the one that is followed
-  std::vector<Control> controls;   // of it
+  std::vector<HidDevice> devices;  // that have controls
+  std::optional<HidDevice> device; // the followed one
+  std::vector<Control> controls;   // of `device`
   PedalReading reading;
   bool connected = false;
-  bool denied = false;             // there, but this user may not open it (device/hid/permissions.h)
+  bool denied = false;             // connected, but this user may not open it (device/hid/permissions.h)
   std::uint64_t reports = 0;
 };
 
@@ -31,23 +31,23 @@ class PedalReader final : public PedalSource, private HidSink {
   void start() { follower_.start(); }
   void stop() { follower_.stop(); }
 
-  /// Haptic thread. Released once the reader has not looked for kStale before `now`.
+  /// Thread: haptic. Released if the reader has not polled for kStale before `now`.
   PedalReading latest(std::chrono::steady_clock::time_point now) const noexcept override;
 
   // One other thread (the window's).
   PedalView view() const;
   PedalSettings settings() const;
-  /// Taken at the next report, or at once when the device is another.
+  /// Applied at the next report, or at once if the device changes.
   void set_settings(const PedalSettings& settings);
 
-  static constexpr std::chrono::milliseconds kStale{250};  // the reader looks every 30 ms
+  static constexpr std::chrono::milliseconds kStale{250};  // the reader polls every 30 ms
 
  private:
   std::optional<HidDevice> choose(const std::vector<HidDevice>& devices) override;
   void opened(const HidDevice& device) override;
   void refused(const HidDevice& device, const PortFailure& failure) override;
   void report(std::span<const std::uint8_t> report, HidTime now) override;
-  void looked(HidTime now) override;
+  void polled(HidTime now) override;
   void lost() override;
   void publish(HidTime now);
 
@@ -55,7 +55,7 @@ class PedalReader final : public PedalSource, private HidSink {
   PedalSettings settings_;
   PedalView view_;
   std::optional<PedalState> state_;    // the follower's thread
-  std::atomic<std::uint64_t> latest_{0};  // pressed, coolant, and when the reader last looked
+  std::atomic<std::uint64_t> latest_{0};  // pressed, coolant, and the time of the last poll
   HidFollower follower_;
 };
 

@@ -1,5 +1,5 @@
-/// Any device with a foot pedal beside it: what the pedal says is put into the device's samples. Whichever is further
-/// down counts, so that a device's own button goes on working.
+/// A HapticPort that adds a foot pedal to another port's samples. The larger of the two pedal values counts, so that a
+/// device's own button keeps working.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace cusp::device {
 
 class PedalledPort final : public HapticPort {
  public:
-  /// `port` outlives this.
+  /// Pre: `port` outlives this.
   PedalledPort(HapticPort& port, std::shared_ptr<const PedalSource> pedal);
 
   Result<void, PortFailure> open() override { return port_.open(); }

@@ -1,4 +1,4 @@
-/// What a user who may not open a pedal or a SpaceMouse lacks: the rules, and the one line that installs them (Linux).
+/// udev rules for pedals and SpaceMice, and the command that installs them (Linux).
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace cusp::device::hid {
 
-/// The lines of 52-cusp-hid.rules. They have to sort before 73-seat-late.rules.
+/// The lines of 52-cusp-hid.rules. The file must sort before 73-seat-late.rules.
 std::string_view udev_rules() noexcept;
 std::string_view udev_rules_path() noexcept;
-/// Whether those lines name a device; of others a station's keeper adds a line by hand (udev_rule_for).
+/// Whether those lines name a device; for others an administrator adds udev_rule_for().
 bool is_ruled(std::uint16_t vendor, std::uint16_t product) noexcept;
 /// A line for any other device.
 std::string udev_rule_for(std::uint16_t vendor, std::uint16_t product);
 /// A shell command that writes the rules (and, for a device that they do not name, a line for it) and applies them to
-/// what is plugged in already; asks for the password by sudo.
+/// connected devices; sudo asks for the password.
 std::string udev_install_command(std::uint16_t vendor, std::uint16_t product);
 
 }  // namespace cusp::device::hid

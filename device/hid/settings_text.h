@@ -1,4 +1,4 @@
-/// Settings of pedal and SpaceMouse as text, to be kept with the station. What cannot be read is taken as the usual.
+/// Settings of pedal and SpaceMouse as text, stored with the station. A value that cannot be read keeps its default.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ namespace cusp::device::hid {
 /// Six-axis devices of 3Dconnexion, by their numbers.
 bool is_space_mouse(std::uint16_t vendor, std::uint16_t product) noexcept;
 
-/// -1 to 1 each, as seen by who sits before it: x right, y up, z to the user; turns right-handed about the same axes.
+/// -1 to 1 each; x right, y up, z to the user; rotations right-handed about the same axes.
 struct SpaceMouseMotion {
   std::array<double, 3> move{}, turn{};
   std::uint32_t buttons = 0;  // bit 0: left
@@ -33,12 +33,12 @@ struct SpaceMouseSettings {
 class SpaceMouseState {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  /// A deflected device tells its place every 8 to 16 ms: silence this long while deflected counts as let go.
+  /// A deflected device reports every 8 to 16 ms: silence this long counts as released.
   static constexpr std::chrono::milliseconds kSilence{200};
 
-  /// A report, number first. False (nothing changes) for what is none. No allocation.
+  /// A report, number first. False, and no change, for an unknown report. No allocation.
   bool take(std::span<const std::uint8_t> report, Time now) noexcept;
-  /// Lost: let go, no button down.
+  /// Released, no button down: the device was lost.
   void release() noexcept;
 
   const std::array<std::int16_t, 6>& raw() const noexcept { return raw_; }

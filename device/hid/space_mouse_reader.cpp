@@ -56,7 +56,7 @@ void SpaceMouseReader::report(std::span<const std::uint8_t> report, HidTime now)
   if (state_.take(report, now)) ++view_.reports;
 }
 
-void SpaceMouseReader::looked(HidTime) {}
+void SpaceMouseReader::polled(HidTime) {}
 
 void SpaceMouseReader::lost() {
   const std::lock_guard lock(mutex_);

@@ -10,13 +10,13 @@
 
 namespace cusp::device::hid {
 
-/// What a screen may want to know; plain values.
+/// Plain values for a screen.
 struct SpaceMouseView {
   std::optional<HidDevice> device;
   bool connected = false;
-  bool denied = false;                // there, but this user may not open it (device/hid/permissions.h)
+  bool denied = false;                // connected, but this user may not open it (device/hid/permissions.h)
   std::array<std::int16_t, 6> raw{};
-  SpaceMouseMotion motion;            // as the settings have it, at the time of asking
+  SpaceMouseMotion motion;            // by the settings, at the time of the call
   std::optional<int> battery_percent;
   std::uint64_t reports = 0;
 };
@@ -39,10 +39,10 @@ class SpaceMouseReader final : private HidSink {
   void opened(const HidDevice& device) override;
   void refused(const HidDevice& device, const PortFailure& failure) override;
   void report(std::span<const std::uint8_t> report, HidTime now) override;
-  void looked(HidTime now) override;
+  void polled(HidTime now) override;
   void lost() override;
 
-  mutable std::mutex mutex_;  // everything; held for a copy
+  mutable std::mutex mutex_;  // guards all members; held for a copy
   SpaceMouseSettings settings_;
   SpaceMouseState state_;
   SpaceMouseView view_;

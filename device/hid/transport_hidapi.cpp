@@ -20,7 +20,7 @@ std::mutex& hidapi() {
   return mutex;
 }
 
-/// hidapi's wide text as UTF-8; what is no character becomes '?'.
+/// hidapi's wide text as UTF-8; an invalid character becomes '?'.
 std::string narrow(const wchar_t* text) {
   std::string out;
   for (; text != nullptr && *text != 0; ++text) {
@@ -41,7 +41,7 @@ std::string narrow(const wchar_t* text) {
   return out;
 }
 
-/// hidapi 0.13 does not hand out the report descriptor: the kernel shows it beside the node.
+/// hidapi 0.13 has no access to the report descriptor: sysfs has it.
 std::vector<std::uint8_t> descriptor_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   if (slash == std::string::npos) return {};
@@ -84,7 +84,7 @@ class Bus final : public HidBus {
       for (const hid_device_info* at = all; at != nullptr; at = at->next) {
         if (at->path == nullptr) continue;
         const std::string path = at->path;
-        // One entry for each usage that it has: the device is the same.
+        // hidapi lists a device once per usage.
         if (std::any_of(out.begin(), out.end(), [&path](const HidDevice& d) { return d.path == path; })) continue;
         HidDevice device;
         device.path = path;

@@ -1,5 +1,5 @@
-/// HID devices over hidapi's hidraw backend. Its global functions are not made for several threads: they are called one
-/// at a time here, so that each thread may hold a bus of its own. hidapi's header stays in the .cpp.
+/// HID devices over hidapi's hidraw backend. hidapi's global functions are not thread-safe: a mutex serialises them here, so
+/// that each thread may have a bus of its own.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace cusp::device::hid {
 
-/// Null when hidapi does not start.
+/// nullptr if hidapi does not start.
 std::unique_ptr<HidBus> make_hidapi_bus();
 
 }  // namespace cusp::device::hid

@@ -11,7 +11,7 @@ using nlohmann::json;
 using Found = Result<void, FrameError>;
 
 constexpr double kFarthestM = 10.0;      // a reading beyond it is none of this device's
-constexpr double kLeastLength = 0.5, kMostLength = 2.0;  // of an orientation that is told as a unit quaternion
+constexpr double kLeastLength = 0.5, kMostLength = 2.0;  // tolerated length of a quaternion that should be unit
 
 /// A member that may be missing; one of another type than `object` is wrong.
 Result<const json*, FrameError> object_in(const json& in, const char* key) {
@@ -70,7 +70,7 @@ Found read_handle(const json& in, Frame& out) {
       if (!*each) return std::unexpected(each->error());
     }
     const double length = std::sqrt(*x * *x + *y * *y + *z * *z + *w * *w);
-    // All zero is a handle that has not spoken yet.
+    // All zero: the handle has not reported yet.
     if (length >= kLeastLength && length <= kMostLength) out.orientation = Quat(*w / length, *x / length, *y / length, *z / length);
   }
   const auto buttons = object_in(**state, "buttons");

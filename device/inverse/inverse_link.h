@@ -1,4 +1,4 @@
-/// The seam between the Inverse3's driver and how its service is reached: a WebSocket, or a test's own. One thread.
+/// The seam between the Inverse3's driver and its service: a WebSocket, or a test's own link. One thread.
 #pragma once
 
 #include <chrono>
@@ -19,9 +19,9 @@ struct ServiceAddress {
 
 struct LinkEvent {
   enum class Kind : std::uint8_t {
-    time,     // nothing came until then
+    time,     // nothing happened until the requested time
     opened,
-    refused,  // nobody listens there, or it is no WebSocket
+    refused,  // no service listens there, or it is no WebSocket
     message,  // `text` until the next call
     closed,   // the other side is gone
   };
@@ -33,9 +33,9 @@ class InverseLink {
  public:
   virtual ~InverseLink() = default;
   virtual LinkTime now() const noexcept = 0;
-  /// Begins; `opened` or `refused` comes by wait().
+  /// Begins to open; wait() reports `opened` or `refused`.
   virtual void open() = 0;
-  /// Queues one message; dropped when the link is not open.
+  /// Queues one message; drops it if the link is not open.
   virtual void send(std::string text) = 0;
   /// The next event, or `time` at `until`.
   virtual LinkEvent wait(LinkTime until) = 0;

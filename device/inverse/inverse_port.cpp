@@ -21,14 +21,14 @@ using inverse::SessionState;
 using inverse::Trouble;
 
 constexpr double kMmPerM = 1000.0;
-constexpr double kLeastScale = 0.05, kMostScale = 1.0;  // beyond it a tissue would feel stiffer than the scene says
-constexpr std::chrono::milliseconds kGlance{5};
+constexpr double kLeastScale = 0.05, kMostScale = 1.0;  // a larger scale would make tissue feel stiffer than the scene sets
+constexpr std::chrono::milliseconds kOpenPoll{5};
 constexpr std::chrono::milliseconds kLongestWait{20};
-constexpr std::chrono::milliseconds kFlush{50};      // for the last words to go out
+constexpr std::chrono::milliseconds kFlush{50};      // for the closing message to leave
 constexpr std::uint8_t kPressTicks = 20;             // a button counts when it was down so long: switches bounce
 
 /// What the talking thread hands to the loop.
-struct Told {
+struct NewestReading {
   inverse::Reading reading;
   std::uint64_t readings = 0;
 };
@@ -54,7 +54,7 @@ struct InversePort::Inner {
   std::thread thread;
   std::atomic<bool> stop{false}, cancelled{false};
   std::atomic<bool> ready{false};
-  TripleBuffer<Told> told;
+  TripleBuffer<NewestReading> newest;
   TripleBuffer<Wanted> wanted;
   std::counting_semaphore<> news{0};
   mutable std::mutex mutex;  // view; the loop never takes it
@@ -77,7 +77,7 @@ struct InversePort::Inner {
     return {cosine * specimen.x + sine * specimen.y, -sine * specimen.x + cosine * specimen.y, specimen.z};
   }
 
-  void talk();
+  void exchange();
   void publish(const SessionState& state, LinkTime now, LinkTime& since, std::uint64_t& before);
   Sample fresh(const inverse::Reading& reading) noexcept;
 };
@@ -92,17 +92,17 @@ void InversePort::Inner::publish(const SessionState& state, LinkTime now, LinkTi
   before = state.readings;
 }
 
-void InversePort::Inner::talk() {
+void InversePort::Inner::exchange() {
   Session session(settings.session, settings.device);
   std::uint64_t readings = 0, rated = 0;
   LinkTime rate_since = link->now(), commanded{}, published{};
   Phase shown = Phase::closed;
   while (!stop.load(std::memory_order_acquire)) {
     LinkTime now = link->now();
-    switch (session.take_wish(now)) {
-      case Session::Wish::open: link->open(); break;
-      case Session::Wish::close: link->close(); break;
-      case Session::Wish::none: break;
+    switch (session.take_request(now)) {
+      case Session::LinkRequest::open: link->open(); break;
+      case Session::LinkRequest::close: link->close(); break;
+      case Session::LinkRequest::none: break;
     }
     if (const Wanted& want = wanted.read(); want.at != commanded) {
       commanded = want.at;
@@ -116,10 +116,10 @@ void InversePort::Inner::talk() {
     ready.store(state.phase == Phase::ready, std::memory_order_release);
     if (state.readings != readings) {
       readings = state.readings;
-      told.write({state.reading, readings});
+      newest.write({state.reading, readings});
       news.release();
     }
-    // A copy for the screen, at its own pace and whenever something has turned.
+    // A copy for the screen, every kLongestWait and at each change of phase.
     if (state.phase != shown || now - published >= kLongestWait) {
       shown = state.phase;
       published = now;
@@ -127,8 +127,8 @@ void InversePort::Inner::talk() {
     }
   }
   ready.store(false, std::memory_order_release);
-  if (auto words = session.last_words()) {
-    link->send(std::move(*words));
+  if (auto message = session.closing_message()) {
+    link->send(std::move(*message));
     const LinkTime until = link->now() + kFlush;
     while (link->now() < until && link->wait(until).kind == inverse::LinkEvent::Kind::time) continue;
   }
@@ -146,7 +146,7 @@ Result<void, PortFailure> InversePort::open() {
   Inner& in = *inner_;
   in.stop.store(false);
   in.seen = 0;
-  in.told.write({});
+  in.newest.write({});
   in.wanted.write({});
   in.centre_m.reset();
   in.rest.reset();
@@ -155,7 +155,7 @@ Result<void, PortFailure> InversePort::open() {
   in.last = Sample{};
   in.view = {};
   in.open = true;
-  in.thread = std::thread([&in] { in.talk(); });
+  in.thread = std::thread([&in] { in.exchange(); });
   const auto until = std::chrono::steady_clock::now() + kLongestOpen;
   while (!in.ready.load(std::memory_order_acquire)) {
     const SessionState state = view().session;
@@ -172,7 +172,7 @@ Result<void, PortFailure> InversePort::open() {
       if (trouble == Trouble::no_device) return fail(PortError::not_found, "device");
       return fail(PortError::io, "service", std::string(key_of(trouble)));
     }
-    std::this_thread::sleep_for(kGlance);
+    std::this_thread::sleep_for(kOpenPoll);
   }
   return {};
 }
@@ -184,7 +184,7 @@ Sample InversePort::Inner::fresh(const inverse::Reading& reading) noexcept {
   const Vec3 place = origin_mm + to_specimen(reading.position_m - *centre_m) * mm;
   if (reading.b && !held) held = true;
   if (held && !reading.b) {
-    // The bur goes on from where it stood, and the handle rests as it is held now.
+    // The bur continues from its position, and the present orientation becomes the rest.
     origin_mm += last.position_mm - place;
     rest = reading.orientation;
     held = false;
@@ -209,10 +209,10 @@ Sample InversePort::wait(std::chrono::steady_clock::time_point deadline) noexcep
   Inner& in = *inner_;
   const auto until = std::min(deadline, std::chrono::steady_clock::now() + kLongestWait);
   for (;;) {
-    const Told& told = in.told.read();
-    if (in.open && in.ready.load(std::memory_order_acquire) && told.readings > in.seen) {
-      in.seen = told.readings;
-      return in.fresh(told.reading);
+    const NewestReading& newest = in.newest.read();
+    if (in.open && in.ready.load(std::memory_order_acquire) && newest.readings > in.seen) {
+      in.seen = newest.readings;
+      return in.fresh(newest.reading);
     }
     if (!in.news.try_acquire_until(until)) break;
     while (in.news.try_acquire()) continue;
@@ -223,7 +223,7 @@ Sample InversePort::wait(std::chrono::steady_clock::time_point deadline) noexcep
     return stale;
   }
   stale.status = Sample::Status::gone;
-  stale.buttons = 0;  // whatever stops telling has let go
+  stale.buttons = 0;  // a silent device counts as released
   stale.pedal = 0;
   return stale;
 }

@@ -30,9 +30,9 @@ void Session::enter(Phase phase, LinkTime now) noexcept {
 void Session::lose(Trouble trouble, LinkTime now) noexcept {
   state_.trouble = trouble;
   state_.has_orientation = false;
-  owes_answer_ = ask_ = false;
+  awaits_answer_ = ask_ = false;
   garbage_ = 0;
-  wish_ = Wish::close;
+  request_ = LinkRequest::close;
   enter(Phase::pausing, now);
 }
 
@@ -41,11 +41,11 @@ void Session::advance(const LinkEvent& event, LinkTime now) {
     case LinkEvent::Kind::opened:
       if (state_.phase != Phase::connecting) break;
       ++state_.connections;
-      heard_ = asked_ = now;
+      received_ = asked_ = now;
       garbage_ = 0;
       others_ = false;
-      // The first message comes by itself.
-      owes_answer_ = true;
+      // The service sends the first message unasked.
+      awaits_answer_ = true;
       enter(Phase::greeting, now);
       return;
     case LinkEvent::Kind::refused:
@@ -56,7 +56,7 @@ void Session::advance(const LinkEvent& event, LinkTime now) {
       return;
     case LinkEvent::Kind::message:
       if (state_.phase == Phase::greeting || state_.phase == Phase::ready || state_.phase == Phase::silent)
-        hear(event.text, now);
+        take_text(event.text, now);
       return;
     case LinkEvent::Kind::time: break;
   }
@@ -66,20 +66,20 @@ void Session::advance(const LinkEvent& event, LinkTime now) {
       if (now - since_ >= settings_.give_up) lose(Trouble::no_service, now);
       break;
     case Phase::pausing:
-      if (now - since_ >= settings_.pause && wish_ == Wish::none) {
-        wish_ = Wish::open;
+      if (now - since_ >= settings_.pause && request_ == LinkRequest::none) {
+        request_ = LinkRequest::open;
         enter(Phase::closed, now);
       }
       break;
     case Phase::ready:
-      if (owes_answer_ && now - asked_ >= settings_.answer) {
+      if (awaits_answer_ && now - asked_ >= settings_.answer) {
         ++state_.silences;
         enter(Phase::silent, now);
       }
       break;
     case Phase::greeting:
     case Phase::silent:
-      if (now - heard_ >= settings_.give_up) {
+      if (now - received_ >= settings_.give_up) {
         lose(state_.phase == Phase::silent ? Trouble::gone : others_ ? Trouble::no_device : Trouble::no_answer, now);
       } else if (!state_.device.empty() && now - asked_ >= settings_.repeat) {
         ask_ = true;  // the message or its answer was lost
@@ -88,14 +88,14 @@ void Session::advance(const LinkEvent& event, LinkTime now) {
   }
 }
 
-void Session::hear(std::string_view text, LinkTime now) {
+void Session::take_text(std::string_view text, LinkTime now) {
   const auto frame = parse_frame(text);
   if (!frame) {
     ++state_.unread;
     if (++garbage_ >= settings_.garbage) return lose(Trouble::garbage, now);
-    // An answer that cannot be read is no place to push from.
+    // Without a readable position no force is safe.
     if (state_.phase == Phase::ready) enter(Phase::silent, now);
-    owes_answer_ = false;
+    awaits_answer_ = false;
     ask_ = !state_.device.empty();
     return;
   }
@@ -107,7 +107,7 @@ void Session::hear(std::string_view text, LinkTime now) {
     if (named && mine == nullptr) mine = &device;
   }
   if (mine == nullptr) {
-    // Said of nothing, or of another device: as good as silence.
+    // A message without this device counts as silence.
     if (state_.phase == Phase::greeting) {
       state_.trouble = Trouble::no_device;
       others_ = true;
@@ -118,8 +118,8 @@ void Session::hear(std::string_view text, LinkTime now) {
     state_.device = mine->id;
     state_.left_handed = mine->left_handed;
   }
-  heard_ = now;
-  owes_answer_ = false;
+  received_ = now;
+  awaits_answer_ = false;
   ask_ = true;
   if (!mine->position_m) return;
   state_.reading.position_m = *mine->position_m;
@@ -140,11 +140,11 @@ void Session::command(Vec3 force_n, LinkTime now) noexcept {
   force_at_ = now;
 }
 
-Session::Wish Session::take_wish(LinkTime now) noexcept {
-  const Wish wish = std::exchange(wish_, Wish::none);
-  if (wish == Wish::open) enter(Phase::connecting, now);
-  if (wish == Wish::close) state_.device.clear();
-  return wish;
+Session::LinkRequest Session::take_request(LinkTime now) noexcept {
+  const LinkRequest request = std::exchange(request_, LinkRequest::none);
+  if (request == LinkRequest::open) enter(Phase::connecting, now);
+  if (request == LinkRequest::close) state_.device.clear();
+  return request;
 }
 
 Vec3 Session::ramped(LinkTime now) const noexcept {
@@ -156,7 +156,7 @@ Vec3 Session::ramped(LinkTime now) const noexcept {
 std::optional<std::string> Session::take_message(LinkTime now) {
   if (!ask_ || state_.device.empty() || now - asked_ < settings_.pace) return std::nullopt;
   ask_ = false;
-  owes_answer_ = true;
+  awaits_answer_ = true;
   asked_ = now;
   ++state_.sent;
   const Vec3 force = ramped(now);
@@ -169,16 +169,16 @@ LinkTime Session::due() const noexcept {
     case Phase::closed: return since_;
     case Phase::connecting: return since_ + settings_.give_up;
     case Phase::pausing: return since_ + settings_.pause;
-    case Phase::ready: return owes_answer_ ? asked_ + settings_.answer : asked_ + settings_.pace;
+    case Phase::ready: return awaits_answer_ ? asked_ + settings_.answer : asked_ + settings_.pace;
     case Phase::greeting:
     case Phase::silent:
       if (ask_ && !state_.device.empty()) return asked_ + settings_.pace;
-      return std::min(asked_ + settings_.repeat, heard_ + settings_.give_up);
+      return std::min(asked_ + settings_.repeat, received_ + settings_.give_up);
   }
   return since_;
 }
 
-std::optional<std::string> Session::last_words() const {
+std::optional<std::string> Session::closing_message() const {
   if (state_.device.empty()) return std::nullopt;
   return force_message(state_.device, Vec3(0.0));
 }

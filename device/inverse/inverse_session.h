@@ -1,11 +1,12 @@
-/// What to do next with the Inverse3's service: events and time in, a message or a wish out. Pure: no clock, no I/O.
+/// State machine of the connection to the Inverse3's service. Pure: events and time in, a message or a request to the link
+/// out; no clock, no I/O.
 ///
 ///   closed ─open─► connecting ─opened─► greeting ─first place─► ready ─┬─ silence, garbage ─► silent ─ a place ─► ready
 ///     ▲                │ refused                                       │
 ///     └──── pause ◄────┴───────────────── closed, service gone ◄───────┘
 ///
-/// The service answers each message with one: after the first, which comes by itself, nothing is told unless asked.
-/// Force is zero in every phase but ready, and rises over `ramp` there.
+/// The service sends one message unasked, then one in answer to each message [M]. Force is zero in every phase but ready,
+/// and rises over `ramp` there.
 #pragma once
 
 #include <chrono>
@@ -22,10 +23,10 @@ enum class Phase : std::uint8_t { closed, connecting, greeting, ready, silent, p
 
 enum class Trouble : std::uint8_t {
   none,
-  no_service,    // nobody listens
+  no_service,    // no service listens
   no_device,     // the service has no Inverse3
-  no_answer,     // connected, but it never told a place
-  garbage,       // what it says cannot be read
+  no_answer,     // connected, but no message had a position
+  garbage,       // its messages cannot be parsed
   gone,          // the service or the device went away
 };
 /// "no_service": for failures and logs.
@@ -34,19 +35,19 @@ std::string_view key_of(Trouble trouble) noexcept;
 struct SessionSettings {
   std::chrono::microseconds pace{1000};    // between two messages at the least
   std::chrono::milliseconds answer{20};    // silence after a message: zero force from here on
-  std::chrono::milliseconds repeat{100};   // it is asked again after this
-  std::chrono::milliseconds give_up{2000}; // silence: the link is closed and opened anew
-  std::chrono::milliseconds pause{500};    // before it is opened anew
+  std::chrono::milliseconds repeat{100};   // asks again after this
+  std::chrono::milliseconds give_up{2000}; // silence: the link is closed and opened again
+  std::chrono::milliseconds pause{500};    // before it is opened again
   std::chrono::milliseconds ramp{500};     // of the force, whenever ready begins
   std::chrono::milliseconds stale_force{20};  // a force that was not renewed for this long is zero
-  int garbage = 50;                        // messages in a row that cannot be read: closed and opened anew
+  int garbage = 50;                        // unparsable messages in a row: the link is closed and opened again
 };
 
 struct SessionState {
   Phase phase = Phase::closed;
   Trouble trouble = Trouble::none;
   std::string device;              // its id
-  std::string version;             // of the service, where it tells
+  std::string version;             // of the service; may be empty
   bool left_handed = false;
   bool has_orientation = false;
   Reading reading;                 // newest
@@ -58,37 +59,37 @@ class Session {
  public:
   explicit Session(const SessionSettings& settings = {}, std::string device = {});
 
-  /// What happened, at `now`; `time` alone when nothing did.
+  /// Takes one event; `time` if nothing happened.
   void advance(const LinkEvent& event, LinkTime now);
-  /// The force to be held from now on, in the device's frame; ignored unless ready.
+  /// Sets the force in the device's frame; ignored unless ready.
   void command(Vec3 force_n, LinkTime now) noexcept;
 
-  enum class Wish : std::uint8_t { none, open, close };
-  /// Taken once.
-  Wish take_wish(LinkTime now) noexcept;
+  enum class LinkRequest : std::uint8_t { none, open, close };
+  /// Returns each request once.
+  LinkRequest take_request(LinkTime now) noexcept;
   /// The message that is due, if one is.
   std::optional<std::string> take_message(LinkTime now);
-  /// When advance() wants to be called again at the latest.
+  /// The latest time for the next advance().
   LinkTime due() const noexcept;
-  /// A message of zero force to whoever listens, for the end.
-  std::optional<std::string> last_words() const;
+  /// A message of zero force, to send before closing.
+  std::optional<std::string> closing_message() const;
 
   const SessionState& state() const noexcept { return state_; }
 
  private:
   void enter(Phase phase, LinkTime now) noexcept;
-  void hear(std::string_view text, LinkTime now);
+  void take_text(std::string_view text, LinkTime now);
   void lose(Trouble trouble, LinkTime now) noexcept;
   Vec3 ramped(LinkTime now) const noexcept;
 
   SessionSettings settings_;
   std::string wanted_;
   SessionState state_;
-  Wish wish_ = Wish::open;
-  bool others_ = false;  // it told of devices, and of none that is wanted
+  LinkRequest request_ = LinkRequest::open;
+  bool others_ = false;  // the service has devices, but not the wanted one
   Vec3 force_n_{0.0};
-  LinkTime force_at_{}, since_{}, heard_{}, asked_{};
-  bool owes_answer_ = false, ask_ = false;
+  LinkTime force_at_{}, since_{}, received_{}, asked_{};
+  bool awaits_answer_ = false, ask_ = false;
   int garbage_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 namespace cusp::device::inverse {
 
-/// Whether anybody listens there. On loopback the system answers at once; nothing is said to whoever listens.
+/// Whether a service listens at the address. On loopback the system answers at once. Sends nothing.
 bool service_listens(const ServiceAddress& address) noexcept;
 
 }  // namespace cusp::device::inverse

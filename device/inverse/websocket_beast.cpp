@@ -37,17 +37,17 @@ class BeastLink final : public inverse::InverseLink {
     const tcp::endpoint there(asio::ip::address_v4::loopback(), address_.port);
     line->stream.next_layer().async_connect(there, [this, line](boost::system::error_code error) {
       if (line != line_) return;
-      if (error) return tell(LinkEvent::Kind::refused);
+      if (error) return queue(LinkEvent::Kind::refused);
       boost::system::error_code ignored;
       line->stream.next_layer().set_option(tcp::no_delay(true), ignored);
       line->stream.read_message_max(inverse::kMostBytes);
       line->stream.async_handshake("localhost:" + std::to_string(address_.port), "/",
                                    [this, line](boost::system::error_code refused) {
                                      if (line != line_) return;
-                                     if (refused) return tell(LinkEvent::Kind::refused);
+                                     if (refused) return queue(LinkEvent::Kind::refused);
                                      line->open = true;
                                      line->stream.text(true);
-                                     tell(LinkEvent::Kind::opened);
+                                     queue(LinkEvent::Kind::opened);
                                      read(line);
                                    });
     });
@@ -104,7 +104,7 @@ class BeastLink final : public inverse::InverseLink {
     bool open = false;
   };
 
-  void tell(LinkEvent::Kind kind, std::string text = {}) {
+  void queue(LinkEvent::Kind kind, std::string text = {}) {
     if (line_ && kind != LinkEvent::Kind::message && kind != LinkEvent::Kind::opened) line_->open = false;
     events_.push_back({kind, std::move(text)});
   }
@@ -112,8 +112,8 @@ class BeastLink final : public inverse::InverseLink {
   void read(const std::shared_ptr<Line>& line) {
     line->stream.async_read(line->in, [this, line](boost::system::error_code error, std::size_t) {
       if (line != line_) return;
-      if (error) return tell(LinkEvent::Kind::closed);
-      tell(LinkEvent::Kind::message, boost::beast::buffers_to_string(line->in.data()));
+      if (error) return queue(LinkEvent::Kind::closed);
+      queue(LinkEvent::Kind::message, boost::beast::buffers_to_string(line->in.data()));
       line->in.consume(line->in.size());
       read(line);
     });
@@ -122,7 +122,7 @@ class BeastLink final : public inverse::InverseLink {
   void write(const std::shared_ptr<Line>& line) {
     line->stream.async_write(asio::buffer(line->out.front()), [this, line](boost::system::error_code error, std::size_t) {
       if (line != line_) return;
-      if (error) return tell(LinkEvent::Kind::closed);
+      if (error) return queue(LinkEvent::Kind::closed);
       line->out.pop_front();
       if (!line->out.empty()) write(line);
     });

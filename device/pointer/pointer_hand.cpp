@@ -28,7 +28,7 @@ void PointerHand::nudge(double right_mm, double up_mm) noexcept {
 }
 
 void PointerHand::set_push(double push_n) noexcept {
-  wish_.push_n = push_n > 0.0 ? std::min(push_n, kMaxPushN) : 0.0;  // NaN lets go
+  wish_.push_n = push_n > 0.0 ? std::min(push_n, kMaxPushN) : 0.0;  // NaN releases
   hand_over();
 }
 

@@ -6,7 +6,7 @@
 namespace cusp::device {
 namespace {
 
-/// After a stall the hand goes on from where it was.
+/// Longest time of one tick: after a stall the point continues from its position.
 constexpr double kMostDtS = 0.004;
 /// Slower than this the pointer rests, mm/s.
 constexpr double kStillMmS = 0.5;
@@ -20,9 +20,14 @@ Vec3 shortened(Vec3 v, double most) noexcept {
 
 bool finite(Vec3 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// From `from` towards `to`, at most `up` higher or `down` lower.
-double towards(double from, double to, double up, double down) noexcept {
-  return std::clamp(to, from - down, from + up);
+/// Largest steps of one tick.
+struct Steps {
+  double up, down;
+};
+
+/// From `from` towards `to`, by at most one step.
+double towards(double from, double to, Steps most) noexcept {
+  return std::clamp(to, from - most.down, from + most.up);
 }
 
 }  // namespace
@@ -57,14 +62,14 @@ Vec3 PointerMotion::advance(const PointerWish& wish, const Feedback& feedback, d
     push_n_ = 0;
     // Off first what is touched and out of what was cut, then to the height of hovering.
     next_depth = lifts_out ? std::min(depth, proxy_depth) - rise
-                           : towards(depth, shown_depth - tuning_.hover_mm, sink, rise);
+                           : towards(depth, shown_depth - tuning_.hover_mm, {sink, rise});
   } else if (touches) {
     push_n_ = std::min(wish.push_n * sweeping, push_n_ + tuning_.push_rise_n_s * dt);
     // The contact may be a wall's: then nothing holds the bur, and it sinks no faster than through the air.
     next_depth = std::min(proxy_depth + push_n_ / stiffness, depth + sink);
   } else {
     push_n_ = 0;
-    next_depth = towards(depth, shown_depth + tuning_.reach_mm, sink, rise);
+    next_depth = towards(depth, shown_depth + tuning_.reach_mm, {sink, rise});
   }
 
   // Across: the pointer's place, as fast as a hand would, pulling with no more than lateral_n.

@@ -1,5 +1,5 @@
-/// The mouse-and-keyboard device: for those without hardware, and the default of a new installation. The hand gives
-/// force: the device point stands push / K beyond the proxy along the approach, and follows the pointer across it.
+/// Mouse and keyboard as a HapticPort; the default of a new installation. The hand gives force: the device point stands
+/// push / K beyond the proxy along the approach, and follows the pointer across it.
 #pragma once
 
 #include <chrono>
@@ -12,14 +12,14 @@ namespace cusp::device {
 
 class PointerPort final : public HapticPort {
  public:
-  /// start_mm: a place outside the tissue where the bur begins.
+  /// start_mm: start of the bur, outside the tissue.
   explicit PointerPort(Vec3 start_mm, const PointerTuning& tuning = {});
 
   /// For the UI thread; lives as long as the port.
   PointerHand& hand() noexcept { return hand_; }
 
   Result<void, PortFailure> open() override;
-  /// Sleeps to the deadline; dt is the time between deadlines, so that a late thread does not move the hand further.
+  /// Sleeps to the deadline. dt is the time between deadlines, so that a late thread moves the point no further.
   Sample wait(std::chrono::steady_clock::time_point deadline) noexcept override;
   void write(const Feedback& feedback) noexcept override;
   DeviceLimits limits() const override;

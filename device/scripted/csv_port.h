@@ -1,4 +1,4 @@
-/// Plays a CSV trace as a device: one row a wait(), `gone` after the last.
+/// Plays a CSV trace as a HapticPort: one row per wait(), `gone` after the last.
 #pragma once
 
 #include <chrono>
@@ -11,8 +11,8 @@
 namespace cusp::device {
 
 enum class Pacing : std::uint8_t {
-  real_time,  // a row is delivered when its time has come; a deadline before that gets the last one again, `late`
-  at_once,    // every wait() gives the next row without sleeping: for tests and for play without a window
+  real_time,  // delivers a row at its time; an earlier deadline gets the last row again, `late`
+  at_once,    // every wait() delivers the next row without sleeping: for tests and sessions without a window
 };
 
 class CsvPort final : public HapticPort {

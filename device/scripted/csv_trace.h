@@ -1,5 +1,5 @@
-/// A recorded or written motion as CSV: `elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal[,bur]`, the step's own integers
-/// (0.1 µm, 1/32767, µs), so that what is played is what was meant, to the bit.
+/// A motion as CSV: `elapsed_us,x,y,z,qx,qy,qz,qw,buttons,pedal[,bur]`. The units are the step's own integers (0.1 µm,
+/// 1/32767, µs): a played trace is exact to the bit.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct TraceRow {
 
 enum class TraceError : std::uint8_t {
   empty,           // no row at all
-  bad_header,      // a first line of words that are not the columns' names
+  bad_header,      // the first line has text, but not the columns' names
   wrong_columns,   // neither 10 nor 11, or not as many as the first row
   not_a_number,    // not a plain integer
   out_of_range,    // does not fit its column
@@ -40,7 +40,7 @@ using TraceFailure = Failure<TraceError>;
 /// A header line is optional; lines may end in CR LF; an empty last line is no row.
 [[nodiscard]] Result<std::vector<TraceRow>, TraceFailure> parse_trace(std::string_view text);
 
-/// With the header line; the bur column is written when any row has a bur other than 0.
+/// With the header line; with the bur column if any row has a bur other than 0.
 std::string write_trace(const std::vector<TraceRow>& rows);
 
 /// The row as a device reports it.

@@ -1,5 +1,5 @@
-/// Denormal numbers count as zero while this object lives, on the thread that made it: they cost a hundred times a normal
-/// one's time, and every thread that runs the step must treat them alike. Every driver of the step holds one.
+/// Treats denormal numbers as zero while the object lives, on the thread that constructed it: they cost a hundred times
+/// the time of normal ones. Every thread that runs the step holds one, so that all compute the same.
 #pragma once
 
 #if defined(__SSE2__)

@@ -1,4 +1,4 @@
-/// Identities: UUIDv7 (RFC 9562), sortable by the time they were made; a type for each kind, so that they never mix.
+/// Ids: UUIDv7 (RFC 9562), sortable by creation time. Each kind has a type of its own, so that kinds never mix.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@ namespace cusp {
 
 struct Uuid {
   std::array<std::uint8_t, 16> bytes{};  // big-endian, as printed
-  /// New identity from the system clock (ms) and std::random_device. Not for the haptic thread.
+  /// New id from the system clock (ms) and std::random_device. Not for the haptic thread.
   static Uuid v7();
-  /// Reads the 36-character form; nullopt when it is anything else.
+  /// Parses the 36-character form; nullopt for anything else.
   static std::optional<Uuid> parse(std::string_view text) noexcept;
   std::string text() const;  // lower case, 8-4-4-4-12
   bool is_nil() const noexcept { return *this == Uuid{}; }
   friend auto operator<=>(const Uuid&, const Uuid&) = default;
 };
 
-/// An id that only fits its own kind: Id<struct UserTag> never converts to Id<struct SessionTag>.
+/// An id of one kind: Id<struct UserTag> does not convert to Id<struct SessionTag>.
 template <class Tag>
 struct Id {
   Uuid uuid{};

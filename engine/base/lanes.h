@@ -1,4 +1,4 @@
-/// Four floats or two doubles at a time, element by element, so that the vector and the portable build do the same arithmetic.
+/// Four floats or two doubles at a time. The vector build and the portable build compute the same bits, element by element.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ inline Lanes most_of(Lanes a, Lanes b) noexcept {
 #endif
 }
 
-/// Four 16-bit values as they stand in memory, and back. Pre: 0 to 65535 in each lane.
+/// Four 16-bit values in memory order, and back. Pre: 0 to 65535 in each lane.
 inline LaneMask from_memory(std::uint64_t four) noexcept {
 #if defined(__SSE2__)
   const __m128i values = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&four));
@@ -86,7 +86,7 @@ inline unsigned bits_of(PairMask m) noexcept {
 #endif
 }
 
-/// A bit for each lane, the first the lowest.
+/// One bit per lane; the first lane is the lowest bit.
 inline unsigned bits_of(LaneMask m) noexcept {
 #if defined(__SSE2__)
   return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));

@@ -1,4 +1,4 @@
-/// The seam between the haptic thread and a foot pedal, whoever reads it.
+/// The seam between the haptic thread and a foot pedal.
 #pragma once
 
 #include <chrono>
@@ -8,15 +8,15 @@ namespace cusp {
 
 struct PedalReading {
   std::uint16_t pressed = 0;  // 0 released to 65535 fully down
-  bool coolant = false;       // its second switch is down
+  bool coolant = false;       // the second switch is down
   friend bool operator==(const PedalReading&, const PedalReading&) = default;
 };
 
 class PedalSource {
  public:
   virtual ~PedalSource() = default;
-  /// Haptic thread; wait-free, no I/O. The newest value: released when there is no pedal, when it was lost, or when
-  /// whoever reads it has not looked for a while before `now`.
+  /// Newest value; released if there is no pedal, it was lost, or its reader has stalled before `now`.
+  /// Thread: haptic. Wait-free, no I/O.
   virtual PedalReading latest(std::chrono::steady_clock::time_point now) const noexcept = 0;
 };
 

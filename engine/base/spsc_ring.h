@@ -1,5 +1,5 @@
-/// Bounded single-producer single-consumer ring. Producer and consumer: one thread each. Wait-free; memory is taken
-/// once, at construction. Never overwrites: a full ring refuses, and the caller decides what that means.
+/// Bounded single-producer single-consumer ring. Producer and consumer: one thread each. Wait-free; the constructor
+/// allocates all memory. A full ring refuses an item and overwrites none.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ class SpscRing {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  /// Room for at least `least` items (rounded up to a power of two).
+  /// Holds at least `least` items (rounded up to a power of two).
   explicit SpscRing(std::size_t least) : items_(std::bit_ceil(least)), mask_(items_.size() - 1) {}
 
   /// Producer. False when full; nothing is written then.
@@ -34,7 +34,7 @@ class SpscRing {
     head_.store(head + 1, std::memory_order_release);
     return true;
   }
-  /// Either side; exact for the caller's own end, a lower or upper bound for the other.
+  /// Either thread. An upper bound for the producer, a lower bound for the consumer.
   std::size_t size() const noexcept {
     return tail_.load(std::memory_order_acquire) - head_.load(std::memory_order_acquire);
   }

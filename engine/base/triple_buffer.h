@@ -1,5 +1,5 @@
-/// Latest-value exchange between one writer and one reader thread. Wait-free on both sides; values in between are
-/// dropped, a value is never torn.
+/// Latest-value exchange between one writer and one reader thread. Wait-free on both sides. The reader may miss values,
+/// and never sees a torn one.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class TripleBuffer {
     slots_[back_] = value;
     back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
   }
-  /// Reader thread. The newest value written (a default-made T before the first).
+  /// Reader thread. The newest value; a value-initialised T before the first.
   const T& read() noexcept {
     if (middle_.load(std::memory_order_relaxed) & kFresh) {
       front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;

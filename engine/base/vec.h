@@ -1,4 +1,4 @@
-/// Vectors of the engine: double precision, because 0.1 µm in a 20 mm tooth leaves a float 4 bits short.
+/// Vectors in double precision: a float has 4 bits too few for 0.1 µm in a tooth of 20 mm.
 /// Frame: specimen, right-handed, x mesial, y buccal, z up (occlusal), millimetres, unless a name says otherwise.
 #pragma once
 

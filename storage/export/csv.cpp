@@ -40,9 +40,9 @@ std::string title_in(const LocalText& title, const std::string& language) {
   return title.empty() ? std::string{} : title.begin()->second;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string joined(const std::vector<std::string>& keys) {
   std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+  for (const std::string& key : keys) out += (out.empty() ? "" : " ") + key;
   return out;
 }
 
@@ -50,16 +50,17 @@ std::string begin(const CsvOptions& options, std::string_view head) {
   return (options.byte_order_mark ? "\xEF\xBB\xBF" : "") + std::string(head) + "\r\n";
 }
 
-Stored<void> note(StorageContext& context, const Actor& actor, std::string_view what, std::size_t lines) {
+/// Logs the export, unless the file is open read-only.
+Stored<void> note(StorageContext& context, const Actor& actor, std::string_view action, std::size_t lines) {
   if (context.db.read_only()) return {};
-  return AuditLog(context).add(actor.id, what, Uuid{}, std::to_string(lines));
+  return AuditLog(context).add({.actor = actor.id, .action = action, .detail = std::to_string(lines)});
 }
 
 }  // namespace
 
 std::string csv_text(std::string_view text) {
   std::string out;
-  // What a spreadsheet runs: OWASP, "CSV Injection".
+  // First characters that a spreadsheet takes for a formula. Source: OWASP, "CSV Injection".
   const bool formula = !text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos;
   if (formula) out += '\'';
   bool quote = false;
@@ -94,10 +95,10 @@ std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& opti
         .text(r.scenario_key)
         .integer(r.version_number)
         .text(key_of(r.kind))
-        .text(r.hand)
+        .text(r.operator_name)
         .text(r.device)
         .text(r.device_class)
-        .integer(r.go)
+        .integer(r.attempt)
         .number(static_cast<double>(r.elapsed_us) / 1e6)
         .text(key_of(r.state))
         .number(r.score)

@@ -1,12 +1,12 @@
-/// Performance history as CSV: RFC 4180 (CRLF, quotes doubled), UTF-8, numbers with a point. A text that a spreadsheet
-/// would take for a formula gets an apostrophe in front. Column names are stable keys, not sentences.
+/// History as CSV: RFC 4180 (CRLF, doubled quotes), UTF-8, numbers with a point. A text that a spreadsheet would take for
+/// a formula gets an apostrophe in front. Column names are stable keys.
 #pragma once
 
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "storage/repositories/history.h"
+#include "storage/summary/history.h"
 
 namespace cusp::storage {
 
@@ -15,17 +15,17 @@ struct CsvOptions {
   std::string language = "en";   // of the exercise's title
 };
 
-/// One cell of text, quoted and guarded as needed.
+/// One cell of text, quoted and guarded against formulas.
 std::string csv_text(std::string_view text);
 /// Shortest decimal that reads back exactly; empty for NaN and infinities.
 std::string csv_number(double value);
 
-/// One line a session.
+/// One line per session.
 std::string history_csv(std::span<const HistoryRow> rows, const CsvOptions& options = {});
-/// Needs export_results: the sessions that match. Leaves a line in the audit log.
+/// Sessions that match. Needs export_results; adds an entry to the audit log.
 Stored<std::string> export_history(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                    const CsvOptions& options = {});
-/// Needs export_results: one line a criterion of the newest grade of each session that matches.
+/// One line per criterion of the newest grade of each session that matches. Needs export_results; adds an entry.
 Stored<std::string> export_criteria(StorageContext& context, const Actor& actor, const HistoryFilter& filter,
                                     const CsvOptions& options = {});
 

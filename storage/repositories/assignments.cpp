@@ -1,6 +1,6 @@
 #include "storage/repositories/assignments.h"
 
-#include "storage/sealing.h"
+#include "storage/records/sealing.h"
 
 namespace cusp::storage {
 namespace {
@@ -13,7 +13,7 @@ Assignment assignment_of(Row row) {
   a.kind = row.text(3) == key_of(SessionKind::assessment) ? SessionKind::assessment : SessionKind::practice;
   a.opens_utc_us = row.maybe_integer(4);
   a.due_utc_us = row.maybe_integer(5);
-  if (const auto goes = row.maybe_integer(6)) a.goes_allowed = static_cast<int>(*goes);
+  if (const auto attempts = row.maybe_integer(6)) a.attempts_allowed = static_cast<int>(*attempts);
   a.author = row.id<UserId>(7);
   a.created_utc_us = row.integer(8);
   return a;
@@ -34,7 +34,7 @@ Stored<Assignment> Assignments::create(const Actor& actor, Assignment a) {
   transaction.run(
       "INSERT INTO assignments (id, version, cohort, kind, opens_at, due_at, goes_allowed, author, created_at, "
       "sequence) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10)",
-      a.id, a.version, a.cohort, key_of(a.kind), a.opens_utc_us, a.due_utc_us, a.goes_allowed, a.author,
+      a.id, a.version, a.cohort, key_of(a.kind), a.opens_utc_us, a.due_utc_us, a.attempts_allowed, a.author,
       a.created_utc_us, sequence);
   log_row(c_, transaction, actor.id, "assigned", SealedTable::assignments, a.id.uuid);
   if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());

@@ -1,13 +1,13 @@
-/// Assignments: a version for a cohort, with dates.
+/// Assignments: a scenario version for a cohort, with dates.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "storage/context.h"
+#include "storage/records/context.h"
 #include "storage/repositories/sessions.h"
-#include "storage/rights.h"
+#include "storage/base/rights.h"
 
 namespace cusp::storage {
 
@@ -17,7 +17,7 @@ struct Assignment {
   CohortId cohort{};
   SessionKind kind = SessionKind::practice;  // or assessment
   std::optional<std::int64_t> opens_utc_us{}, due_utc_us{};
-  std::optional<int> goes_allowed{};  // none = as many as one likes
+  std::optional<int> attempts_allowed{};  // none = unlimited
   UserId author{};
   std::int64_t created_utc_us = 0;
 };
@@ -25,7 +25,7 @@ struct Assignment {
 class Assignments {
  public:
   explicit Assignments(StorageContext& context) : c_{context} {}
-  /// Needs assign. Id, author and time are set here.
+  /// Needs assign. Sets id, author and time.
   Stored<Assignment> create(const Actor& actor, Assignment assignment);
   Stored<std::vector<Assignment>> for_student(UserId student);  // by due date, those without one last
   Stored<std::vector<Assignment>> for_cohort(CohortId cohort);

@@ -1,6 +1,6 @@
 #include "storage/repositories/blobs.h"
 
-#include "storage/trace_codec.h"
+#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 

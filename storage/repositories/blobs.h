@@ -1,20 +1,20 @@
-/// Large immutable bytes by their content hash (specimens as voxels, files of a scenario), compressed, each kept once.
+/// Large immutable bytes by content hash (specimens as voxels, files of a scenario), compressed and stored once.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "storage/context.h"
+#include "storage/records/context.h"
 
 namespace cusp::storage {
 
 class Blobs {
  public:
   explicit Blobs(StorageContext& context) : c_{context} {}
-  /// Keeps the bytes and returns their BLAKE2b-256. Already there: nothing is written.
+  /// Stores the bytes unless they exist, and returns their BLAKE2b-256. bad_value above kMostUnpackedBytes.
   Stored<Hash256> put(std::span<const std::byte> bytes);
-  /// not_found, or corrupt when the bytes no longer have this hash.
+  /// not_found, or corrupt if the bytes no longer have this hash.
   Stored<std::vector<std::byte>> get(const Hash256& hash);
 
  private:

@@ -1,7 +1,7 @@
 #include "storage/repositories/cohorts.h"
 
-#include "storage/repositories/audit_log.h"
-#include "storage/sealing.h"
+#include "storage/records/audit_writer.h"
+#include "storage/records/sealing.h"
 
 namespace cusp::storage {
 
@@ -24,7 +24,8 @@ Stored<void> Cohorts::add(const Actor& actor, CohortId cohort, UserId student) {
   Transaction transaction(c_.db);
   transaction.run("INSERT INTO cohort_students (cohort, student) VALUES (?1, ?2) ON CONFLICT DO NOTHING", cohort,
                   student);
-  AuditLog::add(c_, transaction, actor.id, "cohort_joined", student.uuid, cohort.text());
+  log_event(c_, transaction,
+            {.actor = actor.id, .action = "cohort_joined", .subject = student.uuid, .detail = cohort.text()});
   return commit_sealed(c_, transaction);
 }
 
@@ -33,7 +34,8 @@ Stored<void> Cohorts::remove(const Actor& actor, CohortId cohort, UserId student
   Transaction transaction(c_.db);
   transaction.run("DELETE FROM cohort_students WHERE cohort = ?1 AND student = ?2", cohort, student);
   if (transaction.ok() && c_.db.changes() == 0) transaction.refuse({StorageError::not_found, "cohort_students"});
-  AuditLog::add(c_, transaction, actor.id, "cohort_left", student.uuid, cohort.text());
+  log_event(c_, transaction,
+            {.actor = actor.id, .action = "cohort_left", .subject = student.uuid, .detail = cohort.text()});
   return commit_sealed(c_, transaction);
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "storage/context.h"
-#include "storage/rights.h"
+#include "storage/records/context.h"
+#include "storage/base/rights.h"
 
 namespace cusp::storage {
 
@@ -18,7 +18,7 @@ struct Cohort {
 class Cohorts {
  public:
   explicit Cohorts(StorageContext& context) : c_{context} {}
-  /// Need manage_cohorts.
+  /// These need manage_cohorts.
   Stored<Cohort> create(const Actor& actor, const std::string& name);  // duplicate, bad_value
   Stored<void> add(const Actor& actor, CohortId cohort, UserId student);
   Stored<void> remove(const Actor& actor, CohortId cohort, UserId student);

@@ -1,6 +1,6 @@
 #include "storage/repositories/comments.h"
 
-#include "storage/sealing.h"
+#include "storage/records/sealing.h"
 
 namespace cusp::storage {
 

@@ -1,4 +1,5 @@
-/// A teacher's words on a session, at a moment of it or as a whole. Free text may hold names: outside the hash chain.
+/// An instructor's comments on a session, at one moment or on the whole. Free text may hold names, so that comments stay
+/// outside the hash chain.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "storage/context.h"
-#include "storage/rights.h"
+#include "storage/records/context.h"
+#include "storage/base/rights.h"
 
 namespace cusp::storage {
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "storage/chain_writer.h"
+#include "storage/records/chain_writer.h"
 #include "storage/repositories/session_state.h"
-#include "storage/sealing.h"
+#include "storage/records/sealing.h"
 
 namespace cusp::storage {
 namespace {

@@ -1,4 +1,4 @@
-/// Grades with their criterion rows. A session may be graded again: the newest counts, the older ones stay.
+/// Grades with their criterion rows. A session may be graded again: the newest grade counts, older ones stay.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "scenarios/grading/grade.h"
-#include "storage/context.h"
+#include "storage/records/context.h"
 #include "storage/modules.h"
-#include "storage/rights.h"
+#include "storage/base/rights.h"
 
 namespace cusp::storage {
 
@@ -24,12 +24,11 @@ struct StoredGrade {
 class Grades {
  public:
   explicit Grades(StorageContext& context) : c_{context} {}
-  /// Grade, criteria and graded event in one transaction. For a finished or interrupted session (or graded or closed:
-  /// then it is graded again); wrong_state while running. Without `grader` it is the program's; else a person's, who
-  /// needs grade_again.
+  /// Grade, criteria and the event "graded", in one transaction. wrong_state while the session runs.
+  /// Without `grader` the program grades; a user as `grader` needs grade_again.
   Stored<StoredGrade> save(SessionId session, const Grade& grade, const Hash256& rubric_hash,
                            const std::optional<Actor>& grader = std::nullopt);
-  /// The newest; nullopt when it was never graded.
+  /// nullopt if the session has no grade.
   Stored<std::optional<StoredGrade>> newest(SessionId session);
   Stored<std::vector<StoredGrade>> all(SessionId session);  // oldest first
 

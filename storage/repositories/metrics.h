@@ -1,11 +1,11 @@
-/// What was removed, and how hard the hand pushed, over time: one row a chunk, and one per tissue that changed in it.
+/// Removed tissue and force over time: one row per chunk, and one per tissue that changed in the chunk.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "engine/volume/tissue.h"
-#include "storage/context.h"
+#include "storage/records/context.h"
 #include "storage/modules.h"
 
 namespace cusp::storage {
@@ -13,13 +13,13 @@ namespace cusp::storage {
 /// Running total since the session's start.
 struct RemovedTissue {
   Tissue tissue = Tissue::empty;
-  std::uint64_t voxels = 0;  // occupied at the start, not any more
+  std::uint64_t voxels = 0;  // occupied at the start, empty now
   double mm3 = 0;
 };
 
 /// Of one second.
 struct SecondMetrics {
-  std::vector<RemovedTissue> removed{};  // totals so far; tissues without removal may be left out
+  std::vector<RemovedTissue> removed{};  // totals so far; may omit tissues without removal
   double force_peak_n = 0;               // before the guard
   double force_mean_n = 0;               // over the ticks in contact; 0 without contact
   std::uint64_t contact_ticks = 0;
@@ -36,7 +36,7 @@ class Metrics {
  public:
   explicit Metrics(StorageContext& context) : c_{context} {}
   Stored<std::vector<MetricsRow>> over_time(SessionId session);
-  /// Totals at the end of what is stored.
+  /// Totals at the end of the stored trace.
   Stored<std::vector<RemovedTissue>> removed(SessionId session);
 
  private:

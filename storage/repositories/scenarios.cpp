@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "storage/repositories/title.h"
-#include "storage/sealing.h"
+#include "storage/records/sealing.h"
 
 namespace cusp::storage {
 namespace {
@@ -63,7 +63,7 @@ Stored<ScenarioVersion> Scenarios::insert(UserId author, const Scenario& scenari
   if (published && newest && newest->second == content_hash) {
     transaction.refuse({StorageError::duplicate, "scenario_versions"});
   }
-  // A file's own number is kept where it is free; what an instructor publishes comes next.
+  // An imported version keeps its own number if that is free; a published one takes the next.
   const int number = published ? last + 1 : std::max(scenario.version, last + 1);
   const std::int64_t sequence = c_.next_sequence(transaction);
   transaction.run(
@@ -133,7 +133,7 @@ Stored<DraftSave> Scenarios::save_draft(const Actor& actor, ScenarioId scenario,
   if (auto allowed = require(actor, Action::edit_scenarios); !allowed) return std::unexpected(allowed.error());
   Transaction transaction(c_.db);
   const auto there = draft_json(transaction, scenario, actor.id);
-  // Two windows that came to the same draft have nothing to lose.
+  // If two windows wrote the same text, neither loses anything.
   const bool mine = there == before || there == json;
   if (mine) {
     transaction.run(

@@ -1,5 +1,5 @@
-/// Scenarios, their immutable versions, and drafts. JSON comes and goes as text in canonical form (scenarios/format
-/// writes and hashes it); this table keeps exactly those bytes.
+/// Scenarios, their immutable versions, and drafts. scenarios/format writes and hashes canonical JSON; these tables store
+/// exactly those bytes.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "scenarios/format/scenario.h"
-#include "storage/context.h"
+#include "storage/records/context.h"
 #include "storage/modules.h"
-#include "storage/rights.h"
+#include "storage/base/rights.h"
 
 namespace cusp::storage {
 
@@ -36,22 +36,22 @@ struct ScenarioDraft {
   std::int64_t saved_utc_us = 0;
 };
 
-/// What came of a change to a draft that was to rest on what its writer had read.
+/// Result of a change to a draft, based on the text that the caller read before.
 enum class DraftSave : std::uint8_t {
   kept,
-  changed_elsewhere,  // the records hold another draft than was read, or none any more: nothing was written
+  changed_elsewhere,  // the table holds another draft than the caller read, or none: nothing was written
 };
 
 class Scenarios {
  public:
   explicit Scenarios(StorageContext& context) : c_{context} {}
 
-  /// A scenario from the library or a file, about to be played: the version with this content, published at need
-  /// without an author. Its number is scenario.version, or the next free one where that is taken.
+  /// The version with this content; published without an author if it does not exist yet. Its number is
+  /// scenario.version, or the next free one.
   Stored<ScenarioVersion> ensure(const Scenario& scenario, const std::string& json, const Hash256& content_hash,
                                  const std::map<std::string, Hash256>& files = {});
-  /// Needs edit_scenarios. Publishes what an instructor made as the next version (duplicate when the newest one has the
-  /// same content), and drops the author's draft of it where that is still `draft`.
+  /// Needs edit_scenarios. Publishes the next version; duplicate if the newest one has the same content. Deletes the
+  /// author's draft if it still equals `draft`.
   Stored<ScenarioVersion> publish(const Actor& actor, const Scenario& scenario, const std::string& json,
                                   const Hash256& content_hash, const std::map<std::string, Hash256>& files = {},
                                   const std::optional<std::string>& draft = {});
@@ -61,13 +61,13 @@ class Scenarios {
   /// The newest version of every scenario, oldest scenario first.
   Stored<std::vector<ScenarioVersion>> library();
 
-  /// Need edit_scenarios. One draft per scenario and author, which two windows may have open.
-  /// `before`: the JSON that the writer has read or written last; nullopt: there was none. One transaction reads and writes.
+  /// These need edit_scenarios. One draft per scenario and author; two windows may have it open.
+  /// `before`: the JSON that the caller read or wrote last; nullopt: none. Compares and writes in one transaction.
   Stored<DraftSave> save_draft(const Actor& actor, ScenarioId scenario, const std::string& json,
                                const std::optional<std::string>& before);
   Stored<std::optional<ScenarioDraft>> draft(const Actor& actor, ScenarioId scenario);
   Stored<std::vector<ScenarioDraft>> drafts(const Actor& actor);  // the actor's, newest first
-  /// `before` as in save_draft. A draft that is gone already is as good as dropped.
+  /// `before` as in save_draft. kept if no draft exists.
   Stored<DraftSave> drop_draft(const Actor& actor, ScenarioId scenario, const std::string& before);
 
  private:

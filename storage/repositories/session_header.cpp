@@ -52,20 +52,6 @@ std::string header_to_json(const SessionHeader& h) {
   return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-namespace {
-std::optional<Hash256> hash_from_hex(const std::string& text) {
-  if (text.size() != 64) return std::nullopt;
-  Hash256 hash{};
-  for (std::size_t i = 0; i < 64; ++i) {
-    const char c = text[i];
-    const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-    if (digit < 0) return std::nullopt;
-    hash[i / 2] = static_cast<std::uint8_t>(hash[i / 2] << 4 | digit);
-  }
-  return hash;
-}
-}  // namespace
-
 std::optional<SessionHeader> header_from_json(const std::string& text) {
   try {
     const json in = json::parse(text);

@@ -9,7 +9,7 @@
 namespace cusp::storage {
 
 std::string header_to_json(const SessionHeader& header);
-/// nullopt when a field is missing or of another type.
+/// nullopt if a field is missing or of another type.
 std::optional<SessionHeader> header_from_json(const std::string& text);
 
 }  // namespace cusp::storage

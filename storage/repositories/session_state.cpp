@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "storage/chain_writer.h"
-#include "storage/process.h"
-#include "storage/trace_codec.h"
+#include "storage/records/chain_writer.h"
+#include "storage/base/process.h"
+#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 

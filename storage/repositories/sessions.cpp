@@ -1,11 +1,11 @@
 #include "storage/repositories/sessions.h"
 
-#include "storage/chain_writer.h"
-#include "storage/process.h"
+#include "storage/records/chain_writer.h"
+#include "storage/base/process.h"
 #include "storage/repositories/session_header.h"
 #include "storage/repositories/session_state.h"
-#include "storage/sealing.h"
-#include "storage/trace_codec.h"
+#include "storage/records/sealing.h"
+#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 
@@ -13,7 +13,7 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
   if (auto allowed = require(actor, Action::drill); !allowed) return std::unexpected(allowed.error());
   if (wanted.student != actor.id) return fail(StorageError::not_allowed, std::string(key_of(Action::drill)));
   const std::string header = header_to_json(wanted.header);
-  // A number that JSON cannot hold would make a session that nobody can open.
+  // JSON cannot hold a number that is not finite: nobody could open the session.
   if (!header_from_json(header)) return fail(StorageError::bad_value, "header");
   const SessionId id = SessionId::make();
   Transaction transaction(c_.db);
@@ -37,9 +37,9 @@ Stored<Session> Sessions::start(const Actor& actor, const NewSession& wanted) {
       "device_class, engine_version, specimen_blob, header, started_at, sequence) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
       id, c_.station, wanted.student, wanted.version, hashes->first, hashes->second, key_of(kind), wanted.assignment,
-      wanted.hand, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header, c_.clock(),
+      wanted.operator_name, h.device.name, h.device.device_class, h.engine_version, h.specimen_blob, header, c_.clock(),
       sequence);
-  const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.hand, {});
+  const std::uint64_t event = insert_event(c_, transaction, id, EventKind::started, wanted.operator_name, {});
   ChainWriter chain(c_, transaction, id);
   chain.add(SessionTable::sessions, 0, -1);
   chain.add(SessionTable::session_events, event, 0);
@@ -93,8 +93,8 @@ Stored<std::vector<SessionId>> Sessions::mark_interrupted() {
   for (const auto& [session, process] : *running) {
     if (process_runs(process, c_.lock_file())) continue;
     auto done = interrupt(session, "process_gone");
-    // Another program that opened the file at the same moment may have been first. A session whose own rows no longer
-    // fit together takes no event: the verifier names it, and it keeps nobody out of the others.
+    // Another process may have marked it first. A session with damaged rows takes no event: the verifier reports it, and
+    // the other sessions stay usable.
     const bool passed_over =
         !done && (done.error().code == StorageError::wrong_state || done.error().code == StorageError::duplicate ||
                   done.error().code == StorageError::not_found || done.error().code == StorageError::bad_value);
@@ -121,7 +121,7 @@ Stored<Session> Sessions::find(SessionId id) {
         f.session.version_hash = row.hash(3);
         f.kind = session_kind_from_key(row.text(4));
         if (!row.is_null(5)) f.session.assignment = row.id<AssignmentId>(5);
-        f.session.hand = row.text(6);
+        f.session.operator_name = row.text(6);
         f.session.started_utc_us = row.integer(7);
         f.header = header_from_json(row.text(8));
         return f;
@@ -140,7 +140,7 @@ Stored<std::vector<SessionEvent>> Sessions::events(SessionId session) {
   return c_.db.all(
       "SELECT kind, at, sequence, tick, reason FROM session_events WHERE session = ?1 ORDER BY row",
       [](Row row) {
-        // A kind that the schema does not admit is damage; the verifier names it, and here it stops the session.
+        // A kind that the schema does not admit is damage: the verifier reports it, and the session counts as closed.
         return SessionEvent{event_kind_from_key(row.text(0)).value_or(EventKind::closed), row.integer(1),
                             row.integer(2), row.u64(3), row.text(4)};
       },

@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "storage/chain_writer.h"
+#include "storage/records/chain_writer.h"
 #include "storage/repositories/session_state.h"
-#include "storage/trace_codec.h"
+#include "storage/records/trace_codec.h"
 
 namespace cusp::storage {
 
 Stored<void> Traces::append(SessionId session, const RecordedSecond& second) {
   const auto& inputs = second.inputs;
   if (inputs.empty() || inputs.size() > kMostInputsPerChunk) return fail(StorageError::bad_value, "inputs");
-  // The slow part before the lock.
+  // Before the transaction: encoding needs no lock.
   const auto trace = encode_trace(inputs);
 
   Transaction transaction(c_.db);
@@ -78,7 +78,7 @@ Stored<std::vector<ChunkInfo>> Traces::chunks(SessionId session) {
 }
 
 namespace {
-/// bad_trace tells the chunk.
+/// bad_trace names the chunk.
 Stored<std::vector<StepInput>> decoded(std::span<const std::byte> bytes, std::uint64_t chunk) {
   auto inputs = decode_trace(bytes);
   if (!inputs) return fail(StorageError::bad_trace, "trace_chunks " + std::to_string(chunk), inputs.error().detail);

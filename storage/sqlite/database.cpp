@@ -33,7 +33,7 @@ Stored<std::string> Database::integrity_check() {
 }
 
 Snapshot::Snapshot(Database& database) : database_{database} {
-  // Fails only without memory; then each statement reads at its own moment.
+  // BEGIN fails only without memory; each statement then reads the newest state.
   if (!database_.in_transaction()) open_ = database_.run("BEGIN").has_value();
 }
 
@@ -50,7 +50,7 @@ Transaction::Transaction(Database& database) : database_{database} {
 }
 
 Transaction::~Transaction() {
-  // Fails only where SQLite has undone it already.
+  // ROLLBACK fails only if SQLite has rolled back already.
   if (open_ && database_.in_transaction()) static_cast<void>(database_.run("ROLLBACK"));
 }
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "storage/error.h"
+#include "storage/base/error.h"
 #include "storage/sqlite/statement.h"
 
 namespace cusp::storage {
@@ -26,8 +26,8 @@ inline constexpr std::int32_t kApplicationId = 0x43757370;
 
 struct DatabaseOptions {
   enum class Access : std::uint8_t {
-    create,     // open, or make a new one
-    existing,   // not_found when there is none
+    create,     // opens the file, or makes a new one
+    existing,   // not_found if the file does not exist
     read_only,  // changes nothing; works on read-only media and on a full disk: see Database::open
   };
   Access access = Access::create;
@@ -40,11 +40,10 @@ struct DatabaseOptions {
 class Database {
  public:
   /// Checks that the file is Cusp's and not newer, sets WAL, synchronous=FULL and foreign keys, migrates.
-  /// Fails with not_found, not_a_database, newer_schema, network_drive, read_only, disk_full, io, busy or corrupt; a
-  /// file that was refused is unchanged. Nothing but SQLite opens the file (main_file.h): connections of other threads
-  /// keep their locks.
-  /// For reading, where no index of the log can be made or grown, it shows a copy in memory as the file and its log
-  /// stand at this moment (memory_copy.h).
+  /// Fails with a code of "Opening" or "Any time" in StorageError; a refused file is unchanged. Only SQLite opens the file
+  /// (main_file.h): connections of other threads keep their locks.
+  /// For reading, if the log's index cannot be created or grown, it opens a copy in memory of file and log as of now
+  /// (memory_copy.h).
   static Stored<Database> open(const std::filesystem::path& file, const DatabaseOptions& options = {});
   ~Database();
   Database(Database&& other) noexcept;
@@ -97,22 +96,22 @@ class Database {
   /// Rows that the last statement changed.
   std::int64_t changes() const noexcept;
   bool in_transaction() const noexcept;
-  /// Empty when SQLite finds the file sound, else what it says, one finding a line.
+  /// Empty if SQLite finds the file sound, else its findings, one per line.
   Stored<std::string> integrity_check();
 
  private:
   Database(sqlite3* handle, std::filesystem::path file, bool read_only) noexcept
       : handle_{handle}, file_{std::move(file)}, read_only_{read_only} {}
-  /// Opened, and refused where the header says that it is another program's or newer. No statement has run.
+  /// Opens the file and checks its header. Runs no statement.
   static Stored<Database> connect(const std::filesystem::path& file, int flags, const DatabaseOptions& options);
   static Stored<Database> open_for_writing(const std::filesystem::path& file, const DatabaseOptions& options);
   static Stored<void> prepare_for_writing(Database& database, const DatabaseOptions& options);
   static Stored<Database> open_for_reading(const std::filesystem::path& file, const DatabaseOptions& options);
   static Stored<Database> read_in_place(const std::filesystem::path& file, const DatabaseOptions& options);
   static Stored<Database> copy_in_memory(const std::filesystem::path& file, const DatabaseOptions& options);
-  /// read_only "older schema" unless it has the newest.
+  /// Fails with read_only, detail "older schema", unless the file has the newest schema.
   static Stored<Database> current(Database database, std::size_t newest);
-  /// Takes away the file that a failed open() has made, where it is empty and nobody uses it.
+  /// Removes the file that a failed open() created, if it is empty and unused.
   static void remove_if_empty(const std::filesystem::path& file, const DatabaseOptions& options);
 
   sqlite3* handle_;
@@ -120,8 +119,8 @@ class Database {
   bool read_only_;
 };
 
-/// All reads while it stands see one moment, that of the first, whatever other programs write meanwhile. Inside another one
-/// or a Transaction it does nothing. Pre: nothing is written while it stands.
+/// While it lives, all reads see the database as of the first read. Inside another Snapshot or a Transaction it does
+/// nothing. Pre: its owner writes nothing meanwhile.
 class Snapshot {
  public:
   explicit Snapshot(Database& database);
@@ -134,8 +133,8 @@ class Snapshot {
   bool open_ = false;
 };
 
-/// BEGIN IMMEDIATE to commit. The first failure is kept, what follows is skipped, and commit() undoes everything and
-/// returns it: a sequence of writes reads straight down. Undone when it leaves scope without commit().
+/// BEGIN IMMEDIATE to COMMIT. After the first failure it skips further statements; commit() then rolls back and returns
+/// that failure. The destructor rolls back if commit() was not called.
 class Transaction {
  public:
   explicit Transaction(Database& database);
@@ -145,7 +144,7 @@ class Transaction {
 
   Database& database() noexcept { return database_; }
   bool ok() const noexcept { return !failure_; }
-  /// Makes the transaction fail, unless it has already.
+  /// Makes the transaction fail, unless it has failed already.
   void refuse(StorageFailure failure) {
     if (!failure_) failure_ = std::move(failure);
   }

@@ -16,7 +16,7 @@ std::uint32_t big_endian(std::span<const std::byte> bytes, std::size_t at) {
   return value;
 }
 
-/// Two sums that run on from the log's header through every frame.
+/// Two running checksums, from the log's header through every frame.
 struct Sums {
   bool big = false;
   std::uint32_t a = 0, b = 0;

@@ -15,7 +15,7 @@ struct CommittedLog {
   std::map<std::uint32_t, std::size_t> places;  // page number from 1 -> where its newest content begins in the log
 };
 
-/// Reads up to the first frame that is torn, of an older log, or uncommitted. Pre: none; damaged bytes end it early.
+/// Reads up to the first frame that is torn, of an older log, or uncommitted. Any bytes may be given.
 CommittedLog read_log(std::span<const std::byte> log);
 /// Pre: image holds log.pages pages.
 void lay_over(const CommittedLog& log, std::span<const std::byte> bytes, std::span<std::byte> image);

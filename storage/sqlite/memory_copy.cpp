@@ -21,7 +21,7 @@ struct SqliteFree {
   void operator()(void* memory) const noexcept { sqlite3_free(memory); }
 };
 
-/// The log, opened by SQLite's own file system. Empty where there is none.
+/// The log's bytes, read through SQLite's file system. Empty if there is no log.
 Stored<std::vector<std::byte>> log_of(sqlite3* source, const char* name) {
   std::error_code ignored;
   if (!fs::exists(name, ignored)) return std::vector<std::byte>{};
@@ -41,7 +41,7 @@ Stored<std::vector<std::byte>> log_of(sqlite3* source, const char* name) {
 
 using Image = std::unique_ptr<std::byte, SqliteFree>;
 
-/// File and log as one, in SQLite's memory. `size`: of it.
+/// The file with the log's pages laid over it, in memory of SQLite. Sets `size` to its bytes.
 Stored<Image> image_of(sqlite3* source, sqlite3_file* main, std::size_t& size) {
   const char* name = sqlite3_db_filename(source, "main");
   const auto bytes = log_of(source, sqlite3_filename_wal(name));
@@ -51,7 +51,7 @@ Stored<Image> image_of(sqlite3* source, sqlite3_file* main, std::size_t& size) {
   size = log.page_size > 0 ? std::size_t{log.pages} * log.page_size : on_disk;
   if (on_disk < 100 || size < 100) return fail(StorageError::corrupt, name);
   Image image(static_cast<std::byte*>(sqlite3_malloc64(size)));
-  if (!image) return fail(StorageError::io, name, "no memory");
+  if (!image) return fail(StorageError::out_of_memory, name);
   const std::span<std::byte> all(image.get(), size);
   std::ranges::fill(all, std::byte{0});
   const std::size_t kept = std::min(size, on_disk);
@@ -61,7 +61,7 @@ Stored<Image> image_of(sqlite3* source, sqlite3_file* main, std::size_t& size) {
   const std::uint32_t page = std::to_integer<std::uint32_t>(all[16]) << 8 | std::to_integer<std::uint32_t>(all[17]);
   if (log.page_size > 0 && log.page_size != (page == 1 ? 65536 : page)) return fail(StorageError::corrupt, name);
   lay_over(log, *bytes, all);
-  // Memory has no log: the header says so (read and write version 1, file format 1.3.2).
+  // A database in memory has no log: read and write version 1 (file format, 1.3.2).
   all[18] = all[19] = std::byte{1};
   return image;
 }
@@ -76,7 +76,7 @@ Stored<sqlite3*> memory_copy(sqlite3* source) {
   if (const int status = main.lock_shared(); status != SQLITE_OK)
     return std::unexpected(failure_of(nullptr, status, name));
   std::error_code ignored;
-  // A smaller one is what a full disk left of somebody's try: nobody can use it.
+  // A smaller index is left over from a full disk: no connection uses it.
   const auto index_stands = [&] {
     constexpr std::uintmax_t kLeast = 32768;  // file format, 4.2: the index grows in blocks of so many bytes
     const auto bytes = fs::file_size(name + "-shm", ignored);
@@ -89,7 +89,7 @@ Stored<sqlite3*> memory_copy(sqlite3* source) {
   } else if (index_stands()) {
     return fail(StorageError::busy, name);
   }
-  // A journal beside it is undone by the next who writes; until then the pages are nobody's.
+  // The next writer rolls a journal back; until then the pages are inconsistent.
   if (fs::exists(name + "-journal", ignored) && fs::file_size(name + "-journal", ignored) > 0) {
     return fail(StorageError::read_only, name);
   }
@@ -102,7 +102,7 @@ Stored<sqlite3*> memory_copy(sqlite3* source) {
   sqlite3* copy = nullptr;
   int status = sqlite3_open_v2(":memory:", &copy, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
   if (status == SQLITE_OK) {
-    // It owns the image from here on, also when it fails.
+    // SQLite owns the image from here on, also if it fails.
     status = sqlite3_deserialize(copy, "main", reinterpret_cast<unsigned char*>(image->release()),
                                  static_cast<sqlite3_int64>(size), static_cast<sqlite3_int64>(size),
                                  SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_READONLY);

@@ -8,7 +8,7 @@ Stored<void> migrate(Database& database, std::span<const std::string_view> migra
   const auto newest = static_cast<int>(migrations.size());
   while (true) {
     Transaction transaction(database);
-    // Read within the transaction: another process may just have done the work.
+    // Reads within the transaction: another process may have migrated the file meanwhile.
     const auto version =
         transaction.first("PRAGMA user_version", [](Row row) { return static_cast<int>(row.integer(0)); });
     if (!version) return transaction.commit();
@@ -19,7 +19,7 @@ Stored<void> migrate(Database& database, std::span<const std::string_view> migra
     if (auto done = database.script(std::string(migrations[static_cast<std::size_t>(*version)])); !done) {
       transaction.refuse(std::move(done.error()));
     }
-    // A pragma takes no parameter; the number is ours.
+    // A pragma takes no parameter; the number is no user's input.
     transaction.run("PRAGMA user_version = " + std::to_string(*version + 1));
     if (auto done = transaction.commit(); !done) return done;
   }

@@ -1,4 +1,4 @@
-// Database::open: what the file is, before anything is written; then for writing or for reading.
+// Database::open checks what the file is before it writes anything, then opens it for writing or reading.
 #include <sqlite3.h>
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <thread>
 
-#include "storage/files.h"
+#include "storage/base/files.h"
 #include "storage/sqlite/database.h"
 #include "storage/sqlite/main_file.h"
 #include "storage/sqlite/memory_copy.h"
@@ -18,21 +18,21 @@ namespace {
 namespace fs = std::filesystem;
 using Access = DatabaseOptions::Access;
 
-/// Whether a log or journal with content lies at `beside`, a name that SQLite gave.
+/// Whether a file with content lies at `beside`, a name from SQLite.
 bool has_content(const char* beside) {
   std::error_code none;
   const auto size = beside == nullptr ? 0 : fs::file_size(beside, none);
   return !none && size > 0;
 }
 
-/// What the file's first hundred bytes say where nothing waits in a log: most files that are refused then keep every
-/// byte, and no log or index is made beside them. Offsets: SQLite's file format, 1.3.
+/// Checks the file's first hundred bytes, unless a log holds newer pages. Most refused files then keep every byte, and get
+/// no log or index beside them. Offsets: SQLite's file format, 1.3.
 Stored<void> check_header(sqlite3* database, const fs::path& file, std::size_t newest) {
   const MainFile main(database);
   if (main.handle() == nullptr || size_of(main.handle()).value_or(0) == 0) return {};
   std::array<std::byte, 100> bytes{};
   const int status = read_at(main.handle(), bytes, 0);
-  if (status != SQLITE_OK && status != SQLITE_IOERR_SHORT_READ) return {};  // SQLite says why it cannot be read
+  if (status != SQLITE_OK && status != SQLITE_IOERR_SHORT_READ) return {};  // SQLite reports why it cannot be read
   const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   constexpr std::string_view magic{"SQLite format 3", 16};
   if (status != SQLITE_OK || !text.starts_with(magic)) return fail(StorageError::not_a_database, file.string());
@@ -51,7 +51,7 @@ Stored<void> check_header(sqlite3* database, const fs::path& file, std::size_t n
   return {};
 }
 
-/// Whose file this is. new_file: empty as SQLite sees it.
+/// new_file: SQLite sees an empty database.
 enum class Owner { cusp, new_file };
 
 Stored<Owner> owner_within(Database& database, std::size_t newest) {
@@ -72,7 +72,7 @@ Stored<Owner> owner_within(Database& database, std::size_t newest) {
   return fail(StorageError::not_a_database, database.file().string());
 }
 
-/// As of one moment: another program may just be making the file.
+/// Reads within one transaction: another program may be creating the file.
 Stored<Owner> owner_of(Database& database, std::size_t newest) {
   if (auto begun = database.run("BEGIN"); !begun) return std::unexpected(begun.error());
   auto owner = owner_within(database, newest);
@@ -80,17 +80,18 @@ Stored<Owner> owner_of(Database& database, std::size_t newest) {
   return owner;
 }
 
-/// The folder where the log comes to lie: SQLite follows links.
+/// The folder of the log: SQLite follows links.
 fs::path folder_of(const fs::path& file) {
   std::error_code bad;
   const fs::path whole = fs::absolute(file, bad), real = fs::weakly_canonical(whole, bad);
   return (bad ? whole : real).parent_path();
 }
 
-/// Failures of a place where the log's index cannot be made or grown. The others say what the file is, or pass.
+/// Whether the log's index could not be created or grown there. Other failures concern the file itself, or pass.
 bool lacks_room(const StorageFailure& failure) {
-  return failure.code == StorageError::disk_full || failure.code == StorageError::io ||
-         failure.code == StorageError::read_only || failure.code == StorageError::not_found;
+  return out_of_space(failure.code) || failure.code == StorageError::file_too_large ||
+         failure.code == StorageError::io || failure.code == StorageError::read_only ||
+         failure.code == StorageError::not_found;
 }
 
 Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
@@ -112,7 +113,7 @@ Stored<void> check_place(const fs::path& file, const DatabaseOptions& options) {
 
 Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& options) {
   if (auto good = check_place(file, options); !good) return std::unexpected(good.error());
-  // SQLite itself waits for a lock, but not where two want to be alone at once, as two that make one file do.
+  // SQLite waits for a lock, but not if two connections want it exclusively, as two that create one file do.
   const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.busy_timeout_ms);
   while (true) {
     auto opened =
@@ -126,7 +127,7 @@ Stored<Database> Database::open(const fs::path& file, const DatabaseOptions& opt
 Stored<Database> Database::connect(const fs::path& file, int flags, const DatabaseOptions& options) {
   sqlite3* handle = nullptr;
   const char* vfs = options.vfs.empty() ? nullptr : options.vfs.c_str();
-  // With its folder no name means anything else to SQLite: ":memory:" would be kept nowhere.
+  // An absolute path: SQLite would take the name ":memory:" for a database in memory.
   std::error_code ignored;
   const fs::path whole = fs::absolute(file, ignored);
   const int status = sqlite3_open_v2(whole.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX, vfs);
@@ -134,7 +135,7 @@ Stored<Database> Database::connect(const fs::path& file, int flags, const Databa
   if (status != SQLITE_OK) return std::unexpected(failure_of(handle, status, file.string()));
   sqlite3_extended_result_codes(handle, 1);
   sqlite3_busy_timeout(handle, options.busy_timeout_ms);
-  // Until it is known to be ours, closing must not fold another program's log into its file.
+  // Closing must not checkpoint the log of another program's file.
   sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -164,13 +165,13 @@ Stored<Database> Database::read_in_place(const fs::path& file, const DatabaseOpt
 }
 
 Stored<Database> Database::current(Database database, std::size_t newest) {
-  // An older file would have to be migrated first, and may not be.
+  // A file of an older schema needs a migration, which read-only access forbids.
   if (database.schema_version() == static_cast<int>(newest)) return database;
   return fail(StorageError::read_only, database.file().string(), "older schema");
 }
 
 Stored<Database> Database::copy_in_memory(const fs::path& file, const DatabaseOptions& options) {
-  // For writing where that is possible: only then can it be alone with the file. It is written in neither case.
+  // Opened for writing if possible: only then can the connection lock the file exclusively. It writes nothing.
   auto source = connect(file, SQLITE_OPEN_READWRITE, options);
   if (!source) return source;
   auto copy = memory_copy(source->handle_);
@@ -187,7 +188,7 @@ Stored<Database> Database::open_for_writing(const fs::path& file, const Database
     if (database) {
       ready = prepare_for_writing(*database, options);
       if (ready) return database;
-      // Another program that made this file too has taken its empty one away meanwhile.
+      // Another process created this file too, and has removed its empty one meanwhile.
       if (sqlite3_extended_errcode(database->handle_) == SQLITE_READONLY_DBMOVED)
         ready.error().code = StorageError::busy;
     } else {
@@ -195,11 +196,11 @@ Stored<Database> Database::open_for_writing(const fs::path& file, const Database
     }
   }
   if (!existed) remove_if_empty(file, options);
-  // SQLite only says "cannot open" where its log finds no place.
+  // SQLite only reports "cannot open" if it cannot create its log.
   StorageFailure& why = ready.error();
   const bool vague = why.code == StorageError::not_found || why.code == StorageError::io;
   if (vague && (!can_write(folder_of(file)) || (existed && !can_write(file)))) why.code = StorageError::read_only;
-  // The folder is there and still no file came of it: some (/sys) admit none, even to one who may write anything.
+  // The folder exists, and still no file was created: some (/sys) admit none, even with all rights.
   if (!existed && why.code == StorageError::not_found) why.code = StorageError::read_only;
   if (!existed && why.code == StorageError::read_only) why.detail = "new file";
   return std::unexpected(why);
@@ -234,7 +235,7 @@ void Database::remove_if_empty(const fs::path& file, const DatabaseOptions& opti
   if (!database) return;
   MainFile main(database->handle_);
   if (main.handle() == nullptr || main.lock_shared() != SQLITE_OK || main.lock_exclusive() != SQLITE_OK) return;
-  // Alone with it. Another program that has it open but has not read yet finds it moved before its first write.
+  // The lock is exclusive. A process that has opened the file but not read it finds it moved before its first write.
   if (size_of(main.handle()) == 0) fs::remove(file, ignored);
 }
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "storage/base/files.h"
 
 namespace cusp::storage {
 
@@ -122,6 +123,36 @@ void Statement::put(int at, std::span<const std::byte> value) {
   }
 }
 
+namespace {
+
+/// errno of the newest failed call on the log or the main file. sqlite3_system_errno() is 0 if COMMIT failed.
+int errno_of_files(sqlite3* database) noexcept {
+  for (const int which : {SQLITE_FCNTL_JOURNAL_POINTER, SQLITE_FCNTL_FILE_POINTER}) {
+    sqlite3_file* file = nullptr;
+    if (sqlite3_file_control(database, "main", which, &file) != SQLITE_OK) continue;
+    if (file == nullptr || file->pMethods == nullptr) continue;
+    int error = 0;
+    if (file->pMethods->xFileControl(file, SQLITE_FCNTL_LAST_ERRNO, &error) == SQLITE_OK && error != 0) return error;
+  }
+  return 0;
+}
+
+StorageError cause_of_failed_open(int system) noexcept {
+  const StorageError cause = error_from_errno(system);
+  return cause == StorageError::duplicate ? StorageError::io : cause;
+}
+
+StorageError cause_of_failed_io(int extended, int system) noexcept {
+  if (extended == SQLITE_IOERR_NOMEM) return StorageError::out_of_memory;
+  // A read needs no space and no right to write: its errno may be that of an older call.
+  if (extended == SQLITE_IOERR_READ || extended == SQLITE_IOERR_SHORT_READ) return StorageError::io;
+  const StorageError cause = error_from_errno(system);
+  // These two errnos are left over from an older call, on a file that rightly exists or does not.
+  return cause == StorageError::not_found || cause == StorageError::duplicate ? StorageError::io : cause;
+}
+
+}  // namespace
+
 StorageFailure failure_of(sqlite3* database, int status, std::string where) {
   std::string detail = database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(status);
   if (where.empty() && database != nullptr) {
@@ -129,11 +160,11 @@ StorageFailure failure_of(sqlite3* database, int status, std::string where) {
   }
   const int extended = database != nullptr ? sqlite3_extended_errcode(database) : status;
   const int system = database != nullptr ? sqlite3_system_errno(database) : 0;
-  const bool cannot_open = (status & 0xff) == SQLITE_CANTOPEN;
   StorageError code = StorageError::io;
   switch (status & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
+    case SQLITE_PROTOCOL:  // other connections kept changing the log's index
       code = StorageError::busy;
       break;
     case SQLITE_FULL:
@@ -158,12 +189,17 @@ StorageFailure failure_of(sqlite3* database, int status, std::string where) {
     case SQLITE_TOOBIG:
       code = StorageError::bad_value;
       break;
+    case SQLITE_NOMEM:
+      code = StorageError::out_of_memory;
+      break;
+    case SQLITE_ERROR:
+      code = StorageError::bad_statement;
+      break;
     case SQLITE_CANTOPEN:
+      code = cause_of_failed_open(system);
+      break;
     case SQLITE_IOERR:
-      if (system == ENOSPC || system == EDQUOT) code = StorageError::disk_full;
-      if (system == EROFS || system == EACCES || system == EPERM) code = StorageError::read_only;
-      // A failed read or write may leave the number of an older call, of a file that rightly was not there.
-      if (cannot_open && (system == ENOENT || system == ENOTDIR)) code = StorageError::not_found;
+      code = cause_of_failed_io(extended, system != 0 || database == nullptr ? system : errno_of_files(database));
       break;
     default:
       break;

@@ -1,4 +1,4 @@
-/// One prepared statement: values are bound, never pasted into SQL; finalised when it leaves scope.
+/// One prepared statement. Values are bound, never pasted into SQL; the destructor finalises it.
 /// Thread: the database's own.
 #pragma once
 
@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "engine/base/ids.h"
-#include "storage/chain.h"
-#include "storage/error.h"
+#include "storage/base/error.h"
+#include "storage/base/hash.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace cusp::storage {
 
-/// The row that a statement stands on. Columns count from 0; valid until the next step.
+/// The current row of a statement. Columns count from 0; valid until the next step().
 class Row {
  public:
   explicit Row(sqlite3_stmt* statement) noexcept : statement_{statement} {}
@@ -44,7 +44,7 @@ class Row {
   std::optional<double> maybe_real(int column) const noexcept {
     return is_null(column) ? std::nullopt : std::optional{real(column)};
   }
-  /// Hash of every column from `first` on, with its type: changes when any byte of the row does.
+  /// Hash of every column from `first` on, with its type.
   Hash256 content_hash(int first = 0) const;
 
  private:
@@ -53,7 +53,7 @@ class Row {
 
 class Statement {
  public:
-  /// A failure to prepare is kept and comes out of step().
+  /// step() reports a failure to prepare.
   Statement(sqlite3* database, std::string_view sql);
   ~Statement();
   Statement(Statement&& other) noexcept;
@@ -69,7 +69,7 @@ class Statement {
     (put(++at, values), ...);
     return *this;
   }
-  /// True: stands on a row. False: done.
+  /// True: on a row. False: done.
   Stored<bool> step();
   Row row() const noexcept { return Row{statement_}; }
   void reset() noexcept;
@@ -109,7 +109,8 @@ class Statement {
   int status_ = 0;  // first failure of prepare or bind
 };
 
-/// SQLite's state as a failure of storage; `where` is the database's file unless given.
+/// SQLite's status as a failure of storage. `where`: the database's file unless given. Without a database the system's
+/// errno is unknown, and a failed read or write is io.
 StorageFailure failure_of(sqlite3* database, int status, std::string where = {});
 
 }  // namespace cusp::storage

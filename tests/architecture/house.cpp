@@ -54,10 +54,10 @@ TEST(Includes, a_planted_violation_is_found) {
   EXPECT_EQ(forbidden_includes("device/pointer/pointer_port.cpp", "#include \"engine/step/step.h\"\n").size(), 1u);
   EXPECT_EQ(forbidden_includes("engine/loop/loop.cpp", "  #  include <QString>\n").size(), 1u);
   EXPECT_EQ(forbidden_includes("ui/session/run.cpp", "#include <QtCore/QObject>\n").size(), 1u);
-  EXPECT_EQ(forbidden_includes("storage/chain.cpp", "#include <sqlite3.h>\n").size(), 1u);
+  EXPECT_EQ(forbidden_includes("storage/records/chain.cpp", "#include <sqlite3.h>\n").size(), 1u);
   EXPECT_EQ(forbidden_includes("engine/loop/loop.cpp", "#include <sys/resource.h>\n").size(), 1u);
   EXPECT_TRUE(forbidden_includes("engine/loop/realtime_linux.cpp", "#include <pthread.h>\n").empty());
-  EXPECT_TRUE(forbidden_includes("ui/drill/drill_screen.cpp", "#include <QWidget>\n#include \"storage/rights.h\"\n").empty());
+  EXPECT_TRUE(forbidden_includes("ui/drill/drill_screen.cpp", "#include <QWidget>\n#include \"storage/base/rights.h\"\n").empty());
 }
 
 TEST(Openings, nothing_but_sqlite_opens_or_copies_a_database) {

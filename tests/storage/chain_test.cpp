@@ -1,8 +1,9 @@
-#include "storage/chain.h"
+#include "storage/records/chain.h"
+#include "storage/records/station_key.h"
 
 #include <gtest/gtest.h>
 
-#include "storage/password.h"
+#include "storage/base/password.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -45,14 +46,14 @@ TEST(Heads, a_signature_holds_for_its_head_and_for_no_other) {
   const StationKey key = StationKey::make();
   const Uuid session = Uuid::v7();
   const Hash256 link = blake2b_256(std::string_view{"link"});
-  const Signature signature = key.sign_head(session, 9, link);
-  EXPECT_TRUE(head_signature_holds(key.public_key, session, 9, link, signature));
-  EXPECT_FALSE(head_signature_holds(key.public_key, session, 8, link, signature));
-  EXPECT_FALSE(head_signature_holds(key.public_key, Uuid::v7(), 9, link, signature));
-  EXPECT_FALSE(head_signature_holds(StationKey::make().public_key, session, 9, link, signature));
+  const Signature signature = key.sign_head(session, {9, link});
+  EXPECT_TRUE(head_signature_holds(key.public_key, session, {9, link}, signature));
+  EXPECT_FALSE(head_signature_holds(key.public_key, session, {8, link}, signature));
+  EXPECT_FALSE(head_signature_holds(key.public_key, Uuid::v7(), {9, link}, signature));
+  EXPECT_FALSE(head_signature_holds(StationKey::make().public_key, session, {9, link}, signature));
   auto other = link;
   other[0] ^= 1;
-  EXPECT_FALSE(head_signature_holds(key.public_key, session, 9, other, signature));
+  EXPECT_FALSE(head_signature_holds(key.public_key, session, {9, other}, signature));
 }
 
 TEST(Passwords, only_the_right_one_matches_and_equal_ones_are_stored_differently) {

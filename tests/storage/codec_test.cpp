@@ -3,7 +3,7 @@
 #include <limits>
 #include <random>
 
-#include "storage/trace_codec.h"
+#include "storage/records/trace_codec.h"
 #include "tests/modules.h"
 #include "tests/storage/sample.h"
 

@@ -1,5 +1,5 @@
 /// A fault at each call that every writing operation makes of the file system: nothing committed is lost, nothing is
-/// half there, and the code says what failed. A seventh of the calls; CUSP_EVERY_CALL_FULL=1: each of the first 500.
+/// half there, and the code names what failed. A seventh of the calls; CUSP_EVERY_CALL_FULL=1: each of the first 500.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -49,22 +49,22 @@ std::vector<Operation> operations_on_people() {
       {"create a student",
        [](Store& s, const Rows& r) {
          return outcome(
-             s.people.create(r.administrator, {.number = "77", .name = "New", .password = "battery staple"}));
+             s.accounts.create(r.administrator, {.number = "77", .name = "New", .password = "battery staple"}));
        }},
       {"rename",
-       [](Store& s, const Rows& r) { return outcome(s.people.rename(r.administrator, r.student.id, "78", "N")); }},
+       [](Store& s, const Rows& r) { return outcome(s.accounts.rename(r.administrator, r.student.id, "78", "N")); }},
       {"set a role",
        [](Store& s, const Rows& r) {
-         return outcome(s.people.set_role(r.administrator, r.student.id, Role::instructor));
+         return outcome(s.accounts.set_role(r.administrator, r.student.id, Role::instructor));
        }},
       {"switch off",
-       [](Store& s, const Rows& r) { return outcome(s.people.set_disabled(r.administrator, r.student.id, true)); }},
+       [](Store& s, const Rows& r) { return outcome(s.accounts.disable(r.administrator, r.student.id)); }},
       {"set a password",
        [](Store& s, const Rows& r) {
-         return outcome(s.people.set_password(r.administrator, r.student.id, "", "another staple"));
+         return outcome(s.accounts.set_password(r.administrator, r.student.id, "", "another staple"));
        }},
       {"set a PIN",
-       [](Store& s, const Rows& r) { return outcome(s.people.set_pin(r.administrator, r.student.id, "271828")); }},
+       [](Store& s, const Rows& r) { return outcome(s.accounts.set_pin(r.administrator, r.student.id, "271828")); }},
       {"make a cohort", [](Store& s, const Rows& r) { return outcome(s.cohorts.create(r.administrator, "Year 3")); }},
       {"add to a cohort",
        [](Store& s, const Rows& r) { return outcome(s.cohorts.add(r.administrator, r.cohort, r.instructor.id)); }},
@@ -75,7 +75,7 @@ std::vector<Operation> operations_on_people() {
          return outcome(s.assignments.create(r.instructor, {.version = r.version.id, .cohort = r.cohort}));
        }},
       {"write in the audit log",
-       [](Store& s, const Rows& r) { return outcome(s.audit.add(r.administrator.id, "exported", Uuid::v7(), "csv")); }},
+       [](Store& s, const Rows& r) { return outcome(s.audit.add({.actor = r.administrator.id, .action = "exported", .subject = Uuid::v7(), .detail = "csv"})); }},
   };
 }
 
@@ -185,7 +185,7 @@ class EveryCall : public ::testing::Test {
     const bool done = now.counts == after.counts && now.rows != before.rows, undone = now.rows == before.rows;
     EXPECT_TRUE(done || undone) << "half of it is there";
     if (!failure) {
-      EXPECT_TRUE(done) << "said to be done, and lost";
+      EXPECT_TRUE(done) << "reported as done, and lost";
     } else {
       codes.insert(failure->code);
       const bool full = how == Failing::disk_full;

@@ -76,7 +76,7 @@ TEST_F(EveryTamperingTest, is_found_and_named_or_listed_as_harmless) {
     const auto read = must(verify_store(open(school_.trial(), reading)->context()));
     // And as the program meets it: opened for writing, somebody signs in, then the proof.
     const auto store = open(school_.trial());
-    static_cast<void>(store->people.sign_in("admin", "correct horse"));
+    static_cast<void>(store->accounts.sign_in("admin", "correct horse"));
     const auto written = must(verify_store(store->context()));
     Count& count = counts[{t.table, t.kind}];
     const bool good = named(read, t) && named(written, t);

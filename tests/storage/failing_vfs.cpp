@@ -12,6 +12,7 @@ namespace {
 Failing failing = Failing::nothing;
 int fail_at = 0;
 int seen = 0;
+int last_errno = 0;
 
 int answer(int io_code) {
   switch (failing) {
@@ -20,6 +21,8 @@ int answer(int io_code) {
     case Failing::disk_full:
       return seen >= fail_at ? SQLITE_FULL : SQLITE_OK;
     case Failing::short_write:
+    case Failing::over_quota:
+    case Failing::too_large:
     case Failing::io_error:
       return seen >= fail_at ? io_code : SQLITE_OK;
     case Failing::any_call:
@@ -30,14 +33,20 @@ int answer(int io_code) {
   }
 }
 
-/// What the next write or sync has to answer: SQLITE_OK to go on. Sets errno as a disk would.
+int errno_of(int status) {
+  if (failing == Failing::over_quota) return EDQUOT;
+  if (failing == Failing::too_large) return EFBIG;
+  return status == SQLITE_FULL ? ENOSPC : EIO;
+}
+
+/// Status of the next write or sync, with an errno as a disk sets it.
 int verdict(int io_code) {
   ++seen;
   const int status = answer(io_code);
-  if (status != SQLITE_OK) errno = status == SQLITE_FULL ? ENOSPC : EIO;
+  if (status != SQLITE_OK) errno = last_errno = errno_of(status);
   return status;
 }
-/// The same for a call that writes nothing.
+/// Status of a call that writes nothing.
 int verdict_of_other(int io_code) { return failing == Failing::any_call ? verdict(io_code) : SQLITE_OK; }
 
 struct File {
@@ -60,7 +69,7 @@ int write(sqlite3_file* f, const void* from, int n, sqlite3_int64 at) {
 }
 int truncate(sqlite3_file* f, sqlite3_int64 n) {
   if (const int bad = verdict(SQLITE_IOERR_TRUNCATE); bad != SQLITE_OK) {
-    // A full disk does not mind getting smaller.
+    // A full disk can truncate.
     if (bad != SQLITE_FULL) return bad;
   }
   return real(f)->pMethods->xTruncate(real(f), n);
@@ -79,16 +88,22 @@ int lock(sqlite3_file* f, int n) {
 }
 int unlock(sqlite3_file* f, int n) { return real(f)->pMethods->xUnlock(real(f), n); }
 int check_lock(sqlite3_file* f, int* n) { return real(f)->pMethods->xCheckReservedLock(real(f), n); }
-int control(sqlite3_file* f, int op, void* arg) { return real(f)->pMethods->xFileControl(real(f), op, arg); }
+int control(sqlite3_file* f, int op, void* arg) {
+  if (op == SQLITE_FCNTL_LAST_ERRNO && last_errno != 0) {
+    *static_cast<int*>(arg) = last_errno;
+    return SQLITE_OK;
+  }
+  return real(f)->pMethods->xFileControl(real(f), op, arg);
+}
 int sector(sqlite3_file* f) { return real(f)->pMethods->xSectorSize(real(f)); }
 int traits(sqlite3_file* f) { return real(f)->pMethods->xDeviceCharacteristics(real(f)); }
 int shm_map(sqlite3_file* f, int page, int size, int extend, void volatile** to) {
   if (const int bad = verdict_of_other(SQLITE_IOERR_SHMMAP); bad != SQLITE_OK) return bad;
-  // Of one that is there, what it has is still mapped.
+  // Existing pages of the index can still be mapped.
   if (failing == Failing::no_index && extend != 0) {
     const int status = real(f)->pMethods->xShmMap(real(f), page, size, 0, to);
     if (status != SQLITE_OK || *to != nullptr) return status;
-    errno = ENOSPC;
+    errno = last_errno = ENOSPC;
     return SQLITE_IOERR_SHMSIZE;
   }
   return real(f)->pMethods->xShmMap(real(f), page, size, extend, to);
@@ -129,12 +144,15 @@ std::string failing_vfs() {
   static sqlite3_vfs vfs;
   if (system_vfs == nullptr) {
     system_vfs = sqlite3_vfs_find(nullptr);
-    vfs = *system_vfs;  // paths, randomness and time as they are
+    vfs = *system_vfs;  // paths, randomness and time of the system
     vfs.szOsFile = static_cast<int>(sizeof(File)) + system_vfs->szOsFile;
     vfs.zName = "failing";
     vfs.pNext = nullptr;
     vfs.xOpen = open;
     vfs.xDelete = remove;
+    vfs.xGetLastError = [](sqlite3_vfs* own, int size, char* text) {
+      return last_errno != 0 ? last_errno : system_vfs->xGetLastError(own, size, text);
+    };
     sqlite3_vfs_register(&vfs, 0);
   }
   return "failing";
@@ -144,6 +162,7 @@ void fail_from(Failing how, int n) {
   failing = how;
   fail_at = n;
   seen = 0;
+  last_errno = 0;
 }
 
 int operations_seen() { return seen; }

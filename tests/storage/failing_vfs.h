@@ -1,5 +1,5 @@
-/// A file system for SQLite that fails on demand, at the n-th call, or as a read-only or full disk; or that counts.
-/// One per process, used by one thread. All else goes to the system's own.
+/// A file system for SQLite that fails on demand: at the n-th call, or like a read-only or full disk. It counts calls and
+/// passes them on to the system's own. One per process, used by one thread.
 #pragma once
 
 #include <string>
@@ -9,6 +9,8 @@ namespace cusp::test {
 enum class Failing {
   nothing,      // only counts
   disk_full,    // from the n-th on, every write that a full disk refuses
+  over_quota,   // from the n-th on, every write and sync, as above the user's quota (EDQUOT)
+  too_large,    // from the n-th on, every write and sync, as at the largest size of a file (EFBIG)
   io_error,     // from the n-th on, every write and sync
   once,         // the n-th alone: an I/O error
   short_write,  // the n-th write keeps half of its bytes and fails, and so does every write and sync after it

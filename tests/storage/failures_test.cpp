@@ -1,6 +1,13 @@
-/// A disk that fills up or fails at every single write of a second's transaction: nothing half-written, a clear code.
+/// A disk that fills up or fails at every single write of a transaction: nothing half-written, and a code for the cause.
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <csignal>
+#include <utility>
+
+#include "storage/base/files.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/storage/sample.h"
 
@@ -66,7 +73,7 @@ class FailuresTest : public ::testing::Test {
     } else if (how == Failing::disk_full) {
       EXPECT_EQ(chunks, 1u) << n;
     }
-    // And it goes on from there, once there is room again.
+    // The session continues from there once the disk has space again.
     if (chunks == 1) must(store->traces.append(session, large_second()));
     EXPECT_TRUE(must(verify_session(store->context(), session)).intact()) << n;
     return code;
@@ -106,6 +113,74 @@ TEST_F(FailuresTest, a_disk_that_fails_at_any_write_or_sync_leaves_no_half) {
     }
     EXPECT_GT(refused, 8);
   }
+}
+
+TEST_F(FailuresTest, a_refused_write_names_its_cause) {
+  ASSERT_FALSE(append_failing_at(Failing::nothing, 0));
+  const int all = operations;
+  const std::pair<Failing, StorageError> causes[] = {{Failing::over_quota, StorageError::quota_exceeded},
+                                                     {Failing::too_large, StorageError::file_too_large},
+                                                     {Failing::io_error, StorageError::io}};
+  for (const auto& [how, cause] : causes) {
+    int refused = 0;
+    for (int n = 1; n <= all; ++n) {
+      const auto code = append_failing_at(how, n);
+      if (!code) continue;
+      EXPECT_EQ(*code, cause) << n;
+      ++refused;
+    }
+    EXPECT_GT(refused, 8);
+  }
+}
+
+/// By the system's own file system: the process may write no file beyond a size.
+TEST_F(FailuresTest, a_limit_on_the_size_of_files_is_no_full_disk) {
+  const fs::path file = folder / "start.db";
+  const auto store = open(file);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{fs::file_size(file.string() + "-wal") + 16384, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const auto done = store->traces.append(session, large_second());
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(code_of(done), StorageError::file_too_large);
+  must(store->traces.append(session, large_second()));
+}
+
+TEST(FailureCodes, an_errno_names_the_cause_and_not_always_a_full_disk) {
+  EXPECT_EQ(error_from_errno(ENOSPC), StorageError::disk_full);
+  EXPECT_EQ(error_from_errno(EDQUOT), StorageError::quota_exceeded);
+  EXPECT_EQ(error_from_errno(EFBIG), StorageError::file_too_large);
+  EXPECT_EQ(error_from_errno(ENOMEM), StorageError::out_of_memory);
+  EXPECT_EQ(error_from_errno(EROFS), StorageError::read_only);
+  EXPECT_EQ(error_from_errno(EACCES), StorageError::read_only);
+  EXPECT_EQ(error_from_errno(ENOENT), StorageError::not_found);
+  EXPECT_EQ(error_from_errno(EEXIST), StorageError::duplicate);
+  EXPECT_EQ(error_from_errno(EIO), StorageError::io);
+  EXPECT_TRUE(out_of_space(StorageError::quota_exceeded));
+  EXPECT_FALSE(out_of_space(StorageError::file_too_large));
+}
+
+TEST(FailureCodes, a_status_of_sqlite_names_the_cause) {
+  constexpr int kNoMemory = 7, kFull = 13, kProtocol = 15, kIoNoMemory = 3082;  // sqlite.org/rescode.html
+  EXPECT_EQ(failure_of(nullptr, kFull).code, StorageError::disk_full);
+  EXPECT_EQ(failure_of(nullptr, kNoMemory).code, StorageError::out_of_memory);
+  EXPECT_EQ(failure_of(nullptr, kIoNoMemory).code, StorageError::out_of_memory);
+  EXPECT_EQ(failure_of(nullptr, kProtocol).code, StorageError::busy);
+}
+
+TEST(FailureCodes, a_missing_table_is_a_bad_statement_and_no_failed_disk) {
+  const Folder folder;
+  const auto store = open(folder / "a.db");
+  EXPECT_EQ(code_of(store->database().run("SELECT * FROM nothing_of_this_name")), StorageError::bad_statement);
+}
+
+TEST(FailureCodes, a_file_that_a_folder_blocks_is_no_full_disk) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "taken");
+  EXPECT_EQ(code_of(write_private_file(folder / "missing" / "key", "secret")), StorageError::not_found);
+  EXPECT_EQ(code_of(write_private_file(folder / "taken", "secret")), StorageError::duplicate);
 }
 
 TEST_F(FailuresTest, a_new_file_on_a_failing_disk_is_whole_or_not_there_and_can_be_made_again) {

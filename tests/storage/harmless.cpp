@@ -9,7 +9,7 @@ std::span<const Harmless> harmless_tamperings() noexcept {
       "an author's work in progress: nobody is graded by it, and what is published of it is sealed";
   static constexpr std::string_view unnamed = "no session and no version names this blob: it decides nothing";
   static constexpr std::string_view tries =
-      "says when the next try is let in, not who somebody is; each wrong try stands in the log";
+      "sets when the next try is admitted, not an identity; the log has each wrong try";
   static constexpr std::string_view open_account =
       "an account without password and PIN proves nobody's identity: anybody signs in as it";
   static constexpr std::array<Harmless, 14> list = {{

@@ -29,7 +29,7 @@ TEST_F(HistoryTest, a_students_list_is_newest_first_with_goes_counted) {
   const auto rows = must(store->history.list(lena.actor()));
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].session, last);
-  EXPECT_EQ(rows[0].go, 2);
+  EXPECT_EQ(rows[0].attempt, 2);
   EXPECT_EQ(rows[0].score, 78.0);
   EXPECT_EQ(rows[0].passed, true);
   EXPECT_EQ(rows[0].pass_mark, 70.0);
@@ -37,7 +37,7 @@ TEST_F(HistoryTest, a_students_list_is_newest_first_with_goes_counted) {
   EXPECT_EQ(rows[0].device_class, "pointer");
   EXPECT_EQ(rows[0].title.at("en"), "Straight channel");
   EXPECT_EQ(rows[0].state, SessionState::graded);
-  EXPECT_EQ(rows[1].go, 1);
+  EXPECT_EQ(rows[1].attempt, 1);
   EXPECT_EQ(rows[1].critical, std::vector<std::string>{"pulp_exposure"});
 }
 
@@ -105,7 +105,7 @@ TEST_F(HistoryTest, filters_narrow_and_leave_the_goes_as_they_were) {
   const auto passed = must(store->history.list(instructor, {.student = lena.id, .passed = true}));
   ASSERT_EQ(passed.size(), 1u);
   EXPECT_EQ(passed[0].session, second);
-  EXPECT_EQ(passed[0].go, 2);
+  EXPECT_EQ(passed[0].attempt, 2);
 }
 
 TEST_F(HistoryTest, sessions_of_one_moment_keep_their_order) {
@@ -114,11 +114,11 @@ TEST_F(HistoryTest, sessions_of_one_moment_keep_their_order) {
   const auto rows = must(store->history.list(lena.actor()));
   EXPECT_EQ(rows[0].session, second);
   EXPECT_EQ(rows[1].session, first);
-  EXPECT_EQ(rows[0].go, 2);
+  EXPECT_EQ(rows[0].attempt, 2);
 }
 
 TEST_F(HistoryTest, guests_and_try_outs_are_in_no_list_but_show_their_own_details) {
-  const Account guest = must(store->people.guest());
+  const Account guest = must(store->accounts.guest());
   const SessionId tried = complete_session(*store, guest, version);
   NewSession out = new_session(Account{.id = instructor.id}, version);
   out.kind = SessionKind::try_out;
@@ -127,7 +127,7 @@ TEST_F(HistoryTest, guests_and_try_outs_are_in_no_list_but_show_their_own_detail
   const auto details = must(store->history.details(guest.actor(), tried));
   EXPECT_EQ(details.session.kind, SessionKind::try_it);
   EXPECT_EQ(details.grade->grade.score, 81.5);
-  EXPECT_EQ(details.row.go, 1);
+  EXPECT_EQ(details.row.attempt, 1);
 }
 
 TEST_F(HistoryTest, details_hold_all_of_a_session) {
@@ -153,7 +153,7 @@ TEST_F(HistoryTest, the_best_before_is_the_earlier_of_two_alike_and_never_a_late
   go(noah, 100);
   EXPECT_EQ(must(store->history.best_before(lena.actor(), now_one))->session, best);
   EXPECT_FALSE(must(store->history.best_before(lena.actor(), first)));
-  EXPECT_EQ(must(store->history.goes(lena.actor(), lena.id, version.scenario)), 5);
+  EXPECT_EQ(must(store->history.attempts(lena.actor(), lena.id, version.scenario)), 5);
 }
 
 TEST_F(HistoryTest, standings_tell_goes_best_and_last) {
@@ -162,7 +162,7 @@ TEST_F(HistoryTest, standings_tell_goes_best_and_last) {
   must(store->sessions.start(lena.actor(), new_session(lena, version)));  // not graded
   const auto standings = must(store->history.standings(lena.actor(), lena.id));
   ASSERT_EQ(standings.size(), 1u);
-  EXPECT_EQ(standings[0].goes, 3);
+  EXPECT_EQ(standings[0].attempts, 3);
   EXPECT_EQ(standings[0].best->session, best);
   EXPECT_EQ(standings[0].last->session, last);
 }

@@ -1,4 +1,4 @@
-#include "storage/key_state_cache.h"
+#include "storage/cache/key_state_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -14,14 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// In a process of its own: records seconds until it is killed, telling each one that it holds as stored.
-[[noreturn]] void record(const fs::path& file, int tell) {
+[[noreturn]] void record(const fs::path& file, int pipe_end) {
   const auto store = open(file);
-  const Account student = must(store->people.find_number("20267314"));
+  const Account student = must(store->accounts.find_number("20267314"));
   const SessionId id = must(store->sessions.start(student.actor(), new_session(student, keep(*store)))).id;
   for (std::uint64_t tick = 1;; tick += 12) {
     if (!store->traces.append(id, second_from(tick))) _exit(1);
     const char byte = 1;
-    if (write(tell, &byte, 1) != 1) _exit(2);
+    if (write(pipe_end, &byte, 1) != 1) _exit(2);
   }
 }
 
@@ -44,13 +44,13 @@ TEST(Killing, at_any_moment_leaves_every_second_that_was_told_as_stored) {
     close(pipe_ends[1]);
     // Waits for progress, then for a part of the next second's work.
     const std::size_t wanted = 1 + random() % 5;
-    std::size_t told = 0;
+    std::size_t reported = 0;
     char byte = 0;
-    while (told < wanted && read(pipe_ends[0], &byte, 1) == 1) ++told;
-    ASSERT_EQ(told, wanted);
+    while (reported < wanted && read(pipe_ends[0], &byte, 1) == 1) ++reported;
+    ASSERT_EQ(reported, wanted);
     usleep(random() % 3000);
     kill(child, SIGKILL);
-    while (read(pipe_ends[0], &byte, 1) == 1) ++told;
+    while (read(pipe_ends[0], &byte, 1) == 1) ++reported;
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status)) << "the recorder failed by itself, run " << run;
@@ -58,14 +58,14 @@ TEST(Killing, at_any_moment_leaves_every_second_that_was_told_as_stored) {
 
     const auto store = open(file);
     EXPECT_EQ(must(store->database().integrity_check()), "");
-    const Account student = must(store->people.find_number("20267314"));
+    const Account student = must(store->accounts.find_number("20267314"));
     const HistoryRow newest = must(store->history.list(student.actor())).at(0);
     EXPECT_EQ(newest.state, SessionState::interrupted) << run;
     const auto events = must(store->sessions.events(newest.session));
     EXPECT_EQ(events.back().reason, "process_gone");
     const auto chunks = must(store->traces.chunks(newest.session)).size();
-    EXPECT_GE(chunks, told) << run;      // nothing that was told is lost
-    EXPECT_LE(chunks, told + 1) << run;  // and at most one was stored untold
+    EXPECT_GE(chunks, reported) << run;      // nothing that was told is lost
+    EXPECT_LE(chunks, reported + 1) << run;  // and at most one was stored and not reported
     EXPECT_TRUE(must(verify_session(store->context(), newest.session)).intact()) << run;
     must(store->traces.save_final_volume(newest.session, volume_after(chunks * 12)));
     must(store->grades.save(newest.session, small_grade(), {}));

@@ -129,7 +129,7 @@ TEST(Locks, closing_while_another_reads_leaves_it_its_log) {
   StoreOptions options = quick();
   options.database.access = Access::read_only;
   const auto reader = open(file, options);
-  EXPECT_EQ(must(reader->people.find(student.id)).number, student.number);
+  EXPECT_EQ(must(reader->accounts.find(student.id)).number, student.number);
   complete_session(*writer, student, keep(*writer));
   writer.reset();
   EXPECT_EQ(must(reader->history.list(student.actor())).size(), 1u);

@@ -78,7 +78,7 @@ TEST(Migrations, a_file_of_schema_1_opens_and_holds_what_it_held) {
   EXPECT_EQ(store->database().schema_version(), static_cast<int>(built_in_migrations().size()));
   EXPECT_EQ(must(store->database().integrity_check()), "");
 
-  const Account student = must(store->people.sign_in_with_pin("20267314", "314159"));
+  const Account student = must(store->accounts.sign_in_with_pin("20267314", "314159"));
   EXPECT_EQ(student.name, "Lena Brandt");
   const auto rows = must(store->history.list(student.actor()));
   ASSERT_EQ(rows.size(), 1u);

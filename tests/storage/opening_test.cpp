@@ -204,7 +204,7 @@ TEST(Opening, two_may_stand_on_one_file_and_see_each_others_work) {
   const auto one = open(folder / "a.db");
   const auto two = open(folder / "a.db");
   const Account student = make_student(*one);
-  EXPECT_EQ(must(two->people.find(student.id)).number, student.number);
+  EXPECT_EQ(must(two->accounts.find(student.id)).number, student.number);
   EXPECT_EQ(one->context().station, two->context().station);
   EXPECT_EQ(one->context().key->public_key, two->context().key->public_key);
 }
@@ -231,7 +231,7 @@ TEST(StationKeys, where_the_key_is_lost_a_new_one_is_made_and_old_signatures_sti
   }
   fs::remove(folder / "a.db.key");
   const auto store = open(folder / "a.db");
-  fresh = complete_session(*store, must(store->people.find_number("20267314")), keep(*store));
+  fresh = complete_session(*store, must(store->accounts.find_number("20267314")), keep(*store));
   EXPECT_TRUE(must(verify_session(store->context(), old)).intact());
   EXPECT_TRUE(must(verify_session(store->context(), fresh)).intact());
   EXPECT_TRUE(must(verify_audit_log(store->context())).intact());

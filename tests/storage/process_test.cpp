@@ -1,5 +1,5 @@
 /// Whether the process of a session still runs: reused numbers, other pid namespaces, other users.
-#include "storage/process.h"
+#include "storage/base/process.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -19,51 +19,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The words between the colons.
+/// Splits the text at its colons.
 std::vector<std::string> words_of(const std::string& text) {
   std::vector<std::string> out;
   std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ':');) out.push_back(word);
+  for (std::string field; std::getline(in, field, ':');) out.push_back(field);
   return out;
 }
 
-/// The first three words: how older programs named a process.
+/// The first three fields: the format of older programs.
 std::string old_form(const std::string& text) {
-  const auto words = words_of(text);
-  return words[0] + ":" + words[1] + ":" + words[2];
+  const auto fields = words_of(text);
+  return fields[0] + ":" + fields[1] + ":" + fields[2];
 }
 
-/// A process that holds a mark until end(); `enter` goes before it, and says whether it could be done.
+/// A process that holds a mark until end(). `enter` runs before it, and returns whether it succeeded.
 class Marked {
  public:
   Marked(const fs::path& lock_file, const std::function<bool()>& enter = [] { return true; }) {
-    int tell[2], wait[2];
-    if (pipe(tell) != 0 || pipe(wait) != 0) return;
+    int mark_pipe[2], wait[2];
+    if (pipe(mark_pipe) != 0 || pipe(wait) != 0) return;
     child_ = fork();
     if (child_ == 0) {
       close(wait[1]);
-      close(tell[0]);
+      close(mark_pipe[0]);
       if (!enter()) _exit(1);
       // The second one is the first process of a pid namespace that `enter` made.
       const pid_t inner = fork();
       if (inner == 0) {
         const ProcessMark mark(lock_file);
-        if (write(tell[1], mark.text().data(), mark.text().size()) < 0) _exit(1);
-        close(tell[1]);
+        if (write(mark_pipe[1], mark.text().data(), mark.text().size()) < 0) _exit(1);
+        close(mark_pipe[1]);
         char byte = 0;
         if (read(wait[0], &byte, 1) < 0) _exit(1);
         raise(SIGKILL);
       }
-      close(tell[1]);
+      close(mark_pipe[1]);
       waitpid(inner, nullptr, 0);
       _exit(0);
     }
-    close(tell[1]);
+    close(mark_pipe[1]);
     close(wait[0]);
     end_ = wait[1];
     char piece[256];
-    for (ssize_t got = 0; (got = read(tell[0], piece, sizeof piece)) > 0;) text_.append(piece, static_cast<std::size_t>(got));
-    close(tell[0]);
+    for (ssize_t got = 0; (got = read(mark_pipe[0], piece, sizeof piece)) > 0;) text_.append(piece, static_cast<std::size_t>(got));
+    close(mark_pipe[0]);
   }
   ~Marked() { end(); }
   void end() {
@@ -104,9 +104,9 @@ TEST(Processes, a_number_that_another_process_got_is_not_the_one_that_had_it) {
   const Folder folder;
   const fs::path locks = folder / "a.db.running";
   const ProcessMark mine(locks);
-  const auto words = words_of(mine.text());
-  ASSERT_EQ(words.size(), 5u);
-  const std::string before = words[0] + ":" + words[1] + ":" + words[2] + "0:" + words[3] + ":77";
+  const auto fields = words_of(mine.text());
+  ASSERT_EQ(fields.size(), 5u);
+  const std::string before = fields[0] + ":" + fields[1] + ":" + fields[2] + "0:" + fields[3] + ":77";
   EXPECT_FALSE(process_runs(before, locks));
   EXPECT_FALSE(process_runs(old_form(mine.text()) + "0", locks));
 }
@@ -126,10 +126,10 @@ TEST(Processes, one_of_another_pid_namespace_runs_until_it_has_ended) {
 TEST(Processes, one_of_another_namespace_without_its_lock_file_is_not_taken_for_ended) {
   const Folder folder;
   const ProcessMark mine(folder / "a.db.running");
-  const auto words = words_of(mine.text());
-  const std::string elsewhere = words[0] + ":999999:1:1:" + words[4];
+  const auto fields = words_of(mine.text());
+  const std::string elsewhere = fields[0] + ":999999:1:1:" + fields[4];
   EXPECT_TRUE(process_runs(elsewhere, folder / "none.running"));
-  EXPECT_TRUE(process_runs(words[0] + ":999999:1:1:", folder / "a.db.running")) << "it held no lock";
+  EXPECT_TRUE(process_runs(fields[0] + ":999999:1:1:", folder / "a.db.running")) << "it held no lock";
 }
 
 TEST(Processes, one_of_another_user_who_hides_it_runs_until_it_has_ended) {

@@ -77,7 +77,7 @@ TEST_F(ReadingTest, a_full_disk_shows_everything_that_was_committed) {
   options.database = reading(failing_vfs());
   {
     const auto store = open(left.file, options);
-    const Account student = must(store->people.find_number("20267314"));
+    const Account student = must(store->accounts.find_number("20267314"));
     const auto rows = must(store->history.list(student.actor()));
     ASSERT_EQ(rows.size(), 2u);
     for (const HistoryRow& row : rows) EXPECT_TRUE(must(verify_session(store->context(), row.session)).intact());
@@ -91,7 +91,7 @@ TEST_F(ReadingTest, a_full_disk_shows_everything_that_was_committed) {
   options.database.access = Access::existing;
   EXPECT_EQ(code_of(Store::open(left.file, options)), StorageError::disk_full);
   fail_from(Failing::nothing, 0);
-  EXPECT_EQ(must(open(left.file)->history.list(must(open(left.file)->people.find_number("20267314")).actor())).size(),
+  EXPECT_EQ(must(open(left.file)->history.list(must(open(left.file)->accounts.find_number("20267314")).actor())).size(),
             2u);
 }
 

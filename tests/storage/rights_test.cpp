@@ -1,4 +1,4 @@
-#include "storage/rights.h"
+#include "storage/base/rights.h"
 #include "tests/modules.h"
 
 #include <gtest/gtest.h>
@@ -18,11 +18,11 @@ TEST(Rights, a_student_sees_only_what_is_the_students_own) {
   EXPECT_EQ(other.error().where, "see_all_results");
 }
 
-TEST(Rights, who_teaches_edits_scenarios_and_who_administers_manages_people) {
+TEST(Rights, who_teaches_edits_scenarios_and_who_administers_manages_accounts) {
   EXPECT_TRUE(may(Role::instructor, Action::edit_scenarios));
   EXPECT_FALSE(may(Role::administrator, Action::edit_scenarios));
-  EXPECT_TRUE(may(Role::administrator, Action::manage_people));
-  EXPECT_FALSE(may(Role::instructor, Action::manage_people));
+  EXPECT_TRUE(may(Role::administrator, Action::manage_accounts));
+  EXPECT_FALSE(may(Role::instructor, Action::manage_accounts));
   for (std::size_t i = 0; i < kActions; ++i) {
     const auto action = static_cast<Action>(i);
     const bool everybodys = action == Action::drill || action == Action::see_own_results;
@@ -30,7 +30,7 @@ TEST(Rights, who_teaches_edits_scenarios_and_who_administers_manages_people) {
   }
 }
 
-TEST(Rights, the_rooms_page_shows_the_same_table) {
+TEST(Rights, the_readme_shows_the_same_table) {
   std::ifstream in(CUSP_SOURCE_DIR "/storage/README.md");
   std::ostringstream page;
   page << in.rdbuf();

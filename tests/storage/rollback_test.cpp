@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "storage/rollback_counter.h"
+#include "storage/records/rollback_counter.h"
 #include "tests/modules.h"
 #include "tests/storage/sample.h"
 
@@ -21,7 +21,7 @@ class RollbackTest : public ::testing::Test {
     for (const ChainFinding& f : must(verify_store(store.context())).findings) out.push_back(f.code);
     return out;
   }
-  static std::uint64_t counted(const fs::path& file) { return must(read_counter(file))->entries; }
+  static std::uint64_t counted(const fs::path& file) { return must(read_counter(file))->log.links; }
   static std::uint64_t logged(Store& store) { return must(verify_store(store.context())).entries; }
 
   Folder folder;
@@ -41,7 +41,7 @@ TEST_F(RollbackTest, of_two_stores_on_one_file_the_larger_count_stays) {
   const auto one = open(folder / "a.db"), two = open(folder / "a.db");
   const Account student = make_student(*one);
   for (int i = 0; i < 5; ++i) {
-    must((i % 2 == 0 ? one : two)->people.set_pin({UserId{}, Role::administrator}, student.id, "271828"));
+    must((i % 2 == 0 ? one : two)->accounts.set_pin({UserId{}, Role::administrator}, student.id, "271828"));
     EXPECT_EQ(counted(counter()), logged(*one));
   }
   EXPECT_TRUE(codes(*two).empty());
@@ -62,7 +62,7 @@ TEST_F(RollbackTest, a_counter_that_cannot_be_written_fails_no_session_and_catch
   EXPECT_TRUE(lagging.intact());
   EXPECT_EQ(lagging.uncounted, 3u);  // started, finished, graded
   fs::remove(counter().string() + ".new");
-  must(store->people.sign_in("20267314", "battery staple"));
+  must(store->accounts.sign_in("20267314", "battery staple"));
   EXPECT_FALSE(store->context().counter_failure);
   EXPECT_EQ(counted(counter()), logged(*store));
 }
@@ -89,7 +89,7 @@ TEST_F(RollbackTest, an_older_file_is_named_at_opening_and_for_good) {
     make_student(*store);
     must(store->database().run("PRAGMA wal_checkpoint(TRUNCATE)"));
     fs::copy_file(file, folder / "old.db");
-    complete_session(*store, must(store->people.find_number("20267314")), keep(*store));
+    complete_session(*store, must(store->accounts.find_number("20267314")), keep(*store));
   }
   fs::copy_file(folder / "old.db", file, fs::copy_options::overwrite_existing);
   StoreOptions reading = quick();
@@ -100,7 +100,7 @@ TEST_F(RollbackTest, an_older_file_is_named_at_opening_and_for_good) {
   for (int i = 0; i < 3; ++i) {
     const auto store = open(file);
     EXPECT_FALSE(store->context().incident);
-    must(store->people.sign_in("20267314", "battery staple"));
+    must(store->accounts.sign_in("20267314", "battery staple"));
     EXPECT_EQ(codes(*store), std::vector{FindingCode::rolled_back});
   }
 }
@@ -146,8 +146,8 @@ TEST_F(RollbackTest, a_file_of_schema_1_is_sealed_when_it_is_first_opened_for_wr
   auto proof = must(verify_store(store->context()));
   EXPECT_TRUE(proof.intact());
   EXPECT_EQ(proof.sealed_since_utc_us, kNow);
-  EXPECT_EQ(proof.sealed_later, 8u);  // three people, a session, a comment, a cohort, an assignment, a version
-  const Account lena = must(store->people.find_number("20267314"));
+  EXPECT_EQ(proof.sealed_later, 8u);  // three accounts, a session, a comment, a cohort, an assignment, a version
+  const Account lena = must(store->accounts.find_number("20267314"));
   must(store->database().run("PRAGMA foreign_keys = OFF"));
   must(store->database().run("UPDATE people SET password = '' WHERE id = ?1", lena.id));
   proof = must(verify_store(store->context()));
@@ -163,8 +163,8 @@ TEST_F(RollbackTest, a_role_set_by_sql_stays_named_after_the_program_has_sealed_
   const Actor admin = make_administrator(*store).actor();
   const Account student = make_student(*store);
   must(store->database().run("UPDATE people SET role = 'administrator', pin = '' WHERE id = ?1", student.id));
-  must(store->people.set_disabled(admin, student.id, true));
-  must(store->people.set_password(admin, student.id, "", "another password"));
+  must(store->accounts.disable(admin, student.id));
+  must(store->accounts.set_password(admin, student.id, "", "another password"));
   const auto proof = must(verify_store(store->context()));
   ASSERT_EQ(proof.findings.size(), 2u);
   EXPECT_EQ(proof.findings[0].what, "role");
@@ -176,20 +176,20 @@ TEST_F(RollbackTest, what_the_program_itself_does_to_an_account_is_no_finding) {
   const auto store = open(folder / "a.db");
   const Actor admin = make_administrator(*store).actor();
   const Account student = make_student(*store);
-  must(store->people.set_pin(admin, student.id, "271828"));
-  must(store->people.set_disabled(admin, student.id, true));
-  must(store->people.rename(admin, student.id, "4", "Lena Meier"));
-  must(store->people.set_disabled(admin, student.id, false));
-  must(store->people.set_role(admin, student.id, Role::instructor));
-  must(store->people.set_password(admin, student.id, "", "another password"));
-  must(store->people.set_role(admin, student.id, Role::student));
+  must(store->accounts.set_pin(admin, student.id, "271828"));
+  must(store->accounts.disable(admin, student.id));
+  must(store->accounts.rename(admin, student.id, "4", "Lena Meier"));
+  must(store->accounts.enable(admin, student.id));
+  must(store->accounts.set_role(admin, student.id, Role::instructor));
+  must(store->accounts.set_password(admin, student.id, "", "another password"));
+  must(store->accounts.set_role(admin, student.id, Role::student));
   EXPECT_TRUE(codes(*store).empty());
 }
 
 TEST_F(RollbackTest, no_name_and_no_number_enters_the_log) {
   const auto store = open(folder / "a.db");
   const Account student = make_student(*store);
-  must(store->people.rename({UserId{}, Role::administrator}, student.id, "20267315", "Lena Brandt-Meier"));
+  must(store->accounts.rename({UserId{}, Role::administrator}, student.id, "20267315", "Lena Brandt-Meier"));
   const auto details = must(store->database().all("SELECT detail FROM audit_log", [](Row row) { return row.text(0); }));
   for (const std::string& detail : details) {
     for (const char* name : {"Lena", "Brandt", "2026731"}) EXPECT_EQ(detail.find(name), std::string::npos) << detail;

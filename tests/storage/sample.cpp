@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 
-#include "storage/chain_writer.h"
+#include "storage/records/chain_writer.h"
 #include "storage/repositories/session_state.h"
-#include "storage/trace_codec.h"
+#include "storage/records/trace_codec.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -32,17 +32,17 @@ std::unique_ptr<Store> open(const fs::path& file, const StoreOptions& options) {
 }
 
 Account make_administrator(Store& store) {
-  return must(store.people.create_first_administrator(
+  return must(store.accounts.create_first_administrator(
       {.number = "admin", .name = "Maya Okafor", .role = Role::administrator, .password = "correct horse"}));
 }
 Account make_student(Store& store, const std::string& number, const std::string& name) {
   const Actor program{UserId{}, Role::administrator};
   return must(
-      store.people.create(program, {.number = number, .name = name, .password = "battery staple", .pin = "314159"}));
+      store.accounts.create(program, {.number = number, .name = name, .password = "battery staple", .pin = "314159"}));
 }
 Account make_instructor(Store& store, const std::string& number) {
   const Actor program{UserId{}, Role::administrator};
-  return must(store.people.create(
+  return must(store.accounts.create(
       program, {.number = number, .name = "Dr Okafor", .role = Role::instructor, .password = "battery staple"}));
 }
 

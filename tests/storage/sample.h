@@ -1,4 +1,4 @@
-/// A folder of one's own, a clock that stands still, and a small but complete session to try things on.
+/// A temporary folder, a fixed clock, and a small but complete session.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "storage/store.h"
-#include "storage/verify.h"
+#include "storage/records/verify.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
 
-/// Gone when it leaves scope.
+/// Deleted by the destructor.
 class Folder {
  public:
   Folder();
@@ -40,9 +40,9 @@ Scenario small_scenario();
 ScenarioVersion keep(Store& store, const Scenario& scenario = small_scenario(), const std::string& json = "{\"id\":1}");
 
 NewSession new_session(const Account& student, const ScenarioVersion& version);
-/// `count` inputs of a hand that moves down; the same for the same first tick.
+/// `count` inputs that move down; the same for the same first tick.
 RecordedSecond second_from(std::uint64_t first_tick, std::size_t count = 12);
-/// A row of key_states at the end of the trace, chained: as programs wrote them that kept key states in the database.
+/// A row of key_states at the end of the trace, chained, as older programs wrote them.
 void add_key_state_row(Store& store, SessionId session, const KeyState& state);
 FinalVolume volume_after(std::uint64_t tick);
 Grade small_grade(double score = 81.5, bool passed = true);
@@ -51,7 +51,7 @@ Grade small_grade(double score = 81.5, bool passed = true);
 SessionId complete_session(Store& store, const Account& student, const ScenarioVersion& version, double score = 81.5,
                            bool passed = true);
 
-/// The value, or a test failure that tells the code.
+/// The value, or a test failure with the code.
 template <class T>
 T must(Stored<T> result) {
   if (!result) {
@@ -61,7 +61,7 @@ T must(Stored<T> result) {
   }
   if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
-/// The code of a failure; fails the test when there is none.
+/// The code of a failure; fails the test on success.
 template <class T>
 StorageError code_of(const Stored<T>& result) {
   if (result) {

@@ -103,12 +103,12 @@ TEST_F(ScenariosTest, assignments_reach_the_cohorts_students) {
   Assignment wanted{.version = version.id, .cohort = cohort.id, .kind = SessionKind::assessment};
   const Assignment later = must(store->assignments.create(instructor, wanted));
   wanted.due_utc_us = kNow + 1;
-  wanted.goes_allowed = 10;
+  wanted.attempts_allowed = 10;
   const Assignment due = must(store->assignments.create(instructor, wanted));
   const auto mine = must(store->assignments.for_student(student.id));
   ASSERT_EQ(mine.size(), 2u);
   EXPECT_EQ(mine[0].id, due.id);
-  EXPECT_EQ(mine[0].goes_allowed, 10);
+  EXPECT_EQ(mine[0].attempts_allowed, 10);
   EXPECT_EQ(mine[1].id, later.id);
   EXPECT_EQ(mine[1].kind, SessionKind::assessment);
   EXPECT_EQ(must(store->assignments.for_cohort(cohort.id)).size(), 2u);

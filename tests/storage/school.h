@@ -9,7 +9,7 @@
 
 namespace cusp::test {
 
-/// Database, key and counter; no log. What stood at `to` goes.
+/// Database, key and counter; no log. Replaces what is at `to`.
 void copy_school(const std::filesystem::path& from, const std::filesystem::path& to);
 
 class School {

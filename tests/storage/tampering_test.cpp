@@ -5,7 +5,7 @@
 #include <fstream>
 #include <variant>
 
-#include "storage/session_tables.h"
+#include "storage/records/session_tables.h"
 #include "tests/modules.h"
 #include "tests/storage/sample.h"
 
@@ -225,7 +225,7 @@ TEST_F(TamperingTest, a_chain_reckoned_anew_shows_for_want_of_the_stations_key) 
   }
   const StationKey forged = StationKey::make();
   must(db().run("UPDATE session_heads SET link = ?2, signature = ?3 WHERE session = ?1", session, link,
-                forged.sign_head(session.uuid, links.size(), link)));
+                forged.sign_head(session.uuid, {links.size(), link})));
   const auto result = must(verify_session(store->context(), session));
   ASSERT_EQ(result.findings.size(), 1u);
   EXPECT_EQ(result.findings[0].code, FindingCode::head_broken);

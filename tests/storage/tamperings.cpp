@@ -4,8 +4,8 @@
 #include <fstream>
 #include <map>
 
-#include "storage/session_tables.h"
-#include "storage/trace_codec.h"
+#include "storage/records/session_tables.h"
+#include "storage/records/trace_codec.h"
 #include "tests/modules.h"
 
 namespace cusp::test {
@@ -83,8 +83,8 @@ std::optional<Tampering> Tamperer::change(Database& db, const std::string& table
   const auto columns = names(db, "SELECT name FROM pragma_table_info(?1)", table);
   const std::string column = one_of(columns), row = one_row(db, table);
   Tampering t{table, "change", column, owner_of(db, table, row), named_as(table)};
-  const bool open_person = table == "people" && t.owner == school_.open_account.uuid;
-  if (open_person && (column == "number" || column == "name")) t.kind = "change open account";
+  const bool open_account = table == "people" && t.owner == school_.open_account.uuid;
+  if (open_account && (column == "number" || column == "name")) t.kind = "change open account";
   const auto is_key = key_columns(db, table);
   if (std::ranges::find(is_key, column) != is_key.end()) t.owner = {};
   const auto old = must(db.first(
@@ -150,7 +150,7 @@ std::optional<Tampering> Tamperer::insert(Database& db, const std::string& table
   return db.changes() == 1 ? std::optional{t} : std::nullopt;
 }
 
-Tamperer::Act Tamperer::on_person(std::string kind, std::string set, std::string where) {
+Tamperer::Act Tamperer::on_account(std::string kind, std::string set, std::string where) {
   return [=, this](Database& db) -> std::optional<Tampering> {
     const auto who = must(db.all("SELECT id FROM people WHERE guest = 0 AND (password <> '' OR pin <> '') AND " + where,
                                  [](Row row) { return row.uuid(0); }));
@@ -230,7 +230,7 @@ std::vector<Tamperer::Act> Tamperer::forged_acts() {
         },
         id));
     must(db.run("UPDATE session_heads SET key = ?2, signature = ?3 WHERE session = ?1", id, key.id(),
-                key.sign_head(id.uuid, head.first, head.second)));
+                key.sign_head(id.uuid, {head.first, head.second})));
     return Tampering{"station_keys", "forged key", "", {}, {}};
   };
   const auto schema = [](std::string sql, std::string kind) {
@@ -252,17 +252,17 @@ std::vector<Tamperer::Act> Tamperer::forged_acts() {
   };
 }
 
-std::vector<Tamperer::Act> Tamperer::people_acts() {
+std::vector<Tamperer::Act> Tamperer::account_acts() {
   return {
-      on_person("role set", "role = 'administrator', pin = ''", "role = 'student'"),
-      on_person("role set", "role = 'student'", "role <> 'student'"),
-      on_person("password emptied", "password = ''", "password <> ''"),
-      on_person("PIN emptied", "pin = ''", "pin <> ''"),
-      on_person("password of another", "password = (SELECT password FROM people WHERE number = 'admin')",
+      on_account("role set", "role = 'administrator', pin = ''", "role = 'student'"),
+      on_account("role set", "role = 'student'", "role <> 'student'"),
+      on_account("password emptied", "password = ''", "password <> ''"),
+      on_account("PIN emptied", "pin = ''", "pin <> ''"),
+      on_account("password of another", "password = (SELECT password FROM people WHERE number = 'admin')",
                 "number <> 'admin'"),
-      on_person("disabled", "disabled = 1", "role = 'student'"),
-      on_person("made a guest", "guest = 1", "role = 'student'"),
-      on_person("renamed", "number = number || '0', name = 'Somebody'", "role = 'student'"),
+      on_account("disabled", "disabled = 1", "role = 'student'"),
+      on_account("made a guest", "guest = 1", "role = 'student'"),
+      on_account("renamed", "number = number || '0', name = 'Somebody'", "role = 'student'"),
   };
 }
 
@@ -292,7 +292,7 @@ std::vector<Tamperer::Act> Tamperer::acts() {
     out.push_back([=, this](Database& d) { return insert(d, table); });
   }
   must(db.run("PRAGMA wal_checkpoint(TRUNCATE)"));
-  for (auto more : {&Tamperer::session_acts, &Tamperer::log_acts, &Tamperer::forged_acts, &Tamperer::people_acts,
+  for (auto more : {&Tamperer::session_acts, &Tamperer::log_acts, &Tamperer::forged_acts, &Tamperer::account_acts,
                     &Tamperer::counter_acts}) {
     for (Act& act : (this->*more)()) out.push_back(std::move(act));
   }

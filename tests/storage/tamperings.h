@@ -13,17 +13,17 @@ namespace cusp::test {
 
 struct Tampering {
   std::string table, kind, column{};
-  Uuid owner{};                         // whom or what the finding has to name; nil = nothing in particular
+  Uuid owner{};                         // what the finding has to name; nil = nothing in particular
   std::vector<std::string> named_as{};  // other tables under which it may be named
 };
 
 class Tamperer {
  public:
-  /// nullopt where SQLite would not have it.
+  /// nullopt if SQLite refuses it.
   using Act = std::function<std::optional<Tampering>(Database&)>;
 
   Tamperer(const School& school, unsigned seed) : school_{school}, random_{seed} {}
-  /// Change, delete and insert for every table there is, then what needs more than a row.
+  /// Change, delete and insert for every table, then acts that need more than a row.
   std::vector<Act> acts();
   /// Makes school.trial() anew and tampers with it as a stranger would; the same act again until it succeeds.
   Tampering tamper(const Act& act);
@@ -39,12 +39,12 @@ class Tamperer {
   std::optional<Tampering> remove(Database& db, const std::string& table);
   std::optional<Tampering> insert(Database& db, const std::string& table);
   void attach_old(Database& db) { must(db.run("ATTACH ?1 AS old", school_.old().string())); }
-  Act on_person(std::string kind, std::string set, std::string where);
+  Act on_account(std::string kind, std::string set, std::string where);
   Act on_counter(std::string kind, bool old_file, std::function<void(const std::filesystem::path&)> act);
   std::vector<Act> session_acts();
   std::vector<Act> log_acts();
   std::vector<Act> forged_acts();
-  std::vector<Act> people_acts();
+  std::vector<Act> account_acts();
   std::vector<Act> counter_acts();
 
   const School& school_;

@@ -54,14 +54,14 @@ std::filesystem::path DeskRecords::file() const { return folder_.filePath(QStrin
 
 Account DeskRecords::administrator() {
   if (!administrator_) {
-    administrator_ = must(store_->people.create_first_administrator(
+    administrator_ = must(store_->accounts.create_first_administrator(
         {.number = "anna", .name = "Anna Weber", .role = Role::administrator, .password = "correct horse", .pin = {}}));
   }
   return *administrator_;
 }
 
 Account DeskRecords::student(const std::string& number, const std::string& name, const std::string& pin) {
-  return must(store_->people.create(administrator().actor(),
+  return must(store_->accounts.create(administrator().actor(),
                                     {.number = number, .name = name, .role = Role::student, .password = {}, .pin = pin}));
 }
 

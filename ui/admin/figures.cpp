@@ -65,7 +65,7 @@ std::vector<int> spread_of(std::span<const HistoryRow> rows, double from, double
 std::vector<LearningPoint> learning_of(std::span<const HistoryRow> rows) {
   std::map<int, std::vector<double>> by_attempt;
   for (const HistoryRow& r : rows) {
-    if (r.score) by_attempt[r.go].push_back(*r.score);
+    if (r.score) by_attempt[r.attempt].push_back(*r.score);
   }
   std::vector<LearningPoint> points;
   for (const auto& [attempt, scores] : by_attempt) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "storage/repositories/history.h"
+#include "storage/summary/history.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

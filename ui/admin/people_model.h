@@ -4,7 +4,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "storage/repositories/people.h"
+#include "storage/repositories/accounts.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

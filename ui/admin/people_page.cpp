@@ -139,7 +139,7 @@ void PeoplePage::show_chosen() {
 }
 
 void PeoplePage::read() {
-  auto accounts = store_.people.list(actor_);
+  auto accounts = store_.accounts.list(actor_);
   if (!accounts) {
     const Message message = describe(accounts.error());
     band_->show_message(Band::Kind::bad, message.what, message.more);
@@ -168,7 +168,7 @@ void PeoplePage::save() {
   }
   if (!edited_) {
     NewAccount fresh{number, name, role, role == Role::student ? "" : secret, role == Role::student ? secret : ""};
-    const auto made = store_.people.create(actor_, fresh);
+    const auto made = store_.accounts.create(actor_, fresh);
     if (!made) {
       const Message message = describe_account(made.error(), QString::fromStdString(number), role == Role::student ? Secret::pin : Secret::password);
       band_->show_message(Band::Kind::bad, message.what, message.more);
@@ -182,17 +182,17 @@ void PeoplePage::save() {
   const Account before = *edited_;
   // The secret comes before the role: staff without a password cannot sign in.
   if (!secret.empty()) {
-    if (show_if_failed(role == Role::student ? store_.people.set_pin(actor_, before.id, secret)
-                                             : store_.people.set_password(actor_, before.id, {}, secret))) {
+    if (show_if_failed(role == Role::student ? store_.accounts.set_pin(actor_, before.id, secret)
+                                             : store_.accounts.set_password(actor_, before.id, {}, secret))) {
       return;
     }
   }
-  if (role != before.role && show_if_failed(store_.people.set_role(actor_, before.id, role))) {
+  if (role != before.role && show_if_failed(store_.accounts.set_role(actor_, before.id, role))) {
     read();
     return;
   }
   if ((name != before.name || number != before.number) &&
-      show_if_failed(store_.people.rename(actor_, before.id, number, name))) {
+      show_if_failed(store_.accounts.rename(actor_, before.id, number, name))) {
     read();
     return;
   }
@@ -207,7 +207,7 @@ void PeoplePage::switch_account() {
   const bool off = !account.disabled;
   const QString name = QString::fromStdString(account.name);
   const auto act = [this, account, off, name] {
-    if (show_if_failed(store_.people.set_disabled(actor_, account.id, off))) return;
+    if (show_if_failed(off ? store_.accounts.disable(actor_, account.id) : store_.accounts.enable(actor_, account.id))) return;
     read();
     band_->show_message(off ? Band::Kind::look : Band::Kind::good,
                         off ? tr("%1 can no longer sign in.").arg(name) : tr("%1 can sign in again.").arg(name),

@@ -282,7 +282,7 @@ void Performance::show_learning() {
   learning.title = tr("Learning");
   const std::vector<LearningPoint> points = learning_of(model_->rows());
   int last_attempt = 4;
-  for (const HistoryRow& r : model_->rows()) last_attempt = std::max(last_attempt, r.go);
+  for (const HistoryRow& r : model_->rows()) last_attempt = std::max(last_attempt, r.attempt);
   learning.x = {tr("attempt"), 1, static_cast<double>(last_attempt), std::max(1.0, std::ceil(last_attempt / 10.0)), 0};
   learning.y = {tr("points"), 0, 100, 20, 0};
   if (points.empty()) {
@@ -291,7 +291,7 @@ void Performance::show_learning() {
     dots.name = tr("Attempts");
     dots.draw = ChartSeries::Draw::dots;
     for (const HistoryRow& r : model_->rows()) {
-      if (r.score) dots.points += {static_cast<double>(r.go), *r.score, QString::fromStdString(r.student_name), false};
+      if (r.score) dots.points += {static_cast<double>(r.attempt), *r.score, QString::fromStdString(r.student_name), false};
     }
     learning.series += dots;
     learning.summary = tr("Each dot is one attempt: medians need three students.");

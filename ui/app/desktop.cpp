@@ -179,7 +179,7 @@ QVector<NavEntry> Desktop::entries() {
                return page;
              }};
   }
-  if (may(role, Action::manage_people)) {
+  if (may(role, Action::manage_accounts)) {
     list += {u"people"_qs, tr("People"), u"people"_qs,
              [this]() -> QWidget* { return new PeoplePage(*store_, account_->actor(), ports_); }};
   }

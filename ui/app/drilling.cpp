@@ -45,7 +45,7 @@ void Desktop::drill(const Exercise& exercise) {
   if (account_) {
     plan.database = database_;
     plan.student = account_->actor();
-    const auto attempts = store_->history.goes(account_->actor(), account_->id, exercise.scenario.id);
+    const auto attempts = store_->history.attempts(account_->actor(), account_->id, exercise.scenario.id);
     aside = tr("Practice, attempt %1").arg(attempts.value_or(0) + 1);
   } else {
     plan.kind = SessionKind::try_it;
@@ -66,7 +66,7 @@ void Desktop::resume_attempt(const SessionId& session) {
   plan.student = account_->actor();
   plan.resumes = session;
   const Exercise exercise{std::move(*scenario), version->id, version->number, version->files};
-  show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.go));
+  show_drilling(exercise, std::move(plan), tr("Practice, attempt %1, continued").arg(details->row.attempt));
 }
 
 void Desktop::show_drilling(const Exercise& exercise, SessionPlan plan, const QString& aside) {

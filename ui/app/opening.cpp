@@ -13,7 +13,7 @@ namespace {
 
 /// A disk that takes nothing more can still be read.
 bool may_be_read(StorageError code) {
-  return code == StorageError::read_only || code == StorageError::disk_full || code == StorageError::io;
+  return code == StorageError::read_only || out_of_space(code) || code == StorageError::io;
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void PasswordDialog::submit() {
     band_->show_message(Band::Kind::bad, tr("The two new passwords differ."), tr("Type them again."));
     return;
   }
-  const auto done = store_.people.set_password(account_.actor(), account_.id, old_->text().toStdString(),
+  const auto done = store_.accounts.set_password(account_.actor(), account_.id, old_->text().toStdString(),
                                                fresh_->text().toStdString());
   if (done) {
     accept();

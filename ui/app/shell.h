@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <functional>
 
-#include "storage/repositories/people.h"
+#include "storage/repositories/accounts.h"
 #include "ui/modules.h"
 
 class QButtonGroup;

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "storage/verify.h"
+#include "storage/records/verify.h"
 #include "ui/cli/terminal.h"
 #include "ui/cli/verb.h"
 #include "ui/cli/text.h"
@@ -23,7 +23,7 @@ std::expected<std::unique_ptr<Store>, Message> open_records(const std::filesyste
   auto store = Store::open(file, options);
   // A disk that takes nothing more can still be read; where it cannot, that failure is the one to show.
   const StorageError code = store ? StorageError{} : store.error().code;
-  if (!store && (code == StorageError::read_only || code == StorageError::disk_full || code == StorageError::io)) {
+  if (!store && (code == StorageError::read_only || out_of_space(code) || code == StorageError::io)) {
     options.database.access = DatabaseOptions::Access::read_only;
     store = Store::open(file, options);
   }
@@ -56,7 +56,7 @@ Message no_match(const QString& number, bool by_pin) {
 /// PIN or password, as the account has them; what was given decides where it has both or nobody has the number.
 std::expected<Account, Message> sign_in_by_secret(Store& store, const std::string& typed) {
   const QString number = QString::fromStdString(typed);
-  const auto known = store.people.find_number(typed);
+  const auto known = store.accounts.find_number(typed);
   if (!known && known.error().code != StorageError::not_found) return std::unexpected(describe(known.error()));
   const bool pin = known && known->has_pin, password = !known || known->has_password;
   std::string secret;
@@ -69,7 +69,7 @@ std::expected<Account, Message> sign_in_by_secret(Store& store, const std::strin
                                   : read_secret(help(CliText::tr("Password: ")));
   }
   const bool by_pin = known ? pin && (!password || acceptable_pin(secret)) : acceptable_pin(secret);
-  auto account = by_pin ? store.people.sign_in_with_pin(typed, secret) : store.people.sign_in(typed, secret);
+  auto account = by_pin ? store.accounts.sign_in_with_pin(typed, secret) : store.accounts.sign_in(typed, secret);
   if (account) return std::move(*account);
   if (account.error().code == StorageError::wrong_password) return std::unexpected(no_match(number, by_pin));
   return std::unexpected(describe_account(account.error(), number, by_pin ? Secret::pin : Secret::password));
@@ -79,7 +79,7 @@ std::expected<Account, Message> sign_in_by_secret(Store& store, const std::strin
 
 std::expected<Account, Message> sign_in(Store& store, const AccountOption& option, bool may_make) {
   if (option.number.empty()) {
-    auto demo = may_make ? store.people.demo_student() : store.people.find_number("demo");
+    auto demo = may_make ? store.accounts.demo_student() : store.accounts.find_number("demo");
     if (demo) {
       warn_of(store.context());
       return std::move(*demo);

@@ -70,7 +70,7 @@ int grade_verb(const GradeOptions& o) {
   const auto session = store.sessions.find(*id);
   if (!session) return failed(describe(session.error()));
   if (auto may = require_reading(account->actor(), session->student); !may) return failed(describe(may.error()));
-  auto student = store.people.find(session->student);
+  auto student = store.accounts.find(session->student);
   if (!student) return failed(describe(student.error()));
 
   std::optional<Rubric> rubric;

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "scenarios/grading/maxima.h"
-#include "storage/clock.h"
-#include "storage/verify.h"
+#include "storage/base/clock.h"
+#include "storage/records/verify.h"
 #include "ui/cli/account.h"
 #include "ui/cli/outputs.h"
 #include "ui/cli/report_files.h"
@@ -32,13 +32,13 @@ nlohmann::ordered_json row_json(const HistoryRow& row) {
   json["scenario_key"] = row.scenario_key;
   json["version"] = row.version_number;
   json["kind"] = std::string(key_of(row.kind));
-  json["hand"] = row.hand == "person" ? std::string() : row.hand;
+  json["hand"] = row.operator_name == kUserOperator ? std::string() : row.operator_name;
   json["device"] = row.device;
   json["device_class"] = row.device_class;
   json["started"] = iso_utc(row.started_utc_us);
   json["duration_s"] = static_cast<double>(row.elapsed_us) * 1e-6;
   json["state"] = std::string(key_of(row.state));
-  json["go"] = row.go;
+  json["go"] = row.attempt;
   json["score"] = row.score ? nlohmann::ordered_json(*row.score) : nullptr;
   json["score_max"] = row.score_max ? nlohmann::ordered_json(*row.score_max) : nullptr;
   json["pass_mark"] = row.pass_mark ? nlohmann::ordered_json(*row.pass_mark) : nullptr;
@@ -141,7 +141,7 @@ FindingOwner owner_of(Store& store, const ChainFinding& f) {
   if (!f.owner.is_nil()) owner.id = f.owner.text();
   if (f.table == "people") {
     owner.key = "person";
-    if (const auto person = store.people.find(UserId{f.owner})) owner.number = person->number;
+    if (const auto person = store.accounts.find(UserId{f.owner})) owner.number = person->number;
   }
   for (const char* table : {"station", "cohorts", "cohort_students", "assignments", "scenario_versions", "blobs"}) {
     if (f.table == table) owner.key = "subject";

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "storage/clock.h"
+#include "storage/base/clock.h"
 #include "ui/modules.h"
 #include "ui/text/failure_text.h"
 

@@ -77,7 +77,7 @@ QString end_text(TrialEnd end) {
     case TrialEnd::stopped: return FalconText::tr("Stopped. Nothing was changed.");
     case TrialEnd::device_lost: return FalconText::tr("The Falcon stopped answering. Nothing was changed.");
     case TrialEnd::too_fast: return FalconText::tr("The grip moved too fast, so the force was switched off. Nothing was changed.");
-    case TrialEnd::out_of_room: return FalconText::tr("The grip was held, or came to the end of its travel. Nothing was changed.");
+    case TrialEnd::out_of_range: return FalconText::tr("The grip was held, or came to the end of its travel. Nothing was changed.");
   }
   return {};
 }

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "device/hid/pedal_teacher.h"
+#include "device/hid/pedal_finder.h"
 #include "device/hid/permissions.h"
 #include "ui/device/hid_settings.h"
 #include "ui/device/panel_card.h"
@@ -56,7 +56,7 @@ struct PedalPanel::Inner {
   hid::PedalSettings settings;
   hid::PedalView view;
   std::vector<hid::HidDevice> offered;
-  hid::PedalTeacher teacher;
+  hid::PedalFinder finder;
   Lesson lesson = Lesson::none;
   QTimer timer;
   QString said;
@@ -182,7 +182,7 @@ void PedalPanel::connect_lesson() {
   Inner& in = *inner_;
   connect(in.teach, &QPushButton::clicked, this, [this] { learn(Lesson::rest); });
   connect(in.teach_coolant, &QPushButton::clicked, this, [this] {
-    inner_->teacher.rest(inner_->reader.view().controls);
+    inner_->finder.rest(inner_->reader.view().controls);
     learn(Lesson::coolant);
   });
   connect(in.cancel, &QPushButton::clicked, this, [this] { learn(Lesson::none); });
@@ -190,10 +190,10 @@ void PedalPanel::connect_lesson() {
     Inner& i = *inner_;
     const std::vector<hid::Control> controls = i.reader.view().controls;
     if (i.lesson == Lesson::rest) {
-      i.teacher.rest(controls);
+      i.finder.rest(controls);
       return learn(Lesson::press);
     }
-    const auto found = i.teacher.found(i.dead_zone->value() / 100.0);
+    const auto found = i.finder.found(i.dead_zone->value() / 100.0);
     if (!found || !i.view.device) return;
     i.settings.vendor = i.view.device->vendor;
     i.settings.product = i.view.device->product;
@@ -341,8 +341,8 @@ void PedalPanel::show_lesson() {
       in.heard->hide();
       in.next->setEnabled(true);
     } else {
-      in.teacher.press(view.controls);
-      const auto found = in.teacher.found();
+      in.finder.press(view.controls);
+      const auto found = in.finder.found();
       if (in.lesson == Lesson::coolant) {
         if (found && found->kind != hid::ControlKind::axis) {
           in.settings.coolant = found->id;

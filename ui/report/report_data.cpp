@@ -42,7 +42,7 @@ ReportData gather_report(const SessionResult& result, Store* store, const Actor*
     data.student = QString::fromStdString(details->row.student_name);
     data.when = moment(details->row.started_utc_us);
     data.kind = details->row.kind;
-    data.attempt = details->row.go;
+    data.attempt = details->row.attempt;
   }
   if (const auto chunks = store->traces.chunks(result.session)) {
     BurUse use;

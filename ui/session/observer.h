@@ -12,7 +12,7 @@
 #include "engine/loop/tick.h"
 #include "engine/mirror/mirror.h"
 #include "engine/volume/tissue.h"
-#include "storage/error.h"
+#include "storage/base/error.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <thread>
 
-#include "storage/error.h"
+#include "storage/base/error.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -17,7 +17,7 @@ struct Patience {
   std::size_t most_waiting = 30;
 };
 
-constexpr bool passes(StorageError code) noexcept { return code == StorageError::busy || code == StorageError::disk_full; }
+constexpr bool passes(StorageError code) noexcept { return code == StorageError::busy || out_of_space(code); }
 
 /// `write` until it succeeds, fails for good, or has been tried often enough.
 template <class Write>

@@ -37,7 +37,7 @@ bool Recorder::write_first(std::unique_lock<std::mutex>& lock) {
     // A cache: where it cannot be written, whoever needs the state runs the session again.
     static_cast<void>(store_->key_states.keep_live(session_, *first.key_state));
   }
-  if (!written && written.error().code == StorageError::disk_full) store_->key_states.make_room();
+  if (!written && out_of_space(written.error().code)) store_->key_states.make_room();
   lock.lock();
   writing_now_ = false;
   if (written) {

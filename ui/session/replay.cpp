@@ -71,7 +71,7 @@ SessionResult result_of(const OpenedSession& opened) {
   result.seconds = static_cast<double>(opened.elapsed_us) * 1e-6;
   result.device = opened.session.header.device;
   result.stiffness_share = opened.session.header.stiffness_share;
-  result.hand = opened.session.hand;
+  result.hand = opened.session.operator_name;
   result.engine_version = opened.session.header.engine_version;
   return result;
 }

@@ -10,7 +10,7 @@
 
 #include "scenarios/metrics/process.h"
 #include "storage/store.h"
-#include "storage/verify.h"
+#include "storage/records/verify.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
 

@@ -11,7 +11,7 @@
 #include "engine/base/haptic_port.h"
 #include "scenarios/format/format_error.h"
 #include "scenarios/import/import_error.h"
-#include "storage/error.h"
+#include "storage/base/error.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

@@ -122,7 +122,7 @@ Outcome<SessionSetup> set_up(SessionPlan& plan, const DeviceLimits& device) {
   row.version = *version;
   row.kind = plan.kind;
   row.assignment = plan.assignment;
-  row.hand = plan.hand;
+  row.operator_name = plan.hand;
   row.header.build = build_info();
   row.header.device = device;
   row.header.guard = setup.scene->guard;

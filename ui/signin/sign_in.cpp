@@ -19,7 +19,7 @@ constexpr int kPictureFrom = 1100;  // px at 100 %; a narrower window shows the 
 }  // namespace
 
 SignIn::SignIn(Store& store, QWidget* parent) : QWidget(parent), store_(store) {
-  const auto has = store_.people.has_administrator();
+  const auto has = store_.accounts.has_administrator();
   first_start_ = has && !*has;
   setAccessibleName(first_start_ ? tr("First start") : tr("Sign in"));
 
@@ -109,9 +109,9 @@ void SignIn::submit() {
     return;
   }
   const auto account =
-      as_staff        ? store_.people.sign_in(number.toStdString(), password_->text().toStdString())
-      : pin.isEmpty() ? store_.people.sign_in(number.toStdString(), "")
-                      : store_.people.sign_in_with_pin(number.toStdString(), pin.toStdString());
+      as_staff        ? store_.accounts.sign_in(number.toStdString(), password_->text().toStdString())
+      : pin.isEmpty() ? store_.accounts.sign_in(number.toStdString(), "")
+                      : store_.accounts.sign_in_with_pin(number.toStdString(), pin.toStdString());
   if (account) {
     password_->clear();
     pin_->clear();
@@ -154,7 +154,7 @@ void SignIn::create_administrator() {
   fresh.name = name_->text().trimmed().toStdString();
   fresh.role = Role::administrator;
   fresh.password = password_->text().toStdString();
-  const auto account = store_.people.create_first_administrator(fresh);
+  const auto account = store_.accounts.create_first_administrator(fresh);
   if (!account) {
     refuse(describe_account(account.error(), staff_number_->text().trimmed(), Secret::password));
     return;

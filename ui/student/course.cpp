@@ -69,7 +69,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
     row.exercise = std::move(exercise);
     for (const ExerciseStanding& s : *standings) {
       if (s.scenario != row.exercise.scenario.id) continue;
-      row.attempts = s.goes;
+      row.attempts = s.attempts;
       row.best = s.best;
       row.last = s.last;
     }
@@ -77,7 +77,7 @@ Stored<Course> load_course(Store& store, const Actor& student) {
       if (a.version != row.exercise.version || row.assignment) continue;
       row.assignment = a.id;
       row.due_utc_us = a.due_utc_us;
-      row.goes_allowed = a.goes_allowed;
+      row.goes_allowed = a.attempts_allowed;
     }
     course.rows.push_back(std::move(row));
   }
@@ -160,7 +160,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   if (role == SortRole) {
     switch (column) {
       case kDate: return static_cast<qlonglong>(r.started_utc_us);
-      case kAttempt: return r.go;
+      case kAttempt: return r.attempt;
       case kScore: return r.score.value_or(-1);
       case kTime: return static_cast<qulonglong>(r.elapsed_us);
       default: return data(index, Qt::DisplayRole);
@@ -171,7 +171,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kDate: return format_day_time(from_utc_us(r.started_utc_us));
     case kStudent: return QString::fromStdString(r.student_name);
     case kExercise: return local(r.title);
-    case kAttempt: return format_number(r.go, 0);
+    case kAttempt: return format_number(r.attempt, 0);
     case kScore: return r.score ? format_points(*r.score) : QStringLiteral("–");
     case kResult: return result_text(r);
     case kTime: return format_clock(static_cast<double>(r.elapsed_us) * 1e-6);

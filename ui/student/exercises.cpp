@@ -6,6 +6,7 @@
 
 #include "scenarios/format/read.h"
 #include "scenarios/library/library.h"
+#include "storage/base/files.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {
@@ -13,8 +14,7 @@ namespace {
 
 /// Cause of a failed write, from errno.
 StorageFailure write_failure(int error, const std::filesystem::path& file) {
-  const StorageError code = error == ENOSPC || error == EDQUOT ? StorageError::disk_full : StorageError::io;
-  return {code, file.string(), error == 0 ? std::string() : std::generic_category().message(error)};
+  return {error_from_errno(error), file.string(), error == 0 ? std::string() : std::generic_category().message(error)};
 }
 
 /// Writes beside the name and renames, so that no half file bears the name.

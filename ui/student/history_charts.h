@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "storage/repositories/history.h"
+#include "storage/summary/history.h"
 #include "ui/modules.h"
 #include "ui/widgets/chart.h"
 

@@ -38,7 +38,7 @@ Stored<InterruptedWay> way_of(Store& store, const HistoryRow& row, const std::st
   const auto session = store.sessions.find(row.session);
   if (!session) return std::unexpected(session.error());
   if (session->header.engine_version != kEngineVersion) return InterruptedWay::other_engine;
-  if (session->hand != "person") return InterruptedWay::scripted;
+  if (session->operator_name != kUserOperator) return InterruptedWay::scripted;
   return row.device_class == device_class ? InterruptedWay::go_on : InterruptedWay::other_device;
 }
 
@@ -56,7 +56,7 @@ InterruptedCard::InterruptedCard(Store& store, const HistoryRow& row, Interrupte
   auto* text = new QVBoxLayout;
   text->setSpacing(px(2));
   line->addLayout(text, 1);
-  text->addWidget(make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.go), TextRole::section, true));
+  text->addWidget(make_label(tr("%1, attempt %2").arg(local(row.title)).arg(row.attempt), TextRole::section, true));
   QString said = how_far(store, row);
   if (way != InterruptedWay::go_on) said += u' ' + why_not_on(way, row, device_class);
   QLabel* what = make_label(said, TextRole::body, false, "text2");

@@ -328,7 +328,7 @@ QWidget* StartPage::make_comment() {
     const auto comments = store_.comments.of(attempt.session);
     if (!comments || comments->empty()) continue;
     const Comment& c = comments->back();
-    const auto author = store_.people.find(c.author);
+    const auto author = store_.accounts.find(c.author);
     auto* card = new Card(tr("From your instructor"), tr("on your attempt of %1").arg(format_day(moment(attempt.started_utc_us))));
     const QString who = author ? QString::fromStdString(author->name) : tr("Instructor");
     QLabel* text = make_label(u"<b>%1:</b> %2"_qs.arg(who.toHtmlEscaped(), QString::fromStdString(c.text).toHtmlEscaped()));

@@ -8,7 +8,7 @@
 #include "engine/step/step.h"
 #include "scenarios/format/format_error.h"
 #include "scenarios/import/import_error.h"
-#include "storage/error.h"
+#include "storage/base/error.h"
 #include "ui/modules.h"
 #include "ui/session/exercise_session.h"
 

@@ -1,4 +1,4 @@
-/// Messages for staff about opening the records: StorageContext::incident (storage/sealing.h). Needs no window.
+/// Messages for staff about opening the records: StorageContext::incident (storage/records/sealing.h). Needs no window.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace cusp::ui {
 
-/// What happened, what it means, and what to do about it. `incident`: an action of storage/sealing.h.
+/// What happened, what it means, and what to do about it. `incident`: an action of storage/records/sealing.h.
 Message describe_incident(std::string_view incident, const std::filesystem::path& database);
 
 /// The records can only be read, for the reason that `cause` names.

@@ -7,7 +7,7 @@
 #include "engine/volume/tissue.h"
 #include "scenarios/format/scenario.h"
 #include "storage/repositories/sessions.h"
-#include "storage/rights.h"
+#include "storage/base/rights.h"
 #include "ui/modules.h"
 
 namespace cusp::ui {

@@ -45,6 +45,9 @@ std::optional<Message> describe_file(const StorageFailure& f) {
                   Text::tr("Nothing of the last step was written to %1; all before it is kept. Free some space and try "
                             "again.")
                       .arg(where)};
+    case StorageError::quota_exceeded:
+    case StorageError::file_too_large:
+    case StorageError::out_of_memory:
     case StorageError::io:
       if (f.where == "memory") {
         return Message{Text::tr("This computer has too little free memory to check a password."),
@@ -56,6 +59,7 @@ std::optional<Message> describe_file(const StorageFailure& f) {
       return Message{Text::tr("Another program holds the database."),
                   Text::tr("%1 stayed as it was. Close the other program and try again.").arg(where)};
     case StorageError::corrupt:
+    case StorageError::bad_statement:
       return Message{Text::tr("The database is damaged."),
                   Text::tr("%1 cannot be read whole. Nothing was changed; restore it from a backup.").arg(with_reason(f))};
     default: return std::nullopt;

@@ -32,7 +32,7 @@ constexpr const char* kUsage =
     "  --name NAME   --image FILE   --gain G   --event-character   --emulated\n";
 
 struct Options {
-  std::vector<std::string> words;
+  std::vector<std::string> arguments;
   std::string name, image;
   double gain = 1.0;
   bool event_character = false, emulated = false;
@@ -226,17 +226,17 @@ void weigh(Contact& contact) {
 
 int run(const Options& options) {
   const auto number = [&options](std::size_t at) {
-    return at < options.words.size() ? std::strtod(options.words[at].c_str(), nullptr) : 0.0;
+    return at < options.arguments.size() ? std::strtod(options.arguments[at].c_str(), nullptr) : 0.0;
   };
-  if (options.words.empty()) return fmt::print(stderr, "{}", kUsage), 2;
-  const std::string& verb = options.words[0];
+  if (options.arguments.empty()) return fmt::print(stderr, "{}", kUsage), 2;
+  const std::string& verb = options.arguments[0];
   if (verb == "list") return list();
   const std::size_t wants = verb == "watch"                     ? 2
                             : verb == "push"                    ? 5
                             : verb == "angle" || verb == "hold" ? 4
                             : verb == "weigh"                   ? 1
                                                                 : 0;
-  if (options.words.size() != wants) return fmt::print(stderr, "{}", kUsage), 2;
+  if (options.arguments.size() != wants) return fmt::print(stderr, "{}", kUsage), 2;
   Contact contact;
   if (!begin(options, contact)) return 1;
   const Vec3 three(number(1), number(2), number(3));
@@ -252,23 +252,23 @@ int run(const Options& options) {
 }  // namespace
 }  // namespace cusp::test
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
   cusp::test::Options options;
   for (int i = 1; i < count; ++i) {
-    const std::string word = words[i];
+    const std::string argument = arguments[i];
     const bool more = i + 1 < count;
-    if (word == "--emulated") {
+    if (argument == "--emulated") {
       options.emulated = true;
-    } else if (word == "--event-character") {
+    } else if (argument == "--event-character") {
       options.event_character = true;
-    } else if (word == "--name" && more) {
-      options.name = words[++i];
-    } else if (word == "--image" && more) {
-      options.image = words[++i];
-    } else if (word == "--gain" && more) {
-      options.gain = std::strtod(words[++i], nullptr);
+    } else if (argument == "--name" && more) {
+      options.name = arguments[++i];
+    } else if (argument == "--image" && more) {
+      options.image = arguments[++i];
+    } else if (argument == "--gain" && more) {
+      options.gain = std::strtod(arguments[++i], nullptr);
     } else {
-      options.words.push_back(word);
+      options.arguments.push_back(argument);
     }
   }
   return cusp::test::run(options);

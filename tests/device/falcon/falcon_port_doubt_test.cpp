@@ -50,7 +50,7 @@ TEST(FalconPort, opens_again_after_it_was_closed) {
   EXPECT_GT(glm::length(bench.falcon.force_n(bench.link->now())), 1.0);
   bench.port->close();
   EXPECT_EQ(bench.falcon.torque_words(bench.link->now()),
-            (std::array<std::int16_t, 3>{}));  // zeros were its last words
+            (std::array<std::int16_t, 3>{}));  // its last packets were zero
   EXPECT_EQ(bench.falcon.leds(), 0);
   EXPECT_EQ(bench.port->wait(bench.in(2ms)).status, Sample::Status::gone);
   ASSERT_TRUE(bench.port->open());

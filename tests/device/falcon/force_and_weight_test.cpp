@@ -46,7 +46,7 @@ TEST(FalconForceTest, a_grip_that_nobody_holds_ends_it) {
   TrialBench bench({.damping_ns_per_m = 0.5, .friction_n = 0.0});
   ForceTest trial(3.0);
   bench.run(trial);
-  EXPECT_TRUE(trial.end() == TrialEnd::too_fast || trial.end() == TrialEnd::out_of_room);
+  EXPECT_TRUE(trial.end() == TrialEnd::too_fast || trial.end() == TrialEnd::out_of_range);
 }
 
 TEST(FalconWeighing, finds_the_weight_that_was_set) {

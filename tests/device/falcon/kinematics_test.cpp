@@ -20,7 +20,7 @@ const Geometry kFalcon;
 const Calibration kAsBuilt;
 
 /// CUSP_RESIDUALS=1 prints what was measured beside the bound.
-void say(const char* what, double measured, double bound) {
+void report(const char* what, double measured, double bound) {
   if (std::getenv("CUSP_RESIDUALS") != nullptr) std::cout << what << ": " << measured << " (bound " << bound << ")\n";
 }
 
@@ -124,7 +124,7 @@ TEST(FalconKinematics, forward_of_inverse_comes_back_from_any_warm_start) {
       ++tried;
     }
   }
-  say("forward of inverse, m", worst, 1e-6);
+  report("forward of inverse, m", worst, 1e-6);
   EXPECT_LT(worst, 1e-6);
   EXPECT_GT(tried, 18000u);
 }
@@ -185,7 +185,7 @@ TEST(FalconKinematics, the_jacobian_is_the_derivative) {
     }
   }
   // Central differences of 1 um: rounding about 1e-16 / 1e-6 against 10 rad/m, truncation near the stretched edge.
-  say("jacobian against differences, relative", worst, 1e-6);
+  report("jacobian against differences, relative", worst, 1e-6);
   EXPECT_LT(worst, 1e-6);
 }
 
@@ -205,7 +205,7 @@ TEST(FalconKinematics, power_in_equals_power_out) {
     worst_back = std::max(worst_back, glm::length(force_n(*rows, torque) - force) / glm::length(force));
     worst_back = std::max(worst_back, glm::length(grip_m_s(*rows, turning) - speed) / glm::length(speed));
   }
-  say("power, relative", worst, 1e-12);
+  report("power, relative", worst, 1e-12);
   EXPECT_LT(worst, 1e-12);
   EXPECT_LT(worst_back, 1e-12);
 }

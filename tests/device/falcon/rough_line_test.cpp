@@ -242,15 +242,15 @@ TEST(FalconPort, an_answer_beside_a_line_error_is_dropped_and_counted) {
 
 TEST(FalconPort, a_place_that_no_hand_reaches_in_a_tick_is_not_believed_until_time_allows_it) {
   falcon::Reach reach;
-  EXPECT_FALSE(reach.believes({0, 0, 0.12}, 0ms));  // by itself
-  EXPECT_TRUE(reach.believes({0, 0, 0.12}, 1ms));
-  EXPECT_FALSE(reach.believes({0.0032, 0, 0.12}, 2ms));  // a bit of 64 counts
-  EXPECT_FALSE(reach.believes({0, 0, std::nan("")}, 2ms));
-  EXPECT_TRUE(reach.believes({0.0019, 0, 0.12}, 2ms));
-  EXPECT_FALSE(reach.believes({0.0419, 0, 0.12}, 3ms));
-  EXPECT_TRUE(reach.believes({0.0419, 0, 0.12}, 22ms));  // 20 ms at 2 m/s
-  EXPECT_FALSE(reach.believes({-0.05, 0, 0.12}, 100ms));  // after a gap two have to agree
-  EXPECT_TRUE(reach.believes({-0.05, 0, 0.12}, 101ms));
+  EXPECT_FALSE(reach.accepts({0, 0, 0.12}, 0ms));  // by itself
+  EXPECT_TRUE(reach.accepts({0, 0, 0.12}, 1ms));
+  EXPECT_FALSE(reach.accepts({0.0032, 0, 0.12}, 2ms));  // a bit of 64 counts
+  EXPECT_FALSE(reach.accepts({0, 0, std::nan("")}, 2ms));
+  EXPECT_TRUE(reach.accepts({0.0019, 0, 0.12}, 2ms));
+  EXPECT_FALSE(reach.accepts({0.0419, 0, 0.12}, 3ms));
+  EXPECT_TRUE(reach.accepts({0.0419, 0, 0.12}, 22ms));  // 20 ms at 2 m/s
+  EXPECT_FALSE(reach.accepts({-0.05, 0, 0.12}, 100ms));  // after a gap two have to agree
+  EXPECT_TRUE(reach.accepts({-0.05, 0, 0.12}, 101ms));
 }
 
 TEST(FalconPort, no_line_however_rough_brings_torque_or_a_place_from_an_old_answer) {

@@ -130,8 +130,8 @@ TEST(FalconTrial, ends_without_force_when_the_device_is_lost_silent_too_fast_or_
   EXPECT_EQ(after([](TrialReading& r) { r.gone = true; }), TrialEnd::device_lost);
   EXPECT_EQ(after([](TrialReading& r) { r.fresh = false; }), TrialEnd::device_lost);
   EXPECT_EQ(after([](TrialReading& r) { r.grip_m.x += 0.0015; }), TrialEnd::too_fast);
-  EXPECT_EQ(after([](TrialReading& r) { r.grip_m.z = 0.060; }), TrialEnd::out_of_room);
-  EXPECT_EQ(after([](TrialReading& r) { r.grip_m.x = std::numeric_limits<double>::quiet_NaN(); }), TrialEnd::out_of_room);
+  EXPECT_EQ(after([](TrialReading& r) { r.grip_m.z = 0.060; }), TrialEnd::out_of_range);
+  EXPECT_EQ(after([](TrialReading& r) { r.grip_m.x = std::numeric_limits<double>::quiet_NaN(); }), TrialEnd::out_of_range);
 }
 
 TEST(FalconMotionFit, says_nothing_where_nothing_moved) {

@@ -43,7 +43,7 @@ struct TrialBench {
         body(emulator, settings),
         link(new EmulatedLink(emulator, line)),
         port(std::unique_ptr<FalconLink>(link), driver()) {
-    link->on_time([this](LinkTime now) { body.live(now); });
+    link->on_time([this](LinkTime now) { body.advance(now); });
     EXPECT_TRUE(port.open());
     for (int i = 0; i < 10000 && wait().status != Sample::Status::fresh; ++i) port.write({});
     for (int i = 0; i < 1000; ++i) {  // until the ramp is over; a grip with weight lies at its lowest by then

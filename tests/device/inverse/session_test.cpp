@@ -28,7 +28,7 @@ struct Rig {
       event(LinkEvent::Kind::time);
     }
   }
-  Session::Wish wish() { return session.take_wish(now); }
+  Session::LinkRequest request() { return session.take_request(now); }
   Phase phase() const { return session.state().phase; }
   /// The force of the message that is due; nothing when none is.
   std::optional<double> sent() {
@@ -37,7 +37,7 @@ struct Rig {
     return nlohmann::json::parse(*message)["inverse3"][0]["commands"]["set_cursor_force"]["values"]["x"].get<double>();
   }
   void make_ready() {
-    EXPECT_EQ(wish(), Session::Wish::open);
+    EXPECT_EQ(request(), Session::LinkRequest::open);
     event(LinkEvent::Kind::opened);
     event(LinkEvent::Kind::message, place(0.01));
     now += 1ms;
@@ -84,15 +84,15 @@ TEST(InverseSession, asks_once_for_each_answer_and_no_faster_than_its_pace) {
 
 TEST(InverseSession, nobody_listening_is_tried_again_after_a_pause) {
   Rig rig;
-  EXPECT_EQ(rig.wish(), Session::Wish::open);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::open);
   rig.event(LinkEvent::Kind::refused);
   EXPECT_EQ(rig.phase(), Phase::pausing);
   EXPECT_EQ(rig.session.state().trouble, Trouble::no_service);
-  EXPECT_EQ(rig.wish(), Session::Wish::close);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::close);
   rig.pass(499ms);
-  EXPECT_EQ(rig.wish(), Session::Wish::none);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::none);
   rig.pass(1ms);
-  EXPECT_EQ(rig.wish(), Session::Wish::open);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::open);
   EXPECT_EQ(rig.phase(), Phase::connecting);
   rig.pass(2000ms);  // neither opened nor refused
   EXPECT_EQ(rig.phase(), Phase::pausing);
@@ -141,9 +141,9 @@ TEST(InverseSession, one_that_stays_silent_is_gone_and_opened_anew) {
   rig.pass(2100ms);
   EXPECT_EQ(rig.phase(), Phase::pausing);
   EXPECT_EQ(rig.session.state().trouble, Trouble::gone);
-  EXPECT_EQ(rig.wish(), Session::Wish::close);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::close);
   rig.pass(500ms);
-  EXPECT_EQ(rig.wish(), Session::Wish::open);
+  EXPECT_EQ(rig.request(), Session::LinkRequest::open);
 }
 
 TEST(InverseSession, garbage_is_no_place_to_push_from_and_too_much_of_it_closes) {
@@ -166,7 +166,7 @@ TEST(InverseSession, garbage_is_no_place_to_push_from_and_too_much_of_it_closes)
 
 TEST(InverseSession, a_service_without_the_device_says_so) {
   Rig none;
-  none.wish();
+  none.request();
   none.event(LinkEvent::Kind::opened);
   none.event(LinkEvent::Kind::message, "{}");
   EXPECT_EQ(none.session.state().trouble, Trouble::no_device);
@@ -175,14 +175,14 @@ TEST(InverseSession, a_service_without_the_device_says_so) {
   EXPECT_EQ(none.phase(), Phase::pausing);
   EXPECT_EQ(none.session.state().trouble, Trouble::no_device);
   Rig other("ABCD");
-  other.wish();
+  other.request();
   other.event(LinkEvent::Kind::opened);
   other.event(LinkEvent::Kind::message, place(0.01));
   EXPECT_EQ(other.phase(), Phase::greeting);
   other.event(LinkEvent::Kind::message, place(0.01, "ABCD"));
   EXPECT_EQ(other.phase(), Phase::ready);
   Rig mute;
-  mute.wish();
+  mute.request();
   mute.event(LinkEvent::Kind::opened);
   mute.pass(2000ms);
   EXPECT_EQ(mute.session.state().trouble, Trouble::no_answer);
@@ -202,7 +202,7 @@ TEST(InverseSession, a_device_that_vanishes_from_the_list_is_silent_and_then_gon
 TEST(InverseSession, the_other_side_going_away_is_loss_in_every_phase) {
   for (const int messages : {0, 1}) {
     Rig rig;
-    rig.wish();
+    rig.request();
     rig.event(LinkEvent::Kind::opened);
     if (messages == 1) rig.event(LinkEvent::Kind::message, place(0.01));
     rig.event(LinkEvent::Kind::closed);
@@ -214,10 +214,10 @@ TEST(InverseSession, the_other_side_going_away_is_loss_in_every_phase) {
 
 TEST(InverseSession, its_last_words_are_no_force) {
   Rig rig;
-  EXPECT_FALSE(rig.session.last_words());
+  EXPECT_FALSE(rig.session.closing_message());
   rig.make_ready();
   for (int i = 0; i < 600; ++i) rig.exchange();
-  const auto words = nlohmann::json::parse(rig.session.last_words().value());
+  const auto words = nlohmann::json::parse(rig.session.closing_message().value());
   EXPECT_EQ(words["inverse3"][0]["commands"]["set_cursor_force"]["values"]["x"], 0.0);
 }
 
@@ -229,7 +229,7 @@ TEST(InverseSession, whatever_happens_there_is_force_in_ready_alone_and_never_to
   std::uint64_t forced = 0;
   for (int i = 0; i < 1'000'000; ++i) {
     const unsigned what = random() % 1000;
-    rig.wish();
+    rig.request();
     if (what < 900) {
       rig.event(LinkEvent::Kind::message, texts[what < 880 ? 0 : random() % std::size(texts)]);
     } else {

@@ -62,7 +62,7 @@ TEST_F(AdminPages, a_student_is_added_and_signs_in_with_the_pin) {
   press(page, "Add");
   EXPECT_EQ(page.message().toStdString(), "Lena Brandt is added.");
   EXPECT_EQ(page.model()->rowCount(), 2);
-  EXPECT_TRUE(records.store().people.sign_in_with_pin("20267314", "271828").has_value());
+  EXPECT_TRUE(records.store().accounts.sign_in_with_pin("20267314", "271828").has_value());
 }
 
 TEST_F(AdminPages, the_same_number_twice_and_a_short_pin_are_refused_with_a_message) {
@@ -91,16 +91,16 @@ TEST_F(AdminPages, switching_an_account_off_asks_first_and_keeps_the_results) {
   page.table()->choose_row(page.model()->row_of(lena.id));
   answer = false;
   press(page, "Switch account off");
-  EXPECT_FALSE(records.store().people.find(lena.id)->disabled);
+  EXPECT_FALSE(records.store().accounts.find(lena.id)->disabled);
   answer = true;
   press(page, "Switch account off");
   ASSERT_EQ(asked.size(), 2u);
   EXPECT_EQ(asked[0].toStdString(), "Switch off the account of Lena Brandt?");
-  EXPECT_TRUE(records.store().people.find(lena.id)->disabled);
+  EXPECT_TRUE(records.store().accounts.find(lena.id)->disabled);
   EXPECT_EQ(records.store().history.list(records.administrator().actor())->size(), 1u);
   press(page, "Switch account on");  // gives back: nothing to ask
   EXPECT_EQ(asked.size(), 2u);
-  EXPECT_FALSE(records.store().people.find(lena.id)->disabled);
+  EXPECT_FALSE(records.store().accounts.find(lena.id)->disabled);
 }
 
 TEST_F(AdminPages, the_last_administrator_stays_one) {
@@ -110,7 +110,7 @@ TEST_F(AdminPages, the_last_administrator_stays_one) {
   page.findChild<QComboBox*>()->setCurrentIndex(0);
   press(page, "Save changes");
   EXPECT_TRUE(page.message().startsWith(QStringLiteral("This is the last administrator."))) << page.message().toStdString();
-  EXPECT_EQ(records.store().people.find(records.administrator().id)->role, Role::administrator);
+  EXPECT_EQ(records.store().accounts.find(records.administrator().id)->role, Role::administrator);
 }
 
 TEST_F(AdminPages, performance_shows_everybody_and_filters) {

@@ -184,7 +184,7 @@ TEST_F(DesktopTest, on_a_full_disk_results_are_read_and_nothing_is_drilled) {
   ASSERT_NE(page, nullptr);
   ASSERT_EQ(bands_of(*page).size(), 1);
   EXPECT_TRUE(bands_of(*page).first().startsWith(QStringLiteral("The disk is full."))) << bands_of(*page).first().toStdString();
-  const auto account = desktop->store()->people.sign_in_with_pin("1", "271828");
+  const auto account = desktop->store()->accounts.sign_in_with_pin("1", "271828");
   ASSERT_TRUE(account);
   desktop->sign_in(*account);
   EXPECT_EQ(pages(), QStringList({QStringLiteral("results"), QStringLiteral("device"), QStringLiteral("help")}));

@@ -194,7 +194,7 @@ TEST(Sentences, a_full_disk_is_shown_only_where_the_disk_is_full) {
   const QString failed = describe(StorageFailure{StorageError::io, "/cache/tooth.nrrd", "Permission denied"}).line();
   EXPECT_FALSE(failed.contains(QStringLiteral("full"))) << failed.toStdString();
   EXPECT_TRUE(failed.contains(QStringLiteral("Permission denied"))) << failed.toStdString();
-  const QString memory = describe(StorageFailure{StorageError::io, "memory"}).line();
+  const QString memory = describe(StorageFailure{StorageError::out_of_memory, "memory"}).line();
   EXPECT_TRUE(memory.contains(QStringLiteral("memory to check a password"))) << memory.toStdString();
 }
 

@@ -348,7 +348,7 @@ TEST(FalconText, every_phase_and_every_end_has_its_text) {
     state.phase = static_cast<falcon::Phase>(phase);
     EXPECT_FALSE(phase_text(state).isEmpty()) << phase;
   }
-  for (int end = static_cast<int>(falcon::TrialEnd::stopped); end <= static_cast<int>(falcon::TrialEnd::out_of_room); ++end)
+  for (int end = static_cast<int>(falcon::TrialEnd::stopped); end <= static_cast<int>(falcon::TrialEnd::out_of_range); ++end)
     EXPECT_FALSE(end_text(static_cast<falcon::TrialEnd>(end)).isEmpty()) << end;
 }
 

@@ -42,7 +42,7 @@ struct EditorPages : ::testing::Test {
   Account instructor;
   QString file;
   void SetUp() override {
-    instructor = *records.store().people.create(records.administrator().actor(),
+    instructor = *records.store().accounts.create(records.administrator().actor(),
                                              {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
     ports.pick_file = [this](QWidget*, const FileWish&, std::function<void(const QString&)> then) { then(file); };
   }

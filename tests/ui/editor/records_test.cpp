@@ -25,7 +25,7 @@ struct EditorRecords : ::testing::Test {
   Account instructor;
   std::optional<std::string> kept_json;  // of the one window that a test is about
   void SetUp() override {
-    const auto made = records.store().people.create(records.administrator().actor(),
+    const auto made = records.store().accounts.create(records.administrator().actor(),
                                                     {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
     ASSERT_TRUE(made.has_value());
     instructor = *made;
@@ -132,7 +132,6 @@ TEST_F(EditorRecords, an_exercise_on_an_imported_volume_is_published_with_its_vo
   ASSERT_TRUE(back.has_value());
   model.set_facts(facts_of(*back));
   ASSERT_TRUE(model.publishable()) << (model.findings().empty() ? "" : model.findings().front().code);
-  const int builtin = load_builtin("channel-1")->version;
   const auto version = publish(records.store(), instructor.actor(), model, kept_json);
   ASSERT_TRUE(version.has_value());
   EXPECT_EQ(version->number, 1);

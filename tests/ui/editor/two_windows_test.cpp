@@ -28,7 +28,7 @@ struct TwoWindows : ::testing::Test {
   std::unique_ptr<EditorPage> first, second;
 
   void SetUp() override {
-    instructor = *records.store().people.create(records.administrator().actor(),
+    instructor = *records.store().accounts.create(records.administrator().actor(),
                                              {"berg", "Mara Berg", Role::instructor, "correct horse", ""});
     auto opened = Store::open(records.file());
     ASSERT_TRUE(opened.has_value());

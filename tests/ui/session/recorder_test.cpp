@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "storage/verify.h"
+#include "storage/records/verify.h"
 #include "tests/storage/failing_vfs.h"
 #include "tests/ui/session/other_process.h"
 #include "tests/ui/session/small_exercise.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "storage/trace_codec.h"
+#include "storage/records/trace_codec.h"
 #include "tests/ui/session/small_exercise.h"
 #include "ui/session/play_through.h"
 #include "ui/session/specimen_blob.h"

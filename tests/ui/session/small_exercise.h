@@ -45,7 +45,7 @@ class Workplace {
     folder = name.substr(0, name.size() - 6) + Uuid::v7().text();
     std::filesystem::create_directories(folder);
     auto store = Store::open(database(), quick_store());
-    demo = store.value()->people.demo_student().value();
+    demo = store.value()->accounts.demo_student().value();
   }
   ~Workplace() { std::filesystem::remove_all(folder); }
   std::filesystem::path database() const { return folder / "cusp.db"; }

@@ -151,7 +151,7 @@ TEST_F(SignInTest, the_first_start_makes_the_administrator) {
   button(*page, "Make the administrator")->click();
   ASSERT_TRUE(who.has_value());
   EXPECT_EQ(who->role, Role::administrator);
-  EXPECT_TRUE(*records.store().people.has_administrator());
+  EXPECT_TRUE(*records.store().accounts.has_administrator());
 }
 
 TEST_F(SignInTest, try_it_takes_one_click_and_no_account) {

@@ -1,0 +1,58 @@
+#include "device/hid/pedal_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cusp::device::hid {
+
+namespace {
+
+double way(std::int32_t from, std::int32_t to) noexcept {
+  return std::abs(static_cast<double>(to) - static_cast<double>(from));
+}
+
+}  // namespace
+
+void PedalFinder::rest(const std::vector<Control>& controls) {
+  ways_.clear();
+  for (const Control& control : controls) ways_.push_back({control, control.value});
+}
+
+void PedalFinder::press(const std::vector<Control>& controls) {
+  for (const Control& control : controls) {
+    auto at = std::find_if(ways_.begin(), ways_.end(), [&](const Way& w) { return w.rest.id == control.id; });
+    if (at == ways_.end()) {  // the controls at rest omit keys that were up
+      Control up = control;
+      if (control.kind != ControlKind::axis) up.value = 0;
+      at = ways_.insert(ways_.end(), {up, up.value});
+    }
+    if (!at->rest.reported && control.reported && control.kind == ControlKind::axis) {
+      at->rest = control;  // the first known value is the best estimate of its rest
+      at->furthest = control.value;
+    }
+    if (way(at->rest.value, control.value) > way(at->rest.value, at->furthest)) at->furthest = control.value;
+  }
+}
+
+std::optional<FoundControl> PedalFinder::found(double dead_zone) const {
+  const Way* best = nullptr;
+  double best_share = 0;
+  for (const Way& w : ways_) {
+    const bool axis = w.rest.kind == ControlKind::axis;
+    const double range = way(w.rest.least, w.rest.most);
+    const double share = range > 0 ? way(w.rest.value, w.furthest) / range : 0;
+    if (share < (axis ? kLeastWay : 1e-9)) continue;
+    const double weight = axis ? 1.0 + share : 0.5;
+    if (weight > best_share) {
+      best_share = weight;
+      best = &w;
+    }
+  }
+  if (best == nullptr) return std::nullopt;
+  const bool axis = best->rest.kind == ControlKind::axis;
+  const auto calibration = PedalCalibration::from(best->rest.value, best->furthest, axis ? dead_zone : 0.0);
+  if (!calibration) return std::nullopt;
+  return FoundControl{best->rest.id, best->rest.kind, *calibration};
+}
+
+}  // namespace cusp::device::hid

@@ -1,0 +1,37 @@
+/// Finds the control that a foot moves, and its two ends: first the values at rest, then the values while pressed. Pure.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "device/hid/pedal.h"
+
+namespace cusp::device::hid {
+
+struct FoundControl {
+  ControlId id;
+  ControlKind kind = ControlKind::button;
+  PedalCalibration calibration = PedalCalibration::of_switch();
+};
+
+class PedalFinder {
+ public:
+  /// Least movement of an axis, as a share of its range.
+  static constexpr double kLeastWay = 0.2;
+
+  /// Values with the foot off. Forgets earlier presses.
+  void rest(const std::vector<Control>& controls);
+  /// Values while the foot presses; any number of calls. The furthest value counts.
+  void press(const std::vector<Control>& controls);
+  /// The control that moved the most, an axis before a switch; nullopt if none moved enough.
+  std::optional<FoundControl> found(double dead_zone = PedalCalibration::kUsualDeadZone) const;
+
+ private:
+  struct Way {
+    Control rest;
+    std::int32_t furthest = 0;
+  };
+  std::vector<Way> ways_;
+};
+
+}  // namespace cusp::device::hid

@@ -1,0 +1,29 @@
+/// Questions and operations on files that the standard library lacks.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "storage/base/error.h"
+
+namespace cusp::storage {
+
+/// Whether the folder lies on NFS, SMB or another drive that machines share. False if the system gives no answer.
+bool on_network_drive(const std::filesystem::path& folder);
+
+/// Whether this process may write the file, or create files in the folder.
+bool can_write(const std::filesystem::path& path);
+
+/// The cause that an errno names: disk_full, quota_exceeded, file_too_large, out_of_memory, read_only, not_found,
+/// duplicate, else io.
+StorageError error_from_errno(int error) noexcept;
+
+/// Writes a file that only its owner can read; synced when it returns, never half written. duplicate if the file exists.
+Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content);
+/// The same for a file that may exist: readers see the old content or the whole new one. One writer at a time.
+Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content);
+/// nullopt if the file does not exist.
+Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file);
+
+}  // namespace cusp::storage

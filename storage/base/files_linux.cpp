@@ -1,0 +1,170 @@
+#include <fcntl.h>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "storage/base/files.h"
+
+namespace cusp::storage {
+namespace {
+
+// Source: the kernel's file systems; linux/magic.h lacks these.
+constexpr unsigned long kCifs = 0xFF534D42, kSmb2 = 0xFE534D42, kLustre = 0x0BD00BD0, kGpfs = 0x47504653,
+                        kFuse = 0x65735546;
+
+/// FUSE serves local disks too: the mount's type decides ("fuse.sshfs"). The longest mount point above `folder` counts.
+bool network_fuse(const std::filesystem::path& folder) {
+  std::ifstream mounts("/proc/self/mountinfo");
+  const std::string path = folder.string();
+  std::string line, type;
+  std::size_t longest = 0;
+  while (std::getline(mounts, line)) {
+    std::istringstream fields(line);
+    std::string skipped, point, dash;
+    fields >> skipped >> skipped >> skipped >> skipped >> point;
+    while (fields >> dash && dash != "-") continue;
+    std::string kind;
+    fields >> kind;
+    const bool above =
+        path.starts_with(point) && (point.size() == path.size() || point.ends_with('/') || path[point.size()] == '/');
+    if (above && point.size() >= longest) {
+      longest = point.size();
+      type = kind;
+    }
+  }
+  constexpr std::array network = {"fuse.sshfs", "fuse.rclone",     "fuse.glusterfs", "fuse.davfs",
+                                  "fuse.s3fs",  "fuse.gvfsd-fuse", "fuse.smbnetfs",  "fuse.curlftpfs"};
+  for (const char* name : network) {
+    if (type == name) return true;
+  }
+  return false;
+}
+
+StorageFailure failure_now(const std::filesystem::path& file) {
+  const int error = errno;
+  return {error_from_errno(error), file.string(), std::strerror(error)};
+}
+
+/// Writes all of `content` and syncs it.
+bool write_through(int descriptor, const std::string& content) {
+  for (std::size_t at = 0; at < content.size();) {
+    const ssize_t wrote = write(descriptor, content.data() + at, content.size() - at);
+    if (wrote > 0) at += static_cast<std::size_t>(wrote);
+    if (wrote <= 0 && !(wrote < 0 && errno == EINTR)) return false;
+  }
+  return fsync(descriptor) == 0;
+}
+
+}  // namespace
+
+StorageError error_from_errno(int error) noexcept {
+  switch (error) {
+    case ENOENT:
+    case ENOTDIR:
+      return StorageError::not_found;
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return StorageError::read_only;
+    case ENOSPC:
+      return StorageError::disk_full;
+    case EDQUOT:
+      return StorageError::quota_exceeded;
+    case EFBIG:
+      return StorageError::file_too_large;
+    case ENOMEM:
+      return StorageError::out_of_memory;
+    case EEXIST:
+      return StorageError::duplicate;
+    default:
+      return StorageError::io;
+  }
+}
+
+bool on_network_drive(const std::filesystem::path& folder) {
+  struct statfs about{};
+  if (statfs(folder.c_str(), &about) != 0) return false;
+  const auto type = static_cast<unsigned long>(about.f_type) & 0xFFFFFFFFul;
+  switch (type) {
+    case NFS_SUPER_MAGIC:
+    case SMB_SUPER_MAGIC:
+    case AFS_SUPER_MAGIC:
+    case CODA_SUPER_MAGIC:
+    case CEPH_SUPER_MAGIC:
+    case OCFS2_SUPER_MAGIC:
+    case kCifs:
+    case kSmb2:
+    case kLustre:
+    case kGpfs:
+      return true;
+    case kFuse:
+      return network_fuse(std::filesystem::absolute(folder));
+    default:
+      return false;
+  }
+}
+
+bool can_write(const std::filesystem::path& path) { return faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0; }
+
+Stored<void> write_private_file(const std::filesystem::path& file, const std::string& content) {
+  std::string fresh = file.string() + "." + std::string(6, 'X');  // mkstemp replaces the last six
+  const int descriptor = mkstemp(fresh.data());                   // readable by its owner alone
+  if (descriptor < 0) return std::unexpected(failure_now(file));
+  bool good = write_through(descriptor, content);
+  // link() instead of rename(): it fails if another process created the file meanwhile.
+  good = good && link(fresh.c_str(), file.c_str()) == 0;
+  Stored<void> result;
+  if (!good) result = std::unexpected(failure_now(file));
+  close(descriptor);
+  unlink(fresh.c_str());
+  if (good) {
+    const auto folder = std::filesystem::absolute(file).parent_path();
+    if (const int d = open(folder.c_str(), O_RDONLY | O_DIRECTORY); d >= 0) {
+      fsync(d);
+      close(d);
+    }
+  }
+  return result;
+}
+
+Stored<void> replace_private_file(const std::filesystem::path& file, const std::string& content) {
+  // A fixed name: if the process dies here, the next write replaces the leftover file.
+  const std::string fresh = file.string() + ".new";
+  const int descriptor = open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, S_IRUSR | S_IWUSR);
+  if (descriptor < 0) return std::unexpected(failure_now(file));
+  const bool good = write_through(descriptor, content) && rename(fresh.c_str(), file.c_str()) == 0;
+  Stored<void> result;
+  if (!good) {
+    result = std::unexpected(failure_now(file));
+    unlink(fresh.c_str());
+  }
+  close(descriptor);
+  return result;
+}
+
+Stored<std::optional<std::string>> read_private_file(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    if (errno == ENOENT) return std::optional<std::string>{};
+    return std::unexpected(failure_now(file));
+  }
+  std::string content;
+  std::array<char, 512> piece{};
+  ssize_t got = 0;
+  while ((got = read(descriptor, piece.data(), piece.size())) > 0 && content.size() < 65536) {
+    content.append(piece.data(), static_cast<std::size_t>(got));
+  }
+  Stored<std::optional<std::string>> result{content};
+  if (got < 0) result = std::unexpected(failure_now(file));
+  close(descriptor);
+  return result;
+}
+
+}  // namespace cusp::storage

@@ -1,0 +1,41 @@
+/// Writes seals (seals.h) into the audit log, and keeps the rollback counter up to the log.
+///
+/// | entry | subject | end of the detail |
+/// |---|---|---|
+/// | session_sealed | session | event, entries of its chain, last link |
+/// | account_created, account_renamed, role_changed, ..., person_sealed | user | the six fields of account_seal() |
+/// | commented, comment_sealed | session | row_seal() of the comment |
+/// | cohort_created, cohort_sealed | cohort | row_seal() |
+/// | assigned, assignment_sealed | assignment | row_seal() |
+/// | version_published, version_kept, version_sealed | version | row_seal() |
+/// | sealing_began | station | number of rows from before; the entries after it seal them |
+/// | rolled_back, counter_missing, counter_broken, log_damaged | station | an incident; stays a finding for good |
+#pragma once
+
+#include <string_view>
+
+#include "storage/records/context.h"
+#include "storage/records/seals.h"
+
+namespace cusp::storage {
+
+/// Entries with a seal, within the transaction that wrote the row.
+void log_account(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action,
+                 UserId account);
+void log_row(StorageContext& context, Transaction& transaction, UserId actor, std::string_view action,
+             SealedTable table, const Uuid& id);
+/// Call after ChainWriter::finish(). `event`: a key of EventKind.
+void log_session(StorageContext& context, Transaction& transaction, UserId actor, SessionId session,
+                 std::string_view event);
+
+/// Commits, then brings the counter up to the log. A counter that cannot be written does not fail the transaction:
+/// context.counter_failure holds the reason, and the next commit tries again.
+Stored<void> commit_sealed(StorageContext& context, Transaction& transaction);
+
+/// At each opening for writing: seals older rows once, and checks the counter. What the counter shows enters the log and
+/// context.incident.
+Stored<void> begin_sealing(StorageContext& context);
+/// For a file opened read-only: checks the counter and sets context.incident; writes nothing.
+void note_counter_incident(StorageContext& context);
+
+}  // namespace cusp::storage

@@ -1,0 +1,38 @@
+/// Seals: hashes of what stands in a row. The audit log keeps them, so that a row which SQL deletes, adds or changes
+/// differs from its newest seal. Names never enter the log, only hashes that a random secret of the row salts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "storage/sqlite/database.h"
+
+namespace cusp::storage {
+
+/// Columns of the table `people` that account_seal() reads, in its order. A caller appends "WHERE id = ?1".
+inline constexpr const char* kSelectSealedAccounts =
+    "SELECT id, role, disabled, guest, password, pin, created_at, number, name FROM people ";
+/// Role, disabled, guest, password, PIN, number and name. A secret is the hash of its record, "-" if there is none.
+/// Number and name enter one hash with the password's or PIN's own random salt; without either they stay out.
+using AccountSeal = std::array<std::string, 6>;
+inline constexpr std::array<std::string_view, 6> kAccountSealFields = {"role",     "disabled", "guest",
+                                                                       "password", "PIN",      "number or name"};
+AccountSeal account_seal(Row row);
+std::string text_of(const AccountSeal& seal);
+/// nullopt for the detail of an entry from before sealing began.
+std::optional<AccountSeal> account_seal_from(std::string_view detail);
+
+/// Rows sealed by one hash. The numbers are not stored.
+enum class SealedTable : std::uint8_t { comments, cohorts, assignments, scenario_versions };
+inline constexpr std::array kSealedTables = {SealedTable::comments, SealedTable::cohorts, SealedTable::assignments,
+                                             SealedTable::scenario_versions};
+std::string_view name_of(SealedTable table) noexcept;
+/// Selects the subject of the row's entries first, then every column. A caller appends "WHERE id = ?1".
+std::string select_sealed(SealedTable table);
+/// Pre: select_sealed() gave the row. The seal of a version covers its files.
+Hash256 row_seal(Database& db, SealedTable table, Row row);
+
+}  // namespace cusp::storage

@@ -1,0 +1,312 @@
+#include "storage/repositories/accounts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "storage/records/audit_writer.h"
+#include "storage/records/sealing.h"
+
+namespace cusp::storage {
+namespace {
+
+constexpr const char* kColumns =
+    "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at FROM people ";
+
+Account account_of(Row row) {
+  Account a;
+  a.id = row.id<UserId>(0);
+  a.number = row.text(1);
+  a.name = row.text(2);
+  a.role = role_from_key(row.text(3)).value_or(Role::student);
+  a.disabled = row.flag(4);
+  a.guest = row.flag(5);
+  a.has_password = row.flag(6);
+  a.has_pin = row.flag(7);
+  a.created_utc_us = row.integer(8);
+  return a;
+}
+
+constexpr int kFreeTries = 5;
+constexpr std::int64_t kFirstLock_us = 30'000'000, kLongestLock_us = 900'000'000;
+
+std::int64_t lock_us(std::int64_t wrong_tries) noexcept {
+  if (wrong_tries < kFreeTries) return 0;
+  const auto doublings = std::min<std::int64_t>(wrong_tries - kFreeTries, 5);
+  return std::min(kFirstLock_us << doublings, kLongestLock_us);
+}
+
+Stored<void> check(const NewAccount& a) {
+  if (a.number.empty() || a.number.size() > 64) return fail(StorageError::bad_value, "number");
+  if (a.name.empty() || a.name.size() > 200) return fail(StorageError::bad_value, "name");
+  if (!a.pin.empty() && a.role != Role::student) return fail(StorageError::bad_value, "pin");
+  const bool password_optional = a.role == Role::student;
+  if (!(a.password.empty() && password_optional) && !acceptable_password(a.password)) {
+    return fail(StorageError::weak_password, "password");
+  }
+  if (!a.pin.empty() && !acceptable_pin(a.pin)) return fail(StorageError::weak_password, "pin");
+  return {};
+}
+
+/// Empty stays empty. Refuses if argon2id cannot get the memory that the cost asks for.
+std::string secret(Transaction& transaction, std::string_view plain, const PasswordCost& cost) {
+  if (plain.empty()) return {};
+  std::string hashed = hash_password(plain, cost);
+  if (hashed.empty()) transaction.refuse({StorageError::out_of_memory, "memory"});
+  return hashed;
+}
+
+enum class AccountKind : bool { personal, guest };
+
+std::optional<Account> insert(StorageContext& c, Transaction& transaction, UserId actor, const NewAccount& a,
+                              AccountKind kind = AccountKind::personal) {
+  const UserId id = UserId::make();
+  transaction.run(
+      "INSERT INTO people (id, number, name, role, password, pin, guest, created_at) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+      id, a.number, a.name, key_of(a.role), secret(transaction, a.password, c.cost), secret(transaction, a.pin, c.cost),
+      kind == AccountKind::guest, c.clock());
+  log_account(c, transaction, actor, "account_created", id);
+  return transaction.first(std::string(kColumns) + "WHERE id = ?1", account_of, id);
+}
+
+Stored<Account> committed(StorageContext& c, Transaction& transaction, std::optional<Account> account) {
+  if (auto done = commit_sealed(c, transaction); !done) return std::unexpected(done.error());
+  return *account;
+}
+
+/// Refuses to disable or demote the last enabled administrator.
+void keep_an_administrator(Transaction& transaction) {
+  const auto left = transaction.first("SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0",
+                                      [](Row row) { return row.integer(0); });
+  if (left && *left == 0) transaction.refuse({StorageError::last_administrator, "people"});
+}
+
+/// A duplicate number names itself as the place of the failure, not the file.
+template <class T>
+Stored<T> naming_number(Stored<T> done, const std::string& number) {
+  if (!done && done.error().code == StorageError::duplicate) done.error().where = number;
+  return done;
+}
+
+/// The kind of secret that this account signs in with, if `given` is of the other kind; else nullptr.
+const char* other_secret(const Account& a, std::string_view given, SecretKind kind) noexcept {
+  if (!a.has_pin && !a.has_password) return nullptr;
+  if (kind == SecretKind::pin) return !a.has_pin ? "password" : nullptr;
+  if (!a.has_password) return "pin";
+  return acceptable_pin(given) ? "password" : nullptr;
+}
+
+/// Refuses if the UPDATE before it changed no row.
+void require_one_change(StorageContext& c, Transaction& transaction) {
+  if (transaction.ok() && c.db.changes() != 1) transaction.refuse({StorageError::not_found, "people"});
+}
+
+}  // namespace
+
+Stored<bool> Accounts::has_administrator() {
+  const auto count = c_.db.first("SELECT count(*) FROM people WHERE role = 'administrator' AND disabled = 0",
+                                 [](Row row) { return row.integer(0); });
+  if (!count) return std::unexpected(count.error());
+  return count->value_or(0) > 0;
+}
+
+Stored<Account> Accounts::create_first_administrator(const NewAccount& account) {
+  NewAccount wanted = account;
+  wanted.role = Role::administrator;
+  if (auto good = check(wanted); !good) return std::unexpected(good.error());
+  Transaction transaction(c_.db);
+  const auto there = has_administrator();
+  if (!there) transaction.refuse(there.error());
+  if (there && *there) transaction.refuse({StorageError::not_allowed, std::string(key_of(Action::manage_accounts))});
+  auto made = transaction.ok() ? insert(c_, transaction, UserId{}, wanted) : std::nullopt;
+  return naming_number(committed(c_, transaction, std::move(made)), account.number);
+}
+
+Stored<Account> Accounts::demo_student() {
+  if (auto there = find_number("demo"); there || there.error().code != StorageError::not_found) return there;
+  Transaction transaction(c_.db);
+  const auto others =
+      transaction.first("SELECT count(*) FROM people WHERE guest = 0", [](Row row) { return row.integer(0); });
+  if (others.value_or(0) > 0) transaction.refuse({StorageError::not_allowed, "demo"});
+  auto made =
+      transaction.ok() ? insert(c_, transaction, UserId{}, {.number = "demo", .name = "demo"}) : std::nullopt;
+  return committed(c_, transaction, std::move(made));
+}
+
+Stored<Account> Accounts::guest() {
+  const std::string query = std::string(kColumns) + "WHERE guest = 1";
+  const auto there = c_.db.first(query, account_of);
+  if (!there) return std::unexpected(there.error());
+  if (*there) return **there;
+  Transaction transaction(c_.db);
+  auto account = transaction.first(query, account_of);
+  // Nobody can type this number at sign-in: it holds a line break.
+  if (!account && transaction.ok()) {
+    account = insert(c_, transaction, UserId{}, {.number = "\nguest", .name = "guest"}, AccountKind::guest);
+  }
+  return committed(c_, transaction, std::move(account));
+}
+
+Stored<Account> Accounts::create(const Actor& actor, const NewAccount& account) {
+  if (auto allowed = require(actor, Action::manage_accounts); !allowed) return std::unexpected(allowed.error());
+  if (auto good = check(account); !good) return std::unexpected(good.error());
+  Transaction transaction(c_.db);
+  auto made = insert(c_, transaction, actor.id, account);
+  return naming_number(committed(c_, transaction, std::move(made)), account.number);
+}
+
+Stored<void> Accounts::rename(const Actor& actor, UserId user, const std::string& number, const std::string& name) {
+  if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
+  if (number.empty() || number.size() > 64) return fail(StorageError::bad_value, "number");
+  if (name.empty() || name.size() > 200) return fail(StorageError::bad_value, "name");
+  Transaction transaction(c_.db);
+  transaction.run("UPDATE people SET number = ?2, name = ?3 WHERE id = ?1 AND guest = 0", user, number, name);
+  require_one_change(c_, transaction);
+  log_account(c_, transaction, actor.id, "account_renamed", user);
+  return naming_number(commit_sealed(c_, transaction), number);
+}
+
+Stored<void> Accounts::set_role(const Actor& actor, UserId user, Role role) {
+  if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  const auto has_password = transaction.first(
+      "SELECT password <> '' FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.flag(0); }, user);
+  if (!has_password) transaction.refuse({StorageError::not_found, "people"});
+  if (role != Role::student && has_password && !*has_password) {
+    transaction.refuse({StorageError::weak_password, "password"});  // staff need one
+  }
+  transaction.run("UPDATE people SET role = ?2, pin = iif(?2 = 'student', pin, '') WHERE id = ?1", user, key_of(role));
+  keep_an_administrator(transaction);
+  log_account(c_, transaction, actor.id, "role_changed", user);
+  return commit_sealed(c_, transaction);
+}
+
+Stored<void> Accounts::disable(const Actor& actor, UserId user) { return set_status(actor, user, Status::disabled); }
+Stored<void> Accounts::enable(const Actor& actor, UserId user) { return set_status(actor, user, Status::enabled); }
+
+Stored<void> Accounts::set_status(const Actor& actor, UserId user, Status status) {
+  const bool disabled = status == Status::disabled;
+  if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
+  Transaction transaction(c_.db);
+  transaction.run("UPDATE people SET disabled = ?2 WHERE id = ?1 AND guest = 0", user, disabled);
+  require_one_change(c_, transaction);
+  keep_an_administrator(transaction);
+  log_account(c_, transaction, actor.id, disabled ? "account_disabled" : "account_enabled", user);
+  return commit_sealed(c_, transaction);
+}
+
+Stored<void> Accounts::set_password(const Actor& actor, UserId user, std::string_view old, std::string_view fresh) {
+  if (!acceptable_password(fresh)) return fail(StorageError::weak_password, "password");
+  if (actor.id != user) {
+    if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
+  }
+  const auto stored = c_.db.first(
+      "SELECT password FROM people WHERE id = ?1 AND guest = 0", [](Row row) { return row.text(0); }, user);
+  if (!stored) return std::unexpected(stored.error());
+  if (!*stored) return fail(StorageError::not_found, "people");
+  const bool none_yet = (*stored)->empty() && old.empty();
+  if (actor.id == user && !none_yet && !password_matches(**stored, old)) {
+    return fail(StorageError::wrong_password, "password");
+  }
+  Transaction transaction(c_.db);
+  transaction.run("UPDATE people SET password = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1", user,
+                  secret(transaction, fresh, c_.cost));
+  log_account(c_, transaction, actor.id, "password_changed", user);
+  return commit_sealed(c_, transaction);
+}
+
+Stored<void> Accounts::set_pin(const Actor& actor, UserId user, std::string_view pin) {
+  if (auto allowed = require(actor, Action::manage_accounts); !allowed) return allowed;
+  if (!pin.empty() && !acceptable_pin(pin)) return fail(StorageError::weak_password, "pin");
+  Transaction transaction(c_.db);
+  transaction.run(
+      "UPDATE people SET pin = ?2, wrong_tries = 0, locked_until = 0 WHERE id = ?1 AND role = 'student' AND guest = 0",
+      user, secret(transaction, pin, c_.cost));
+  require_one_change(c_, transaction);
+  log_account(c_, transaction, actor.id, "pin_changed", user);
+  return commit_sealed(c_, transaction);
+}
+
+Stored<Account> Accounts::sign_in(std::string_view number, std::string_view password) {
+  return sign_in_by(number, password, SecretKind::password);
+}
+Stored<Account> Accounts::sign_in_with_pin(std::string_view number, std::string_view pin) {
+  return sign_in_by(number, pin, SecretKind::pin);
+}
+
+Stored<Account> Accounts::sign_in_by(std::string_view number, std::string_view given, SecretKind kind) {
+  // Checked before the number is looked up: the answer does not depend on which accounts exist.
+  if (kind == SecretKind::pin && !acceptable_pin(given)) return fail(StorageError::other_secret, std::string(number), "pin");
+  struct Secrets {
+    Account account;
+    std::string password, pin;
+    std::int64_t locked_until = 0;
+  };
+  const auto found = c_.db.first(
+      "SELECT id, number, name, role, disabled, guest, password <> '', pin <> '', created_at, password, pin, "
+      "locked_until FROM people WHERE number = ?1 AND guest = 0",
+      [](Row row) {
+        return Secrets{account_of(row), row.text(9), row.text(10), row.integer(11)};
+      },
+      number);
+  if (!found) return std::unexpected(found.error());
+  const std::int64_t now = c_.clock();
+  if (!*found) {
+    // As slow as a wrong password: the time does not reveal whether the number exists.
+    static_cast<void>(hash_password(given, c_.cost));
+    return fail(StorageError::wrong_password, "sign_in");
+  }
+  const Secrets& s = **found;
+  if (const char* other = other_secret(s.account, given, kind)) {
+    return fail(StorageError::other_secret, s.account.number, other);
+  }
+  if (s.locked_until > now) return fail(StorageError::locked, "sign_in", std::to_string(s.locked_until));
+  const bool open = s.password.empty() && s.pin.empty() && s.account.role == Role::student;
+  const bool right = open ? given.empty() : password_matches(kind == SecretKind::pin ? s.pin : s.password, given);
+  if (right && s.account.disabled) return fail(StorageError::disabled, "sign_in");
+  if (c_.db.read_only()) {
+    if (!right) return fail(StorageError::wrong_password, "sign_in");
+    return s.account;
+  }
+  Transaction transaction(c_.db);
+  if (right) {
+    transaction.run("UPDATE people SET wrong_tries = 0, locked_until = 0 WHERE id = ?1", s.account.id);
+    log_event(c_, transaction, {.actor = s.account.id, .action = "signed_in", .subject = s.account.id.uuid});
+    return committed(c_, transaction, s.account);
+  }
+  const auto tries = transaction.first(
+      "UPDATE people SET wrong_tries = wrong_tries + 1 WHERE id = ?1 RETURNING wrong_tries",
+      [](Row row) { return row.integer(0); }, s.account.id);
+  if (const auto lock = lock_us(tries.value_or(0)); lock > 0) {
+    transaction.run("UPDATE people SET locked_until = ?2 WHERE id = ?1", s.account.id, now + lock);
+  }
+  log_event(c_, transaction,
+            {.action = "sign_in_failed",
+             .subject = s.account.id.uuid,
+             .detail = std::to_string(tries.value_or(0))});
+  if (auto done = commit_sealed(c_, transaction); !done) return std::unexpected(done.error());
+  return fail(StorageError::wrong_password, "sign_in");
+}
+
+Stored<Account> Accounts::find(UserId user) {
+  const auto found = c_.db.first(std::string(kColumns) + "WHERE id = ?1", account_of, user);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "people", user.text());
+  return **found;
+}
+
+Stored<Account> Accounts::find_number(std::string_view number) {
+  const auto found = c_.db.first(std::string(kColumns) + "WHERE number = ?1 AND guest = 0", account_of, number);
+  if (!found) return std::unexpected(found.error());
+  if (!*found) return fail(StorageError::not_found, "people", std::string(number));
+  return **found;
+}
+
+Stored<std::vector<Account>> Accounts::list(const Actor& actor) {
+  if (!may(actor.role, Action::manage_accounts) && !may(actor.role, Action::manage_cohorts)) {
+    if (auto allowed = require(actor, Action::see_all_results); !allowed) return std::unexpected(allowed.error());
+  }
+  return c_.db.all(std::string(kColumns) + "WHERE guest = 0 ORDER BY name, number", account_of);
+}
+
+}  // namespace cusp::storage

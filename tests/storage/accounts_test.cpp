@@ -1,0 +1,233 @@
+#include <gtest/gtest.h>
+
+#include "tests/storage/sample.h"
+
+namespace cusp::test {
+namespace {
+
+
+class AccountsTest : public ::testing::Test {
+ protected:
+  Folder folder;
+  std::shared_ptr<std::int64_t> now = std::make_shared<std::int64_t>(kNow);
+  std::unique_ptr<Store> store = open(folder / "a.db", quick(now));
+  Accounts& accounts = store->accounts;
+};
+
+TEST_F(AccountsTest, the_first_start_has_no_administrator_and_makes_exactly_one) {
+  EXPECT_FALSE(must(accounts.has_administrator()));
+  make_administrator(*store);
+  EXPECT_TRUE(must(accounts.has_administrator()));
+  EXPECT_EQ(code_of(accounts.create_first_administrator({.number = "b", .name = "b", .password = "correct horse"})),
+            StorageError::not_allowed);
+}
+
+TEST_F(AccountsTest, the_right_password_signs_in_and_a_wrong_one_does_not) {
+  const Account admin = make_administrator(*store);
+  EXPECT_EQ(must(accounts.sign_in("admin", "correct horse")).id, admin.id);
+  EXPECT_EQ(must(accounts.sign_in("ADMIN", "correct horse")).id, admin.id);
+  EXPECT_EQ(code_of(accounts.sign_in("admin", "correct horsf")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(accounts.sign_in("admin", "")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(accounts.sign_in_with_pin("admin", "")), StorageError::other_secret);
+}
+
+TEST_F(AccountsTest, an_unknown_number_cannot_be_told_from_a_wrong_password) {
+  make_administrator(*store);
+  const auto unknown = accounts.sign_in("nobody", "correct horse");
+  const auto wrong = accounts.sign_in("admin", "nonsense");
+  ASSERT_FALSE(unknown);
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(unknown.error().code, wrong.error().code);
+  EXPECT_EQ(unknown.error().where, wrong.error().where);
+  EXPECT_EQ(unknown.error().detail, wrong.error().detail);
+}
+
+TEST_F(AccountsTest, a_student_signs_in_with_a_pin) {
+  const Account student = make_student(*store);
+  EXPECT_EQ(must(accounts.sign_in_with_pin("20267314", "314159")).id, student.id);
+  EXPECT_EQ(code_of(accounts.sign_in_with_pin("20267314", "314150")), StorageError::wrong_password);
+  EXPECT_EQ(must(accounts.sign_in("20267314", "battery staple")).id, student.id);
+}
+
+TEST_F(AccountsTest, staff_have_no_pin_and_never_do_without_a_password) {
+  const Actor admin = make_administrator(*store).actor();
+  EXPECT_EQ(
+      code_of(accounts.create(
+          admin, {.number = "i", .name = "I", .role = Role::instructor, .password = "long enough", .pin = "123456"})),
+      StorageError::bad_value);
+  EXPECT_EQ(code_of(accounts.create(admin, {.number = "i", .name = "I", .role = Role::instructor})),
+            StorageError::weak_password);
+  const Account open_student = must(accounts.create(admin, {.number = "s", .name = "S"}));
+  EXPECT_EQ(code_of(accounts.set_role(admin, open_student.id, Role::administrator)), StorageError::weak_password);
+  EXPECT_EQ(code_of(accounts.set_pin(admin, admin.id, "123456")), StorageError::not_found);
+}
+
+TEST_F(AccountsTest, five_wrong_tries_lock_for_half_a_minute_and_each_further_one_twice_as_long) {
+  make_student(*store);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(code_of(accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
+  const auto locked = accounts.sign_in("20267314", "battery staple");  // the right one, too early
+  ASSERT_FALSE(locked);
+  EXPECT_EQ(locked.error().code, StorageError::locked);
+  EXPECT_EQ(locked.error().detail, std::to_string(kNow + 30'000'000));
+  *now += 30'000'000;
+  EXPECT_EQ(code_of(accounts.sign_in_with_pin("20267314", "000000")), StorageError::wrong_password);
+  *now += 59'999'999;
+  EXPECT_EQ(code_of(accounts.sign_in("20267314", "battery staple")), StorageError::locked);
+  *now += 1;
+  EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));
+  EXPECT_EQ(code_of(accounts.sign_in("20267314", "guess")), StorageError::wrong_password);
+  EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));  // counting began anew
+}
+
+TEST_F(AccountsTest, a_secret_of_the_wrong_kind_is_no_wrong_try_and_the_failure_names_the_number) {
+  const Actor admin = make_administrator(*store).actor();
+  must(accounts.create(admin, {.number = "271", .name = "Omar", .pin = "271828"}));
+  const auto refused = [&](const Stored<Account>& account, const std::string& number, const std::string& kind) {
+    ASSERT_FALSE(account);
+    EXPECT_EQ(account.error().code, StorageError::other_secret);
+    EXPECT_EQ(account.error().where, number);
+    EXPECT_EQ(account.error().detail, kind);
+  };
+  for (int i = 0; i < 9; ++i) {  // twice what would lock the account
+    refused(accounts.sign_in("271", "a long password"), "271", "pin");
+    refused(accounts.sign_in_with_pin("271", "letter"), "271", "pin");
+    refused(accounts.sign_in_with_pin("271", "12345"), "271", "pin");
+    refused(accounts.sign_in_with_pin("admin", "123456"), "admin", "password");
+    refused(accounts.sign_in("admin", "123456"), "admin", "password");
+  }
+  EXPECT_TRUE(accounts.sign_in_with_pin("271", "271828"));
+  EXPECT_TRUE(accounts.sign_in("admin", "correct horse"));
+  // A malformed PIN does not reveal whether the number exists.
+  refused(accounts.sign_in_with_pin("nobody", "letter"), "nobody", "pin");
+  EXPECT_EQ(code_of(accounts.sign_in_with_pin("nobody", "123456")), StorageError::wrong_password);
+  // A PIN that could be one is a try.
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(code_of(accounts.sign_in_with_pin("271", "000000")), StorageError::wrong_password);
+  }
+  EXPECT_EQ(code_of(accounts.sign_in_with_pin("271", "271828")), StorageError::locked);
+}
+
+TEST_F(AccountsTest, a_number_or_name_that_is_taken_is_named_and_not_the_file) {
+  const Actor admin = make_administrator(*store).actor();
+  const Actor instructor = make_instructor(*store).actor();
+  const auto where = [](const auto& result) { return result ? std::string("went through") : result.error().where; };
+  EXPECT_EQ(where(accounts.create(admin, {.number = "Okafor", .name = "x"})), "Okafor");
+  EXPECT_EQ(where(accounts.rename(admin, instructor.id, "admin", "x")), "admin");
+  must(store->cohorts.create(instructor, "Year 2"));
+  EXPECT_EQ(where(store->cohorts.create(instructor, "year 2")), "year 2");
+}
+
+TEST_F(AccountsTest, a_disabled_account_is_told_so_only_with_the_right_password) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account student = make_student(*store);
+  must(accounts.disable(admin, student.id));
+  EXPECT_EQ(code_of(accounts.sign_in("20267314", "battery staple")), StorageError::disabled);
+  EXPECT_EQ(code_of(accounts.sign_in("20267314", "wrong")), StorageError::wrong_password);
+  must(accounts.enable(admin, student.id));
+  EXPECT_TRUE(accounts.sign_in("20267314", "battery staple"));
+}
+
+TEST_F(AccountsTest, the_last_administrator_stays) {
+  const Account admin = make_administrator(*store);
+  EXPECT_EQ(code_of(accounts.disable(admin.actor(), admin.id)), StorageError::last_administrator);
+  EXPECT_EQ(code_of(accounts.set_role(admin.actor(), admin.id, Role::student)), StorageError::last_administrator);
+  const Account second = must(accounts.create(
+      admin.actor(), {.number = "b", .name = "B", .role = Role::administrator, .password = "correct horse"}));
+  must(accounts.disable(second.actor(), admin.id));
+}
+
+TEST_F(AccountsTest, only_an_administrator_manages_accounts) {
+  const Actor student = make_student(*store).actor();
+  const Actor instructor = make_instructor(*store).actor();
+  for (const Actor& actor : {student, instructor}) {
+    EXPECT_EQ(code_of(accounts.create(actor, {.number = "x", .name = "x"})), StorageError::not_allowed);
+    EXPECT_EQ(code_of(accounts.set_role(actor, actor.id, Role::administrator)), StorageError::not_allowed);
+    EXPECT_EQ(code_of(accounts.disable(actor, student.id)), StorageError::not_allowed);
+    EXPECT_EQ(code_of(accounts.rename(actor, student.id, "a", "a")), StorageError::not_allowed);
+    EXPECT_EQ(code_of(accounts.set_pin(actor, student.id, "000000")), StorageError::not_allowed);
+  }
+  EXPECT_EQ(code_of(accounts.list(student)), StorageError::not_allowed);
+  EXPECT_EQ(must(accounts.list(instructor)).size(), 2u);
+}
+
+TEST_F(AccountsTest, one_changes_ones_own_password_with_the_old_one_only) {
+  const Account student = make_student(*store);
+  EXPECT_EQ(code_of(accounts.set_password(student.actor(), student.id, "wrong", "new password")),
+            StorageError::wrong_password);
+  EXPECT_EQ(code_of(accounts.set_password(student.actor(), student.id, "battery staple", "short")),
+            StorageError::weak_password);
+  must(accounts.set_password(student.actor(), student.id, "battery staple", "new password"));
+  EXPECT_TRUE(accounts.sign_in("20267314", "new password"));
+  const Account other = make_student(*store, "2", "B");
+  EXPECT_EQ(code_of(accounts.set_password(student.actor(), other.id, "battery staple", "new password")),
+            StorageError::not_allowed);
+  must(accounts.set_password(make_administrator(*store).actor(), other.id, "", "given by the office"));
+  EXPECT_TRUE(accounts.sign_in("2", "given by the office"));
+}
+
+TEST_F(AccountsTest, a_number_is_given_once_upper_and_lower_case_alike) {
+  const Actor admin = make_administrator(*store).actor();
+  EXPECT_EQ(code_of(accounts.create(admin, {.number = "Admin", .name = "x"})), StorageError::duplicate);
+  EXPECT_EQ(code_of(accounts.create(admin, {.number = "", .name = "x"})), StorageError::bad_value);
+  EXPECT_EQ(code_of(accounts.create(admin, {.number = "x", .name = ""})), StorageError::bad_value);
+  EXPECT_EQ(code_of(accounts.create(admin, {.number = "x", .name = "x", .pin = "12345"})), StorageError::weak_password);
+  EXPECT_EQ(must(accounts.list(admin)).size(), 1u);
+}
+
+TEST_F(AccountsTest, the_guest_is_one_in_no_list_and_cannot_sign_in) {
+  const Actor admin = make_administrator(*store).actor();
+  const Account guest = must(accounts.guest());
+  EXPECT_TRUE(guest.guest);
+  EXPECT_EQ(must(accounts.guest()).id, guest.id);
+  EXPECT_EQ(must(accounts.list(admin)).size(), 1u);
+  EXPECT_EQ(code_of(accounts.sign_in(guest.number, "")), StorageError::wrong_password);
+  EXPECT_EQ(code_of(accounts.set_password(admin, guest.id, "", "long enough")), StorageError::not_found);
+}
+
+TEST_F(AccountsTest, demo_is_made_only_in_a_database_without_accounts) {
+  const Account demo = must(accounts.demo_student());
+  EXPECT_EQ(demo.role, Role::student);
+  EXPECT_FALSE(must(accounts.has_administrator()));
+  EXPECT_EQ(must(accounts.demo_student()).id, demo.id);
+  EXPECT_EQ(must(accounts.sign_in("demo", "")).id, demo.id);
+  EXPECT_EQ(code_of(accounts.sign_in("demo", "x")), StorageError::wrong_password);
+  const Folder other;
+  const auto school = open(other / "b.db");
+  make_administrator(*school);
+  EXPECT_EQ(code_of(school->accounts.demo_student()), StorageError::not_allowed);
+}
+
+TEST_F(AccountsTest, what_is_done_to_accounts_stands_in_the_audit_log_without_names) {
+  const Account admin = make_administrator(*store);
+  const Account student = make_student(*store);
+  must(accounts.disable(admin.actor(), student.id));
+  EXPECT_EQ(code_of(store->audit.list(student.actor(), 10)), StorageError::not_allowed);
+  const auto entries = must(store->audit.list(admin.actor(), 100));
+  ASSERT_EQ(entries.size(), 5u);  // key, sealing, two accounts, disabled
+  EXPECT_EQ(entries[0].action, "account_disabled");
+  EXPECT_EQ(entries[0].actor, admin.id);
+  EXPECT_EQ(entries[0].subject, student.id.uuid);
+  for (const AuditEntry& entry : entries) {
+    EXPECT_EQ(entry.detail.find("Lena"), std::string::npos);
+    EXPECT_EQ(entry.detail.find("20267314"), std::string::npos);
+  }
+  EXPECT_TRUE(must(verify_audit_log(store->context())).intact());
+}
+
+TEST_F(AccountsTest, cohorts_hold_students) {
+  const Actor instructor = make_instructor(*store).actor();
+  const Account student = make_student(*store);
+  const Cohort cohort = must(store->cohorts.create(instructor, "Year 2, group A"));
+  EXPECT_EQ(code_of(store->cohorts.create(instructor, "year 2, group a")), StorageError::duplicate);
+  must(store->cohorts.add(instructor, cohort.id, student.id));
+  must(store->cohorts.add(instructor, cohort.id, student.id));
+  EXPECT_EQ(must(store->cohorts.list()).at(0).students, 1);
+  EXPECT_EQ(must(store->cohorts.cohorts_of(student.id)), std::vector{cohort.id});
+  EXPECT_EQ(code_of(store->cohorts.add(instructor, cohort.id, UserId::make())), StorageError::not_found);
+  EXPECT_EQ(code_of(store->cohorts.add(student.actor(), cohort.id, student.id)), StorageError::not_allowed);
+  must(store->cohorts.remove(instructor, cohort.id, student.id));
+  EXPECT_TRUE(must(store->cohorts.students(cohort.id)).empty());
+}
+
+}  // namespace
+}  // namespace cusp::test
