@@ -12,19 +12,19 @@ bool ends(std::string_view text, std::string_view with) {
   return text.size() >= with.size() && text.substr(text.size() - with.size()) == with;
 }
 
-/// What each room may include of the others; the longest matching room counts.
-struct Room {
+/// What each module may include of the others; the longest matching folder counts.
+struct ModuleRule {
   std::string_view folder;
   std::array<std::string_view, 6> may;
 };
-constexpr Room kRooms[] = {
+constexpr ModuleRule kRules[] = {
     {"engine/base/", {"engine/base/"}},
     {"engine/", {"engine/"}},
     {"device/", {"device/", "engine/base/"}},
     {"scenarios/", {"scenarios/", "engine/"}},
     {"storage/", {"storage/", "scenarios/", "engine/"}},
-    {"ui/render/", {"ui/render/", "scenarios/", "engine/"}},
-    {"ui/session/", {"ui/session/", "storage/", "scenarios/", "engine/", "device/"}},
+    {"ui/render/", {"ui/render/", "ui/modules.h", "scenarios/", "engine/"}},
+    {"ui/session/", {"ui/session/", "ui/modules.h", "storage/", "scenarios/", "engine/", "device/"}},
     {"ui/", {"ui/", "storage/", "scenarios/", "engine/", "device/"}},
 };
 
@@ -40,11 +40,11 @@ bool is_qt(std::string_view header) {
 
 std::vector<std::string> forbidden_includes(std::string_view path, std::string_view text) {
   std::vector<std::string> out;
-  const Room* room = nullptr;
-  for (const Room& r : kRooms)
-    if (starts(path, r.folder) && (room == nullptr || r.folder.size() > room->folder.size())) room = &r;
-  if (room == nullptr) return out;
-  const auto say = [&out, path](std::string_view header, std::string_view why) {
+  const ModuleRule* rule = nullptr;
+  for (const ModuleRule& r : kRules)
+    if (starts(path, r.folder) && (rule == nullptr || r.folder.size() > rule->folder.size())) rule = &r;
+  if (rule == nullptr) return out;
+  const auto report = [&out, path](std::string_view header, std::string_view why) {
     out.push_back(std::string(path) + " includes " + std::string(header) + ": " + std::string(why));
   };
 
@@ -68,23 +68,23 @@ std::vector<std::string> forbidden_includes(std::string_view path, std::string_v
 
     if (quoted) {
       bool allowed = false;
-      for (const std::string_view may : room->may) allowed = allowed || (!may.empty() && starts(header, may));
+      for (const std::string_view may : rule->may) allowed = allowed || (!may.empty() && starts(header, may));
       const bool ours = starts(header, "engine/") || starts(header, "device/") || starts(header, "scenarios/") ||
                         starts(header, "storage/") || starts(header, "ui/") || starts(header, "tests/");
-      if (ours && !allowed) say(header, "an arrow that points the wrong way");
+      if (ours && !allowed) report(header, "an arrow that points the wrong way");
       continue;
     }
     if (is_qt(header) && (!starts(path, "ui/") || starts(path, "ui/session/") || starts(path, "ui/render/")))
-      say(header, "Qt lives in ui alone, and not in ui/session and ui/render");
-    if (header == "sqlite3.h" && !starts(path, "storage/sqlite/")) say(header, "only storage/sqlite speaks to SQLite");
+      report(header, "Qt lives in ui alone, and not in ui/session and ui/render");
+    if (header == "sqlite3.h" && !starts(path, "storage/sqlite/")) report(header, "only storage/sqlite speaks to SQLite");
     if (header.find("libusb") != std::string_view::npos && !starts(path, "device/falcon/transport_"))
-      say(header, "only the Falcon's transport speaks to libusb");
+      report(header, "only the Falcon's transport speaks to libusb");
     if (header.find("hidapi") != std::string_view::npos && !starts(path, "device/hid/transport_"))
-      say(header, "only the HID transport speaks to hidapi");
+      report(header, "only the HID transport speaks to hidapi");
     bool platform = starts(header, "sys/") || starts(header, "linux/");
     for (const std::string_view p : kPlatform) platform = platform || header == p;
     if (platform && !ends(path, "_linux.cpp") && path.find("/transport_") == std::string_view::npos)
-      say(header, "platform headers stay in *_linux.cpp and transport files");
+      report(header, "platform headers stay in *_linux.cpp and transport files");
   }
   return out;
 }

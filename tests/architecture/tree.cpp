@@ -1,4 +1,4 @@
-// The house as it stands: arrows, top level, READMEs, the licence, and the flags that determinism needs.
+// The tree as it stands: arrows, top level, READMEs, the licence, and the flags that determinism needs.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -24,10 +24,10 @@ std::string read(const fs::path& path) {
   return out.str();
 }
 
-std::vector<fs::path> sources(const std::vector<std::string>& rooms) {
+std::vector<fs::path> sources(const std::vector<std::string>& modules) {
   std::vector<fs::path> out;
-  for (const std::string& room : rooms)
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / room)) {
+  for (const std::string& module : modules)
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / module)) {
       const std::string kind = entry.path().extension().string();
       if (entry.is_regular_file() && (kind == ".h" || kind == ".cpp" || kind == ".in")) out.push_back(entry.path());
     }
@@ -88,7 +88,7 @@ TEST(Openings, a_planted_violation_is_found) {
   }
 }
 
-TEST(House, has_the_fixed_top_level) {
+TEST(Tree, HasTheFixedTopLevel) {
   const std::set<std::string> folders = {"ui", "engine", "device", "scenarios", "storage", "translations", "tests",
                                          ".ci", ".git", "build", "shared"};
   for (const auto& entry : fs::directory_iterator(kRoot)) {
@@ -101,9 +101,9 @@ TEST(House, has_the_fixed_top_level) {
     EXPECT_TRUE(fs::exists(kRoot / file)) << file;
 }
 
-TEST(House, every_room_says_what_lives_in_it) {
-  for (const char* room : {"ui", "engine", "device", "scenarios", "storage", "translations", "tests"})
-    EXPECT_TRUE(fs::exists(kRoot / room / "README.md")) << room;
+TEST(Tree, EveryModuleSaysWhatLivesInIt) {
+  for (const char* module : {"ui", "engine", "device", "scenarios", "storage", "translations", "tests"})
+    EXPECT_TRUE(fs::exists(kRoot / module / "README.md")) << module;
   for (const auto& entry : fs::directory_iterator(kRoot / "ui")) {
     const std::string name = entry.path().filename().string();
     if (entry.is_regular_file()) {
@@ -114,14 +114,14 @@ TEST(House, every_room_says_what_lives_in_it) {
   }
 }
 
-TEST(House, is_licensed_under_gpl_3_or_later) {
+TEST(Tree, IsLicensedUnderGpl3OrLater) {
   const std::string text = read(kRoot / "LICENSE");
   EXPECT_NE(text.find("GNU GENERAL PUBLIC LICENSE"), std::string::npos);
   EXPECT_NE(text.find("Version 3, 29 June 2007"), std::string::npos);
   EXPECT_GT(text.size(), 30000u);
 }
 
-TEST(House, leaves_nothing_unfinished_in_the_code) {
+TEST(Tree, LeavesNothingUnfinishedInTheCode) {
   const std::string words[] = {std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X"};
   for (const fs::path& path : sources({"engine", "device", "scenarios", "storage", "ui", "tests"})) {
     const std::string text = read(path);
